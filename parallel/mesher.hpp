@@ -1,0 +1,101 @@
+// The mesher: Pslg and Goal in, Mesh and Report out. Deterministic: the result depends on nothing but the
+// arguments. Never prints, exits or aborts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../core/goal.hpp"
+#include "../core/mesh.hpp"
+#include "../core/pslg.hpp"
+#include "../core/result.hpp"
+
+namespace pardel {
+
+/// Where a new point goes when a triangle has to be split.
+enum class Placement : std::uint8_t {
+  circumcentre,
+  off_centre,  ///< Üngör's: nearer to the shortest edge, just far enough for the angle bound; smaller meshes
+};
+
+struct Progress {
+  std::uint64_t triangles = 0;  ///< so far
+  double estimate = 0;          ///< of the final number; 0 while unknown
+};
+
+struct Options {
+  Placement placement = Placement::off_centre;
+  int threads = 1;
+  std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
+  /// No point is inserted where it would make an edge shorter than this; 0: a default that double
+  /// precision can hold, 2^-42 times the largest coordinate.
+  double min_edge = 0;
+  bool no_boundary_splits = false;  ///< Triangle's -Y: do not split edges of the domain's boundary
+  bool no_segment_splits = false;   ///< Triangle's -YY: do not split any segment
+  /// Called now and then from the calling thread; return false to stop with ErrorKind::cancelled.
+  std::function<bool(const Progress&)> progress;
+};
+
+/// Why a triangle that breaks the goal was left alone.
+enum class ExemptReason : std::uint8_t {
+  nestled,       ///< its smallest angle lies between two input segments
+  seditious,     ///< its shortest edge joins two points of one shell about an apex with an angle below 60°
+  budget,        ///< max_vertices reached
+  min_edge,      ///< splitting it would go below the edge floor
+  precision,     ///< no point representable in double precision splits it validly
+  kept_segment,  ///< only splitting a segment that may not be split would help
+};
+inline constexpr int exempt_reasons = 6;
+[[nodiscard]] const char* name(ExemptReason reason);
+/// True for the reasons that a small input angle justifies.
+[[nodiscard]] constexpr bool justified(ExemptReason reason) {
+  return reason == ExemptReason::nestled || reason == ExemptReason::seditious;
+}
+
+struct Exemption {
+  Index triangle = no_index;
+  ExemptReason reason = ExemptReason::precision;
+  Index apex = no_index;  ///< the input vertex with the small angle, where there is one
+  double angle_deg = 0;   ///< the small input angle there
+};
+
+struct Report {
+  std::uint64_t inserted = 0;        ///< vertices added inside faces
+  std::uint64_t segment_splits = 0;  ///< vertices added on segments
+  std::uint64_t refused = 0;         ///< insertions that exact orientation or the floor refused
+  std::vector<Exemption> exempt;     ///< triangles of the result that break the goal, ascending
+  double validate_seconds = 0, triangulate_seconds = 0, refine_seconds = 0;
+
+  [[nodiscard]] std::uint64_t count(ExemptReason reason) const;
+  /// True when every exemption is justified.
+  [[nodiscard]] bool goal_met() const;
+};
+
+struct Meshed {
+  Mesh mesh;
+  Report report;
+};
+
+/// The constrained Delaunay triangulation of the domain, nothing inserted (conforming and sizes ignored).
+[[nodiscard]] Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull = false, const Options& options = {});
+
+/// The quality mesh. An invalid Pslg gives invalid_input with every problem in the message; a goal
+/// out of range (an angle over 33°, a negative cap, NaN) gives usage.
+[[nodiscard]] Result<Meshed> mesh(const Pslg& pslg, const Goal& goal = {}, const Options& options = {});
+
+/// Refines an existing mesh (Triangle's -r): its constrained edges (or, where it has none, its boundary
+/// edges) stay constraints, its vertices stay, each triangle of it obeys its cap in `max_areas` (empty: none).
+/// The mesh must be manifold and positively oriented; it is made constrained Delaunay first.
+[[nodiscard]] Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal = {},
+                                    const Options& options = {});
+
+/// The sizing function that interpolates one size per input vertex linearly over the constrained Delaunay
+/// triangulation of the input. Owns what it needs; pure; callable from several threads.
+[[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
+                                                                     bool convex_hull = false);
+
+}  // namespace pardel

@@ -1,0 +1,70 @@
+// Is a Pslg one that can be meshed? validate() finds every problem; repair() makes a valid one where
+// the problem is one of topology (duplicates, crossings, points on segments).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../core/goal.hpp"
+#include "../core/pslg.hpp"
+#include "../core/result.hpp"
+
+namespace pardel {
+
+enum class ProblemKind : std::uint8_t {
+  non_finite_coordinate,
+  coordinate_out_of_range,  ///< |x| above largest_coordinate, or tiny but not zero (predicates.hpp)
+  wrong_count,              ///< attribute or marker arrays whose length does not fit the points
+  index_out_of_range,       ///< a segment names a point that does not exist
+  duplicate_points,
+  zero_length_segment,
+  duplicate_segments,
+  crossing_segments,     ///< at an interior point of both; `where` is the crossing, rounded
+  overlapping_segments,  ///< collinear, with more than a point in common
+  point_on_segment,      ///< a point in the interior of a segment
+  all_points_collinear,  ///< or fewer than three points
+  unclosed_outline,      ///< the exterior reaches everything: no domain would be left
+  no_domain,             ///< an outline exists, but holes eat all of it
+  hole_outside,
+  hole_on_segment,
+  region_outside,
+  region_on_segment,
+  regions_share_face,  ///< two region seeds in one face
+  bad_region_cap,      ///< an area cap that is NaN
+};
+[[nodiscard]] const char* name(ProblemKind kind);
+
+/// ids: the points, segments, holes or regions concerned (which, follows from the kind), zero-based.
+struct Problem {
+  ProblemKind kind;
+  std::vector<Index> ids;
+  Point where;
+  /// One sentence with ids and coordinates.
+  [[nodiscard]] std::string message(int base = 0) const;
+};
+
+struct ValidateOptions {
+  bool convex_hull = false;           ///< the outline is the hull: an unclosed outline is no problem
+  std::size_t max_problems = 10'000;  ///< per kind; crossings can be quadratic in number
+};
+
+/// Every problem, in order of kind, then ids. Empty: the Pslg can be meshed. O((n + problems) log n) on
+/// typical input. Exact: no tolerance anywhere.
+[[nodiscard]] std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options = {});
+
+struct Repaired {
+  Pslg pslg;
+  std::vector<Index> point_map;    ///< old point -> new point
+  std::vector<Index> segment_map;  ///< new segment -> old segment it is a part of (the first, where they overlap)
+  std::vector<std::string> log;    ///< what was done, a line each
+};
+
+/// Merges equal points (and those closer than `snap`), drops zero-length and duplicate segments, splits
+/// crossing and overlapping segments and segments with points in their interior, and drops holes and
+/// regions that lie outside or on a segment. Crossing points are rounded, so splitting repeats until
+/// validate() finds nothing; fails where it does not converge, where coordinates are unusable, or where
+/// nothing encloses a domain.
+[[nodiscard]] Result<Repaired> repair(const Pslg& pslg, double snap = 0);
+
+}  // namespace pardel
