@@ -97,7 +97,7 @@ Path key_outline() {
   const double fillet_x = std::sqrt((bow + fillet) * (bow + fillet) - fillet_y * fillet_y);
   const double root = std::atan2(fillet_y, fillet_x) * (180 / std::numbers::pi);
   // Three mouldings of the collar, half-round beads that the shaft carries.
-  constexpr std::pair<double, double> beads[] = {{1.62, 0.13}, {1.90, 0.17}, {2.18, 0.13}};  // x, radius
+  constexpr std::pair<double, double> beads[] = {{1.60, 0.12}, {1.96, 0.18}, {2.32, 0.12}};  // x, radius
   constexpr double bead_height = shaft + 0.06;  // where a bead's half circle begins
 
   Path path;
@@ -107,7 +107,7 @@ Path key_outline() {
   // The bit: a plate below the shaft, its steps cut for the levers, its sides slotted for the wards.
   path.arc({4.42, -shaft - 0.12}, 0.12, 90, 0, 5);                                            // fillet into the bit
   path.to(4.54, -0.52).to(4.80, -0.52).arc({4.80, -0.58}, 0.06, 90, -90, 8).to(4.54, -0.64);  // ward slot
-  path.to(4.54, -0.98).arc({4.62, -1.10}, 0.08, 180, 270, 4);                                 // first tooth, longest
+  path.arc({4.62, -1.10}, 0.08, 180, 270, 4);                                                 // first tooth, longest
   path.to(4.78, -1.18).to(4.78, -0.92).arc({4.86, -0.92}, 0.08, 180, 0, 8);                   // cut with a round ground
   path.to(4.94, -1.06).to(5.10, -1.06);                                                       // second tooth
   path.to(5.10, -0.80).to(5.24, -0.80);                                                       // step
