@@ -1,0 +1,89 @@
+// A fuzz target that throws its constraints away tests nothing. So: what bytes mean is a case with constraints,
+// and the committed corpus exercises all that a Pslg can have.
+#include "../../fuzz/mesh_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "../../parallel/validate.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::vector<Bytes> corpus() {
+  std::vector<Bytes> inputs;
+  for (const auto& entry : std::filesystem::directory_iterator(PARDEL_CORPUS "/mesh")) {
+    std::ifstream in(entry.path(), std::ios::binary);
+    inputs.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+  return inputs;
+}
+
+/// Of the outline alone: what an empty input draws.
+std::size_t outline_segments() { return decode_mesh_case({}).pslg.segments.size(); }
+
+TEST(MeshCase, no_bytes_at_all_still_draw_an_outline) {
+  const Prepared prepared = prepare(decode_mesh_case({}));
+  ASSERT_TRUE(prepared.usable);
+  EXPECT_EQ(prepared.pslg.segments.size(), outline_segments());
+  EXPECT_TRUE(validate(prepared.pslg).empty());
+}
+
+TEST(MeshCase, the_same_bytes_mean_the_same_case) {
+  const Bytes bytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+  EXPECT_EQ(decode_mesh_case(bytes).pslg, decode_mesh_case(bytes).pslg);
+}
+
+TEST(MeshCase, repairing_keeps_what_was_drawn) {
+  for (const Bytes& bytes : corpus()) {
+    const MeshCase drawn = decode_mesh_case(bytes);
+    const Prepared prepared = prepare(drawn);
+    ASSERT_TRUE(prepared.usable);
+    // Every drawn segment that has a length is still there, as one piece or several: none of its ends is lost.
+    for (const Segment& segment : drawn.pslg.segments) {
+      for (const Index end : {segment.a, segment.b}) {
+        const Point p = drawn.pslg.points[end];
+        EXPECT_NE(std::find(prepared.pslg.points.begin(), prepared.pslg.points.end(), p), prepared.pslg.points.end());
+      }
+    }
+    EXPECT_GE(prepared.pslg.segments.size(), outline_segments());
+  }
+}
+
+TEST(MeshCase, the_corpus_exercises_constraints_holes_and_regions) {
+  const std::vector<Bytes> inputs = corpus();
+  std::size_t usable = 0, whole = 0, constraints = 0, holes = 0, regions = 0, crossings = 0, caps = 0, conforming = 0;
+  for (const Bytes& bytes : inputs) {
+    const MeshCase drawn = decode_mesh_case(bytes);
+    const Prepared prepared = prepare(drawn);
+    if (!prepared.usable) continue;
+    ++usable;
+    whole += !prepared.reduced;
+    constraints += prepared.pslg.segments.size() >= outline_segments() + 3;
+    holes += !prepared.pslg.holes.empty();
+    regions += !prepared.pslg.regions.empty();
+    crossings += prepared.pslg.points.size() > drawn.pslg.points.size();
+    caps += drawn.goal.max_area < std::numeric_limits<double>::infinity();
+    conforming += drawn.goal.conforming;
+  }
+  // Shares of the corpus, not mere existence.
+  const std::size_t n = inputs.size();
+  EXPECT_GE(n, 60u);
+  EXPECT_GE(usable, n * 95 / 100);
+  EXPECT_GE(whole, n * 80 / 100);
+  EXPECT_GE(constraints, n * 70 / 100);
+  EXPECT_GE(holes, n * 40 / 100);
+  EXPECT_GE(regions, n * 25 / 100);
+  EXPECT_GE(crossings, n / 20);
+  EXPECT_GE(caps, n * 20 / 100);
+  EXPECT_GE(conforming, n / 10);
+}
+
+}  // namespace
+}  // namespace pardel::fuzz
