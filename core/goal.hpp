@@ -21,7 +21,7 @@ struct Goal {
   bool region_caps = true;
   /// Sizing: the longest edge wanted at a point, > 0; a triangle is too large when its longest edge
   /// exceeds size(centroid). Empty: none. Must be pure and callable from several threads.
-  std::function<double(Point)> size;
+  std::function<double(Point)> size{};
   /// Truly Delaunay (every edge locally Delaunay) instead of constrained Delaunay.
   bool conforming = false;
   /// The domain is the convex hull of the points (implied when there are no segments).

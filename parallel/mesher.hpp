@@ -37,7 +37,7 @@ struct Options {
   bool no_boundary_splits = false;  ///< Triangle's -Y: do not split edges of the domain's boundary
   bool no_segment_splits = false;   ///< Triangle's -YY: do not split any segment
   /// Called now and then from the calling thread; return false to stop with ErrorKind::cancelled.
-  std::function<bool(const Progress&)> progress;
+  std::function<bool(const Progress&)> progress{};
 };
 
 /// Why a triangle that breaks the goal was left alone.
