@@ -45,6 +45,7 @@ enum class ViolationKind : std::uint8_t {
   long_edge,
   size_exceeded,
   large_circumradius,
+  wrong_attribute,  ///< an input vertex does not carry its input attributes
 };
 [[nodiscard]] const char* name(ViolationKind kind);
 
