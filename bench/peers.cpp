@@ -1,0 +1,175 @@
+// peers: the same domain and goal through pardel and its peers, in interleaved runs, each in a process of its
+// own; one table of medians. See --help.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tool.hpp"
+
+namespace pardel::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Settings {
+  Task task;
+  int runs = 3;
+  std::vector<std::string> tools;
+  std::string json_file;
+};
+
+/// A row of the table: medians over the runs of one tool.
+struct Row {
+  std::string tool;
+  double seconds = 0;
+  std::uint64_t triangles = 0;
+  double bytes_per_triangle = 0;
+  std::string verdict;
+  std::vector<double> all_seconds;
+
+  [[nodiscard]] bool failed() const { return triangles == 0; }
+  [[nodiscard]] double rate() const { return failed() ? 0 : static_cast<double>(triangles) / seconds; }
+};
+
+template <class T>
+T median(std::vector<T> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Row summarise(const std::string& tool, const std::vector<Run>& runs) {
+  Row row{.tool = tool, .verdict = runs.front().verdict.data(), .all_seconds = {}};
+  std::vector<std::uint64_t> triangles;
+  std::vector<double> bytes;
+  for (const Run& run : runs) {
+    row.all_seconds.push_back(run.seconds);
+    triangles.push_back(run.triangles);
+    if (run.triangles > 0)
+      bytes.push_back(static_cast<double>(run.peak_rss_bytes) / static_cast<double>(run.triangles));
+    if (run.verdict != runs.front().verdict) row.verdict = "differs from run to run";
+  }
+  row.seconds = median(row.all_seconds);
+  row.triangles = *std::min_element(triangles.begin(), triangles.end());  // a failed run fails the row
+  if (!bytes.empty()) row.bytes_per_triangle = median(bytes);
+  if (row.failed() && row.verdict.empty()) row.verdict = "the process died";
+  return row;
+}
+
+std::vector<Row> compare(const Settings& settings, const std::vector<Tool>& tools) {
+  const fs::path scratch = fs::temp_directory_path() / fmt::format("pardel-peers-{}", getpid());
+  fs::create_directories(scratch);
+  std::map<std::string, std::vector<Run>> runs;
+  for (int i = 0; i < settings.runs; ++i)
+    for (const Tool& tool : tools) runs[tool.name].push_back(tool.run(settings.task, scratch));
+  fs::remove_all(scratch);
+  std::vector<Row> rows;
+  for (const Tool& tool : tools) rows.push_back(summarise(tool.name, runs[tool.name]));
+  return rows;
+}
+
+void print(const std::vector<Row>& rows, const Settings& settings) {
+  const Task& task = settings.task;
+  fmt::print("{}", task.domain);
+  if (is_point_set(task)) fmt::print(" ({} uniform random, seed {})", task.points, task.seed);
+  if (task.delaunay_only)
+    fmt::print(", Delaunay triangulation alone");
+  else
+    fmt::print(", angles from {}°, areas to {:.4g}", task.goal.min_angle_deg, task.goal.max_area);
+  fmt::print("; medians of {} interleaved runs, one thread\n\n", settings.runs);
+  fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", "tool", "mesh s", "× pardel", "triangles",
+             "M tri/s", "B/tri", "the checker's verdict");
+  fmt::print("|---|---|---|---|---|---|---|\n");
+  const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.tool == "pardel"; });
+  for (const Row& row : rows) {
+    if (row.failed()) {
+      fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", row.tool, "–", "–", "–", "–", "–",
+                 row.verdict);
+      continue;
+    }
+    const std::string ratio =
+        own == rows.end() || own->failed() ? "–" : fmt::format("{:.2f}", row.seconds / own->seconds);
+    fmt::print("| {:13} | {:8.3f} | {:>9} | {:10} | {:8.2f} | {:8.0f} | {} |\n", row.tool, row.seconds, ratio,
+               row.triangles, row.rate() / 1e6, row.bytes_per_triangle, row.verdict);
+  }
+}
+
+bool write_json(const std::vector<Row>& rows, const Settings& settings) {
+  nlohmann::json report;
+  report["schema"] = "pardel.peers/1";
+  report["domain"] = settings.task.domain;
+  if (is_point_set(settings.task)) report["points"] = settings.task.points;
+  report["seed"] = settings.task.seed;
+  report["delaunay_only"] = settings.task.delaunay_only;
+  report["min_angle_deg"] = settings.task.goal.min_angle_deg;
+  if (settings.task.goal.max_area < std::numeric_limits<double>::infinity())
+    report["max_area"] = settings.task.goal.max_area;
+  report["runs"] = settings.runs;
+  for (const Row& row : rows) {
+    report["tools"][row.tool] = {{"seconds", row.all_seconds},
+                                 {"median_seconds", row.seconds},
+                                 {"triangles", row.triangles},
+                                 {"bytes_per_triangle", row.bytes_per_triangle},
+                                 {"verdict", row.verdict}};
+  }
+  std::ofstream out(settings.json_file);
+  out << report.dump(2) << '\n';
+  return static_cast<bool>(out.flush());
+}
+
+std::vector<Tool> chosen_tools(const Settings& settings) {
+  std::vector<Tool> tools;
+  for (const Tool& tool : {pardel_tool(), cgal_mesh_tool(), cgal_delaunay_tool(), gmsh_tool(), triangle_tool()}) {
+    const bool wanted = settings.tools.empty() ||
+                        std::find(settings.tools.begin(), settings.tools.end(), tool.name) != settings.tools.end();
+    if (wanted && tool.applies(settings.task)) tools.push_back(tool);
+  }
+  return tools;
+}
+
+}  // namespace
+
+int main_of_peers(int argc, char** argv) {
+  Settings settings;
+  Task& task = settings.task;
+  bool no_check = false;
+  CLI::App app{"The same domain and goal through pardel and its peers; prints one table of medians."};
+  app.add_option("--domain", task.domain, "What is meshed")
+      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points"}))
+      ->capture_default_str();
+  app.add_option("--triangles", task.triangles, "About how many triangles an area cap shall lead to; 0: no cap")
+      ->capture_default_str();
+  app.add_option("--points", task.points, "How many random points (for --domain points)");
+  app.add_option("--seed", task.seed, "Of the random points")->capture_default_str();
+  app.add_option("--min-angle", task.goal.min_angle_deg, "Degrees")
+      ->check(CLI::Range(0.0, 33.0))
+      ->capture_default_str();
+  app.add_option("--runs", settings.runs, "Runs of each tool")->check(CLI::Range(1, 1000))->capture_default_str();
+  app.add_flag("--delaunay-only", task.delaunay_only, "Triangulate the points, insert nothing");
+  app.add_option("--tools", settings.tools,
+                 "Of pardel, cgal-mesh, cgal-delaunay, gmsh, triangle (default: all there are)")
+      ->delimiter(',');
+  app.add_flag("--no-check", no_check, "Leave the meshes unjudged: for large ones");
+  app.add_option("--json", settings.json_file, "Write all runs to this file");
+  CLI11_PARSE(app, argc, argv);
+  task.check = !no_check;
+  // Refinement under an area cap leaves 1.55 triangles for every cap's worth of domain, on every domain tried.
+  if (task.triangles > 0) task.goal.max_area = 1.55 * domain_area(task) / static_cast<double>(task.triangles);
+
+  const std::vector<Row> rows = compare(settings, chosen_tools(settings));
+  print(rows, settings);
+  if (!settings.json_file.empty() && !write_json(rows, settings)) {
+    fmt::print(stderr, "{}: cannot be written\n", settings.json_file);
+    return 5;
+  }
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.tool == "pardel" && row.failed(); });
+}
+
+}  // namespace pardel::bench
+
+int main(int argc, char** argv) { return pardel::bench::main_of_peers(argc, argv); }

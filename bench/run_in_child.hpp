@@ -1,0 +1,86 @@
+// One measured run, in a process of its own: so its peak memory is its own, and a crash is a row in a table.
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace pardel::bench {
+
+/// The largest resident set of this process so far, in bytes.
+[[nodiscard]] inline std::uint64_t peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+/// Runs `work` in a forked process and returns what it returned; nothing where the process died. Linux hands
+/// the parent's resident set on to the child, so the parent must stay small: make inputs inside `work`.
+template <class T>
+[[nodiscard]] std::optional<T> run_in_child(const std::function<T()>& work) {
+  static_assert(std::is_trivially_copyable_v<T>, "the result travels through a pipe as bytes");
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return std::nullopt;
+  const pid_t child = fork();
+  if (child == 0) {
+    close(pipe_ends[0]);
+    const T result = work();
+    const ssize_t written = write(pipe_ends[1], &result, sizeof result);
+    _exit(written == static_cast<ssize_t>(sizeof result) ? 0 : 1);
+  }
+  close(pipe_ends[1]);
+  T result{};
+  const bool complete = child > 0 && read(pipe_ends[0], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
+  close(pipe_ends[0]);
+  int status = 0;
+  if (child > 0) waitpid(child, &status, 0);
+  if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+  return result;
+}
+
+/// A program that was run: its exit code, what it said (stdout and stderr), its peak memory.
+struct ProgramRun {
+  int exit_code = -1;
+  std::string output;
+  std::uint64_t peak_rss_bytes = 0;
+};
+
+/// Runs a program directly, without a shell. `arguments` starts with the program, searched on the PATH.
+[[nodiscard]] inline ProgramRun run_program(const std::vector<std::string>& arguments) {
+  ProgramRun run;
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return run;
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(pipe_ends[1], STDOUT_FILENO);
+    dup2(pipe_ends[1], STDERR_FILENO);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+  close(pipe_ends[1]);
+  char buffer[4096];
+  for (ssize_t n = 0; child > 0 && (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;)
+    run.output.append(buffer, static_cast<std::size_t>(n));
+  close(pipe_ends[0]);
+  int status = 0;
+  rusage usage{};
+  if (child > 0 && wait4(child, &status, 0, &usage) == child && WIFEXITED(status)) {
+    run.exit_code = WEXITSTATUS(status);
+    run.peak_rss_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  }
+  return run;
+}
+
+}  // namespace pardel::bench

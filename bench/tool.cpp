@@ -1,0 +1,55 @@
+#include "tool.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "../properties/check.hpp"
+#include "../properties/domains.hpp"
+
+namespace pardel::bench {
+
+Pslg make_domain(const Task& task) {
+  Result<Pslg> made = domains::generate(task.domain, task.points, task.seed);
+  return made ? std::move(*made) : Pslg{};
+}
+
+bool is_point_set(const Task& task) { return task.domain == "points"; }
+
+double domain_area(const Task& task) {
+  if (is_point_set(task)) return 1;
+  const Pslg pslg = make_domain(task);
+  // Every domain compared here is bounded by disjoint closed chains whose segments come in order; the outer
+  // one has the largest area and all others are holes.
+  double largest = 0, sum = 0, chain = 0;
+  for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
+    const Point a = pslg.points[pslg.segments[i].a], b = pslg.points[pslg.segments[i].b];
+    chain += (a.x * b.y - b.x * a.y) / 2;
+    const bool ends = i + 1 == pslg.segments.size() || pslg.segments[i + 1].a != pslg.segments[i].b;
+    if (!ends) continue;
+    largest = std::max(largest, std::abs(chain));
+    sum += std::abs(chain);
+    chain = 0;
+  }
+  return 2 * largest - sum;
+}
+
+std::string verdict(const Task& task, const Mesh& mesh, bool foreign) {
+  if (!task.check) return "not checked";
+  Goal goal = task.goal;
+  if (task.delaunay_only) {
+    goal = Goal{};
+    goal.min_angle_deg = 0;
+  }
+  const Certificate certificate = check(make_domain(task), mesh, goal, {.max_violations = 1, .foreign = foreign});
+  if (certificate.valid) return "valid";
+  std::string text;
+  for (std::size_t kind = 0; kind < certificate.violation_counts.size(); ++kind) {
+    if (certificate.violation_counts[kind] == 0) continue;
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {}", certificate.violation_counts[kind], name(static_cast<ViolationKind>(kind)));
+  }
+  return text;
+}
+
+}  // namespace pardel::bench
