@@ -1,0 +1,73 @@
+// pardel check: is this mesh a right answer for this domain and goal?
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "../core/formats.hpp"
+#include "../parallel/validate.hpp"
+#include "../properties/check.hpp"
+#include "command.hpp"
+#include "goal_options.hpp"
+#include "input.hpp"
+#include "output.hpp"
+
+namespace pardel::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path domain;
+  std::filesystem::path mesh;
+  GoalOptions goal;
+  double max_circumradius = 0;
+  std::filesystem::path json;
+  bool quiet = false;
+};
+
+Result<ExitCode> run(const Arguments& arguments) {
+  if (Status folder = check_folder(arguments.json); !folder) return folder.error();
+  const Result<Domain> domain = read_domain(arguments.domain);
+  if (!domain) return domain.error();
+  const std::vector<Problem> problems = validate(domain.value().pslg, {.convex_hull = arguments.goal.convex_hull});
+  if (!problems.empty()) return problems_error(*domain, problems);
+  const Result<Mesh> mesh = read_mesh(arguments.mesh);
+  if (!mesh) return mesh.error();
+  const Result<Goal> goal = make_goal(arguments.goal, domain.value().pslg);
+  if (!goal) return goal.error();
+
+  // A file does not say where a vertex comes from.
+  const CheckOptions options{.max_circumradius = arguments.max_circumradius, .foreign = true};
+  const Certificate certificate = check(domain.value().pslg, *mesh, *goal, options);
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}\n", to_text(certificate));
+  if (!arguments.json.empty()) {
+    if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();
+  }
+  return certificate.valid ? ExitCode::done : ExitCode::violations;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or say what is wrong");
+  app->add_option("IN.poly", arguments->domain, "The domain: .poly or .node")->required()->type_name("");
+  app->add_option("MESH", arguments->mesh, "The mesh, by any program: .node, .ele, .msh, .vtu, .off")
+      ->required()
+      ->type_name("");
+  add_goal_options(*app, arguments->goal, largest_angle_to_check);
+  app->add_option("--max-circumradius", arguments->max_circumradius, "No circumradius above this, compared exactly")
+      ->check(positive_number("a radius"))
+      ->group("Goal");
+  app->add_option("--json", arguments->json, "Write the certificate as JSON; - is standard output")
+      ->type_name("FILE|-");
+  app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json - asks for");
+  app->footer(
+      "Exit status 0: the mesh is right; 1: it is not, and every violation is listed with its place.\n\n"
+      "Example:\n  pardel check key.poly key.msh --min-angle 30 --max-area 0.001 --json certificate.json");
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace pardel::cli

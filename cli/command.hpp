@@ -1,0 +1,30 @@
+// The subcommands. Each is one file: it declares its options on the parser and says what to run.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "../core/result.hpp"
+#include "exit_code.hpp"
+
+namespace pardel::cli {
+
+/// `run` is called when the command line named `app`. It owns the parsed arguments.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<Result<ExitCode>()> run;
+};
+
+[[nodiscard]] Command add_mesh(CLI::App& program);
+[[nodiscard]] Command add_check(CLI::App& program);
+[[nodiscard]] Command add_doctor(CLI::App& program);
+[[nodiscard]] Command add_draw(CLI::App& program);
+[[nodiscard]] Command add_generate(CLI::App& program);
+
+/// `pardel triangle SWITCHES FILE` has Triangle's own syntax, so it parses its arguments itself.
+[[nodiscard]] Result<ExitCode> run_triangle(const std::vector<std::string>& arguments);
+inline constexpr const char* triangle_summary = "Understand Triangle's switches and file names";
+
+}  // namespace pardel::cli

@@ -1,0 +1,125 @@
+// pardel doctor: every problem of an input, and a repaired one.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/formats.hpp"
+#include "../parallel/validate.hpp"
+#include "command.hpp"
+#include "goal_options.hpp"
+#include "input.hpp"
+#include "output.hpp"
+
+namespace pardel::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path input;
+  std::filesystem::path repaired;
+  std::optional<double> snap;
+  bool convex_hull = false;
+  std::filesystem::path json;
+  bool quiet = false;
+};
+
+nlohmann::json to_json(const Problem& problem, int base) {
+  return {{"kind", name(problem.kind)},
+          {"ids", problem.ids},
+          {"where", {problem.where.x, problem.where.y}},
+          {"message", problem.message(base)}};
+}
+
+nlohmann::json to_json(const Domain& domain, const std::vector<Problem>& problems,
+                       const std::optional<Repaired>& repaired) {
+  nlohmann::json json = {{"schema", "pardel.doctor/1"},
+                         {"file", domain.name},
+                         {"input",
+                          {{"points", domain.pslg.points.size()},
+                           {"segments", domain.pslg.segments.size()},
+                           {"holes", domain.pslg.holes.size()},
+                           {"regions", domain.pslg.regions.size()}}},
+                         {"valid", problems.empty()},
+                         {"problems", nlohmann::json::array()},
+                         {"repaired", nullptr}};
+  for (const Problem& problem : problems) json["problems"].push_back(to_json(problem, domain.base));
+  if (repaired) {
+    json["repaired"] = {{"points", repaired->pslg.points.size()},
+                        {"segments", repaired->pslg.segments.size()},
+                        {"holes", repaired->pslg.holes.size()},
+                        {"regions", repaired->pslg.regions.size()},
+                        {"log", repaired->log}};
+  }
+  return json;
+}
+
+void print(const Domain& domain, const std::vector<Problem>& problems, const std::optional<Repaired>& repaired) {
+  fmt::print("{}: {} points, {} segments, {} holes, {} regions: ", domain.name, domain.pslg.points.size(),
+             domain.pslg.segments.size(), domain.pslg.holes.size(), domain.pslg.regions.size());
+  if (problems.empty()) fmt::print("no problem\n");
+  if (!problems.empty()) fmt::print("{} problem{}\n", problems.size(), problems.size() == 1 ? "" : "s");
+  for (const Problem& problem : problems) fmt::print("  {}: {}\n", name(problem.kind), problem.message(domain.base));
+  if (!repaired) return;
+  for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
+}
+
+Result<ExitCode> run(const Arguments& arguments) {
+  if (Status folder = check_folder(arguments.repaired); !folder) return folder.error();
+  if (Status folder = check_folder(arguments.json); !folder) return folder.error();
+  const Result<Domain> domain = read_domain(arguments.input);
+  if (!domain) return domain.error();
+  const std::vector<Problem> problems = validate(domain.value().pslg, {.convex_hull = arguments.convex_hull});
+
+  std::optional<Repaired> repaired;
+  std::optional<Error> beyond_repair;
+  if (!arguments.repaired.empty()) {
+    Result<Repaired> result = repair(domain.value().pslg, arguments.snap.value_or(0));
+    if (result) {
+      repaired = std::move(*result);
+      if (Status written = write_poly(repaired->pslg, arguments.repaired, domain.value().base); !written) {
+        return written.error();
+      }
+    } else {
+      beyond_repair = result.error();
+    }
+  }
+  if (!arguments.quiet && arguments.json != "-") print(*domain, problems, repaired);
+  if (!arguments.json.empty()) {
+    const std::string text = to_json(*domain, problems, repaired).dump(2) + "\n";
+    if (Status written = write_text(text, arguments.json); !written) return written.error();
+  }
+  if (beyond_repair) return *beyond_repair;
+  return problems.empty() || repaired ? ExitCode::done : ExitCode::invalid_input;
+}
+
+}  // namespace
+
+Command add_doctor(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain; mend it");
+  app->add_option("IN.poly", arguments->input, "The domain: .poly or .node")->required()->type_name("");
+  CLI::Option* repaired = app->add_option("--repair", arguments->repaired,
+                                          "Write a domain with points merged and segments split where they meet")
+                              ->type_name("OUT.poly");
+  app->add_option("--snap", arguments->snap, "Merge points closer than this, too (default: equal ones only)")
+      ->check(positive_number("a distance"))
+      ->needs(repaired);
+  app->add_flag("--convex-hull", arguments->convex_hull, "The domain is the convex hull: it needs no outline");
+  app->add_option("--json", arguments->json, "Write the findings as JSON; - (or nothing) is standard output")
+      ->type_name("FILE|-")
+      ->expected(0, 1)
+      ->default_str("-");
+  app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json asks for");
+  app->footer(
+      "Exit status 0: nothing is wrong, or the repaired domain is written; 3: there are problems.\n\n"
+      "Examples:\n  pardel doctor survey.poly\n  pardel doctor survey.poly --repair fixed.poly --snap 0.001");
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,170 @@
+#include "domain_of_mesh.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "../parallel/mesher.hpp"
+
+namespace pardel::cli {
+namespace {
+
+/// Undirected edges, sorted by ends.
+struct EdgeSet {
+  std::vector<Segment> edges;
+
+  static bool before(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) < std::minmax(t.a, t.b); }
+  static bool same(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) == std::minmax(t.a, t.b); }
+  /// Of edges listed twice, the one added first stays.
+  void finish() {
+    std::stable_sort(edges.begin(), edges.end(), before);
+    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+  }
+  [[nodiscard]] bool contains(Index a, Index b) const {
+    return std::binary_search(edges.begin(), edges.end(), Segment{a, b}, before);
+  }
+};
+
+struct Side {
+  Index from, to;
+};
+Side side(const Triangle& t, int i) { return {t.v[(i + 1) % 3], t.v[(i + 2) % 3]}; }
+
+/// The edges without a neighbour, each with its triangle on the left.
+std::vector<Segment> boundary(const Mesh& mesh) {
+  std::vector<Segment> edges;
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      if (t.n[i] == no_index) edges.push_back({side(t, i).from, side(t, i).to, 1});
+    }
+  }
+  return edges;
+}
+
+/// The face that each triangle lies in, where faces end at `walls`.
+std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
+  std::vector<Index> face(mesh.triangles.size(), no_index);
+  Index count = 0;
+  std::vector<Index> front;
+  for (Index start = 0; start < face.size(); ++start) {
+    if (face[start] != no_index) continue;
+    face[start] = count;
+    front.push_back(start);
+    while (!front.empty()) {
+      const Triangle& t = mesh.triangles[front.back()];
+      front.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        if (t.n[i] == no_index || face[t.n[i]] != no_index || walls.contains(side(t, i).from, side(t, i).to)) continue;
+        face[t.n[i]] = count;
+        front.push_back(t.n[i]);
+      }
+    }
+    ++count;
+  }
+  return face;
+}
+
+double doubled_area(const Mesh& mesh, const Triangle& t) {
+  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+Point centroid(const Mesh& mesh, const Triangle& t) {
+  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
+  return {a.x + ((b.x - a.x) + (c.x - a.x)) / 3, a.y + ((b.y - a.y) + (c.y - a.y)) / 3};
+}
+
+/// The largest triangle of every face: its centroid lies safely inside.
+std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
+  const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
+  std::vector<Index> best(count, no_index);
+  for (Index t = 0; t < face.size(); ++t) {
+    Index& b = best[face[t]];
+    if (b == no_index || doubled_area(mesh, mesh.triangles[t]) > doubled_area(mesh, mesh.triangles[b])) b = t;
+  }
+  return best;
+}
+
+std::vector<Region> region_seeds(const Mesh& mesh, const EdgeSet& walls) {
+  std::vector<Region> regions;
+  if (mesh.region.empty()) return regions;
+  for (const Index t : largest(mesh, faces(mesh, walls))) {
+    if (mesh.region[t] == no_index) continue;
+    regions.push_back({.seed = centroid(mesh, mesh.triangles[t]), .attribute = mesh.region_attributes[mesh.region[t]]});
+  }
+  return regions;
+}
+
+/// The outline alone, with its vertices renumbered.
+Pslg outline_of(const Mesh& mesh) {
+  Pslg outline;
+  std::vector<Index> number(mesh.points.size(), no_index);
+  const auto renumbered = [&](Index v) {
+    if (number[v] == no_index) {
+      number[v] = static_cast<Index>(outline.points.size());
+      outline.points.push_back(mesh.points[v]);
+    }
+    return number[v];
+  };
+  for (const Segment& edge : boundary(mesh)) {
+    const Index a = renumbered(edge.a);
+    outline.segments.push_back({a, renumbered(edge.b)});
+  }
+  return outline;
+}
+
+/// Triangulates the convex hull of the outline. A face that has a piece of the outline backwards is not
+/// covered by the mesh; it is a hole unless it is open to the outside.
+Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
+  const Pslg outline = outline_of(mesh);
+  const Result<Meshed> hull = triangulate(outline, true);
+  if (!hull) return hull.error();
+  const Mesh& around = hull.value().mesh;
+  EdgeSet walls{outline.segments};
+  walls.finish();
+  const std::vector<Index> face = faces(around, walls);
+  const std::vector<Index> best = largest(around, face);
+
+  std::vector<char> uncovered(best.size(), 0), open(best.size(), 0);
+  const auto directed = [](const Segment& s, const Segment& t) { return std::pair(s.a, s.b) < std::pair(t.a, t.b); };
+  std::vector<Segment> forwards = outline.segments;
+  std::sort(forwards.begin(), forwards.end(), directed);
+  for (Index t = 0; t < face.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [from, to] = side(around.triangles[t], i);
+      if (std::binary_search(forwards.begin(), forwards.end(), Segment{to, from}, directed)) uncovered[face[t]] = 1;
+      if (around.triangles[t].n[i] == no_index && !walls.contains(from, to)) open[face[t]] = 1;
+    }
+  }
+  std::vector<Point> seeds;
+  for (std::size_t f = 0; f < best.size(); ++f) {
+    if (uncovered[f] != 0 && open[f] == 0) seeds.push_back(centroid(around, around.triangles[best[f]]));
+  }
+  return seeds;
+}
+
+}  // namespace
+
+Result<Pslg> domain_of(const Mesh& mesh) {
+  Pslg pslg;
+  pslg.points.assign(mesh.points.begin(), mesh.points.end());
+  pslg.attributes_per_point = mesh.attributes_per_point;
+  pslg.point_attributes.assign(mesh.point_attributes.begin(), mesh.point_attributes.end());
+  pslg.point_markers.assign(mesh.point_markers.begin(), mesh.point_markers.end());
+  EdgeSet walls;
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) walls.edges.push_back({edge.a, edge.b, edge.marker});
+  const std::vector<Segment> outline = boundary(mesh);
+  walls.edges.insert(walls.edges.end(), outline.begin(), outline.end());
+  walls.finish();
+  pslg.regions = region_seeds(mesh, walls);
+  Result<std::vector<Point>> holes = hole_seeds(mesh);
+  if (!holes) return holes.error();
+  pslg.holes = std::move(*holes);
+  pslg.segments = std::move(walls.edges);
+  pslg.has_segment_markers = true;
+  return pslg;
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,31 @@
+#include "exit_code.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+namespace pardel::cli {
+
+ExitCode exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage:
+      return ExitCode::usage;
+    case ErrorKind::invalid_input:
+      return ExitCode::invalid_input;
+    case ErrorKind::io:
+    case ErrorKind::resources:
+      return ExitCode::failure;
+    case ErrorKind::cancelled:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::failure;
+}
+
+ExitCode report(const Error& error) {
+  fmt::print(stderr, "pardel: {}\n", error.message);
+  return exit_code(error.kind);
+}
+
+void warn(const std::string& message) { fmt::print(stderr, "pardel: {}\n", message); }
+
+}  // namespace pardel::cli

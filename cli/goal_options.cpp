@@ -1,0 +1,111 @@
+#include "goal_options.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/formats.hpp"
+#include "../parallel/mesher.hpp"
+
+namespace pardel::cli {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// NaN where the text is no number or has something behind it.
+double number(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end ? value : std::nan("");
+}
+
+/// An angle in degrees is smallest in a triangle with this circumradius-to-shortest-edge ratio.
+double angle_of(double rho) { return std::asin(1 / (2 * rho)) * degrees; }
+double rho_of(double angle_deg) { return 1 / (2 * std::sin(angle_deg / degrees)); }
+
+CLI::Validator angle_bound(double largest) {
+  return {[largest](std::string& text) -> std::string {
+            const double value = number(text);
+            if (value >= 0 && value <= largest) return {};
+            return fmt::format("'{}' is not an angle that can be asked for: 0 to {} degrees", text, largest);
+          },
+          "DEGREES"};
+}
+
+CLI::Validator ratio_bound(double largest_angle) {
+  // Rounded up, so that every ratio accepted stays within the angle.
+  const double least = std::ceil(rho_of(largest_angle) * 1000) / 1000;
+  return {[least](std::string& text) -> std::string {
+            const double value = number(text);
+            if (value >= least && std::isfinite(value)) return {};
+            return fmt::format("'{}' is not a ratio that can be asked for: {} or more", text, least);
+          },
+          "RATIO"};
+}
+
+}  // namespace
+
+CLI::Validator positive_number(std::string what) {
+  return {[what = std::move(what)](std::string& text) -> std::string {
+            const double value = number(text);
+            if (value > 0 && std::isfinite(value)) return {};
+            return fmt::format("'{}' is not {}: a finite number greater than 0", text, what);
+          },
+          "NUMBER"};
+}
+
+void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_deg) {
+  constexpr const char* group = "Goal";
+  auto* angle = app.add_option("--min-angle", options.min_angle_deg,
+                               "No angle below this (default 20.7, which is proven; 0: no bound)")
+                    ->check(angle_bound(largest_angle_deg))
+                    ->group(group);
+  app.add_option("--rho", options.rho, "The same as a bound on circumradius / shortest edge (1.4142 is 20.7 degrees)")
+      ->check(ratio_bound(largest_angle_deg))
+      ->excludes(angle)
+      ->group(group);
+  app.add_option("--max-area", options.max_area, "No triangle with a larger area")
+      ->check(positive_number("an area"))
+      ->group(group);
+  app.add_option("--max-edge", options.max_edge, "No edge longer than this")
+      ->check(positive_number("a length"))
+      ->group(group);
+  app.add_flag("--regions", options.regions, "Honour the area caps of the regions in IN.poly")->group(group);
+  app.add_option("--sizes", options.sizes,
+                 "One wanted edge length per input point ('n', then lines 'i size'), interpolated between them")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_flag("--conforming", options.conforming, "Truly Delaunay instead of constrained Delaunay")->group(group);
+  app.add_flag("--convex-hull", options.convex_hull, "The domain is the convex hull of the points")->group(group);
+}
+
+Result<Goal> make_goal(const GoalOptions& options, const Pslg& pslg) {
+  Goal goal;
+  if (options.min_angle_deg) goal.min_angle_deg = *options.min_angle_deg;
+  if (options.rho) goal.min_angle_deg = angle_of(*options.rho);
+  if (options.max_area) goal.max_area = *options.max_area;
+  if (options.max_edge) goal.max_edge = *options.max_edge;
+  goal.region_caps = options.regions;
+  goal.conforming = options.conforming;
+  goal.convex_hull = options.convex_hull;
+  if (!options.sizes.empty()) {
+    const Result<std::vector<double>> sizes = read_sizes(options.sizes);
+    if (!sizes) return sizes.error();
+    if (sizes->size() != pslg.points.size()) {
+      return Error{ErrorKind::invalid_input, fmt::format("{}: {} sizes for {} input points", options.sizes.string(),
+                                                         sizes->size(), pslg.points.size())};
+    }
+    Result<std::function<double(Point)>> size = interpolated_size(pslg, *sizes, options.convex_hull);
+    if (!size) return size.error();
+    goal.size = std::move(*size);
+  }
+  return goal;
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,87 @@
+// pardel: the program. Picks the subcommand and turns whatever went wrong into a message and an exit code.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+
+namespace pardel::cli {
+namespace {
+
+constexpr const char* description =
+    "pardel: guaranteed-quality Delaunay meshes of planar domains, with an independent exact check.";
+
+constexpr const char* footer = R"(Examples:
+  pardel generate key -o key.poly                       a domain to play with
+  pardel mesh key.poly -o key.vtu --min-angle 30        a mesh without angles below 30 degrees
+  pardel mesh key.poly -o key.node --max-area 0.001     Triangle's files key.node, key.ele (see --help there)
+  pardel check key.poly key.vtu --min-angle 30          is that mesh right? exact arithmetic decides
+  pardel doctor survey.poly --repair fixed.poly         what is wrong with an input, and can it be mended
+  pardel draw key.vtu -o key.svg                        a picture
+  pardel triangle -pq30a0.1 key.poly                    as Triangle would: writes key.1.node, key.1.ele, key.1.poly
+
+Exit status:
+  0    done; every bound holds, but for exemptions that a small input angle justifies (they are reported)
+  1    the check found violations
+  2    the command line has no meaning
+  3    the input is invalid; the message names the place
+  4    a bound could not be met for another reason (a budget, a floor, precision); the mesh is written, with the list
+  5    memory, or a file that cannot be opened, read or written
+  130  interrupted
+
+Every subcommand has its own --help.)";
+
+Result<ExitCode> run(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "triangle") {
+    return run_triangle(std::vector<std::string>(argv + 2, argv + argc));
+  }
+  CLI::App program(description, "pardel");
+  program.set_version_flag("--version", "pardel " PARDEL_VERSION);
+  program.footer(footer);
+  program.require_subcommand(1);
+  const std::array commands = {add_mesh(program), add_check(program), add_doctor(program), add_draw(program),
+                               add_generate(program)};
+  program.add_subcommand("triangle", triangle_summary);  // for the list in --help; handled above
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {  // --help and --version come this way, too
+    return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return ExitCode::usage;
+}
+
+/// Output to a full disk fails only when the buffer is flushed.
+ExitCode flushed(ExitCode code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  return report({ErrorKind::io, fmt::format("standard output: {}", std::strerror(errno))});
+}
+
+ExitCode guarded(int argc, char** argv) {
+  try {
+    const Result<ExitCode> result = run(argc, argv);
+    return flushed(result ? *result : report(result.error()));
+  } catch (const std::bad_alloc&) {
+    return report({ErrorKind::resources, "out of memory"});
+  } catch (const std::exception& unexpected) {
+    return report({ErrorKind::resources, unexpected.what()});
+  }
+}
+
+}  // namespace
+}  // namespace pardel::cli
+
+int main(int argc, char** argv) { return static_cast<int>(pardel::cli::guarded(argc, argv)); }

@@ -1,0 +1,211 @@
+// pardel mesh: a domain and a goal in, a mesh out.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/formats.hpp"
+#include "../parallel/mesher.hpp"
+#include "../properties/check.hpp"
+#include "command.hpp"
+#include "goal_options.hpp"
+#include "input.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+#include "report.hpp"
+#include "verdict.hpp"
+
+namespace pardel::cli {
+namespace {
+
+constexpr std::size_t most_listed = 100;  // triangles or violations on stderr; the counts are complete
+
+struct Arguments {
+  std::filesystem::path input;
+  std::vector<std::filesystem::path> outputs;
+  GoalOptions goal;
+  Options options;
+  bool refine = false;
+  bool repair = false;
+  bool check = false;
+  std::filesystem::path json;
+  ShowProgress progress = ShowProgress::automatic;
+  bool quiet = false;
+};
+
+Error cancelled() { return {ErrorKind::cancelled, "interrupted; nothing more is written"}; }
+
+/// What is to be meshed; coarse.mesh is empty unless --refine.
+Result<Coarse> read(const Arguments& arguments) {
+  if (arguments.refine) return read_coarse(arguments.input);
+  Result<Domain> domain = read_domain(arguments.input);
+  if (!domain) return domain.error();
+  if (!arguments.repair) return Coarse{{}, {}, std::move(*domain)};
+  Result<Mended> mended = mend(std::move(*domain), arguments.goal.convex_hull);
+  if (!mended) return mended.error();
+  if (mended->changed && !arguments.goal.sizes.empty()) {
+    return Error{ErrorKind::usage,
+                 "--sizes speaks of the points of the input, which --repair changed; write the repaired "
+                 "domain with 'pardel doctor' and give sizes for its points"};
+  }
+  return Coarse{{}, {}, std::move(mended->domain)};
+}
+
+/// The mesher's own message numbers from 0; problems are told as the file numbers them.
+Error as_in_file(const Error& error, const Domain& domain, bool convex_hull) {
+  if (error.kind != ErrorKind::invalid_input) return error;
+  const std::vector<Problem> problems = validate(domain.pslg, {.convex_hull = convex_hull});
+  return problems.empty() ? Error{error.kind, domain.name + ": " + error.message} : problems_error(domain, problems);
+}
+
+Result<Meshed> make_mesh(const Arguments& arguments, const Coarse& input, const Goal& goal, const Options& options) {
+  Result<Meshed> meshed =
+      arguments.refine ? refine(input.mesh, input.max_areas, goal, options) : mesh(input.domain.pslg, goal, options);
+  if (!meshed) return as_in_file(meshed.error(), input.domain, goal.convex_hull);
+  return meshed;
+}
+
+Certificate check_mesh(const Arguments& arguments, const Coarse& input, const Meshed& meshed, const Goal& goal) {
+  // A refined mesh numbers segments as the coarse one did; for its domain it is a stranger.
+  return check(input.domain.pslg, meshed.mesh, goal, {.foreign = arguments.refine});
+}
+
+Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
+  bool broken = false;
+  if (run.certificate && !run.certificate->valid) {
+    broken = !only_bounds_missed(*run.certificate);
+    warn(violations_text(*run.certificate, most_listed));
+  }
+  if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed));
+  if (broken) return ExitCode::violations;
+  if (!run.report.goal_met()) return ExitCode::goal_missed;
+  return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;
+}
+
+Result<ExitCode> run(const Arguments& arguments) {
+  Stopwatch total, watch;
+  std::vector<std::filesystem::path> inputs = {arguments.input};
+  if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine.error();
+  if (Status fine = check_folder(arguments.json); !fine) return fine.error();
+  const Interrupt interrupt;
+
+  MeshRun run;
+  const Result<Coarse> input = read(arguments);
+  if (!input) return input.error();
+  const Pslg& pslg = input.value().domain.pslg;
+  const Result<Goal> goal = make_goal(arguments.goal, pslg);
+  if (!goal) return goal.error();
+  run.seconds.read = watch.lap();
+  if (interrupt.requested()) return cancelled();
+
+  Options options = arguments.options;
+  Result<Meshed> meshed = [&] {
+    ProgressBar bar(arguments.progress);
+    options.progress = [&](const Progress& progress) {
+      bar.update(progress.triangles, progress.estimate);
+      return !interrupt.requested();
+    };
+    return make_mesh(arguments, *input, *goal, options);
+  }();
+  if (!meshed) return meshed.error();
+  watch.lap();
+  if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal);
+  run.seconds.check = watch.lap();
+
+  for (const auto& output : arguments.outputs) {
+    if (interrupt.requested()) return cancelled();
+    if (Status written = write_mesh(meshed->mesh, pslg, output); !written) return written.error();
+  }
+  run.seconds.write = watch.lap();
+
+  run.name = arguments.input.string();
+  run.points = pslg.points.size();
+  run.segments = pslg.segments.size();
+  run.holes = pslg.holes.size();
+  run.regions = pslg.regions.size();
+  run.goal = *goal;
+  run.sizes = arguments.goal.sizes;
+  run.options = options;
+  run.report = std::move(meshed->report);
+  run.statistics = statistics(meshed->mesh);
+  run.digest = digest(meshed->mesh);
+  run.outputs = arguments.outputs;
+  run.seconds.validate = run.report.validate_seconds;
+  run.seconds.triangulate = run.report.triangulate_seconds;
+  run.seconds.refine = run.report.refine_seconds;
+  run.seconds.total = total.lap();
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(run));
+  if (!arguments.json.empty()) {
+    if (Status written = write_text(to_json(run), arguments.json); !written) return written.error();
+  }
+  return verdict(run, meshed->mesh);
+}
+
+constexpr const char* footer =
+    R"(The format of OUT follows its suffix: .node (or .ele) writes Triangle's .node, .ele and .poly; .vtu for
+ParaView; .msh for Gmsh; .off; .svg. An output that is complete has its name; a partial one never has.
+
+Examples:
+  pardel mesh key.poly -o key.vtu                                   20.7 degrees, no size bound
+  pardel mesh key.poly -o mesh.node -o mesh.svg --min-angle 30 --max-area 0.001 --check
+  pardel mesh bay.poly -o bay.msh --regions --sizes bay.sizes --json - | jq .mesh
+  pardel mesh mesh.node --refine -o finer.node --max-area 0.0001    refines a mesh; mesh.area gives caps, if it exists)";
+
+}  // namespace
+
+Command add_mesh(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options& options = arguments->options;
+  CLI::App* app = program.add_subcommand("mesh", "Make a guaranteed-quality mesh of a domain");
+  app->add_option("IN", arguments->input, "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu")
+      ->required()
+      ->type_name("");
+  app->add_option("-o,--output", arguments->outputs, "Where the mesh goes; may be given several times")
+      ->required()
+      ->type_name("OUT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_goal_options(*app, arguments->goal, largest_angle_to_mesh);
+
+  app->add_option("--max-vertices", options.max_vertices, "Stop at this many vertices")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->group("Limits");
+  app->add_option("--min-edge", options.min_edge,
+                  "Insert no point that makes a shorter edge (default: what double precision can hold)")
+      ->check(positive_number("a length"))
+      ->group("Limits");
+  app->add_option("--threads", options.threads, "Threads; the mesh does not depend on their number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str()
+      ->group("Limits");
+
+  const std::map<std::string, Placement> placements = {{"circumcentre", Placement::circumcentre},
+                                                       {"off-centre", Placement::off_centre}};
+  app->add_option("--placement", options.placement, "Where new points go: circumcentre or off-centre (default)")
+      ->transform(CLI::CheckedTransformer(placements).description(""))
+      ->type_name("WHERE");
+  app->add_flag("--refine", arguments->refine, "IN is a mesh: keep its vertices and refine it");
+  app->add_flag("--repair", arguments->repair, "Merge points and split segments of an invalid domain before meshing")
+      ->excludes("--refine");
+  app->add_flag("--check", arguments->check, "Check the mesh with exact arithmetic");
+  app->add_option("--json", arguments->json, "Write a report as JSON (pardel.report/1); - is standard output")
+      ->type_name("FILE|-");
+  const std::map<std::string, ShowProgress> shows = {
+      {"auto", ShowProgress::automatic}, {"always", ShowProgress::always}, {"never", ShowProgress::never}};
+  app->add_option("--progress", arguments->progress, "A progress bar: auto (default), always or never")
+      ->transform(CLI::CheckedTransformer(shows).description(""))
+      ->type_name("WHEN");
+  app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json - asks for");
+  app->footer(footer);
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace pardel::cli

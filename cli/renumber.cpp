@@ -1,0 +1,82 @@
+#include "renumber.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pardel::cli {
+namespace {
+
+/// Every vertex `old` becomes `number[old]`, where that is not no_index; numbers are distinct and below `count`.
+/// Places that no vertex takes are filled by the caller.
+void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
+  const std::size_t width = mesh.attributes_per_point;
+  Array<Point> points(count);
+  Array<Index> origin(mesh.origin.empty() ? 0 : count, input_vertex);
+  Array<double> attributes(count * width, 0.0);
+  Array<int> markers(mesh.point_markers.empty() ? 0 : count, 0);
+  for (std::size_t old = 0; old < number.size(); ++old) {
+    if (number[old] == no_index) continue;
+    points[number[old]] = mesh.points[old];
+    if (!origin.empty()) origin[number[old]] = mesh.origin[old];
+    if (!markers.empty()) markers[number[old]] = mesh.point_markers[old];
+    for (std::size_t k = 0; k < width; ++k) {
+      attributes[number[old] * width + k] = mesh.point_attributes[old * width + k];
+    }
+  }
+  mesh.points.swap(points);
+  mesh.origin.swap(origin);
+  mesh.point_attributes.swap(attributes);
+  mesh.point_markers.swap(markers);
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t.v) v = number[v];
+  }
+  std::erase_if(mesh.constrained_edges,
+                [&](const ConstrainedEdge& e) { return number[e.a] == no_index || number[e.b] == no_index; });
+  for (ConstrainedEdge& e : mesh.constrained_edges) {
+    e.a = number[e.a];
+    e.b = number[e.b];
+  }
+}
+
+}  // namespace
+
+void remove_unused_vertices(Mesh& mesh) {
+  std::vector<Index> number(mesh.points.size(), no_index);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t.v) number[v] = 0;
+  }
+  Index count = 0;
+  for (Index& n : number) {
+    if (n != no_index) n = count++;
+  }
+  renumber(mesh, number, count);
+}
+
+void restore_numbering(Mesh& mesh, const Pslg& original, std::span<const Index> point_map) {
+  std::vector<Index> number(mesh.points.size(), no_index);
+  std::vector<Index> merged;
+  for (Index i = 0; i < point_map.size(); ++i) {
+    if (point_map[i] != no_index && number[point_map[i]] == no_index) {
+      number[point_map[i]] = i;
+    } else {
+      merged.push_back(i);
+    }
+  }
+  auto count = static_cast<Index>(original.points.size());
+  for (Index& n : number) {
+    if (n == no_index) n = count++;
+  }
+  renumber(mesh, number, count);
+  const std::size_t width = mesh.attributes_per_point;
+  for (const Index i : merged) {
+    mesh.points[i] = original.points[i];
+    if (!mesh.point_markers.empty() && !original.point_markers.empty()) {
+      mesh.point_markers[i] = original.point_markers[i];
+    }
+    for (std::size_t k = 0; k < width; ++k)
+      mesh.point_attributes[i * width + k] = original.point_attributes[i * width + k];
+  }
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,135 @@
+#include "report.hpp"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace pardel::cli {
+namespace {
+
+std::uint64_t peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+const char* name(Placement placement) { return placement == Placement::circumcentre ? "circumcentre" : "off-centre"; }
+
+std::string plural(std::uint64_t n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
+
+/// "2 nestled, 1 seditious": the exemptions that are justified, or those that are not.
+std::string reasons(const Report& report, bool justified_ones) {
+  std::string list;
+  for (int i = 0; i < exempt_reasons; ++i) {
+    const auto reason = static_cast<ExemptReason>(i);
+    if (justified(reason) != justified_ones || report.count(reason) == 0) continue;
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", report.count(reason), pardel::name(reason));
+  }
+  return list;
+}
+
+nlohmann::json goal_json(const MeshRun& run) {
+  // An infinite cap is none; JSON says null for it.
+  return {{"min_angle_deg", run.goal.min_angle_deg},
+          {"max_area", run.goal.max_area},
+          {"max_edge", run.goal.max_edge},
+          {"region_caps", run.goal.region_caps},
+          {"sizes", run.sizes.empty() ? nlohmann::json() : nlohmann::json(run.sizes.string())},
+          {"conforming", run.goal.conforming},
+          {"convex_hull", run.goal.convex_hull},
+          {"placement", name(run.options.placement)},
+          {"max_vertices", run.options.max_vertices},
+          {"min_edge", run.options.min_edge}};
+}
+
+nlohmann::json refine_json(const Report& report) {
+  nlohmann::json exempt = nlohmann::json::object();
+  for (int i = 0; i < exempt_reasons; ++i) {
+    const auto reason = static_cast<ExemptReason>(i);
+    exempt[pardel::name(reason)] = report.count(reason);
+  }
+  return {{"inserted", report.inserted},
+          {"segment_splits", report.segment_splits},
+          {"refused", report.refused},
+          {"exempt", exempt}};
+}
+
+}  // namespace
+
+std::string to_json(const MeshRun& run) {
+  const MeshStatistics& mesh = run.statistics;
+  const Seconds& s = run.seconds;
+  nlohmann::json json = {
+      {"schema", "pardel.report/1"},
+      {"version", PARDEL_VERSION},
+      {"file", run.name},
+      {"input", {{"points", run.points}, {"segments", run.segments}, {"holes", run.holes}, {"regions", run.regions}}},
+      {"goal", goal_json(run)},
+      {"threads", run.options.threads},
+      {"decomposition", nlohmann::json::object()},
+      {"seconds",
+       {{"read", s.read},
+        {"validate", s.validate},
+        {"triangulate", s.triangulate},
+        {"refine", s.refine},
+        {"check", s.check},
+        {"write", s.write},
+        {"total", s.total}}},
+      {"mesh",
+       {{"vertices", mesh.vertices},
+        {"triangles", mesh.triangles},
+        {"min_angle_deg", mesh.min_angle_deg},
+        {"max_angle_deg", mesh.max_angle_deg},
+        {"max_circumradius", mesh.max_circumradius},
+        {"area", mesh.area}}},
+      {"refine", refine_json(run.report)},
+      {"goal_met", run.report.goal_met()},
+      {"peak_rss_bytes", peak_rss_bytes()},
+      {"digest", to_string(run.digest)}};
+  if (run.certificate) json["certificate"] = nlohmann::json::parse(to_json(*run.certificate));
+  return json.dump(2) + "\n";
+}
+
+std::string to_text(const MeshRun& run) {
+  const MeshStatistics& mesh = run.statistics;
+  const Seconds& s = run.seconds;
+  std::string text =
+      fmt::format("{}: {}, {}, {}, {}\n", run.name, plural(run.points, "point"), plural(run.segments, "segment"),
+                  plural(run.holes, "hole"), plural(run.regions, "region"));
+  text += fmt::format("mesh    {} vertices, {} triangles, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
+                      mesh.vertices, mesh.triangles, mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
+  if (const std::string list = reasons(run.report, true); !list.empty()) {
+    text += fmt::format("exempt  {}, each beside a small input angle\n", list);
+  }
+  if (const std::string list = reasons(run.report, false); !list.empty()) text += fmt::format("missed  {}\n", list);
+  if (run.certificate) text += fmt::format("check   {}\n", run.certificate->valid ? "valid" : "NOT VALID");
+  text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f})\n", s.total, s.read,
+                      s.validate + s.triangulate + s.refine, s.check, s.write);
+  text += fmt::format("digest  {}\n", to_string(run.digest));
+  for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", file.string());
+  return text;
+}
+
+std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most) {
+  if (report.goal_met()) return {};
+  std::string text = fmt::format("the goal is missed at some triangles ({}):", reasons(report, false));
+  std::size_t listed = 0, left = 0;
+  for (const Exemption& exemption : report.exempt) {
+    if (justified(exemption.reason)) continue;
+    if (listed == most) {
+      ++left;
+      continue;
+    }
+    ++listed;
+    const auto& v = mesh.triangles[exemption.triangle].v;
+    text += fmt::format("\n  {}: triangle ({}, {}) ({}, {}) ({}, {})", pardel::name(exemption.reason),
+                        mesh.points[v[0]].x, mesh.points[v[0]].y, mesh.points[v[1]].x, mesh.points[v[1]].y,
+                        mesh.points[v[2]].x, mesh.points[v[2]].y);
+  }
+  if (left > 0) text += fmt::format("\n  and {} more", left);
+  return text;
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,58 @@
+// What `pardel mesh` tells about its run: to people, and as JSON with the schema pardel.report/1.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/digest.hpp"
+#include "../core/goal.hpp"
+#include "../parallel/mesher.hpp"
+#include "../properties/check.hpp"
+#include "../properties/statistics.hpp"
+
+namespace pardel::cli {
+
+class Stopwatch {
+ public:
+  /// Since the construction, or since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Seconds {
+  double read = 0, validate = 0, triangulate = 0, refine = 0, check = 0, write = 0, total = 0;
+};
+
+struct MeshRun {
+  std::string name;  ///< of the input file
+  std::size_t points = 0, segments = 0, holes = 0, regions = 0;
+  Goal goal;
+  std::filesystem::path sizes;  ///< where goal.size came from
+  Options options;
+  Report report;
+  MeshStatistics statistics;
+  Digest digest;
+  std::optional<Certificate> certificate;  ///< where a check was asked for
+  std::vector<std::filesystem::path> outputs;
+  Seconds seconds;
+};
+
+[[nodiscard]] std::string to_json(const MeshRun& run);
+/// A few lines.
+[[nodiscard]] std::string to_text(const MeshRun& run);
+
+/// The triangles that miss the goal for a reason that no small input angle justifies: their number by
+/// reason, then the first `most` of them with their places. Empty where there are none.
+[[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most);
+
+}  // namespace pardel::cli

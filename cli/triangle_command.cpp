@@ -1,0 +1,248 @@
+// pardel triangle: what Triangle would do for its own switches, file by file.
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/formats.hpp"
+#include "../parallel/mesher.hpp"
+#include "../properties/check.hpp"
+#include "../properties/statistics.hpp"
+#include "command.hpp"
+#include "domain_of_mesh.hpp"
+#include "goal_options.hpp"
+#include "input.hpp"
+#include "interrupt.hpp"
+#include "progress_bar.hpp"
+#include "renumber.hpp"
+#include "report.hpp"
+#include "triangle_files.hpp"
+#include "triangle_switches.hpp"
+#include "verdict.hpp"
+
+namespace pardel::cli {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t most_listed = 100;
+
+constexpr const char* help = R"(pardel triangle [-switches] FILE
+
+Understands Triangle's switches and file names, so that what was written for Triangle runs unchanged. Switches run
+together; numbers follow theirs without a space: pardel triangle -pq30a0.1 key. FILE may be without its suffix.
+Without p, r, q or a: the Delaunay triangulation of FILE.node.
+
+  p   reads FILE.poly              r   refines the mesh FILE.node, FILE.ele (with a: FILE.area; with p: FILE.poly)
+  q   smallest angle (default 20)  a   largest area; without a number: per region, or FILE.area with r; may come twice
+  D   truly Delaunay               c   triangulates the convex hull
+  A   triangles carry the attribute of their region
+  Y   splits no segment of the boundary; YY no segment at all
+  S   at most so many new points   O   ignores holes
+  j   drops vertices that no triangle has
+  e   writes .edge                 n   writes .neigh            g   writes .off
+  B   no boundary markers          P   no .poly                 N   no .node          E   no .ele
+  I   no iteration number in names (what was read is not replaced)
+  o2  triangles with six nodes     z   counts from 0 (the number of the first vertex read goes before it)
+  C   checks the result, with this program's own exact checker
+  Q   quiet                        V   tells more               h   this text
+  i F l s X   accepted, without effect: they choose among Triangle's own algorithms; predicates are always exact
+  u v w W     refused: user test, Voronoi diagram, weighted points
+
+Writes FILE.1.node and so on, FILE.2.* from FILE.1, input vertices first, in order. What Triangle mends on its own
+is mended here, too, with a line on standard error: duplicate points, segments that cross, overlap or run through points.
+Exit status as for every subcommand (pardel --help), but a bound that was missed only because S or Y forbade
+what it takes is no failure.
+)";
+
+/// What the switches ask to be meshed.
+struct Input {
+  Coarse coarse;  ///< the mesh is empty without r
+  Pslg original;  ///< as read, where it had to be mended
+  std::vector<Index> point_map;
+  bool node_was_read = true;
+};
+
+void say(const TriangleSwitches& switches, const std::string& line) {
+  if (!switches.quiet) fmt::print("{}\n", line);
+}
+
+Result<Input> read_points(const TriangleSwitches& switches) {
+  Input input;
+  const fs::path file = switches.name + (switches.poly ? ".poly" : ".node");
+  say(switches, fmt::format("Opening {}.", file.string()));
+  Result<Domain> domain = read_domain(file);
+  if (!domain) return domain.error();
+  input.node_was_read = !switches.poly || !has_own_points(file);
+  if (switches.no_holes) domain->pslg.holes.clear();
+  Pslg original = domain->pslg;
+  Result<Mended> mended = mend(std::move(*domain), switches.convex_hull || !switches.poly);
+  if (!mended) return mended.error();
+  if (mended->changed) {
+    input.original = std::move(original);
+    input.point_map = std::move(mended->point_map);
+  }
+  input.coarse.domain = std::move(mended->domain);
+  return input;
+}
+
+Result<Input> read_mesh_to_refine(const TriangleSwitches& switches) {
+  Input input;
+  say(switches, fmt::format("Opening {0}.node and {0}.ele.", switches.name));
+  Result<Mesh> mesh = read_mesh(switches.name + ".ele");
+  if (!mesh) return mesh.error();
+  // Without p the mesh's outline is all that is constrained, whatever lies beside it.
+  if (!switches.poly) mesh->constrained_edges.clear();
+  if (switches.area_caps) {
+    const std::string area = switches.name + ".area";
+    Result<std::vector<double>> caps = read_area(area);
+    if (!caps) return caps.error();
+    if (caps->size() != mesh->triangles.size()) {
+      return Error{ErrorKind::invalid_input,
+                   fmt::format("{}: {} area caps for {} triangles", area, caps->size(), mesh->triangles.size())};
+    }
+    input.coarse.max_areas = std::move(*caps);
+  }
+  Result<Pslg> pslg = switches.poly ? read_pslg(switches.name + ".poly") : domain_of(*mesh);
+  if (!pslg) return pslg.error();
+  input.coarse.mesh = std::move(*mesh);
+  input.coarse.domain = {std::move(*pslg), switches.name + ".ele", number_base(switches.name + ".node")};
+  return input;
+}
+
+Goal goal_of(const TriangleSwitches& switches) {
+  Goal goal;
+  goal.min_angle_deg = switches.min_angle_deg;
+  if (switches.max_area) goal.max_area = *switches.max_area;
+  goal.region_caps = switches.area_caps && switches.poly && !switches.refine;
+  goal.conforming = switches.conforming;
+  goal.convex_hull = switches.convex_hull;
+  return goal;
+}
+
+Options options_of(const TriangleSwitches& switches, const Input& input) {
+  Options options;
+  options.no_boundary_splits = switches.no_splits == 1;
+  options.no_segment_splits = switches.no_splits > 1;
+  if (switches.max_steiner_points) {
+    options.max_vertices = input.coarse.domain.pslg.points.size() + *switches.max_steiner_points;
+  }
+  return options;
+}
+
+Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, const Goal& goal,
+                         const Options& options) {
+  const Coarse& coarse = input.coarse;
+  if (switches.refine) return refine(coarse.mesh, coarse.max_areas, goal, options);
+  if (switches.quality) return mesh(coarse.domain.pslg, goal, options);
+  return triangulate(coarse.domain.pslg, goal.convex_hull, options);
+}
+
+/// True where nothing but the limits that the switches set stands between the mesh and its goal.
+bool missed_by_request(const TriangleSwitches& switches, const Report& report) {
+  return report.count(ExemptReason::precision) == 0 && report.count(ExemptReason::min_edge) == 0 &&
+         (report.count(ExemptReason::budget) == 0 || switches.max_steiner_points) &&
+         (report.count(ExemptReason::kept_segment) == 0 || switches.no_splits > 0);
+}
+
+/// Attributes as Triangle writes them: with A one for every triangle, 0 where no region reaches; without
+/// it none, but for those of a mesh that is refined.
+void set_regions(const TriangleSwitches& switches, Mesh& mesh) {
+  if (switches.refine) return;
+  if (!switches.region_attributes || !switches.poly) {
+    mesh.region.clear();
+    mesh.region_attributes.clear();
+  } else if (mesh.region.empty()) {
+    mesh.region.resize(mesh.triangles.size(), no_index);
+  }
+}
+
+Status write(const TriangleSwitches& switches, const Input& input, const Mesh& mesh) {
+  const std::string stem = next_name(switches.name, switches.no_iteration);
+  const TriangleFiles files = files_to_write(switches, input.coarse.domain.base, input.node_was_read);
+  const std::pair<bool, const char*> written[] = {{files.write_node, ".node"},   {files.write_ele, ".ele"},
+                                                  {files.write_poly, ".poly"},   {files.write_edge, ".edge"},
+                                                  {files.write_neigh, ".neigh"}, {switches.off, ".off"}};
+  for (const auto& [wanted, suffix] : written) {
+    if (wanted) say(switches, fmt::format("Writing {}{}.", stem, suffix));
+  }
+  if (Status done = write_triangle_files(mesh, input.coarse.domain.pslg, stem, files); !done) return done;
+  return switches.off ? write_off(mesh, stem + ".off") : Status(Done{});
+}
+
+void print_statistics(const TriangleSwitches& switches, const Meshed& meshed) {
+  const MeshStatistics mesh = statistics(meshed.mesh);
+  say(switches, fmt::format("Mesh vertices: {}\nMesh triangles: {}\nSmallest angle: {:.4g}\nLargest angle: {:.4g}",
+                            mesh.vertices, mesh.triangles, mesh.min_angle_deg, mesh.max_angle_deg));
+  if (switches.verbose == 0) return;
+  const Report& report = meshed.report;
+  say(switches, fmt::format("Total area: {:.9g}\nInserted inside: {}\nInserted on segments: {}\nRefused: {}", mesh.area,
+                            report.inserted, report.segment_splits, report.refused));
+  for (int i = 0; i < exempt_reasons; ++i) {
+    const auto reason = static_cast<ExemptReason>(i);
+    say(switches, fmt::format("Exempt ({}): {}", name(reason), report.count(reason)));
+  }
+  say(switches, fmt::format("Seconds: triangulation {:.3f}, refinement {:.3f}", report.triangulate_seconds,
+                            report.refine_seconds));
+}
+
+Result<ExitCode> run(const TriangleSwitches& switches) {
+  if (switches.verbose > 0) {
+    for (const char letter : switches.without_effect)
+      say(switches, fmt::format("Switch {} has no effect here.", letter));
+  }
+  const Interrupt interrupt;
+  Result<Input> input = switches.refine ? read_mesh_to_refine(switches) : read_points(switches);
+  if (!input) return input.error();
+  const Goal goal = goal_of(switches);
+  Options options = options_of(switches, *input);
+  Result<Meshed> meshed = [&] {
+    ProgressBar bar(switches.quiet ? ShowProgress::never : ShowProgress::automatic);
+    options.progress = [&](const Progress& progress) {
+      bar.update(progress.triangles, progress.estimate);
+      return !interrupt.requested();
+    };
+    return make_mesh(switches, *input, goal, options);
+  }();
+  if (!meshed) return meshed.error();
+
+  bool right = true;
+  if (switches.check) {
+    Goal judged = goal;
+    if (!switches.quality) judged.min_angle_deg = 0;
+    const Certificate certificate =
+        check(input->coarse.domain.pslg, meshed->mesh, judged, {.foreign = switches.refine});
+    right = certificate.valid || (!meshed->report.goal_met() && only_bounds_missed(certificate));
+    if (!certificate.valid) warn(violations_text(certificate, most_listed));
+    if (certificate.valid) say(switches, "Checked: the mesh is right.");
+  }
+
+  Mesh& mesh = meshed->mesh;
+  if (!input->point_map.empty()) restore_numbering(mesh, input->original, input->point_map);
+  if (switches.jettison) remove_unused_vertices(mesh);
+  set_regions(switches, mesh);
+  if (interrupt.requested()) return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
+  if (Status written = write(switches, *input, mesh); !written) return written.error();
+  print_statistics(switches, *meshed);
+  if (!meshed->report.goal_met()) warn(missed_bounds(meshed->report, mesh, most_listed));
+  if (!right) return ExitCode::violations;
+  return meshed->report.goal_met() || missed_by_request(switches, meshed->report) ? ExitCode::done
+                                                                                  : ExitCode::goal_missed;
+}
+
+}  // namespace
+
+Result<ExitCode> run_triangle(const std::vector<std::string>& arguments) {
+  const Result<TriangleSwitches> switches = parse_triangle_switches(arguments);
+  if (!switches) return switches.error();
+  if (switches.value().help) {
+    fmt::print("{}", help);
+    return ExitCode::done;
+  }
+  return run(*switches);
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,199 @@
+#include "triangle_switches.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+namespace pardel::cli {
+namespace {
+
+/// Takes the number at the start of `rest` away, where there is one. Triangle reads digits and points only,
+/// so that "a0.1e" asks for an area and for edges.
+template <class Number>
+std::optional<Number> take_number(std::string_view& rest) {
+  std::size_t length = 0;
+  const auto part_of_number = [](char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0 || (std::is_floating_point_v<Number> && c == '.');
+  };
+  while (length < rest.size() && part_of_number(rest[length])) ++length;
+  Number value{};
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + length, value);
+  const bool whole = error == std::errc() && end == rest.data() + length;
+  if (length == 0 || !whole) return std::nullopt;
+  rest.remove_prefix(length);
+  return value;
+}
+
+bool begins_with_number(std::string_view rest) {
+  return !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 || rest[0] == '.');
+}
+
+/// What a switch that we do not have would do.
+const char* unsupported(char letter) {
+  switch (letter) {
+    case 'u':
+      return "a user-defined test of triangles, which Triangle has to be compiled with";
+    case 'v':
+      return "a Voronoi diagram";
+    case 'w':
+    case 'W':
+      return "a weighted Delaunay triangulation";
+    default:
+      return nullptr;
+  }
+}
+
+/// The letters without a number or another peculiarity.
+bool* flag(TriangleSwitches& s, char letter) {
+  switch (letter) {
+    case 'p':
+      return &s.poly;
+    case 'r':
+      return &s.refine;
+    case 'A':
+      return &s.region_attributes;
+    case 'c':
+      return &s.convex_hull;
+    case 'j':
+      return &s.jettison;
+    case 'e':
+      return &s.edges;
+    case 'n':
+      return &s.neighbours;
+    case 'g':
+      return &s.off;
+    case 'B':
+      return &s.no_markers;
+    case 'P':
+      return &s.no_poly;
+    case 'N':
+      return &s.no_node;
+    case 'E':
+      return &s.no_ele;
+    case 'I':
+      return &s.no_iteration;
+    case 'O':
+      return &s.no_holes;
+    case 'z':
+      return &s.zero_based;
+    case 'C':
+      return &s.check;
+    case 'Q':
+      return &s.quiet;
+    case 'h':
+    case 'H':
+    case '?':
+      return &s.help;
+    default:
+      return nullptr;
+  }
+}
+
+Error usage(const std::string& message) { return {ErrorKind::usage, message + " (see 'pardel triangle -h')"}; }
+
+/// Reads one switch with its number and takes both away from `rest`.
+Status take_switch(TriangleSwitches& s, std::string_view& rest) {
+  const char letter = rest.front();
+  rest.remove_prefix(1);
+  if (bool* simple = flag(s, letter)) {
+    *simple = true;
+    return Done{};
+  }
+  switch (letter) {
+    case 'q':
+      s.quality = true;
+      s.min_angle_deg = 20;
+      if (begins_with_number(rest)) {
+        const std::optional<double> angle = take_number<double>(rest);
+        if (!angle) return usage(fmt::format("switch q: '{}' does not begin with a number", rest));
+        s.min_angle_deg = *angle;
+      }
+      return Done{};
+    case 'a':
+      s.quality = true;
+      if (!begins_with_number(rest)) {
+        s.area_caps = true;
+        return Done{};
+      }
+      s.max_area = take_number<double>(rest);
+      if (!s.max_area) return usage(fmt::format("switch a: '{}' does not begin with a number", rest));
+      if (*s.max_area <= 0) return usage("switch a: the largest area must be greater than 0");
+      return Done{};
+    case 'D':
+    case 'L':
+      s.quality = s.conforming = true;
+      return Done{};
+    case 'o':
+      if (!rest.empty() && rest.front() == '2') {
+        s.second_order = true;
+        rest.remove_prefix(1);
+      }
+      return Done{};
+    case 'Y':
+      ++s.no_splits;
+      return Done{};
+    case 'S':
+      s.max_steiner_points = take_number<unsigned long long>(rest).value_or(0);
+      return Done{};
+    case 'V':
+      ++s.verbose;
+      return Done{};
+    case 'i':
+    case 'F':
+    case 'l':
+    case 's':
+    case 'X':
+      s.without_effect += letter;
+      return Done{};
+    default:
+      if (const char* what = unsupported(letter)) {
+        return usage(fmt::format("switch {} is not supported: {}", letter, what));
+      }
+      return usage(fmt::format("'{}' is no switch of Triangle", letter));
+  }
+}
+
+/// The suffix of FILE is a switch, too.
+void take_suffix(TriangleSwitches& s) {
+  constexpr std::array<std::string_view, 4> suffixes = {".node", ".poly", ".ele", ".area"};
+  for (const std::string_view suffix : suffixes) {
+    if (!s.name.ends_with(suffix) || s.name.size() == suffix.size()) continue;
+    s.name.resize(s.name.size() - suffix.size());
+    if (suffix == ".poly") s.poly = true;
+    if (suffix == ".ele" || suffix == ".area") s.refine = true;
+    if (suffix == ".area") s.quality = s.area_caps = true;
+    return;
+  }
+}
+
+}  // namespace
+
+Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>& arguments) {
+  TriangleSwitches switches;
+  for (const std::string& argument : arguments) {
+    if (argument == "--help") {
+      switches.help = true;
+    } else if (argument.size() > 1 && argument.front() == '-') {
+      for (std::string_view rest = std::string_view(argument).substr(1); !rest.empty();) {
+        if (Status taken = take_switch(switches, rest); !taken) return taken.error();
+      }
+    } else if (!switches.name.empty()) {
+      return usage(fmt::format("two files: '{}' and '{}'", switches.name, argument));
+    } else {
+      switches.name = argument;
+    }
+  }
+  if (switches.help) return switches;
+  if (switches.name.empty()) return usage("no input file");
+  take_suffix(switches);
+  if (switches.refine && switches.no_iteration) {
+    return usage("switch I would replace the mesh that switch r refines");
+  }
+  return switches;
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,42 @@
+#include "verdict.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace pardel::cli {
+
+bool is_missed_bound(ViolationKind kind) {
+  switch (kind) {
+    case ViolationKind::small_angle:
+    case ViolationKind::large_area:
+    case ViolationKind::region_area:
+    case ViolationKind::long_edge:
+    case ViolationKind::size_exceeded:
+    case ViolationKind::large_circumradius:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool only_bounds_missed(const Certificate& certificate) {
+  for (std::size_t kind = 0; kind < certificate.violation_counts.size(); ++kind) {
+    if (certificate.violation_counts[kind] > 0 && !is_missed_bound(static_cast<ViolationKind>(kind))) return false;
+  }
+  return true;
+}
+
+std::string violations_text(const Certificate& certificate, std::size_t most) {
+  std::string text = "the check found violations:";
+  for (std::size_t kind = 0; kind < certificate.violation_counts.size(); ++kind) {
+    if (certificate.violation_counts[kind] == 0) continue;
+    text += fmt::format(" {} {}", certificate.violation_counts[kind], name(static_cast<ViolationKind>(kind)));
+  }
+  const std::size_t listed = std::min(most, certificate.violations.size());
+  for (std::size_t i = 0; i < listed; ++i) text += "\n  " + certificate.violations[i].message();
+  if (listed < certificate.violations.size()) text += "\n  ...";
+  return text;
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,20 @@
+// What a certificate means to the program.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "../properties/check.hpp"
+
+namespace pardel::cli {
+
+/// True for the violations of a goal alone: the mesh is right but for a bound that is not met.
+[[nodiscard]] bool is_missed_bound(ViolationKind kind);
+
+/// True where every violation counted is one of these.
+[[nodiscard]] bool only_bounds_missed(const Certificate& certificate);
+
+/// How many violations there are, by kind, then the first `most` of them, a line each.
+[[nodiscard]] std::string violations_text(const Certificate& certificate, std::size_t most);
+
+}  // namespace pardel::cli
