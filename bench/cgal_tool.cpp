@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -49,11 +50,11 @@ class ShapeAndArea {
     CGAL::Mesh_2::Face_badness operator()(const Constrained::Face_handle& face, Quality& quality) const {
       const auto &a = face->vertex(0)->point(), &b = face->vertex(1)->point(), &c = face->vertex(2)->point();
       const double area = CGAL::area(a, b, c);
-      double la = CGAL::squared_distance(b, c), lb = CGAL::squared_distance(c, a), lc = CGAL::squared_distance(a, b);
-      if (la > lb) std::swap(la, lb);
-      if (lb > lc) std::swap(lb, lc);
+      const double la = CGAL::squared_distance(b, c), lb = CGAL::squared_distance(c, a),
+                   lc = CGAL::squared_distance(a, b);
+      // The smallest angle lies opposite the shortest edge, between the other two.
       quality.size = area / area_bound_;
-      quality.sine = 4 * area * area / (lb * lc);  // the smallest angle lies between the two longer edges
+      quality.sine = 4 * area * area / (la * lb * lc) * std::min({la, lb, lc});
       return (*this)(quality);
     }
 
@@ -62,10 +63,7 @@ class ShapeAndArea {
     double area_bound_;
   };
 
-  explicit ShapeAndArea(const Goal& goal) : area_bound_(goal.max_area) {
-    const double sine = std::sin(goal.min_angle_deg * std::numbers::pi / 180);
-    sine_bound_ = sine * sine;
-  }
+  ShapeAndArea(double sine_bound, double area_bound) : sine_bound_(sine_bound), area_bound_(area_bound) {}
   [[nodiscard]] Is_bad is_bad_object() const { return {sine_bound_, area_bound_}; }
 
  private:
@@ -103,7 +101,23 @@ void constrain_hull(Constrained& cdt) {
   for (std::size_t i = 0; i < hull.size(); ++i) cdt.insert_constraint(hull[i], hull[(i + 1) % hull.size()]);
 }
 
-Run mesh_once(const Task& task) {
+double squared_sine(const Goal& goal) {
+  const double sine = std::sin(goal.min_angle_deg * std::numbers::pi / 180);
+  return sine * sine;
+}
+
+/// Measured on the pipe at a million triangles: the squared bound on edges over the mean area that it leads to.
+constexpr double squared_edge_per_mean_area = 5.0;
+
+/// CGAL's own criteria, which know the longest edge and no area: a bound that leads to about as many triangles.
+CGAL::Delaunay_mesh_size_criteria_2<Constrained> size_criteria(const Task& task) {
+  const double mean_area = task.goal.max_area / triangles_per_cap;
+  const double edge = std::isfinite(mean_area) ? std::sqrt(mean_area * squared_edge_per_mean_area) : 0;  // 0: no bound
+  return {squared_sine(task.goal), edge};
+}
+
+template <class Criteria>
+Run mesh_once(const Task& task, const Criteria& criteria) {
   Run run;
   const Pslg pslg = make_domain(task);
   const auto points = cgal_points(pslg);
@@ -119,7 +133,7 @@ Run mesh_once(const Task& task) {
   }
   std::vector<Kernel::Point_2> seeds;
   for (const Point p : pslg.holes) seeds.emplace_back(p.x, p.y);
-  CGAL::Delaunay_mesher_2<Constrained, ShapeAndArea> mesher(cdt, ShapeAndArea(task.goal));
+  CGAL::Delaunay_mesher_2<Constrained, Criteria> mesher(cdt, criteria);
   mesher.set_seeds(seeds.begin(), seeds.end());
   mesher.refine_mesh();
   run.seconds = watch.seconds();
@@ -149,10 +163,18 @@ Run triangulate_once(const Task& task) {
 
 }  // namespace
 
+Tool cgal_size_tool() {
+  return {"cgal-size", [](const Task& task) { return !task.delaunay_only && std::isfinite(task.goal.max_area); },
+          [](const Task& task, const std::filesystem::path&) {
+            return run_in_child<Run>([&] { return mesh_once(task, size_criteria(task)); }).value_or(Run{});
+          }};
+}
+
 Tool cgal_mesh_tool() {
   return {"cgal-mesh", [](const Task& task) { return !task.delaunay_only; },
           [](const Task& task, const std::filesystem::path&) {
-            return run_in_child<Run>([&] { return mesh_once(task); }).value_or(Run{});
+            const ShapeAndArea criteria(squared_sine(task.goal), task.goal.max_area);
+            return run_in_child<Run>([&] { return mesh_once(task, criteria); }).value_or(Run{});
           }};
 }
 

@@ -124,7 +124,8 @@ bool write_json(const std::vector<Row>& rows, const Settings& settings) {
 
 std::vector<Tool> chosen_tools(const Settings& settings) {
   std::vector<Tool> tools;
-  for (const Tool& tool : {pardel_tool(), cgal_mesh_tool(), cgal_delaunay_tool(), gmsh_tool(), triangle_tool()}) {
+  for (const Tool& tool :
+       {pardel_tool(), cgal_mesh_tool(), cgal_size_tool(), cgal_delaunay_tool(), gmsh_tool(), triangle_tool()}) {
     const bool wanted = settings.tools.empty() ||
                         std::find(settings.tools.begin(), settings.tools.end(), tool.name) != settings.tools.end();
     if (wanted && tool.applies(settings.task)) tools.push_back(tool);
@@ -152,14 +153,14 @@ int main_of_peers(int argc, char** argv) {
   app.add_option("--runs", settings.runs, "Runs of each tool")->check(CLI::Range(1, 1000))->capture_default_str();
   app.add_flag("--delaunay-only", task.delaunay_only, "Triangulate the points, insert nothing");
   app.add_option("--tools", settings.tools,
-                 "Of pardel, cgal-mesh, cgal-delaunay, gmsh, triangle (default: all there are)")
+                 "Of pardel, cgal-mesh, cgal-size, cgal-delaunay, gmsh, triangle (default: all there are)")
       ->delimiter(',');
   app.add_flag("--no-check", no_check, "Leave the meshes unjudged: for large ones");
   app.add_option("--json", settings.json_file, "Write all runs to this file");
   CLI11_PARSE(app, argc, argv);
   task.check = !no_check;
-  // Refinement under an area cap leaves 1.55 triangles for every cap's worth of domain, on every domain tried.
-  if (task.triangles > 0) task.goal.max_area = 1.55 * domain_area(task) / static_cast<double>(task.triangles);
+  if (task.triangles > 0)
+    task.goal.max_area = triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
 
   const std::vector<Row> rows = compare(settings, chosen_tools(settings));
   print(rows, settings);

@@ -16,6 +16,9 @@
 
 namespace pardel::bench {
 
+/// Refinement under an area cap leaves about this many triangles for every cap's worth of domain.
+inline constexpr double triangles_per_cap = 1.55;
+
 /// What is to be done. The domain is made anew in every child process, from its name.
 struct Task {
   std::string domain = "square";  ///< a name of properties/domains.hpp
@@ -60,7 +63,8 @@ struct Tool {
 };
 
 [[nodiscard]] Tool pardel_tool();
-[[nodiscard]] Tool cgal_mesh_tool();
+[[nodiscard]] Tool cgal_mesh_tool();  ///< Mesh_2 with the area cap itself, by criteria of ours
+[[nodiscard]] Tool cgal_size_tool();  ///< Mesh_2 with its own criteria: a size that makes about as many triangles
 [[nodiscard]] Tool cgal_delaunay_tool();
 [[nodiscard]] Tool gmsh_tool();
 [[nodiscard]] Tool triangle_tool();
