@@ -32,9 +32,6 @@ endforeach()
 if(checker_targets)
   pardel_install_libraries(pardelCheckerTargets ${checker_targets})
 endif()
-if(TARGET pardel)
-  install(TARGETS pardel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pardelConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/pardelConfig.cmake INSTALL_DESTINATION ${PARDEL_CMAKE_DIR})
