@@ -32,6 +32,17 @@ class Array {
   }
   ~Array() { std::free(data_); }
 
+  /// Takes over the storage of an array of another type of the same size, bytes unchanged.
+  template <class U>
+  [[nodiscard]] static Array recast(Array<U>&& other) {
+    static_assert(sizeof(T) == sizeof(U) && std::is_trivially_copyable_v<U>);
+    Array result;
+    result.data_ = reinterpret_cast<T*>(std::exchange(other.data_, nullptr));
+    result.size_ = std::exchange(other.size_, 0);
+    result.capacity_ = std::exchange(other.capacity_, 0);
+    return result;
+  }
+
   void swap(Array& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
@@ -106,6 +117,9 @@ class Array {
     const std::size_t generous = capacity_ + capacity_ / 2 + 16;
     return generous > needed ? generous : needed;
   }
+
+  template <class U>
+  friend class Array;
 
   T* data_ = nullptr;
   std::size_t size_ = 0;

@@ -1,0 +1,241 @@
+#include "assemble.hpp"
+
+#include <bit>
+#include <string>
+
+#include "background.hpp"
+#include "delaunay.hpp"
+#include "flips.hpp"
+#include "predicates.hpp"
+
+namespace pardel {
+namespace {
+
+std::vector<Index> inverse(std::span<const Index> permutation) {
+  std::vector<Index> result(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i) result[permutation[i]] = static_cast<Index>(i);
+  return result;
+}
+
+Error bad_mesh(TriangleId id, const char* what) {
+  return {ErrorKind::invalid_input, "triangle " + std::to_string(id) + " of the mesh " + what};
+}
+
+Error too_many_triangles() {
+  return {ErrorKind::resources, "more triangles than the triangulation can number (2^29 - 1)"};
+}
+
+/// The side of `triangle` that neighbours `other`, or 3.
+unsigned side_towards(const Triangle& triangle, VertexId from, VertexId to) {
+  for (unsigned side = 0; side < 3; ++side)
+    if (triangle.v[next_corner[side]] == from && triangle.v[previous_corner[side]] == to) return side;
+  return 3;
+}
+
+Status link_neighbours(const Mesh& mesh, Triangulation& t) {
+  for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
+    const Triangle& triangle = mesh.triangles[id];
+    for (const Index v : triangle.v)
+      if (v >= mesh.points.size()) return bad_mesh(id, "names a vertex that does not exist");
+    if (!(orient2d(mesh.points[triangle.v[0]], mesh.points[triangle.v[1]], mesh.points[triangle.v[2]]) > 0))
+      return bad_mesh(id, "is not positively oriented");
+    Slot slot{triangle.v, {}};
+    for (unsigned side = 0; side < 3; ++side) {
+      const Index other = triangle.n[side];
+      if (other == no_index) continue;
+      if (other >= mesh.triangles.size()) return bad_mesh(id, "names a neighbour that does not exist");
+      const unsigned back = side_towards(mesh.triangles[other], slot.to(side), slot.from(side));
+      if (back == 3 || mesh.triangles[other].n[back] != id) return bad_mesh(id, "has a neighbour that does not agree");
+      slot.n[side] = EdgeRef(other, back);
+    }
+    t.slots.push_back(slot);
+  }
+  return Done{};
+}
+
+/// Marks the mesh's constrained edges in the triangulation and lists them and every boundary edge.
+void constrain_edges(const Mesh& mesh, Assembled& domain, std::vector<Constraint>& constraints) {
+  Triangulation& t = domain.triangulation;
+  std::vector<Index> start(mesh.points.size() + 1, 0), list(mesh.constrained_edges.size());
+  for (const ConstrainedEdge& e : mesh.constrained_edges) ++start[std::min(e.a, e.b) + 1U];
+  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+  std::vector<Index> next = start;
+  for (Index i = 0; i < mesh.constrained_edges.size(); ++i)
+    list[next[std::min(mesh.constrained_edges[i].a, mesh.constrained_edges[i].b)]++] = i;
+
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side) {
+      const EdgeRef across = t.slots[id].n[side];
+      if (!across.none() && across.triangle() < id) continue;  // seen from the other side already
+      const VertexId a = t.slots[id].from(side), b = t.slots[id].to(side);
+      const ConstrainedEdge* listed = nullptr;
+      for (Index k = start[std::min(a, b)]; k < start[std::min(a, b) + 1U]; ++k) {
+        const ConstrainedEdge& e = mesh.constrained_edges[list[k]];
+        if (std::max(e.a, e.b) == std::max(a, b)) listed = &e;
+      }
+      if (listed == nullptr && !across.none()) continue;
+      t.constrain(EdgeRef(id, side));
+      constraints.push_back({a, b});
+      domain.segment_of_line.push_back(listed == nullptr ? no_index : listed->segment);
+      domain.marker_of_line.push_back(listed == nullptr ? 0 : listed->marker);
+    }
+}
+
+void renumber(const std::vector<Index>& input_of_vertex, Array<Point>& points, Array<Slot>& slots) {
+  const std::size_t inputs = input_of_vertex.size();
+  std::vector<Point> moved(points.begin(), points.begin() + inputs);
+  for (std::size_t v = 0; v < inputs; ++v) points[input_of_vertex[v]] = moved[v];
+  for (Slot& slot : slots)
+    for (VertexId& v : slot.v)
+      if (v < inputs) v = input_of_vertex[v];
+}
+
+/// Vertex marker: its own, else that of a line it lies on, else 1 on the boundary, else 0.
+void mark_vertices(Mesh& mesh, const PointData& data) {
+  mesh.point_markers.resize(mesh.points.size(), 0);
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    for (const Index v : {e.a, e.b})
+      if (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1))
+        mesh.point_markers[v] = e.marker;
+  for (std::size_t v = 0; v < data.markers.size(); ++v)
+    if (data.markers[v] != 0) mesh.point_markers[v] = data.markers[v];
+}
+
+void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::array<Index, 3>> background) {
+  const std::size_t k = data.attributes_per_point;
+  if (k == 0) return;
+  const std::size_t inputs = data.attributes.size() / k;
+  mesh.attributes_per_point = k;
+  mesh.point_attributes.reserve(mesh.points.size() * k);
+  mesh.point_attributes.append(data.attributes);
+  const Background on(mesh.points.span().first(inputs), std::move(background));
+  for (std::size_t v = inputs; v < mesh.points.size(); ++v) {
+    const Located at = on.locate(mesh.points[v]);
+    for (std::size_t a = 0; a < k; ++a) {
+      double value = 0;
+      for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * data.attributes[at.v[i] * k + a];
+      mesh.point_attributes.push_back(value);
+    }
+  }
+}
+
+}  // namespace
+
+Result<Assembled> assemble(const Pslg& pslg, bool convex_hull) {
+  Result<Delaunay> triangulated = delaunay(pslg.points);
+  if (!triangulated) return triangulated.error();
+  Assembled domain;
+  Triangulation& t = domain.triangulation;
+  t = std::move(triangulated->triangulation);
+  domain.input_of_vertex = std::move(triangulated->input_of_vertex);
+
+  std::vector<Constraint> constraints;
+  if (!pslg.segments.empty()) {
+    const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex);
+    for (Index s = 0; s < pslg.segments.size(); ++s) {
+      const Segment& segment = pslg.segments[s];
+      if (segment.a >= pslg.points.size() || segment.b >= pslg.points.size())
+        return Error{ErrorKind::invalid_input, "segment " + std::to_string(s) + " names a point that does not exist"};
+      constraints.push_back({vertex_of_input[segment.a], vertex_of_input[segment.b]});
+      domain.segment_of_line.push_back(s);
+      domain.marker_of_line.push_back(segment.marker);
+    }
+  }
+  if (Status inserted = insert_constraints(t, constraints); !inserted) return inserted.error();
+
+  DomainRules rules{convex_hull || pslg.segments.empty(), pslg.holes, {}};
+  for (const Region& region : pslg.regions) rules.region_seeds.push_back(region.seed);
+  for (const Constraint hull_edge : carve(t, rules)) {
+    constraints.push_back(hull_edge);
+    domain.segment_of_line.push_back(no_index);
+    domain.marker_of_line.push_back(0);
+  }
+  if (t.slots.empty())
+    return Error{ErrorKind::invalid_input, "no domain is left: the segments enclose nothing, or holes take all of it"};
+  t.origin.resize(t.points.size(), input_vertex);
+  domain.lines = Lines(t.points, constraints);
+  return domain;
+}
+
+Result<Assembled> assemble(const Mesh& mesh) {
+  if (mesh.triangles.size() > max_triangles) return too_many_triangles();
+  if (mesh.triangles.empty()) return Error{ErrorKind::invalid_input, "the mesh has no triangles"};
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    if (e.a >= mesh.points.size() || e.b >= mesh.points.size())
+      return Error{ErrorKind::invalid_input, "a constrained edge of the mesh names a vertex that does not exist"};
+  Assembled domain;
+  Triangulation& t = domain.triangulation;
+  t.points = mesh.points;
+  if (Status linked = link_neighbours(mesh, t); !linked) return linked.error();
+  if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
+  std::vector<Constraint> constraints;
+  constrain_edges(mesh, domain, constraints);
+  t.origin.resize(t.points.size(), input_vertex);
+  domain.lines = Lines(t.points, constraints);
+  domain.input_of_vertex.resize(t.points.size());
+  for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
+
+  std::vector<EdgeRef> all;
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side)
+      if (!locally_delaunay(t, EdgeRef(id, side))) all.push_back(EdgeRef(id, side));
+  std::vector<TriangleId> changed;
+  restore_delaunay(t, std::move(all), changed);
+  return domain;
+}
+
+std::vector<std::array<Index, 3>> corners(const Assembled& domain) {
+  std::vector<std::array<Index, 3>> result;
+  result.reserve(domain.triangulation.slots.size());
+  for (const Slot& slot : domain.triangulation.slots) {
+    std::array<Index, 3> v = slot.v;
+    for (Index& corner : v)
+      if (corner < domain.input_of_vertex.size()) corner = domain.input_of_vertex[corner];
+    result.push_back(v);
+  }
+  return result;
+}
+
+Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, const PointData& data,
+                 std::vector<std::array<Index, 3>> background) {
+  Triangulation& t = domain.triangulation;
+  Mesh mesh;
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side) {
+      const Slot& slot = t.slots[id];
+      const EdgeRef across = slot.n[side];
+      if (!across.constrained() || (!across.none() && across.triangle() < id)) continue;
+      const Index line = domain.lines.line_of(t, slot.from(side), slot.to(side));
+      const int marker = domain.marker_of_line[line];
+      mesh.constrained_edges.push_back({slot.from(side), slot.to(side), domain.segment_of_line[line],
+                                        marker != 0     ? marker
+                                        : across.none() ? 1
+                                                        : 0});
+    }
+  renumber(domain.input_of_vertex, t.points, t.slots);
+  const std::size_t inputs = domain.input_of_vertex.size();
+  for (ConstrainedEdge& e : mesh.constrained_edges)
+    for (Index* v : {&e.a, &e.b})
+      if (*v < inputs) *v = domain.input_of_vertex[*v];
+  for (std::size_t v = inputs; v < t.origin.size(); ++v)
+    if (t.origin[v] < domain.lines.size()) {
+      const Index segment = domain.segment_of_line[t.origin[v]];
+      t.origin[v] = segment == no_index ? hull_vertex : segment;
+    }
+
+  mesh.points = std::move(t.points);
+  mesh.origin = std::move(t.origin);
+  mesh.region = std::move(t.region);
+  mesh.region_attributes = std::move(region_attributes);
+  mesh.triangles = Array<Triangle>::recast(std::move(t.slots));
+  for (Triangle& triangle : mesh.triangles)
+    for (Index& n : triangle.n) {
+      const auto out = std::bit_cast<EdgeRef>(n);
+      n = out.none() ? no_index : out.triangle();
+    }
+  mark_vertices(mesh, data);
+  interpolate_attributes(mesh, data, std::move(background));
+  return mesh;
+}
+
+}  // namespace pardel

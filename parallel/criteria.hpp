@@ -1,0 +1,87 @@
+// When a triangle is bad, and where the point goes that splits it. Pure functions of coordinates.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "../core/goal.hpp"
+#include "mesher.hpp"
+#include "triangulation.hpp"
+
+namespace pardel {
+
+/// The three corners of a triangle and what is asked of them again and again.
+struct Shape {
+  std::array<Point, 3> p;
+  std::array<double, 3> squared;  ///< squared length of the side opposite each corner
+  double twice_area = 0;
+  unsigned shortest = 0;  ///< the side; the smallest angle lies at this corner
+
+  Shape(const Triangulation& t, const Slot& slot)
+      : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
+  Shape(Point a, Point b, Point c) : p{a, b, c} {
+    const double abx = b.x - a.x, aby = b.y - a.y;
+    const double acx = c.x - a.x, acy = c.y - a.y;
+    const double bcx = c.x - b.x, bcy = c.y - b.y;
+    squared = {bcx * bcx + bcy * bcy, acx * acx + acy * acy, abx * abx + aby * aby};
+    twice_area = abx * acy - aby * acx;
+    shortest = squared[0] <= squared[1] ? 0 : 1;
+    if (squared[2] < squared[shortest]) shortest = 2;
+  }
+
+  [[nodiscard]] Point centroid() const { return {(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}; }
+  [[nodiscard]] double longest_squared() const { return std::max({squared[0], squared[1], squared[2]}); }
+  /// (b - a) . (c - a) for the corner a.
+  [[nodiscard]] double dot_at(unsigned corner) const {
+    return 0.5 * (squared[next_corner[corner]] + squared[previous_corner[corner]] - squared[corner]);
+  }
+};
+
+/// A Goal made ready. A hair stricter than the goal, so that what passes here in floating point passes an
+/// exact comparison with the goal.
+class Criteria {
+ public:
+  /// region_caps: one cap per region of the triangulation. area_cap: a cap by position, or empty.
+  Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
+           std::function<double(Point)> area_cap = {});
+
+  [[nodiscard]] bool bad_shape(const Shape& s) const {
+    const double dot = s.dot_at(s.shortest);
+    return dot * dot > squared_cosine_ * s.squared[next_corner[s.shortest]] * s.squared[previous_corner[s.shortest]];
+  }
+  [[nodiscard]] bool too_large(const Shape& s, Index region) const {
+    if (s.twice_area > twice_max_area_) return true;
+    return has_local_size_ && too_large_locally(s, region);
+  }
+  /// The corner opposite a constrained side sees it at so large an angle that the side has to be split:
+  /// inside or on the diametral circle for a conforming goal, else in the diametral lens (Shewchuk,
+  /// "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
+  [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
+    return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
+  }
+
+  [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
+
+  /// The point to insert for a bad triangle: its circumcentre, or the off-centre where that is nearer to the
+  /// shortest side (Üngör, "Off-centers", 2004), with 5 % to spare.
+  [[nodiscard]] Point split_point(const Shape& s) const;
+
+  /// The estimated number of triangles that the sizes ask for where this one lies.
+  [[nodiscard]] double triangles_wanted(const Shape& s, Index region) const;
+
+ private:
+  [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
+
+  double squared_cosine_;
+  double squared_lens_cosine_;
+  double twice_max_area_;
+  double squared_max_edge_;
+  double off_centre_height_;  ///< over the length of the shortest side; 0: circumcentres
+  std::vector<double> twice_region_cap_;
+  std::function<double(Point)> size_, area_cap_;
+  bool has_local_size_;
+};
+
+}  // namespace pardel

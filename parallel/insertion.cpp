@@ -1,0 +1,128 @@
+#include "insertion.hpp"
+
+#include "flips.hpp"
+#include "predicates.hpp"
+
+namespace pardel {
+namespace {
+
+double squared_distance(Point a, Point b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+double dot_from(Point p, Point a, Point b) { return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y); }
+
+constexpr auto nothing_else = [](TriangleId, unsigned) { return Reach::outside; };
+
+}  // namespace
+
+bool Insertion::disk_contains(const Slot& slot, Point p) const {
+  return incircle(t_.points[slot.v[0]], t_.points[slot.v[1]], t_.points[slot.v[2]], p) > 0;
+}
+
+bool Insertion::star_shaped(Point p) const {
+  for (std::size_t i = 0; i < cavity_.boundary.size(); ++i)
+    if (orient2d(t_.points[cavity_.boundary[i].from], t_.points[cavity_.to(i)], p) <= 0) return false;
+  return true;
+}
+
+Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
+  if (!box.contains(p)) return Outcome::leaves_box;
+  if (!disk_contains(t_.slots[first], p)) return Outcome::refused;
+  const Walk walk = cavity_.find(t_, first, reach_within(p, box));
+  if (walk == Walk::foreign) return Outcome::leaves_box;
+
+  is_star_ = walk == Walk::complete;
+  double longest = 0, longest_wide = 0;
+  EdgeRef wide;  // the longest edge whose whole diametral disk, not only the lens, contains p
+  blocker_ = EdgeRef();
+  for (std::size_t i = 0; i < cavity_.boundary.size(); ++i) {
+    const BoundaryEdge& edge = cavity_.boundary[i];
+    const Point a = t_.points[edge.from], b = t_.points[cavity_.to(i)];
+    const bool visible = orient2d(a, b, p) > 0;
+    is_star_ = is_star_ && visible;
+    if (!edge.outer.constrained()) continue;
+    const double dot = dot_from(p, a, b), length = squared_distance(a, b);
+    if ((!visible || criteria_.encroaches(dot, squared_distance(p, a), squared_distance(p, b))) && length > longest) {
+      longest = length;
+      blocker_ = edge.inner;
+    }
+    if (dot <= 0 && length > longest_wide) {
+      longest_wide = length;
+      wide = edge.inner;
+    }
+  }
+  // Where a constrained edge is not Delaunay the cavity may hold triangles that p does not see.
+  if (longest == 0 && !is_star_) blocker_ = wide;
+  if (!blocker_.none()) return Outcome::encroaches;
+  return walk == Walk::tangled ? Outcome::refused : Outcome::inserted;
+}
+
+Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
+  const Outcome outcome = try_in_face(p, first, box);
+  if (outcome != Outcome::inserted) return outcome;
+  if (!is_star_) return face_by_flips(p);
+  commit(p, interior_vertex);
+  return outcome;
+}
+
+Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
+  const EdgeRef other = t_.slot(e).n[e.side()];
+  if (!box.contains(p)) return Outcome::leaves_box;
+  for (const EdgeRef side : {e, other})
+    if (!side.none())
+      for (const VertexId v : t_.slot(side).v)
+        if (!box.contains(t_.points[v])) return Outcome::leaves_box;
+  const Walk walk = cavity_.find_on_edge(t_, e, reach_within(p, box));
+  if (walk == Walk::foreign) return Outcome::leaves_box;
+  if (walk == Walk::tangled || !star_shaped(p)) return edge_by_flips(p, e, line);
+  commit(p, line);
+  return Outcome::inserted;
+}
+
+void Insertion::commit(Point p, Index origin) {
+  const auto v = static_cast<VertexId>(t_.points.size());
+  t_.points.push_back(p);
+  t_.origin.push_back(origin);
+  const auto allocate = [this] {
+    t_.slots.push_back({});
+    if (!t_.region.empty()) t_.region.push_back(no_index);
+    return static_cast<TriangleId>(t_.slots.size() - 1);
+  };
+  retriangulate(t_, cavity_, v, allocate, fan_);
+}
+
+/// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.
+Outcome Insertion::face_by_flips(Point p) {
+  for (const TriangleId id : cavity_.triangles) {
+    const Slot& slot = t_.slots[id];
+    EdgeRef on;
+    bool inside = true;
+    for (unsigned side = 0; side < 3 && inside; ++side) {
+      const double o = orient2d(t_.points[slot.from(side)], t_.points[slot.to(side)], p);
+      inside = o >= 0;
+      if (o == 0) on = slot.n[side];
+    }
+    if (!inside) continue;
+    const auto across_only = [&](TriangleId other, unsigned) {
+      return !on.none() && other == on.triangle() ? Reach::inside : Reach::outside;
+    };
+    if (cavity_.find(t_, id, across_only) != Walk::complete || !star_shaped(p)) return Outcome::refused;
+    commit(p, interior_vertex);
+    finish_by_flips();
+    return Outcome::inserted;
+  }
+  return Outcome::refused;
+}
+
+Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
+  if (cavity_.find_on_edge(t_, e, nothing_else) != Walk::complete || !star_shaped(p)) return Outcome::refused;
+  commit(p, line);
+  finish_by_flips();
+  return Outcome::inserted;
+}
+
+void Insertion::finish_by_flips() {
+  std::vector<EdgeRef> suspects;
+  for (const TriangleId id : fan_) suspects.push_back(EdgeRef(id, 0));
+  restore_delaunay(t_, std::move(suspects), fan_);
+}
+
+}  // namespace pardel

@@ -1,0 +1,65 @@
+// One insertion: is the point's cavity one that may be changed, and if so, change it.
+#pragma once
+
+#include <vector>
+
+#include "cavity.hpp"
+#include "criteria.hpp"
+#include "tiles.hpp"
+#include "triangulation.hpp"
+
+namespace pardel {
+
+/// What became of an attempt to insert a point.
+enum class Outcome : std::uint8_t {
+  inserted,
+  encroaches,  ///< blocker() is a constrained edge that has to be split instead
+  leaves_box,  ///< another task's box, or a larger one, is needed
+  refused,     ///< no valid triangulation would result in double precision
+};
+
+/// Inserts points into one triangulation, one at a time, each within a box: only triangles whose corners
+/// all lie in the box are changed. Every triangle made is exactly positively oriented.
+class Insertion {
+ public:
+  Insertion(Triangulation& t, const Criteria& criteria) : t_(t), criteria_(criteria) {}
+
+  /// Inserts p, unless it encroaches on a constrained edge of its cavity or lies beyond one. Refused where p
+  /// does not lie in the open circumdisk of `first`. Precondition: the corners of `first` lie in the box.
+  Outcome insert_in_face(Point p, TriangleId first, const Box& box);
+
+  /// What insert_in_face would find, with nothing changed (`inserted` then means that it could be).
+  Outcome try_in_face(Point p, TriangleId first, const Box& box);
+
+  /// Splits the constrained edge e, a piece of `line`, at p.
+  Outcome split_edge(Point p, EdgeRef e, Index line, const Box& box);
+
+  /// After `inserted`: the triangles that are new or changed.
+  [[nodiscard]] const std::vector<TriangleId>& changed() const { return fan_; }
+  /// After `encroaches`: the longest of the edges encroached, seen from inside the cavity.
+  [[nodiscard]] EdgeRef blocker() const { return blocker_; }
+
+ private:
+  [[nodiscard]] bool disk_contains(const Slot& slot, Point p) const;
+  [[nodiscard]] auto reach_within(Point p, const Box& box) const {
+    return [this, p, &box](TriangleId id, unsigned side) {
+      const Slot& slot = t_.slots[id];
+      if (!disk_contains(slot, p)) return Reach::outside;
+      return box.contains(t_.points[slot.v[side]]) ? Reach::inside : Reach::foreign;
+    };
+  }
+  [[nodiscard]] bool star_shaped(Point p) const;
+  Outcome face_by_flips(Point p);
+  Outcome edge_by_flips(Point p, EdgeRef e, Index line);
+  void commit(Point p, Index origin);
+  void finish_by_flips();
+
+  Triangulation& t_;
+  const Criteria& criteria_;
+  Cavity cavity_;
+  bool is_star_ = false;  ///< after try_in_face
+  std::vector<TriangleId> fan_;
+  EdgeRef blocker_;
+};
+
+}  // namespace pardel

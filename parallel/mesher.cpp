@@ -1,0 +1,194 @@
+#include "mesher.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "assemble.hpp"
+#include "background.hpp"
+#include "criteria.hpp"
+#include "refine.hpp"
+#include "validate.hpp"
+
+namespace pardel {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+constexpr double largest_min_angle_deg = 33;
+
+Status check_goal(const Goal& goal, const Options& options) {
+  const auto refuse = [](const std::string& what, double value) {
+    return Error{ErrorKind::usage, what + ", not " + std::to_string(value)};
+  };
+  if (!(goal.min_angle_deg >= 0 && goal.min_angle_deg <= largest_min_angle_deg))
+    return refuse("the minimum angle must lie between 0 and 33 degrees", goal.min_angle_deg);
+  if (!(goal.max_area > 0)) return refuse("the largest area must be positive", goal.max_area);
+  if (!(goal.max_edge > 0)) return refuse("the longest edge must be positive", goal.max_edge);
+  if (!(options.min_edge >= 0 && options.min_edge < INFINITY))
+    return refuse("the shortest edge must be zero or positive", options.min_edge);
+  return Done{};
+}
+
+Status check_pslg(const Pslg& pslg, bool convex_hull) {
+  const std::vector<Problem> problems = validate(pslg, {convex_hull});
+  if (problems.empty()) return Done{};
+  std::string message;
+  for (const Problem& problem : problems) message += (message.empty() ? "" : "\n") + problem.message();
+  return Error{ErrorKind::invalid_input, message};
+}
+
+/// Coordinates near 2^k are 2^(k-53) apart. An edge 2^11 times as long as that still has an angle with 3 digits.
+double default_min_edge(std::span<const Point> points) {
+  double largest = 0;
+  for (const Point p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest * 0x1p-42;
+}
+
+Status refine_domain(Assembled& domain, const Criteria& criteria, Options options, Report& report) {
+  Triangulation& t = domain.triangulation;
+  if (options.min_edge == 0) options.min_edge = default_min_edge(t.points.span());
+  const Result<RefineCounts> counts = refine(t, domain.lines, criteria, options);
+  if (!counts) return counts.error();
+  report.inserted = counts->inserted;
+  report.segment_splits = counts->segment_splits;
+  report.refused = counts->refused;
+  report.exempt = exemptions(t, domain.lines, criteria, options, counts->budget_reached);
+  for (Exemption& e : report.exempt)
+    if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
+  return Done{};
+}
+
+Result<Meshed> mesh_pslg(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options) {
+  Stopwatch watch;
+  Meshed result;
+  if (Status valid = check_pslg(pslg, convex_hull); !valid) return valid.error();
+  result.report.validate_seconds = watch.lap();
+
+  Result<Assembled> domain = assemble(pslg, convex_hull);
+  if (!domain) return domain.error();
+  std::vector<std::array<Index, 3>> background;
+  if (pslg.attributes_per_point > 0) background = corners(*domain);
+  result.report.triangulate_seconds = watch.lap();
+
+  std::vector<double> attributes, caps;
+  for (const Region& region : pslg.regions) {
+    attributes.push_back(region.attribute);
+    caps.push_back(region.max_area);
+  }
+  if (goal != nullptr) {
+    const Criteria criteria(*goal, options.placement, std::move(caps));
+    if (Status refined = refine_domain(*domain, criteria, options, result.report); !refined) return refined.error();
+  }
+  result.mesh =
+      disassemble(std::move(domain).value(), std::move(attributes),
+                  {pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, std::move(background));
+  result.report.refine_seconds = watch.lap();
+  return result;
+}
+
+Error out_of_memory() { return {ErrorKind::resources, "out of memory"}; }
+
+}  // namespace
+
+const char* name(ExemptReason reason) {
+  switch (reason) {
+    case ExemptReason::nestled:
+      return "nestled";
+    case ExemptReason::seditious:
+      return "seditious";
+    case ExemptReason::budget:
+      return "budget";
+    case ExemptReason::min_edge:
+      return "min_edge";
+    case ExemptReason::precision:
+      return "precision";
+    case ExemptReason::kept_segment:
+      return "kept_segment";
+  }
+  return "";
+}
+
+std::uint64_t Report::count(ExemptReason reason) const {
+  return static_cast<std::uint64_t>(
+      std::count_if(exempt.begin(), exempt.end(), [&](const Exemption& e) { return e.reason == reason; }));
+}
+
+bool Report::goal_met() const {
+  return std::all_of(exempt.begin(), exempt.end(), [](const Exemption& e) { return justified(e.reason); });
+}
+
+Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull, const Options& options) try {
+  return mesh_pslg(pslg, convex_hull, nullptr, options);
+} catch (const std::bad_alloc&) {
+  return out_of_memory();
+}
+
+Result<Meshed> mesh(const Pslg& pslg, const Goal& goal, const Options& options) try {
+  if (Status sensible = check_goal(goal, options); !sensible) return sensible.error();
+  return mesh_pslg(pslg, goal.convex_hull, &goal, options);
+} catch (const std::bad_alloc&) {
+  return out_of_memory();
+}
+
+Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal,
+                      const Options& options) try {
+  if (Status sensible = check_goal(goal, options); !sensible) return sensible.error();
+  if (!max_areas.empty() && max_areas.size() != coarse.triangles.size())
+    return Error{ErrorKind::invalid_input, std::to_string(max_areas.size()) + " area caps for a mesh of " +
+                                               std::to_string(coarse.triangles.size()) + " triangles"};
+  Stopwatch watch;
+  Meshed result;
+  Result<Assembled> domain = assemble(coarse);
+  if (!domain) return domain.error();
+  std::vector<std::array<Index, 3>> background;
+  if (!max_areas.empty() || coarse.attributes_per_point > 0)
+    for (const Triangle& triangle : coarse.triangles) background.push_back(triangle.v);
+  std::function<double(Point)> area_cap;
+  if (!max_areas.empty()) {
+    const auto on = std::make_shared<Background>(coarse.points.span(), background);
+    area_cap = [on, max_areas](Point p) { return max_areas[on->locate(p).triangle]; };
+  }
+  result.report.triangulate_seconds = watch.lap();
+
+  const Criteria criteria(goal, options.placement, {}, area_cap);
+  if (Status refined = refine_domain(*domain, criteria, options, result.report); !refined) return refined.error();
+  result.mesh = disassemble(std::move(domain).value(), coarse.region_attributes,
+                            {coarse.attributes_per_point, coarse.point_attributes.span(), coarse.point_markers.span()},
+                            std::move(background));
+  result.report.refine_seconds = watch.lap();
+  return result;
+} catch (const std::bad_alloc&) {
+  return out_of_memory();
+}
+
+Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
+                                                       bool convex_hull) {
+  if (sizes.size() != pslg.points.size())
+    return Error{ErrorKind::invalid_input,
+                 std::to_string(sizes.size()) + " sizes for " + std::to_string(pslg.points.size()) + " points"};
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+    if (!(sizes[v] > 0 && sizes[v] < INFINITY))
+      return Error{ErrorKind::invalid_input,
+                   "the size at point " + std::to_string(v) + " must be positive, not " + std::to_string(sizes[v])};
+  Result<Meshed> meshed = triangulate(pslg, convex_hull);
+  if (!meshed) return meshed.error();
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
+  auto on = std::make_shared<Background>(pslg.points, std::move(triangles));
+  return std::function<double(Point)>(
+      [on, values = std::vector<double>(sizes.begin(), sizes.end())](Point p) { return on->interpolate(p, values); });
+}
+
+}  // namespace pardel

@@ -1,0 +1,99 @@
+// A task: refines what lies in one box, by itself, until nothing in it can be done any more.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bucket_queue.hpp"
+#include "constraints.hpp"
+#include "criteria.hpp"
+#include "insertion.hpp"
+#include "mesher.hpp"
+#include "small_angles.hpp"
+#include "tiles.hpp"
+
+namespace pardel {
+
+/// What a triangle asks for.
+struct Assessment {
+  enum class Need : std::uint8_t { nothing, split_edge, split_triangle };
+  Need need = Need::nothing;
+  unsigned side = 0;  ///< the side to split
+  unsigned key = 0;   ///< its place in the queue
+  double longest_squared = 0;
+};
+
+/// The decisions of the refinement: pure functions of the triangulation.
+class Judge {
+ public:
+  Judge(const Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options)
+      : t_(t),
+        lines_(lines),
+        criteria_(criteria),
+        options_(options),
+        squared_floor_(options.min_edge * options.min_edge) {}
+
+  [[nodiscard]] Assessment assess(TriangleId id) const;
+  /// Breaks the criteria, justified or not.
+  [[nodiscard]] bool breaks_goal(TriangleId id) const;
+  [[nodiscard]] bool forbidden(EdgeRef e) const;  ///< may not be split by the caller's wish
+  [[nodiscard]] bool below_floor(EdgeRef e) const;
+  /// The point that the assessment's need puts in.
+  [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const;
+  [[nodiscard]] Point point_on(EdgeRef e) const;
+  [[nodiscard]] Index line_of(EdgeRef e) const;
+  [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
+
+ private:
+  [[nodiscard]] bool encroached(const Slot& slot, const Shape& shape, TriangleId id, unsigned side) const;
+
+  const Triangulation& t_;
+  const Lines& lines_;
+  const Criteria& criteria_;
+  const Options& options_;
+  double squared_floor_;
+};
+
+/// A triangle that a task could not finish, and the cell that has to.
+struct HandedOn {
+  TriangleId id;
+  Index cell;
+};
+
+class Task {
+ public:
+  Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, const Options& options)
+      : t_(t), lines_(lines), judge_(judge), options_(options), insertion_(t, criteria) {}
+
+  /// Refines in the box of `cell`, starting with `seeds` (whose corners lie in the box). Triangles whose
+  /// longest edge is at most `defer_below` (squared) are left for a finer lattice. Returns false when the caller's
+  /// progress callback said stop or the budget is reached.
+  bool run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, double defer_below);
+
+  std::vector<HandedOn> handed_on;   ///< by the last run, in order: to another cell
+  std::vector<TriangleId> stuck;     ///< by all runs: the box of their own cell is too small
+  std::vector<TriangleId> deferred;  ///< by all runs
+  std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
+  bool budget_reached = false, cancelled = false;
+
+ private:
+  void consider(TriangleId id);
+  void process(TriangleId id);
+  [[nodiscard]] Outcome split_edge(EdgeRef e);
+  void hand_on(TriangleId id, Point p);
+  [[nodiscard]] bool may_go_on();
+
+  Triangulation& t_;
+  const Lines& lines_;
+  const Judge& judge_;
+  const Options& options_;
+  Insertion insertion_;
+  BucketQueue queue_;
+  const Lattice* lattice_ = nullptr;
+  Index cell_ = 0;
+  Box box_;
+  double defer_below_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace pardel

@@ -1,0 +1,64 @@
+// How the plane is cut into tiles, and what a task that works on a tile may touch.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "../core/pslg.hpp"
+
+namespace pardel {
+
+/// Half-open: [min_x, max_x) x [min_y, max_y).
+struct Box {
+  double min_x = -INFINITY, min_y = -INFINITY, max_x = INFINITY, max_y = INFINITY;
+  [[nodiscard]] bool contains(Point p) const { return p.x >= min_x && p.x < max_x && p.y >= min_y && p.y < max_y; }
+};
+
+/// A uniform lattice of square cells over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2); the
+/// task of a cell owns its cell and half a cell around it, so that the boxes of one colour are disjoint.
+class Lattice {
+ public:
+  static constexpr unsigned colours = 4;
+
+  Lattice(Box bounds, Index columns, Index rows, double side)
+      : bounds_(bounds), columns_(columns), rows_(rows), side_(side) {}
+  /// Covers the bounds with square cells whose longer row has `along` of them.
+  static Lattice over(Box bounds, Index along) {
+    const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
+    const double side = std::max(width, height) / along;
+    const auto count = [&](double extent) { return std::max(Index{1}, static_cast<Index>(std::ceil(extent / side))); };
+    return {bounds, std::min(along, count(width)), std::min(along, count(height)), side};
+  }
+
+  [[nodiscard]] Index cells() const { return columns_ * rows_; }
+  [[nodiscard]] Index columns() const { return columns_; }
+  [[nodiscard]] Index rows() const { return rows_; }
+  [[nodiscard]] double side() const { return side_; }
+  /// The cell of a point; points beyond the bounds belong to the nearest cell.
+  [[nodiscard]] Index cell_of(Point p) const {
+    return clamped(p.y - bounds_.min_y, rows_) * columns_ + clamped(p.x - bounds_.min_x, columns_);
+  }
+  [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
+  /// What the task of a cell may touch. Boxes at the rim extend to infinity.
+  [[nodiscard]] Box box_of(Index cell) const {
+    const Index i = cell % columns_, j = cell / columns_;
+    Box box;
+    if (i > 0) box.min_x = bounds_.min_x + (i - 0.5) * side_;
+    if (j > 0) box.min_y = bounds_.min_y + (j - 0.5) * side_;
+    if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * side_;
+    if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * side_;
+    return box;
+  }
+
+ private:
+  [[nodiscard]] Index clamped(double offset, Index count) const {
+    const double index = std::floor(offset / side_);
+    return index <= 0 ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
+  }
+
+  Box bounds_;
+  Index columns_, rows_;
+  double side_;
+};
+
+}  // namespace pardel
