@@ -1,0 +1,134 @@
+// Defects of arrays and numbers: lengths that do not fit, indices that name nothing, numbers that are none.
+#include <cmath>
+#include <limits>
+
+#include "defect_groups.hpp"
+
+namespace pardel {
+namespace {
+
+using enum ViolationKind;
+
+constexpr Defect group[] = {
+    {"a corner of a triangle names a vertex just past the end", index_out_of_range,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some_side(mesh, seed, [&](edit::Side s) {
+         mesh.triangles[s.t].v[s.i] = static_cast<Index>(mesh.points.size());
+         return true;
+       });
+     }},
+    {"a corner of a triangle is no_index", index_out_of_range,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some_side(mesh, seed, [&](edit::Side s) {
+         mesh.triangles[s.t].v[s.i] = no_index;
+         return true;
+       });
+     }},
+    {"a neighbour names a triangle past the end", index_out_of_range,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some_side(mesh, seed, [&](edit::Side s) {
+         mesh.triangles[s.t].n[s.i] = static_cast<Index>(mesh.triangles.size());
+         return true;
+       });
+     }},
+    {"a triangle names a region that does not exist", index_out_of_range,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some(mesh.region.size(), seed, [&](Index t) {
+         mesh.region[t] = static_cast<Index>(mesh.region_attributes.size());
+         return true;
+       });
+     }},
+    {"a constrained edge names a vertex that does not exist", index_out_of_range,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some(mesh.constrained_edges.size(), seed, [&](Index e) {
+         mesh.constrained_edges[e].b = static_cast<Index>(mesh.points.size() + 7);
+         return true;
+       });
+     }},
+    {"a constrained edge names a segment that does not exist", index_out_of_range,
+     [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some(mesh.constrained_edges.size(), seed, [&](Index e) {
+         mesh.constrained_edges[e].segment = static_cast<Index>(pslg.segments.size());
+         return true;
+       });
+     }},
+    {"the last point is cut off", index_out_of_range,
+     [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.points.size() == pslg.points.size()) return false;
+       mesh.points.pop_back();
+       mesh.origin.pop_back();
+       if (!mesh.point_markers.empty()) mesh.point_markers.pop_back();
+       mesh.point_attributes.resize(mesh.points.size() * mesh.attributes_per_point);
+       return true;
+     }},
+    {"the second half of the triangles is cut off", index_out_of_range,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.triangles.size() < 4) return false;
+       mesh.triangles.resize(mesh.triangles.size() / 2);
+       if (!mesh.region.empty()) mesh.region.resize(mesh.triangles.size());
+       return true;
+     }},
+    {"a coordinate is not a number", non_finite_coordinate,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some_vertex(mesh, seed, [&](Index v) {
+         mesh.points[v].x = std::numeric_limits<double>::quiet_NaN();
+         return true;
+       });
+     }},
+    {"a coordinate is infinite", non_finite_coordinate,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some_vertex(mesh, seed, [&](Index v) {
+         mesh.points[v].y = -std::numeric_limits<double>::infinity();
+         return true;
+       });
+     }},
+    {"origins end one vertex early", wrong_count,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.origin.size() < 2) return false;
+       mesh.origin.pop_back();
+       return true;
+     }},
+    {"regions end one triangle early", wrong_count,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.region.size() < 2) return false;
+       mesh.region.pop_back();
+       return true;
+     }},
+    {"there is a region more than triangles", wrong_count,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.region.empty()) return false;
+       mesh.region.push_back(mesh.region.back());
+       return true;
+     }},
+    {"there is a vertex marker more than vertices", wrong_count,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.point_markers.empty()) return false;
+       mesh.point_markers.push_back(0);
+       return true;
+     }},
+    {"vertex markers stop after the input", wrong_count,
+     [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.point_markers.size() <= pslg.points.size()) return false;
+       mesh.point_markers.resize(pslg.points.size());
+       return true;
+     }},
+    {"a point attribute is lacking at the end", wrong_count,
+     [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
+       if (mesh.point_attributes.empty()) return false;
+       mesh.point_attributes.pop_back();
+       return true;
+     }},
+    {"an input vertex has another attribute", wrong_attribute,
+     [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
+       return at_some(pslg.point_attributes.size(), seed, [&](Index k) {
+         mesh.point_attributes[k] += 1;
+         return true;
+       });
+     }},
+};
+
+}  // namespace
+
+std::span<const Defect> defects_of_arrays() { return group; }
+
+}  // namespace pardel
