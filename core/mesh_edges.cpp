@@ -1,0 +1,69 @@
+#include "mesh_edges.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pardel {
+namespace {
+
+std::pair<Index, Index> ends(const ConstrainedEdge& e) { return std::minmax(e.a, e.b); }
+
+}  // namespace
+
+ConstrainedEdgeIndex::ConstrainedEdgeIndex(const Mesh& mesh)
+    : edges_(&mesh.constrained_edges), sorted_(mesh.constrained_edges.size()), start_(mesh.points.size() + 1, 0) {
+  std::iota(sorted_.begin(), sorted_.end(), Index{0});
+  std::sort(sorted_.begin(), sorted_.end(), [&](Index i, Index j) { return ends((*edges_)[i]) < ends((*edges_)[j]); });
+  for (const ConstrainedEdge& e : *edges_) ++start_[ends(e).first + 1];
+  for (std::size_t p = 1; p < start_.size(); ++p) start_[p] += start_[p - 1];
+}
+
+const ConstrainedEdge* ConstrainedEdgeIndex::find(Index a, Index b) const {
+  const auto [low, high] = std::minmax(a, b);
+  const auto first = sorted_.begin() + start_[low];
+  const auto last = sorted_.begin() + start_[low + 1];
+  const auto found =
+      std::lower_bound(first, last, high, [&](Index i, Index end) { return ends((*edges_)[i]).second < end; });
+  return found != last && ends((*edges_)[*found]).second == high ? &(*edges_)[*found] : nullptr;
+}
+
+Array<int> vertex_markers(const Mesh& mesh) {
+  if (!mesh.point_markers.empty()) return mesh.point_markers;
+  Array<int> markers(mesh.points.size(), 0);
+  for (const ConstrainedEdge& e : mesh.constrained_edges) {
+    for (const Index end : {e.a, e.b}) {
+      if (markers[end] == 0) markers[end] = e.marker;
+    }
+  }
+  return markers;
+}
+
+EdgeTable edge_table(const Mesh& mesh) {
+  const ConstrainedEdgeIndex constrained(mesh);
+  EdgeTable table;
+  table.edge_of_side.resize(3 * mesh.triangles.size(), no_index);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& triangle = mesh.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index neighbour = triangle.n[i];
+      if (neighbour != no_index && neighbour < t) continue;
+      const auto edge = static_cast<Index>(table.edges.size());
+      const Index a = triangle.v[(i + 1) % 3];
+      const Index b = triangle.v[(i + 2) % 3];
+      const ConstrainedEdge* constraint = constrained.find(a, b);
+      const int marker = constraint != nullptr ? constraint->marker : neighbour == no_index ? 1 : 0;
+      table.edges.push_back({a, b, marker});
+      table.edge_of_side[3 * t + i] = edge;
+      if (neighbour == no_index) continue;
+      const Triangle& back = mesh.triangles[neighbour];
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (std::minmax(back.v[(j + 1) % 3], back.v[(j + 2) % 3]) == std::minmax(a, b)) {
+          table.edge_of_side[3 * std::size_t{neighbour} + j] = edge;
+        }
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace pardel

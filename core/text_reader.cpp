@@ -1,0 +1,220 @@
+#include "text_reader.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace pardel {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+/// from_chars takes no leading '+'; files may. (What follows must not be a second sign.)
+std::string_view without_plus(std::string_view token) {
+  if (token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
+  return token;
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::filesystem::path& file) {
+  const auto failure = [&](const char* what) {
+    return Error{ErrorKind::io, file.string() + ": " + what + ": " + std::strerror(errno)};
+  };
+  const auto close = [](std::FILE* f) { std::fclose(f); };
+  const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "rb"), close);
+  if (!stream) return failure("cannot be opened");
+
+  std::string bytes;
+  std::error_code unknown;  // a pipe has no size; then the string just grows
+  const auto size = std::filesystem::file_size(file, unknown);
+  std::size_t length = 0;
+  std::size_t chunk = unknown ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
+  for (;;) {
+    bytes.resize(length + chunk);
+    const std::size_t got = std::fread(bytes.data() + length, 1, chunk, stream.get());
+    length += got;
+    if (got < chunk) break;
+    chunk = length;
+  }
+  if (std::ferror(stream.get()) != 0) return failure("cannot be read");
+  bytes.resize(length);
+  return bytes;
+}
+
+std::string quoted(std::string_view token) {
+  constexpr std::size_t longest = 40;
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text = "\"";
+  for (const char c : token.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f && c != '"' && c != '\\') {
+      text += c;
+    } else {
+      text += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  return text + (token.size() > longest ? "...\"" : "\"");
+}
+
+TextReader::TextReader(std::string_view text, std::string name)
+    : begin_(text.data()), at_(text.data()), end_(text.data() + text.size()), name_(std::move(name)) {}
+
+void TextReader::skip_blanks() {
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+}
+
+void TextReader::end_line() {
+  if (at_ == end_) return;
+  const void* newline = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
+  at_ = newline == nullptr ? end_ : static_cast<const char*>(newline) + 1;
+  if (newline != nullptr) ++line_;
+  entered_ = false;
+}
+
+bool TextReader::next_line() {
+  if (failed_) return false;
+  if (entered_) end_line();
+  while (at_ != end_ && !has_field()) end_line();
+  entered_ = at_ != end_;
+  return entered_;
+}
+
+bool TextReader::expect_line(std::string_view what) {
+  if (next_line()) return true;
+  fail_expected(what);
+  return false;
+}
+
+bool TextReader::expect_record(std::string_view what, std::size_t i, std::size_t n) {
+  if (next_line()) return true;
+  if (!failed_) fail_expected(std::string(what) + " " + std::to_string(i + 1) + " of " + std::to_string(n));
+  return false;
+}
+
+bool TextReader::has_field() {
+  skip_blanks();
+  return at_ != end_ && *at_ != '\n' && *at_ != '#';
+}
+
+bool TextReader::next_field() { return !failed_ && ((entered_ && has_field()) || next_line()); }
+
+std::string_view TextReader::peek() const {
+  const char* p = at_;
+  while (p != end_ && !is_blank(*p) && *p != '\n' && *p != '#') ++p;
+  return {at_, static_cast<std::size_t>(p - at_)};
+}
+
+std::string_view TextReader::word() {
+  if (failed_ || !has_field()) return {};
+  const std::string_view token = peek();
+  at_ += token.size();
+  return token;
+}
+
+std::string_view TextReader::rest_of_line() {
+  skip_blanks();
+  const char* stop = std::find(at_, end_, '\n');
+  while (stop != at_ && is_blank(stop[-1])) --stop;
+  const std::string_view text(at_, static_cast<std::size_t>(stop - at_));
+  at_ = stop;
+  return text;
+}
+
+double TextReader::number(std::string_view what) {
+  if (failed_) return 0;
+  skip_blanks();
+  const std::string_view token = peek();
+  const std::string_view digits = without_plus(token);
+  double value = 0;
+  const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (token.empty() || stop != digits.data() + digits.size() || status == std::errc::invalid_argument) {
+    fail_expected(what);
+    return 0;
+  }
+  if (status != std::errc() || !std::isfinite(value)) {
+    fail_expected(std::string(what) + ", finite and within the range of a double");
+    return 0;
+  }
+  at_ += token.size();
+  return value;
+}
+
+std::int64_t TextReader::integer(std::string_view what, std::int64_t low, std::int64_t high) {
+  if (failed_) return 0;
+  skip_blanks();
+  const std::string_view token = peek();
+  const std::string_view digits = without_plus(token);
+  std::int64_t value = 0;
+  const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (token.empty() || stop != digits.data() + digits.size() || status == std::errc::invalid_argument) {
+    fail_expected(std::string(what) + ", a whole number");
+    return 0;
+  }
+  if (status != std::errc() || value < low || value > high) {
+    fail_expected(std::string(what) + ", a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return 0;
+  }
+  at_ += token.size();
+  return value;
+}
+
+std::int64_t TextReader::integer_or(std::string_view what, std::int64_t low, std::int64_t high,
+                                    std::int64_t otherwise) {
+  if (failed_ || !has_field()) return otherwise;
+  return integer(what, low, high);
+}
+
+std::size_t TextReader::count(std::string_view what) {
+  return static_cast<std::size_t>(integer(what, 0, std::numeric_limits<std::int64_t>::max()));
+}
+
+bool TextReader::room_for(std::size_t n, std::size_t bytes_each, std::string_view what) {
+  if (failed_) return false;
+  // One byte more than there are: the last record may lack its newline.
+  if (n <= (rest().size() + 1) / bytes_each) return true;
+  fail("announces " + std::to_string(n) + " " + std::string(what) + ", more than the " + std::to_string(rest().size()) +
+       " bytes that follow can hold");
+  return false;
+}
+
+std::string_view TextReader::bytes(std::size_t n, std::string_view what) {
+  if (failed_) return {};
+  binary_ = true;
+  if (n > rest().size()) {
+    fail("expected " + std::string(what) + " (" + std::to_string(n) + " bytes), found the end of the file after " +
+         std::to_string(rest().size()) + " bytes");
+    return {};
+  }
+  const std::string_view data = rest().substr(0, n);
+  at_ += n;
+  return data;
+}
+
+void TextReader::skip(std::size_t n) {
+  line_ += static_cast<std::size_t>(std::count(at_, at_ + n, '\n'));
+  at_ += n;
+  entered_ = false;
+}
+
+void TextReader::fail(const std::string& message) {
+  if (failed_) return;
+  failed_ = true;
+  const std::string place = std::to_string(binary_ ? static_cast<std::size_t>(at_ - begin_) : line_);
+  message_ = name_ + (binary_ ? ": byte " : ":") + place + ": " + message;
+}
+
+void TextReader::fail_expected(std::string_view what) {
+  skip_blanks();
+  const std::string_view token = peek();
+  const std::string found = !token.empty() ? quoted(token)
+                            : at_ == end_  ? "the end of the file"
+                                           : "the end of the line";
+  fail("expected " + std::string(what) + ", found " + found);
+}
+
+}  // namespace pardel

@@ -1,0 +1,37 @@
+#include "triangle_sections.hpp"
+
+namespace pardel {
+
+PointHeader read_point_header(TextReader& in) {
+  PointHeader header;
+  in.expect_line("the number of points");
+  header.points = in.count("the number of points");
+  in.integer_or("the dimension", 2, 2, 2);
+  header.attributes = static_cast<std::size_t>(
+      in.integer_or("the number of attributes per point", 0, std::numeric_limits<std::int32_t>::max(), 0));
+  header.markers = in.integer_or("the number of markers per point", 0, 1, 0) == 1;
+  if (header.points > max_points) in.fail("announces more than " + std::to_string(max_points) + " points");
+  return header;
+}
+
+SegmentSection read_segments(TextReader& in, std::size_t points, int base) {
+  SegmentSection section;
+  in.expect_line("the number of segments");
+  const std::size_t n = in.count("the number of segments");
+  section.markers = in.integer_or("the number of markers per segment", 0, 1, 0) == 1;
+  if (!in.room_for(n, text_bytes(section.markers ? 4 : 3), "segments")) return section;
+  section.segments.resize(n);
+  for (std::size_t i = 0; i < n && in.expect_record("segment", i, n); ++i) {
+    Segment& segment = section.segments[i];
+    in.integer("a segment's number", any_marker_low, any_marker_high);
+    segment.a = read_point_index(in, "an end of a segment", points, base);
+    segment.b = read_point_index(in, "an end of a segment", points, base);
+    if (section.markers) {
+      segment.marker = static_cast<int>(in.integer("a segment's marker", any_marker_low, any_marker_high));
+    }
+    if (in.failed()) break;
+  }
+  return section;
+}
+
+}  // namespace pardel
