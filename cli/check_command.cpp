@@ -60,6 +60,7 @@ Command add_check(CLI::App& program) {
   add_goal_options(*app, arguments->goal, largest_angle_to_check);
   app->add_option("--max-circumradius", arguments->max_circumradius, "No circumradius above this, compared exactly")
       ->check(positive_number("a radius"))
+      ->type_name("LENGTH")
       ->group("Goal");
   app->add_option("--json", arguments->json, "Write the certificate as JSON; - is standard output")
       ->type_name("FILE|-");

@@ -109,6 +109,7 @@ Command add_doctor(CLI::App& program) {
                               ->type_name("OUT.poly");
   app->add_option("--snap", arguments->snap, "Merge points closer than this, too (default: equal ones only)")
       ->check(positive_number("a distance"))
+      ->type_name("LENGTH")
       ->needs(repaired);
   app->add_flag("--convex-hull", arguments->convex_hull, "The domain is the convex hull: it needs no outline");
   app->add_option("--json", arguments->json, "Write the findings as JSON; - (or nothing) is standard output")

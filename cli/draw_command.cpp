@@ -52,7 +52,7 @@ Command add_draw(CLI::App& program) {
   app->add_option("IN|MESH", arguments->input, "A domain (.poly, .node) or a mesh (.ele, .msh, .vtu, .off)")
       ->required()
       ->type_name("");
-  app->add_option("-o,--output", arguments->output, "The picture")->required()->type_name("FILE.svg");
+  app->add_option("-o,--output", arguments->output, "The picture (required)")->required()->type_name("FILE.svg");
   app->footer("Example:\n  pardel draw key.1.ele -o key.svg");
   return {app, [arguments] { return run(*arguments); }};
 }

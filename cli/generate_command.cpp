@@ -40,14 +40,14 @@ std::string list_of_names() {
 Command add_generate(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app = program.add_subcommand("generate", "Write a named domain as a .poly file");
-  app->add_option("NAME", arguments->name, "Which domain")->required();
+  app->add_option("NAME", arguments->name, "Which domain")->required()->type_name("");
   app->add_option("-n,--size", arguments->n,
                   "How large, where that has a meaning: points, teeth, cells (0: the default)")
       ->type_name("N");
-  app->add_option("--seed", arguments->seed, "Seed of the random ones; the same seed gives the same file everywhere")
-      ->type_name("S")
-      ->capture_default_str();
-  app->add_option("-o,--output", arguments->output, "The file to write")->required()->type_name("FILE.poly");
+  app->add_option("--seed", arguments->seed,
+                  "Seed of the random ones (default 1); the same seed gives the same file everywhere")
+      ->type_name("S");
+  app->add_option("-o,--output", arguments->output, "The file to write (required)")->required()->type_name("FILE.poly");
   app->footer(list_of_names() + "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -35,7 +35,7 @@ CLI::Validator angle_bound(double largest) {
             if (value >= 0 && value <= largest) return {};
             return fmt::format("'{}' is not an angle that can be asked for: 0 to {} degrees", text, largest);
           },
-          "DEGREES"};
+          ""};
 }
 
 CLI::Validator ratio_bound(double largest_angle) {
@@ -46,7 +46,7 @@ CLI::Validator ratio_bound(double largest_angle) {
             if (value >= least && std::isfinite(value)) return {};
             return fmt::format("'{}' is not a ratio that can be asked for: {} or more", text, least);
           },
-          "RATIO"};
+          ""};
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ CLI::Validator positive_number(std::string what) {
             if (value > 0 && std::isfinite(value)) return {};
             return fmt::format("'{}' is not {}: a finite number greater than 0", text, what);
           },
-          "NUMBER"};
+          ""};
 }
 
 void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_deg) {
@@ -65,16 +65,20 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
   auto* angle = app.add_option("--min-angle", options.min_angle_deg,
                                "No angle below this (default 20.7, which is proven; 0: no bound)")
                     ->check(angle_bound(largest_angle_deg))
+                    ->type_name("DEGREES")
                     ->group(group);
   app.add_option("--rho", options.rho, "The same as a bound on circumradius / shortest edge (1.4142 is 20.7 degrees)")
       ->check(ratio_bound(largest_angle_deg))
+      ->type_name("RATIO")
       ->excludes(angle)
       ->group(group);
   app.add_option("--max-area", options.max_area, "No triangle with a larger area")
       ->check(positive_number("an area"))
+      ->type_name("AREA")
       ->group(group);
   app.add_option("--max-edge", options.max_edge, "No edge longer than this")
       ->check(positive_number("a length"))
+      ->type_name("LENGTH")
       ->group(group);
   app.add_flag("--regions", options.regions, "Honour the area caps of the regions in IN.poly")->group(group);
   app.add_option("--sizes", options.sizes,

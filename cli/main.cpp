@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
+#include "help.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -24,7 +26,7 @@ constexpr const char* description =
 constexpr const char* footer = R"(Examples:
   pardel generate key -o key.poly                       a domain to play with
   pardel mesh key.poly -o key.vtu --min-angle 30        a mesh without angles below 30 degrees
-  pardel mesh key.poly -o key.node --max-area 0.001     Triangle's files key.node, key.ele (see --help there)
+  pardel mesh key.poly -o m.node --max-area 0.001       Triangle's files m.node, m.ele and m.poly
   pardel check key.poly key.vtu --min-angle 30          is that mesh right? exact arithmetic decides
   pardel doctor survey.poly --repair fixed.poly         what is wrong with an input, and can it be mended
   pardel draw key.vtu -o key.svg                        a picture
@@ -48,6 +50,7 @@ Result<ExitCode> run(int argc, char** argv) {
   CLI::App program(description, "pardel");
   program.set_version_flag("--version", "pardel " PARDEL_VERSION);
   program.footer(footer);
+  program.formatter(std::make_shared<HelpFormatter>());  // subcommands inherit it
   program.require_subcommand(1);
   const std::array commands = {add_mesh(program), add_check(program), add_doctor(program), add_draw(program),
                                add_generate(program)};

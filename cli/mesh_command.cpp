@@ -15,10 +15,9 @@
 #include "command.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
-#include "interrupt.hpp"
 #include "output.hpp"
-#include "progress_bar.hpp"
 #include "report.hpp"
+#include "supervise.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
@@ -38,8 +37,6 @@ struct Arguments {
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
 };
-
-Error cancelled() { return {ErrorKind::cancelled, "interrupted; nothing more is written"}; }
 
 /// What is to be meshed; coarse.mesh is empty unless --refine.
 Result<Coarse> read(const Arguments& arguments) {
@@ -102,24 +99,18 @@ Result<ExitCode> run(const Arguments& arguments) {
   const Result<Goal> goal = make_goal(arguments.goal, pslg);
   if (!goal) return goal.error();
   run.seconds.read = watch.lap();
-  if (interrupt.requested()) return cancelled();
+  if (interrupt.requested()) return interrupted();
 
-  Options options = arguments.options;
-  Result<Meshed> meshed = [&] {
-    ProgressBar bar(arguments.progress);
-    options.progress = [&](const Progress& progress) {
-      bar.update(progress.triangles, progress.estimate);
-      return !interrupt.requested();
-    };
+  Result<Meshed> meshed = supervise(interrupt, arguments.progress, arguments.options, [&](const Options& options) {
     return make_mesh(arguments, *input, *goal, options);
-  }();
+  });
   if (!meshed) return meshed.error();
   watch.lap();
   if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal);
   run.seconds.check = watch.lap();
 
   for (const auto& output : arguments.outputs) {
-    if (interrupt.requested()) return cancelled();
+    if (interrupt.requested()) return interrupted();
     if (Status written = write_mesh(meshed->mesh, pslg, output); !written) return written.error();
   }
   run.seconds.write = watch.lap();
@@ -131,7 +122,7 @@ Result<ExitCode> run(const Arguments& arguments) {
   run.regions = pslg.regions.size();
   run.goal = *goal;
   run.sizes = arguments.goal.sizes;
-  run.options = options;
+  run.options = arguments.options;
   run.report = std::move(meshed->report);
   run.statistics = statistics(meshed->mesh);
   run.digest = digest(meshed->mesh);
@@ -166,7 +157,7 @@ Command add_mesh(CLI::App& program) {
   app->add_option("IN", arguments->input, "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu")
       ->required()
       ->type_name("");
-  app->add_option("-o,--output", arguments->outputs, "Where the mesh goes; may be given several times")
+  app->add_option("-o,--output", arguments->outputs, "Where the mesh goes (required; may be given several times)")
       ->required()
       ->type_name("OUT")
       ->expected(1)
@@ -175,16 +166,16 @@ Command add_mesh(CLI::App& program) {
 
   app->add_option("--max-vertices", options.max_vertices, "Stop at this many vertices")
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number("a number of vertices"))
       ->group("Limits");
   app->add_option("--min-edge", options.min_edge,
                   "Insert no point that makes a shorter edge (default: what double precision can hold)")
       ->check(positive_number("a length"))
+      ->type_name("LENGTH")
       ->group("Limits");
-  app->add_option("--threads", options.threads, "Threads; the mesh does not depend on their number")
+  app->add_option("--threads", options.threads, "Threads (default 1); the mesh does not depend on their number")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str()
+      ->check(CLI::Range(1, 4096).description(""))
       ->group("Limits");
 
   const std::map<std::string, Placement> placements = {{"circumcentre", Placement::circumcentre},

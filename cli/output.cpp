@@ -23,7 +23,7 @@ Error io_error(const fs::path& file, int error) {
 /// What a file stands for: Triangle's files of one stem belong together.
 fs::path family(const fs::path& file) {
   std::error_code ignored;
-  fs::path full = fs::weakly_canonical(file, ignored);
+  fs::path full = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
   if (full.empty()) full = file;
   constexpr std::array together = {".poly", ".node", ".ele", ".area"};
   for (const char* suffix : together) {

@@ -16,10 +16,9 @@
 #include "domain_of_mesh.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
-#include "interrupt.hpp"
-#include "progress_bar.hpp"
 #include "renumber.hpp"
 #include "report.hpp"
+#include "supervise.hpp"
 #include "triangle_files.hpp"
 #include "triangle_switches.hpp"
 #include "verdict.hpp"
@@ -198,15 +197,9 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   Result<Input> input = switches.refine ? read_mesh_to_refine(switches) : read_points(switches);
   if (!input) return input.error();
   const Goal goal = goal_of(switches);
-  Options options = options_of(switches, *input);
-  Result<Meshed> meshed = [&] {
-    ProgressBar bar(switches.quiet ? ShowProgress::never : ShowProgress::automatic);
-    options.progress = [&](const Progress& progress) {
-      bar.update(progress.triangles, progress.estimate);
-      return !interrupt.requested();
-    };
-    return make_mesh(switches, *input, goal, options);
-  }();
+  const ShowProgress show = switches.quiet ? ShowProgress::never : ShowProgress::automatic;
+  Result<Meshed> meshed = supervise(interrupt, show, options_of(switches, *input),
+                                    [&](const Options& options) { return make_mesh(switches, *input, goal, options); });
   if (!meshed) return meshed.error();
 
   bool right = true;
@@ -224,7 +217,7 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   if (!input->point_map.empty()) restore_numbering(mesh, input->original, input->point_map);
   if (switches.jettison) remove_unused_vertices(mesh);
   set_regions(switches, mesh);
-  if (interrupt.requested()) return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
+  if (interrupt.requested()) return interrupted();
   if (Status written = write(switches, *input, mesh); !written) return written.error();
   print_statistics(switches, *meshed);
   if (!meshed->report.goal_met()) warn(missed_bounds(meshed->report, mesh, most_listed));

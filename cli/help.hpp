@@ -1,0 +1,21 @@
+// How --help looks: options with their kind of value and nothing else in front of the text.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+
+namespace pardel::cli {
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(28); }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string kind = option->get_type_name();
+    return (kind.empty() ? "" : ' ' + kind) +
+           (option->get_required() && !option->get_positional() ? " (required)" : "");
+  }
+};
+
+}  // namespace pardel::cli

@@ -1,0 +1,205 @@
+// Every bad input gets one message with its place, its exit code, and leaves nothing behind.
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+class BadInput : public Workshop {
+ protected:
+  /// `pardel mesh` on this text fails with `code`; the message holds `words`; no file appears, and
+  /// standard output stays empty.
+  void is_refused(std::string_view text, int code, const std::vector<std::string>& words,
+                  const std::vector<std::string>& more = {}) const {
+    write("bad.poly", text);
+    std::vector<std::string> arguments = {"mesh", "bad.poly", "-o", "out.vtu", "-o", "out.node"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, code) << ran;
+    EXPECT_TRUE(holds(ran.err, words));
+    EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(files(), Files{"bad.poly"});
+  }
+  void is_refused(std::string_view text, const std::vector<std::string>& words) const { is_refused(text, 3, words); }
+};
+
+std::string with_point(const std::string& x) {
+  return "4 2 0 0\n1 0 0\n2 " + x + " 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
+}
+
+/// The square's outline and whatever else; six points.
+std::string with_more(const std::string& points, const std::string& segments, int segment_count) {
+  return "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n" + points + std::to_string(segment_count) +
+         " 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n" + segments + "0\n";
+}
+
+TEST_F(BadInput, a_file_that_does_not_exist_is_an_io_error) {
+  const Ran ran = pardel({"mesh", "nowhere.poly", "-o", "out.vtu"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"nowhere.poly", "No such file"}));
+  EXPECT_EQ(files(), Files{});
+}
+
+TEST_F(BadInput, an_empty_file_is_refused) { is_refused("", {"bad.poly:1:", "end of the file"}); }
+
+TEST_F(BadInput, a_file_of_comments_alone_is_refused) { is_refused("# nothing\n\n# here\n", {"bad.poly:"}); }
+
+TEST_F(BadInput, a_truncated_file_is_refused_with_the_line_where_it_ends) {
+  const std::string whole = square_poly;
+  is_refused(whole.substr(0, whole.find("0\n", whole.find("4 4 1 8"))), {"bad.poly:12:", "the end of the file"});
+  is_refused(whole.substr(0, whole.find("1 1 2 5")), {"bad.poly:7:", "4 segments"});
+}
+
+TEST_F(BadInput, a_truncation_at_any_byte_ends_with_a_message_or_a_mesh) {
+  const std::string whole = square_poly;
+  for (std::size_t length = 0; length < whole.size(); length += 7) {
+    write("cut.poly", whole.substr(0, length));
+    const Ran ran = pardel({"mesh", "cut.poly", "-o", "cut.vtu", "-q"});
+    EXPECT_TRUE(ran.exit_code == 0 || (ran.exit_code == 3 && holds(ran.err, {"cut.poly"}))) << length << ": " << ran;
+  }
+}
+
+TEST_F(BadInput, binary_garbage_is_refused_without_being_printed) {
+  std::string garbage = "\x7f\x45\x4c\x46";
+  for (int i = 0; i < 4000; ++i) garbage += static_cast<char>(i * 7919 % 251);
+  is_refused(garbage, {"bad.poly:1:"});
+  const std::string err = pardel({"mesh", "bad.poly", "-o", "out.vtu"}).err;
+  EXPECT_EQ(err.find('\x7f'), std::string::npos);
+}
+
+TEST_F(BadInput, a_count_of_points_larger_than_the_file_is_refused) {
+  is_refused("4000000000 2 0 0\n1 0 0\n2 1 0\n", {"bad.poly:1:", "4000000000"});
+}
+
+TEST_F(BadInput, a_count_that_is_too_small_is_refused_where_the_next_section_goes_wrong) {
+  is_refused("3 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n", {"bad.poly:"});
+}
+
+TEST_F(BadInput, a_negative_count_is_refused) { is_refused("-4 2 0 0\n", {"bad.poly:1:", "-4"}); }
+
+TEST_F(BadInput, a_dimension_of_three_is_refused) { is_refused("4 3 0 0\n1 0 0 0\n", {"bad.poly:1:"}); }
+
+TEST_F(BadInput, nan_is_refused_with_its_line) { is_refused(with_point("nan"), {"bad.poly:3:", "nan"}); }
+
+TEST_F(BadInput, infinity_is_refused_with_its_line) { is_refused(with_point("inf"), {"bad.poly:3:", "inf"}); }
+
+TEST_F(BadInput, a_number_beyond_double_is_refused_with_its_line) {
+  is_refused(with_point("1e999"), {"bad.poly:3:", "1e999"});
+}
+
+TEST_F(BadInput, a_coordinate_of_1e300_is_refused_with_its_point) {
+  is_refused(with_point("1e300"), {"bad.poly", "point 2", "1e+300"});
+}
+
+TEST_F(BadInput, a_coordinate_of_1e_minus_300_is_refused_with_its_point) {
+  is_refused(with_point("1e-300"), {"bad.poly", "point 2", "1e-300"});
+}
+
+TEST_F(BadInput, a_segment_end_out_of_range_is_refused_with_its_line) {
+  is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 9\n3 3 4\n4 4 1\n0\n", {"bad.poly:8:", "9"});
+  is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 0\n3 3 4\n4 4 1\n0\n", {"bad.poly:8:", "0"});
+}
+
+TEST_F(BadInput, duplicate_points_are_refused_with_both_numbers) {
+  is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "", 4), {"bad.poly", "5", "6", "0.5, 0.5"});
+}
+
+TEST_F(BadInput, crossing_segments_are_refused_with_the_crossing) {
+  is_refused(with_more("5 0.25 0.5\n6 0.75 0.5\n", "5 5 6\n6 1 3\n", 6), {"bad.poly", "cross", "0.5, 0.5"});
+}
+
+TEST_F(BadInput, overlapping_collinear_segments_are_refused) {
+  is_refused(
+      "8 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.2 0.5\n6 0.6 0.5\n7 0.4 0.5\n8 0.8 0.5\n"
+      "6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 7 8\n0\n",
+      {"bad.poly", "overlap"});
+}
+
+TEST_F(BadInput, a_point_on_a_segment_is_refused_with_its_number) {
+  is_refused(with_more("5 0.5 0\n6 0.5 0.5\n", "", 4), {"bad.poly", "point 5", "0.5, 0"});
+}
+
+TEST_F(BadInput, points_that_are_all_collinear_are_refused) {
+  is_refused("4 2 0 0\n1 0 0\n2 1 1\n3 2 2\n4 3 3\n0 0\n0\n", {"bad.poly", "collinear"});
+}
+
+TEST_F(BadInput, two_points_are_refused) { is_refused("2 2 0 0\n1 0 0\n2 1 1\n0 0\n0\n", {"bad.poly"}); }
+
+TEST_F(BadInput, a_hole_outside_is_refused_with_its_place) {
+  is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n1\n1 7 8\n",
+             {"bad.poly", "hole 1", "7, 8"});
+}
+
+TEST_F(BadInput, an_outline_that_is_not_closed_is_refused) {
+  is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n", {"bad.poly", "outline"});
+}
+
+TEST_F(BadInput, every_problem_is_told_not_only_the_first) {
+  is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "5 1 3\n6 2 4\n", 6), {"bad.poly", "cross", "duplicate"});
+}
+
+TEST_F(BadInput, an_angle_of_60_is_a_usage_error) {
+  is_refused(square_poly, 2, {"--min-angle", "60", "33"}, {"--min-angle", "60"});
+}
+
+TEST_F(BadInput, a_negative_angle_and_nan_are_usage_errors) {
+  is_refused(square_poly, 2, {"--min-angle", "-1"}, {"--min-angle", "-1"});
+  is_refused(square_poly, 2, {"--min-angle", "nan"}, {"--min-angle", "nan"});
+  is_refused(square_poly, 2, {"--min-angle", "20x"}, {"--min-angle", "20x"});
+}
+
+TEST_F(BadInput, a_negative_zero_or_undefined_area_is_a_usage_error) {
+  is_refused(square_poly, 2, {"--max-area", "-0.5"}, {"--max-area", "-0.5"});
+  is_refused(square_poly, 2, {"--max-area"}, {"--max-area", "0"});
+  is_refused(square_poly, 2, {"--max-area", "nan"}, {"--max-area", "nan"});
+}
+
+TEST_F(BadInput, a_ratio_that_no_mesh_can_have_is_a_usage_error) {
+  is_refused(square_poly, 2, {"--rho", "0.5"}, {"--rho", "0.5"});
+}
+
+TEST_F(BadInput, an_angle_together_with_a_ratio_is_a_usage_error) {
+  is_refused(square_poly, 2, {"--rho", "--min-angle"}, {"--rho", "1.5", "--min-angle", "20"});
+}
+
+TEST_F(BadInput, sizes_that_do_not_fit_the_points_are_refused) {
+  write("few.sizes", "2\n1 0.1\n2 0.1\n");
+  const Ran ran =
+      (write("square.poly", square_poly), pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "few.sizes"}));
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"few.sizes", "2 sizes", "4 input points"}));
+}
+
+TEST_F(BadInput, a_size_that_is_not_positive_is_refused_with_its_line) {
+  write("square.poly", square_poly);
+  write("zero.sizes", "4\n1 0.1\n2 0\n3 0.1\n4 0.1\n");
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "zero.sizes"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"zero.sizes:3:"}));
+}
+
+TEST_F(BadInput, problems_are_numbered_as_the_file_numbers_its_points) {
+  is_refused("6 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0.5 0.5\n5 0.5 0.5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n",
+             {"bad.poly", "4", "5"});
+}
+
+TEST_F(BadInput, the_checker_and_the_doctor_refuse_what_cannot_be_read) {
+  write("bad.poly", "what is this?\n");
+  write("square.poly", square_poly);
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"doctor", "bad.poly"},
+                                             {"draw", "bad.poly", "-o", "x.svg"},
+                                             {"check", "bad.poly", "bad.poly"},
+                                             {"triangle", "-p", "bad"},
+                                             {"triangle", "-pq", "bad.poly"}}) {
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 3) << arguments[0] << ": " << ran;
+    EXPECT_TRUE(holds(ran.err, {"bad.poly:1:"}));
+  }
+  EXPECT_EQ(files(), (Files{"bad.poly", "square.poly"}));
+}
+
+}  // namespace
+}  // namespace pardel::testing

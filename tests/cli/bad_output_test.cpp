@@ -1,0 +1,125 @@
+// Output that cannot be written: a message, exit code 5, and no partial file under the final name.
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+class BadOutput : public Workshop {
+ protected:
+  BadOutput() { write("square.poly", square_poly); }
+};
+
+constexpr const char* fine = "0.0001";  // an area that gives files of several 100 kB
+
+TEST_F(BadOutput, a_folder_that_does_not_exist_is_told_before_meshing) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "nowhere/out.vtu"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"nowhere/out.vtu", "No such file or directory"}));
+}
+
+TEST_F(BadOutput, a_folder_in_place_of_a_file_is_refused) {
+  std::filesystem::create_directory(folder_ / "work" / "out.vtu");
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"out.vtu", "directory"}));
+}
+
+TEST_F(BadOutput, a_file_in_place_of_a_folder_is_refused) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "square.poly/out.vtu"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"square.poly/out.vtu", "Not a directory"}));
+}
+
+TEST_F(BadOutput, a_suffix_that_names_no_format_is_a_usage_error) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.docx"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"out.docx", ".vtu"}));
+}
+
+TEST_F(BadOutput, the_input_is_never_replaced) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "square.node"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"square.node", "square.poly"}));
+  EXPECT_EQ(read("square.poly"), square_poly);
+}
+
+TEST_F(BadOutput, a_full_disk_is_an_io_error_in_every_format) {
+  for (const std::string suffix : {"vtu", "msh", "off", "svg", "node"}) {
+    std::filesystem::create_symlink("/dev/full", folder_ / "work" / ("full." + suffix));
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "full." + suffix, "--max-area", fine});
+    EXPECT_EQ(ran.exit_code, 5) << suffix << ": " << ran;
+    EXPECT_TRUE(holds(ran.err, {"full." + suffix, "No space left"}));
+    EXPECT_FALSE(exists("full.ele"));
+    EXPECT_FALSE(exists("full.poly"));
+  }
+}
+
+TEST_F(BadOutput, a_disk_that_fills_up_leaves_no_file_under_any_name) {
+  for (const std::string suffix : {"vtu", "msh", "off", "svg", "node"}) {
+    const Ran ran =
+        pardel({"mesh", "square.poly", "-o", "out." + suffix, "--max-area", fine}, {.file_size_limit = 40'000});
+    EXPECT_EQ(ran.exit_code, 5) << suffix << ": " << ran;
+    EXPECT_TRUE(holds(ran.err, {"File too large"}));
+    EXPECT_EQ(files(), Files{"square.poly"}) << suffix;
+  }
+}
+
+TEST_F(BadOutput, an_older_file_survives_a_disk_that_fills_up) {
+  write("out.vtu", "older");
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", fine}, {.file_size_limit = 40'000}).exit_code,
+            5);
+  EXPECT_EQ(read("out.vtu"), "older");
+}
+
+TEST_F(BadOutput, a_report_on_a_full_disk_is_an_io_error) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--json", "/dev/full"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"/dev/full", "No space left"}));
+}
+
+TEST_F(BadOutput, standard_output_on_a_full_disk_is_an_io_error) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--json", "-"}, {.out_file = "/dev/full"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"standard output", "No space left"}));
+}
+
+TEST_F(BadOutput, the_other_commands_report_a_full_disk_too) {
+  std::filesystem::create_symlink("/dev/full", folder_ / "work" / "full.svg");
+  std::filesystem::create_symlink("/dev/full", folder_ / "work" / "full.poly");
+  EXPECT_EQ(pardel({"draw", "square.poly", "-o", "full.svg"}).exit_code, 5);
+  EXPECT_EQ(pardel({"generate", "square", "-o", "full.poly"}).exit_code, 5);
+  EXPECT_EQ(pardel({"doctor", "square.poly", "--repair", "full.poly"}).exit_code, 5);
+  EXPECT_EQ(pardel({"doctor", "square.poly", "--json", "/dev/full"}).exit_code, 5);
+}
+
+TEST_F(BadOutput, triangle_leaves_no_file_when_the_disk_fills_up) {
+  const Ran ran = pardel({"triangle", "-pqa0.0001", "square"}, {.file_size_limit = 40'000});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_EQ(files(), Files{"square.poly"});
+}
+
+TEST_F(BadOutput, an_interrupt_stops_with_130_and_leaves_no_file) {
+  const Ran ran =
+      pardel({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "2e-7", "--progress", "always"},
+             {.interrupt_when = "triangles"});
+  EXPECT_EQ(ran.exit_code, 130) << ran;
+  EXPECT_TRUE(holds(ran.err, {"interrupted"}));
+  EXPECT_EQ(files(), Files{"square.poly"});
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_F(BadOutput, too_little_memory_is_a_message_and_code_5) {
+  const Ran ran =
+      pardel({"generate", "points", "-n", "50000000", "-o", "many.poly"}, {.address_space = std::uint64_t{256} << 20});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"memory"}));
+  EXPECT_FALSE(exists("many.poly"));
+}
+#endif
+
+}  // namespace
+}  // namespace pardel::testing

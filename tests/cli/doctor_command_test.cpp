@@ -1,0 +1,82 @@
+// pardel doctor: every problem, and a domain that has none.
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+using nlohmann::json;
+
+/// The square with both diagonals, which cross, and a point twice.
+constexpr const char* ill =
+    "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 5 1\n5 1 3\n6 2 4\n0\n";
+
+using DoctorCommand = Workshop;
+
+TEST_F(DoctorCommand, a_sound_domain_has_no_problem) {
+  write("square.poly", square_poly);
+  const Ran ran = pardel({"doctor", "square.poly"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"square.poly", "4 points", "no problem"}));
+}
+
+TEST_F(DoctorCommand, problems_are_listed_with_kind_numbers_and_place) {
+  write("ill.poly", ill);
+  const Ran ran = pardel({"doctor", "ill.poly"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.out, {"crossing_segments", "0.5, 0.5", "duplicate_points"}));
+}
+
+TEST_F(DoctorCommand, a_repaired_domain_can_be_meshed) {
+  write("ill.poly", ill);
+  const Ran ran = pardel({"doctor", "ill.poly", "--repair", "well.poly"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"repaired: "}));
+  EXPECT_EQ(pardel({"doctor", "well.poly"}).exit_code, 0);
+  EXPECT_EQ(pardel({"mesh", "well.poly", "-o", "m.vtu", "--check"}).exit_code, 0);
+}
+
+TEST_F(DoctorCommand, the_repaired_domain_counts_from_where_the_ill_one_did) {
+  write("ill.poly", "5 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 4 0\n0\n");
+  ASSERT_EQ(pardel({"doctor", "ill.poly", "--repair", "well.poly"}).exit_code, 0);
+  EXPECT_EQ(table("well.poly")[1][0], 0);
+}
+
+TEST_F(DoctorCommand, points_closer_than_the_snap_are_merged) {
+  write("near.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1e-9 1\n4 0\n1 1 2\n2 2 3\n3 3 5\n4 4 1\n0\n");
+  EXPECT_EQ(pardel({"doctor", "near.poly", "--repair", "well.poly", "--snap", "1e-6"}).exit_code, 0);
+  EXPECT_EQ(table("well.poly")[0][0], 4);
+  EXPECT_EQ(pardel({"mesh", "well.poly", "-o", "m.vtu"}).exit_code, 0);
+}
+
+TEST_F(DoctorCommand, what_is_beyond_repair_is_said) {
+  write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n");
+  const Ran ran = pardel({"doctor", "open.poly", "--repair", "well.poly"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_NE(ran.err, "");
+  EXPECT_FALSE(exists("well.poly"));
+}
+
+TEST_F(DoctorCommand, the_findings_come_as_json) {
+  write("ill.poly", ill);
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "-"}}) {
+    std::vector<std::string> arguments = {"doctor", "ill.poly"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Ran ran = pardel(arguments);
+    const json findings = json::parse(ran.out, nullptr, false);
+    ASSERT_TRUE(findings.is_object()) << ran;
+    EXPECT_EQ(ran.exit_code, 3);
+    EXPECT_EQ(findings["schema"], "pardel.doctor/1");
+    EXPECT_FALSE(findings["valid"]);
+    EXPECT_EQ(findings["input"]["points"], 5);
+    ASSERT_FALSE(findings["problems"].empty());
+    EXPECT_TRUE(findings["problems"][0].contains("ids"));
+    EXPECT_TRUE(findings["repaired"].is_null());
+  }
+}
+
+}  // namespace
+}  // namespace pardel::testing

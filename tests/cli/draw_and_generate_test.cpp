@@ -1,0 +1,62 @@
+// pardel draw and pardel generate.
+#include <sstream>
+#include <string>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+using DrawAndGenerate = Workshop;
+
+TEST_F(DrawAndGenerate, every_domain_named_in_the_help_is_written_and_sound) {
+  const std::string help = pardel({"generate", "--help"}).out;
+  std::size_t at = help.find("Names:");
+  ASSERT_NE(at, std::string::npos);
+  std::istringstream names(help.substr(at + 6, help.find('\n', at) - at - 6));
+  int count = 0;
+  for (std::string name; names >> name; ++count) {
+    const Ran ran = pardel({"generate", name, "-o", name + ".poly"});
+    EXPECT_EQ(ran.exit_code, 0) << name << ": " << ran;
+    EXPECT_EQ(pardel({"doctor", name + ".poly"}).exit_code, 0) << name;
+  }
+  EXPECT_GE(count, 8);
+}
+
+TEST_F(DrawAndGenerate, a_seed_makes_the_same_file_and_another_seed_another) {
+  for (const std::string name : {"a 7", "b 7", "c 8"}) {
+    ASSERT_EQ(pardel({"generate", "points", "-n", "1000", "--seed", name.substr(2), "-o", name.substr(0, 1) + ".poly"})
+                  .exit_code,
+              0);
+  }
+  EXPECT_EQ(table("a.poly")[0][0], 1000);
+  EXPECT_EQ(read("a.poly"), read("b.poly"));
+  EXPECT_NE(read("a.poly"), read("c.poly"));
+}
+
+TEST_F(DrawAndGenerate, an_unknown_name_is_a_usage_error_that_lists_the_names) {
+  const Ran ran = pardel({"generate", "dragon", "-o", "x.poly"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"dragon", "square", "pipe", "key"}));
+  EXPECT_EQ(files(), Files{});
+}
+
+TEST_F(DrawAndGenerate, domains_points_and_meshes_are_drawn) {
+  write("square.poly", square_poly);
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.node", "-o", "m.vtu", "-o", "m.msh"}).exit_code, 0);
+  write("points.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  for (const std::string input : {"square.poly", "points.node", "m.node", "m.ele", "m.vtu", "m.msh"}) {
+    const Ran ran = pardel({"draw", input, "-o", input + ".svg"});
+    EXPECT_EQ(ran.exit_code, 0) << input << ": " << ran;
+    EXPECT_TRUE(holds(read(input + ".svg"), {"<svg", "</svg>"})) << input;
+  }
+  EXPECT_EQ(read("m.node.svg"), read("m.ele.svg"));
+}
+
+TEST_F(DrawAndGenerate, pictures_are_svg_only) {
+  write("square.poly", square_poly);
+  EXPECT_EQ(pardel({"draw", "square.poly", "-o", "x.png"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace pardel::testing

@@ -1,0 +1,59 @@
+// The program explains itself, and a command line without meaning is told so on stderr with code 2.
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+using Help = Workshop;
+
+TEST_F(Help, help_tells_the_commands_examples_and_exit_codes) {
+  const Ran ran = pardel({"--help"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(
+      holds(ran.out, {"mesh", "check", "doctor", "draw", "generate", "triangle", "Examples:", "Exit status:", "130"}));
+  EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(Help, every_command_has_a_help_with_an_example) {
+  for (const std::string command : {"mesh", "check", "doctor", "draw", "generate"}) {
+    const Ran ran = pardel({command, "--help"});
+    EXPECT_EQ(ran.exit_code, 0) << command;
+    EXPECT_TRUE(holds(ran.out, {"Example", "pardel " + command}));
+  }
+}
+
+TEST_F(Help, no_line_of_help_is_wider_than_a_page) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"--help"}, {"mesh", "--help"}, {"check", "--help"}, {"doctor", "--help"}, {"triangle", "-h"}}) {
+    std::istringstream lines(pardel(arguments).out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 132U) << line;
+  }
+}
+
+TEST_F(Help, the_version_is_printed) {
+  const Ran ran = pardel({"--version"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(holds(ran.out, {"pardel "}));
+}
+
+TEST_F(Help, no_command_an_unknown_one_or_an_unknown_option_is_a_usage_error) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"fly"},
+                                             {"mesh"},
+                                             {"mesh", "a.poly"},
+                                             {"mesh", "a.poly", "-o", "b.vtu", "--fast"},
+                                             {"check", "a.poly"}}) {
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_EQ(ran.out, "");
+    EXPECT_NE(ran.err, "");
+  }
+}
+
+}  // namespace
+}  // namespace pardel::testing

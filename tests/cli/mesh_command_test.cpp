@@ -1,0 +1,276 @@
+// pardel mesh: what it writes, says and reports when all is well, and when a bound is out of reach.
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+using nlohmann::json;
+
+class MeshCommand : public Workshop {
+ protected:
+  MeshCommand() {
+    write("square.poly", square_poly);
+    for (const std::string name : {"key.poly", "pipe.poly"}) {
+      std::filesystem::copy_file(std::filesystem::path(PARDEL_EXAMPLES) / name, folder_ / "work" / name);
+    }
+  }
+
+  /// The report of a run that ends with `code`.
+  json report(std::vector<std::string> arguments, int code = 0) const {
+    arguments.insert(arguments.begin(), "mesh");
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, code) << ran;
+    return json::parse(ran.out, nullptr, false);
+  }
+  bool certified(const std::string& domain, const std::string& mesh, std::vector<std::string> goal) const {
+    goal.insert(goal.begin(), {"check", domain, mesh});
+    const Ran ran = pardel(goal);
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    return ran.exit_code == 0;
+  }
+};
+
+TEST_F(MeshCommand, every_format_is_written_in_one_run_and_certified) {
+  const Ran ran = pardel({"mesh", "key.poly", "-o", "m.node", "-o", "m.vtu", "-o", "m.msh", "-o", "m.off", "-o",
+                          "m.svg", "--min-angle", "30"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(files(), (Files{"square.poly", "key.poly", "pipe.poly", "m.node", "m.ele", "m.poly", "m.vtu", "m.msh",
+                            "m.off", "m.svg"}));
+  for (const std::string mesh : {"m.node", "m.ele", "m.vtu", "m.msh", "m.off"}) {
+    EXPECT_TRUE(certified("key.poly", mesh, {"--min-angle", "30"})) << mesh;
+  }
+}
+
+TEST_F(MeshCommand, the_summary_tells_vertices_triangles_the_smallest_angle_and_the_time) {
+  const Ran ran = pardel({"mesh", "key.poly", "-o", "m.vtu"});
+  EXPECT_TRUE(holds(ran.out, {"key.poly", " vertices", " triangles", "angles ", "time", "m.vtu"}));
+  EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(MeshCommand, quiet_says_nothing) {
+  const Ran ran = pardel({"mesh", "key.poly", "-o", "m.vtu", "-q"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(ran.out + ran.err, "");
+}
+
+TEST_F(MeshCommand, names_with_spaces_and_foreign_letters_are_just_names) {
+  write("my square é.poly", square_poly);
+  const Ran ran = pardel({"mesh", "my square é.poly", "-o", "my mesh é.node", "-o", "my mesh.vtu"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(exists("my mesh é.ele"));
+  EXPECT_TRUE(exists("my mesh.vtu"));
+}
+
+TEST_F(MeshCommand, points_without_segments_are_meshed_in_their_convex_hull) {
+  write("cloud.node", "5 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0.3 0.4\n");
+  const json r = report({"cloud.node", "-o", "m.vtu"});
+  EXPECT_DOUBLE_EQ(r["mesh"]["area"], 1.0);
+  EXPECT_GE(r["mesh"]["min_angle_deg"], 20.7);
+}
+
+TEST_F(MeshCommand, the_report_has_every_key_of_its_schema) {
+  const json r = report({"key.poly", "-o", "m.vtu", "--min-angle", "25", "--max-area", "0.01"});
+  ASSERT_TRUE(r.is_object());
+  EXPECT_EQ(r["schema"], "pardel.report/1");
+  const std::map<std::string, std::vector<std::string>> keys = {
+      {"input", {"points", "segments", "holes", "regions"}},
+      {"goal", {"min_angle_deg", "max_area", "max_edge"}},
+      {"decomposition", {}},
+      {"seconds", {"read", "validate", "triangulate", "refine", "check", "write", "total"}},
+      {"mesh", {"vertices", "triangles", "min_angle_deg", "max_angle_deg", "max_circumradius", "area"}},
+      {"refine", {"inserted", "segment_splits", "refused", "exempt"}}};
+  for (const auto& [object, members] : keys) {
+    ASSERT_TRUE(r.contains(object)) << object;
+    for (const std::string& member : members) EXPECT_TRUE(r[object].contains(member)) << object << '.' << member;
+  }
+  EXPECT_EQ(r["threads"], 1);
+  EXPECT_GT(r["peak_rss_bytes"], 1'000'000);
+  EXPECT_EQ(r["digest"].get<std::string>().size(), 32U);
+  EXPECT_EQ(r["goal"]["min_angle_deg"], 25.0);
+  EXPECT_EQ(r["goal"]["max_area"], 0.01);
+  EXPECT_TRUE(r["goal"]["max_edge"].is_null());
+}
+
+TEST_F(MeshCommand, the_report_agrees_with_the_files) {
+  const json r = report({"key.poly", "-o", "m.node", "--min-angle", "30"});
+  const auto nodes = table("m.node");
+  const auto elements = table("m.ele");
+  EXPECT_EQ(r["mesh"]["vertices"], nodes.size() - 1);
+  EXPECT_EQ(r["mesh"]["triangles"], elements.size() - 1);
+  EXPECT_EQ(r["mesh"]["vertices"].get<int>(), r["input"]["points"].get<int>() + r["refine"]["inserted"].get<int>() +
+                                                  r["refine"]["segment_splits"].get<int>());
+}
+
+TEST_F(MeshCommand, the_report_goes_to_a_file_as_well) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--json", "report.json"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(holds(ran.out, {"square.poly"}));
+  EXPECT_EQ(json::parse(read("report.json"))["input"]["segments"], 4);
+}
+
+TEST_F(MeshCommand, the_same_input_gives_the_same_digest_and_another_goal_another) {
+  const json first = report({"key.poly", "-o", "a.vtu", "--min-angle", "30"});
+  const json second = report({"key.poly", "-o", "b.vtu", "--min-angle", "30"});
+  const json other = report({"key.poly", "-o", "c.vtu", "--min-angle", "25"});
+  EXPECT_EQ(first["digest"], second["digest"]);
+  EXPECT_EQ(read("a.vtu"), read("b.vtu"));
+  EXPECT_NE(first["digest"], other["digest"]);
+}
+
+TEST_F(MeshCommand, bounds_on_angle_area_and_edge_are_met_together) {
+  const json r =
+      report({"pipe.poly", "-o", "m.node", "--min-angle", "30", "--max-area", "0.002", "--max-edge", "0.06"});
+  EXPECT_GE(r["mesh"]["min_angle_deg"], 30.0);
+  EXPECT_TRUE(certified("pipe.poly", "m.node", {"--min-angle", "30", "--max-area", "0.002", "--max-edge", "0.06"}));
+}
+
+TEST_F(MeshCommand, a_ratio_is_another_way_to_give_the_angle) {
+  EXPECT_NEAR(report({"square.poly", "-o", "m.vtu", "--rho", "1"})["goal"]["min_angle_deg"], 30.0, 1e-9);
+}
+
+TEST_F(MeshCommand, caps_of_regions_count_only_when_asked_for) {
+  ASSERT_EQ(pardel({"generate", "regions", "-o", "regions.poly"}).exit_code, 0);
+  const json without = report({"regions.poly", "-o", "a.node"});
+  const json with = report({"regions.poly", "-o", "b.node", "--regions"});
+  EXPECT_FALSE(without["goal"]["region_caps"]);
+  EXPECT_TRUE(with["goal"]["region_caps"]);
+  EXPECT_GT(with["mesh"]["triangles"], without["mesh"]["triangles"]);
+  EXPECT_TRUE(certified("regions.poly", "b.node", {"--regions"}));
+  EXPECT_EQ(pardel({"check", "regions.poly", "a.node", "--regions"}).exit_code, 1);
+}
+
+TEST_F(MeshCommand, sizes_at_the_points_grade_the_mesh) {
+  write("fine.sizes", "4\n1 0.02\n2 0.5\n3 0.5\n4 0.5\n");
+  const json r = report({"square.poly", "-o", "m.node", "--sizes", "fine.sizes", "--check"});
+  EXPECT_EQ(r["goal"]["sizes"], "fine.sizes");
+  EXPECT_TRUE(r["certificate"]["valid"]);
+  int near = 0, far = 0;
+  const auto nodes = table("m.node");
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    near += nodes[i][1] < 0.25 && nodes[i][2] < 0.25;
+    far += nodes[i][1] > 0.75 && nodes[i][2] > 0.75;
+  }
+  EXPECT_GT(near, 4 * far);
+}
+
+TEST_F(MeshCommand, a_check_is_part_of_the_report) {
+  const json r = report({"key.poly", "-o", "m.vtu", "--min-angle", "30", "--check"});
+  EXPECT_TRUE(r["certificate"]["valid"]);
+  EXPECT_GT(r["seconds"]["check"], 0.0);
+  EXPECT_FALSE(report({"key.poly", "-o", "m.vtu"}).contains("certificate"));
+}
+
+TEST_F(MeshCommand, a_budget_that_is_too_small_gives_code_4_the_mesh_and_the_list) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.001", "--max-vertices", "50"});
+  EXPECT_EQ(ran.exit_code, 4) << ran;
+  EXPECT_TRUE(holds(ran.err, {"square.poly", "budget", "triangle ("}));
+  EXPECT_TRUE(certified("square.poly", "m.vtu", {"--min-angle", "0"}));
+}
+
+TEST_F(MeshCommand, a_budget_that_is_too_small_gives_code_4_with_a_check_too) {
+  const json r = report({"square.poly", "-o", "m.vtu", "--max-area", "0.001", "--max-vertices", "50", "--check"}, 4);
+  EXPECT_LE(r["mesh"]["vertices"], 50);
+  EXPECT_FALSE(r["goal_met"]);
+  EXPECT_FALSE(r["certificate"]["valid"]);
+  EXPECT_GT(r["refine"]["exempt"]["budget"], 0);
+}
+
+TEST_F(MeshCommand, a_floor_on_edges_gives_code_4_where_it_stands_in_the_way) {
+  const json r = report({"square.poly", "-o", "m.vtu", "--max-area", "0.0001", "--min-edge", "0.1"}, 4);
+  EXPECT_GT(r["refine"]["exempt"]["min_edge"], 0);
+}
+
+TEST_F(MeshCommand, small_input_angles_are_exempt_and_reported_with_code_0) {
+  write("wedge.poly", "4 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 10 0.5\n4 0\n1 1 2\n2 2 4\n3 4 3\n4 3 1\n0\n");
+  write("needle.poly", "3 2 0 0\n1 0 0\n2 10 0\n3 10 0.5\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  const json r = report({"needle.poly", "-o", "m.vtu", "--check"});
+  EXPECT_TRUE(r["goal_met"]);
+  EXPECT_GT(r["refine"]["exempt"]["nestled"].get<int>() + r["refine"]["exempt"]["seditious"].get<int>(), 0);
+  EXPECT_TRUE(holds(pardel({"mesh", "needle.poly", "-o", "m.vtu"}).out, {"exempt"}));
+}
+
+TEST_F(MeshCommand, what_is_broken_is_mended_on_request) {
+  write("crossed.poly",
+        "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1 1\n6 0.5 0\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 5\n6 2 4\n0\n");
+  EXPECT_EQ(pardel({"mesh", "crossed.poly", "-o", "m.vtu"}).exit_code, 3);
+  const Ran ran = pardel({"mesh", "crossed.poly", "-o", "m.vtu", "--repair", "--check"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"crossed.poly: repaired"}));
+}
+
+TEST_F(MeshCommand, a_conforming_mesh_passes_the_stricter_check) {
+  ASSERT_EQ(pardel({"mesh", "key.poly", "-o", "m.node", "--conforming"}).exit_code, 0);
+  EXPECT_TRUE(certified("key.poly", "m.node", {"--conforming"}));
+}
+
+TEST_F(MeshCommand, the_convex_hull_fills_what_the_outline_leaves_out) {
+  write("corner.poly",
+        "6 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 1 1\n5 1 2\n6 0 2\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n0\n");
+  EXPECT_DOUBLE_EQ(report({"corner.poly", "-o", "a.vtu"})["mesh"]["area"], 3.0);
+  EXPECT_DOUBLE_EQ(report({"corner.poly", "-o", "b.vtu", "--convex-hull"})["mesh"]["area"], 3.5);
+}
+
+TEST_F(MeshCommand, circumcentres_and_off_centres_make_different_certified_meshes) {
+  const json off = report({"key.poly", "-o", "a.vtu", "--placement", "off-centre", "--check"});
+  const json circum = report({"key.poly", "-o", "b.vtu", "--placement", "circumcentre", "--check"});
+  EXPECT_NE(off["digest"], circum["digest"]);
+  EXPECT_EQ(report({"key.poly", "-o", "c.vtu"})["digest"], off["digest"]);
+}
+
+TEST_F(MeshCommand, a_mesh_is_refined_in_every_format_that_is_read) {
+  ASSERT_EQ(pardel({"mesh", "pipe.poly", "-o", "m.node", "-o", "m.vtu", "-o", "m.msh", "--max-area", "0.1"}).exit_code,
+            0);
+  for (const std::string coarse : {"m.node", "m.vtu", "m.msh"}) {
+    const json r = report({coarse, "--refine", "-o", "fine.node", "--max-area", "0.01", "--check"});
+    EXPECT_TRUE(r["certificate"]["valid"]) << coarse;
+    EXPECT_TRUE(certified("pipe.poly", "fine.node", {"--max-area", "0.01"})) << coarse;
+  }
+}
+
+TEST_F(MeshCommand, holes_of_a_mesh_are_found_again_without_its_domain) {
+  ASSERT_EQ(pardel({"mesh", "pipe.poly", "-o", "m.vtu"}).exit_code, 0);
+  const json r = report({"m.vtu", "--refine", "-o", "fine.node", "--max-area", "0.01", "--check"});
+  EXPECT_EQ(r["input"]["holes"], 7);
+  EXPECT_TRUE(r["certificate"]["valid"]);
+}
+
+TEST_F(MeshCommand, an_area_file_beside_a_mesh_caps_each_triangle) {
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.node", "--min-angle", "0"}).exit_code, 0);
+  ASSERT_EQ(table("m.ele")[0][0], 2);
+  write("m.area", "2\n1 0.001\n2 -1\n");
+  const json r = report({"m.ele", "--refine", "-o", "fine.node"});
+  EXPECT_GT(r["mesh"]["triangles"], 500);
+  write("m.area", "3\n1 0.001\n2 -1\n3 -1\n");
+  const Ran ran = pardel({"mesh", "m.ele", "--refine", "-o", "f.node"});
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_TRUE(holds(ran.err, {"m.area", "3 area caps for 2 triangles"}));
+}
+
+TEST_F(MeshCommand, progress_is_shown_when_asked_and_wiped_at_the_end) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.00002", "--progress", "always"});
+  EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K"}));
+  EXPECT_TRUE(ran.err.ends_with("\r\033[K"));
+}
+
+TEST_F(MeshCommand, a_pipe_sees_no_progress_and_a_terminal_none_of_short_work) {
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.00002"}).err, "");
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu"}, {.terminal = true}).err, "");
+}
+
+TEST_F(MeshCommand, a_terminal_sees_progress_of_long_work) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--max-area", "2e-7", "--max-vertices", "8000000"},
+                         {.terminal = true});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K"}));
+}
+
+}  // namespace
+}  // namespace pardel::testing

@@ -1,0 +1,72 @@
+// Runs the program in a folder of its own, and looks at what it left there.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pardel::testing {
+
+struct Ran {
+  int exit_code = 0;  ///< 128 + signal where one killed it
+  std::string out;
+  std::string err;
+};
+
+struct RunOptions {
+  std::string out_file = {};                          ///< standard output goes there, if not empty
+  std::optional<std::uint64_t> file_size_limit = {};  ///< bytes; more is "File too large"
+  std::optional<std::uint64_t> address_space = {};    ///< bytes
+  std::string interrupt_when = {};                    ///< SIGINT is sent once standard error holds this
+  bool terminal = false;                              ///< standard error is a terminal
+};
+
+/// A temporary folder in which the program runs. Gone at the end.
+class Workshop : public ::testing::Test {
+ protected:
+  Workshop();
+  ~Workshop() override;
+
+  Ran pardel(const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
+
+  void write(const std::string& name, std::string_view text) const;
+  [[nodiscard]] std::string read(const std::string& name) const;
+  [[nodiscard]] bool exists(const std::string& name) const;
+  /// Names of everything in the folder.
+  [[nodiscard]] std::set<std::string> files() const;
+  /// The numbers of a text file line by line, without comments and blank lines.
+  [[nodiscard]] std::vector<std::vector<double>> table(const std::string& name) const;
+
+  std::filesystem::path folder_;
+};
+
+using Files = std::set<std::string>;
+
+/// The unit square as a .poly: points 1 to 4, one segment marker each.
+inline constexpr const char* square_poly = R"(# the unit square
+4 2 0 0
+1 0 0
+2 1 0
+3 1 1
+4 0 1
+4 1
+1 1 2 5
+2 2 3 6
+3 3 4 7
+4 4 1 8
+0
+)";
+
+/// For assertions: the program's words when they are not as expected.
+std::ostream& operator<<(std::ostream& out, const Ran& ran);
+
+/// True where `text` holds every one of `parts`.
+::testing::AssertionResult holds(const std::string& text, const std::vector<std::string>& parts);
+
+}  // namespace pardel::testing

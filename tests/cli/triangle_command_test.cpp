@@ -1,0 +1,364 @@
+// pardel triangle: the files that Triangle would write, named and numbered as it does.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+class TriangleCommand : public Workshop {
+ protected:
+  TriangleCommand() {
+    write("a.poly", square_poly);
+    // A square with a square hole; regions left and right of a wall, the right one with an area cap. Counted from 0.
+    write("b.poly", R"(11 2 1 1
+0 0 0 10 3
+1 2 0 20 0
+2 4 0 30 0
+3 4 2 40 0
+4 2 2 50 0
+5 0 2 60 0
+6 0.5 0.5 1 0
+7 1.5 0.5 2 0
+8 1.5 1.5 3 0
+9 0.5 1.5 4 0
+10 9 9 5 0
+11 1
+0 0 1 7
+1 1 2 0
+2 2 3 0
+3 3 4 0
+4 4 5 0
+5 5 0 0
+6 1 4 9
+7 6 7 0
+8 7 8 0
+9 8 9 0
+10 9 6 0
+1
+0 1 1
+2
+0 0.2 1 5 -1
+1 3 1 8 0.05
+)");
+  }
+
+  void ends_well(const std::string& switches, const std::string& file) const {
+    const Ran ran = pardel({"triangle", "-Q" + switches, file});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_EQ(ran.out, "");
+  }
+};
+
+using Rows = std::vector<std::vector<double>>;
+
+TEST_F(TriangleCommand, p_writes_node_ele_and_poly_of_the_next_number) {
+  ends_well("p", "a");
+  EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.1.node", "a.1.ele", "a.1.poly"}));
+  const Rows node = table("a.1.node");
+  EXPECT_EQ(node[0], (std::vector<double>{4, 2, 0, 1}));
+  EXPECT_EQ(node[2], (std::vector<double>{2, 1, 0, 5}));  // the marker of the first segment at it
+  const Rows ele = table("a.1.ele");
+  EXPECT_EQ(ele[0], (std::vector<double>{2, 3, 0}));
+  const Rows poly = table("a.1.poly");
+  EXPECT_EQ(poly[0][0], 0);
+  EXPECT_EQ(poly[1], (std::vector<double>{4, 1}));
+}
+
+TEST_F(TriangleCommand, the_suffix_poly_stands_for_p) {
+  ends_well("", "a.poly");
+  EXPECT_TRUE(exists("a.1.poly"));
+}
+
+TEST_F(TriangleCommand, without_p_the_convex_hull_of_the_points_is_triangulated) {
+  write("c.node", "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 2\n");
+  ends_well("", "c");
+  EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "c.node", "c.1.node", "c.1.ele"}));
+  EXPECT_EQ(table("c.1.ele")[0][0], 4);
+  EXPECT_EQ(table("c.1.node")[0][0], 5);
+}
+
+TEST_F(TriangleCommand, a_file_with_spaces_in_its_name_is_just_a_file) {
+  write("my square.poly", square_poly);
+  ends_well("pq", "my square.poly");
+  EXPECT_TRUE(exists("my square.1.ele"));
+}
+
+TEST_F(TriangleCommand, input_vertices_come_first_and_in_order) {
+  ends_well("pq30a0.01", "b");
+  const Rows in = table("b.poly"), out = table("b.1.node");
+  for (std::size_t i = 1; i <= 11; ++i) {
+    EXPECT_EQ(out[i][1], in[i][1]);
+    EXPECT_EQ(out[i][2], in[i][2]);
+    EXPECT_EQ(out[i][3], in[i][3]);  // the attribute
+  }
+}
+
+TEST_F(TriangleCommand, numbers_start_where_the_input_starts) {
+  ends_well("pqen", "a");
+  ends_well("pqen", "b");
+  for (const std::string suffix : {".node", ".ele", ".edge", ".neigh"}) {
+    EXPECT_EQ(table("a.1" + suffix)[1][0], 1) << suffix;
+    EXPECT_EQ(table("b.1" + suffix)[1][0], 0) << suffix;
+  }
+}
+
+TEST_F(TriangleCommand, all_of_it_together) {
+  ends_well("pq30a0.1ADjenz", "b");
+  EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "b.1.node", "b.1.ele", "b.1.poly", "b.1.edge", "b.1.neigh"}));
+  EXPECT_EQ(pardel({"check", "b.poly", "b.1.ele", "--min-angle", "30", "--max-area", "0.1", "--conforming"}).exit_code,
+            0);
+}
+
+TEST_F(TriangleCommand, a_second_run_refines_the_first) {
+  ends_well("pq", "a");
+  ends_well("rpq30a0.01", "a.1");
+  EXPECT_TRUE(exists("a.2.node") && exists("a.2.ele") && exists("a.2.poly"));
+  EXPECT_EQ(pardel({"check", "a.poly", "a.2.ele", "--min-angle", "30", "--max-area", "0.01"}).exit_code, 0);
+  ends_well("rq", "a.2");
+  EXPECT_FALSE(exists("a.3.poly"));
+  EXPECT_TRUE(exists("a.3.ele"));
+}
+
+TEST_F(TriangleCommand, an_area_file_caps_the_triangles_of_the_mesh_it_refines) {
+  ends_well("p", "a");
+  write("a.1.area", "2\n1 0.001\n2 -1\n");
+  ends_well("rpqa", "a.1");
+  const Rows node = table("a.2.node");
+  EXPECT_GT(node.size(), 200U);
+}
+
+TEST_F(TriangleCommand, bare_a_honours_the_caps_of_regions) {
+  ends_well("pq", "b");
+  const std::size_t coarse = table("b.1.ele").size();
+  ends_well("pqa", "b");
+  EXPECT_GT(table("b.1.ele").size(), coarse + 50);
+  EXPECT_EQ(pardel({"check", "b.poly", "b.1.ele", "--min-angle", "20", "--regions"}).exit_code, 0);
+}
+
+TEST_F(TriangleCommand, a_may_be_given_twice) {
+  ends_well("pqaa0.2", "b");
+  EXPECT_EQ(pardel({"check", "b.poly", "b.1.ele", "--min-angle", "20", "--regions", "--max-area", "0.2"}).exit_code, 0);
+}
+
+TEST_F(TriangleCommand, area_without_q_bounds_no_angle) {
+  ends_well("pa0.1", "a");
+  EXPECT_EQ(pardel({"check", "a.poly", "a.1.ele", "--min-angle", "0", "--max-area", "0.1"}).exit_code, 0);
+}
+
+TEST_F(TriangleCommand, q_without_a_number_is_20_degrees) {
+  write("thin.poly", "4 2 0 0\n1 0 0\n2 10 0\n3 10 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  ends_well("p", "thin");
+  EXPECT_EQ(pardel({"check", "thin.poly", "thin.1.ele", "--min-angle", "20"}).exit_code, 1);
+  ends_well("pq", "thin");
+  EXPECT_EQ(pardel({"check", "thin.poly", "thin.1.ele", "--min-angle", "20"}).exit_code, 0);
+}
+
+TEST_F(TriangleCommand, A_gives_each_triangle_the_attribute_of_its_region) {
+  ends_well("pqA", "b");
+  const Rows node = table("b.1.node"), ele = table("b.1.ele");
+  ASSERT_EQ(ele[0], (std::vector<double>{ele[0][0], 3, 1}));
+  for (std::size_t t = 1; t < ele.size(); ++t) {
+    double x = 0;
+    for (int i = 1; i <= 3; ++i) x += node[static_cast<std::size_t>(ele[t][i]) + 1][1] / 3;
+    EXPECT_EQ(ele[t][4], x < 2 ? 5 : 8) << "triangle " << t;
+  }
+  ends_well("pq", "b");
+  EXPECT_EQ(table("b.1.ele")[0][2], 0);
+}
+
+TEST_F(TriangleCommand, A_without_regions_gives_the_attribute_0) {
+  ends_well("pA", "a");
+  EXPECT_EQ(table("a.1.ele")[0][2], 1);
+  EXPECT_EQ(table("a.1.ele")[1][4], 0);
+}
+
+TEST_F(TriangleCommand, j_drops_the_vertices_that_no_triangle_has) {
+  ends_well("p", "b");
+  EXPECT_EQ(table("b.1.node")[0][0], 11);
+  ends_well("pj", "b");
+  EXPECT_EQ(table("b.1.node")[0][0], 10);
+  EXPECT_EQ(pardel({"check", "b.poly", "b.1.ele", "--min-angle", "0"}).exit_code, 0);
+}
+
+TEST_F(TriangleCommand, O_ignores_holes) {
+  ends_well("pO", "b");
+  ends_well("p", "a");
+  const Rows node = table("b.1.node"), ele = table("b.1.ele");
+  double area = 0;
+  for (std::size_t t = 1; t < ele.size(); ++t) {
+    const auto& a = node[static_cast<std::size_t>(ele[t][1]) + 1];
+    const auto& b = node[static_cast<std::size_t>(ele[t][2]) + 1];
+    const auto& c = node[static_cast<std::size_t>(ele[t][3]) + 1];
+    area += ((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])) / 2;
+  }
+  EXPECT_DOUBLE_EQ(area, 8);
+  EXPECT_EQ(table("b.1.poly").size() >= 2, true);
+}
+
+TEST_F(TriangleCommand, c_keeps_what_lies_between_the_outline_and_the_hull) {
+  write("corner.poly",
+        "6 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 1 1\n5 1 2\n6 0 2\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n0\n");
+  ends_well("p", "corner");
+  EXPECT_EQ(table("corner.1.ele")[0][0], 4);
+  ends_well("pc", "corner");
+  EXPECT_EQ(table("corner.1.ele")[0][0], 5);
+}
+
+TEST_F(TriangleCommand, c_writes_a_poly_of_the_hull_of_bare_points) {
+  write("c.node", "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 2\n");
+  ends_well("c", "c");
+  const Rows poly = table("c.1.poly");
+  EXPECT_EQ(poly[1], (std::vector<double>{4, 1}));
+  for (int i = 2; i <= 5; ++i) EXPECT_EQ(poly[i][3], 1);
+}
+
+TEST_F(TriangleCommand, P_N_and_E_leave_files_out) {
+  ends_well("pqPN", "a");
+  EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.1.ele"}));
+  ends_well("pqE", "b");
+  EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.1.ele", "b.1.node", "b.1.poly"}));
+}
+
+TEST_F(TriangleCommand, I_writes_no_number_and_replaces_nothing_that_was_read) {
+  ends_well("pqI", "a");
+  EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.node", "a.ele"}));
+  EXPECT_EQ(read("a.poly"), square_poly);
+  const std::string points = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n";
+  write("c.node", points);
+  ends_well("I", "c");
+  EXPECT_EQ(read("c.node"), points);
+  EXPECT_TRUE(exists("c.ele"));
+}
+
+TEST_F(TriangleCommand, I_keeps_the_node_file_that_a_poly_without_points_stands_on) {
+  const std::string points = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+  write("d.node", points);
+  write("d.poly", "0 2 0 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  ends_well("pI", "d");
+  EXPECT_EQ(read("d.node"), points);
+  EXPECT_TRUE(exists("d.ele"));
+}
+
+TEST_F(TriangleCommand, B_leaves_out_markers) {
+  ends_well("pqeB", "a");
+  EXPECT_EQ(table("a.1.node")[0][3], 0);
+  EXPECT_EQ(table("a.1.poly")[1][1], 0);
+  EXPECT_EQ(table("a.1.edge")[0][1], 0);
+}
+
+TEST_F(TriangleCommand, markers_follow_the_segments) {
+  ends_well("pqea0.01", "a");
+  int on_first = 0;
+  const Rows node = table("a.1.node"), edge = table("a.1.edge");
+  for (std::size_t e = 1; e < edge.size(); ++e) {
+    const auto& a = node[static_cast<std::size_t>(edge[e][1])];
+    const auto& b = node[static_cast<std::size_t>(edge[e][2])];
+    const bool bottom = a[2] == 0 && b[2] == 0;
+    EXPECT_EQ(edge[e][3] == 5, bottom);
+    on_first += bottom;
+  }
+  EXPECT_GT(on_first, 1);
+  for (std::size_t i = 5; i < node.size(); ++i) EXPECT_EQ(node[i][3] == 5, node[i][2] == 0) << i;
+}
+
+TEST_F(TriangleCommand, e_and_n_describe_the_mesh) {
+  ends_well("pqena0.05", "b");
+  const Rows node = table("b.1.node"), ele = table("b.1.ele"), edge = table("b.1.edge"), neigh = table("b.1.neigh");
+  EXPECT_EQ(neigh[0], (std::vector<double>{ele[0][0], 3}));
+  int outside = 0;
+  for (std::size_t t = 1; t < neigh.size(); ++t) {
+    for (int i = 1; i <= 3; ++i) {
+      const double other = neigh[t][i];
+      outside += other < 0;
+      if (other < 0) continue;
+      // The neighbour across has the two other corners, and names this one back.
+      const auto& theirs = ele[static_cast<std::size_t>(other) + 1];
+      const auto& back = neigh[static_cast<std::size_t>(other) + 1];
+      for (int k = 1; k <= 3; ++k) {
+        const bool shared = std::find(theirs.begin() + 1, theirs.end(), ele[t][k]) != theirs.end();
+        EXPECT_EQ(shared, k != i);
+      }
+      EXPECT_NE(std::find(back.begin() + 1, back.end(), ele[t][0]), back.end());
+    }
+  }
+  EXPECT_EQ(2 * edge[0][0], 3 * ele[0][0] + outside);
+}
+
+TEST_F(TriangleCommand, g_writes_off) {
+  ends_well("pqg", "a");
+  EXPECT_EQ(read("a.1.off").substr(0, 3), "OFF");
+}
+
+TEST_F(TriangleCommand, o2_writes_six_nodes_in_the_order_of_triangle) {
+  ends_well("po2", "a");
+  const Rows node = table("a.1.node"), ele = table("a.1.ele");
+  EXPECT_EQ(node[0][0], 4 + 5);  // a middle for each of the five edges
+  ASSERT_EQ(ele[0][1], 6);
+  for (std::size_t t = 1; t < ele.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {  // node 4 lies opposite corner 1
+      const auto& middle = node[static_cast<std::size_t>(ele[t][4 + i])];
+      const auto& from = node[static_cast<std::size_t>(ele[t][1 + (i + 1) % 3])];
+      const auto& to = node[static_cast<std::size_t>(ele[t][1 + (i + 2) % 3])];
+      EXPECT_EQ(middle[1], (from[1] + to[1]) / 2);
+      EXPECT_EQ(middle[2], (from[2] + to[2]) / 2);
+    }
+  }
+}
+
+TEST_F(TriangleCommand, S_limits_the_new_points_and_is_no_failure) {
+  const Ran ran = pardel({"triangle", "-Qpqa0.001S10", "a"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"budget"}));
+  EXPECT_LE(table("a.1.node")[0][0], 14);
+  EXPECT_EQ(pardel({"triangle", "-Qpqa0.001S", "b"}).exit_code, 0);
+  EXPECT_EQ(table("b.1.node")[0][0], 11);
+}
+
+TEST_F(TriangleCommand, Y_splits_no_segment_of_the_boundary_and_YY_none) {
+  ends_well("pqa0.1YY", "b");
+  EXPECT_EQ(table("b.1.poly")[1][0], 11);
+  ends_well("pqa0.1Y", "b");
+  for (const auto& row : table("b.1.node")) {
+    const bool inserted = row.size() == 5 && row[0] > 10;
+    EXPECT_TRUE(!inserted || (row[2] > 0 && row[2] < 2)) << row[0];
+  }
+}
+
+TEST_F(TriangleCommand, C_checks_the_mesh) {
+  const Ran ran = pardel({"triangle", "-pq30C", "b"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"Checked: the mesh is right."}));
+  EXPECT_EQ(pardel({"triangle", "-pC", "b"}).exit_code, 0);
+  EXPECT_EQ(pardel({"triangle", "-rpqa0.01C", "b.1"}).exit_code, 0);
+}
+
+TEST_F(TriangleCommand, duplicate_points_are_warned_about_and_keep_their_numbers) {
+  write("d.poly", "6 2 0 0\n1 0 0\n2 1 0\n3 0 0\n4 1 1\n5 0 1\n6 0.5 0.25\n4 0\n1 1 2\n2 2 4\n3 4 5\n4 5 3\n0\n");
+  const Ran ran = pardel({"triangle", "-Qp", "d"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"d.poly: repaired"}));
+  const Rows in = table("d.poly"), out = table("d.1.node"), ele = table("d.1.ele");
+  EXPECT_EQ(out[0][0], 6);
+  for (std::size_t i = 1; i <= 6; ++i) EXPECT_EQ(out[i][1], in[i][1]);
+  for (std::size_t t = 1; t < ele.size(); ++t) {
+    EXPECT_EQ(std::count(ele[t].begin() + 1, ele[t].end(), 3), 0) << "the twin is no corner";
+  }
+}
+
+TEST_F(TriangleCommand, crossing_segments_meet_in_a_new_vertex) {
+  write("x.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 3\n6 2 4\n0\n");
+  const Ran ran = pardel({"triangle", "-Qp", "x"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  const Rows node = table("x.1.node");
+  ASSERT_EQ(node[0][0], 5);
+  EXPECT_EQ(node[5][1], 0.5);
+  EXPECT_EQ(node[5][2], 0.5);
+  EXPECT_EQ(table("x.1.ele")[0][0], 4);
+}
+
+}  // namespace
+}  // namespace pardel::testing
