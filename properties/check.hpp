@@ -49,6 +49,16 @@ enum class ViolationKind : std::uint8_t {
 };
 [[nodiscard]] const char* name(ViolationKind kind);
 
+/// How far a vertex on a segment may lie from it, in units in the last place (the spacing of doubles) of
+/// the largest absolute coordinate of the Pslg. A point computed on a segment has to be rounded, half a unit
+/// in each coordinate.
+inline constexpr double chain_ulps = 2;
+
+/// The double c that min_angle_deg is judged by: std::cos(min_angle_deg * pi / 180), 1 (no bound) for an angle
+/// that is not positive, at least cos 90 degrees. A corner between rays u and v passes unless its exact cosine
+/// exceeds c, that is unless u . v > 0 and (u . v)^2 > c^2 |u|^2 |v|^2, compared as rational numbers.
+[[nodiscard]] double angle_cosine_bound(double min_angle_deg);
+
 /// What is wrong, where, and an exact witness in words ("in-circle determinant +3/8192", "area 0.31 > 0.25").
 struct Violation {
   ViolationKind kind;

@@ -24,8 +24,7 @@ bool Findings::empty() const {
 }
 
 std::vector<Violation> Findings::sorted() && {
-  std::stable_sort(kept_.begin(), kept_.end(),
-                   [](const Violation& a, const Violation& b) { return a.kind < b.kind; });
+  std::stable_sort(kept_.begin(), kept_.end(), [](const Violation& a, const Violation& b) { return a.kind < b.kind; });
   return std::move(kept_);
 }
 
@@ -99,13 +98,14 @@ const char* name(ViolationKind kind) {
 
 std::string Violation::message() const {
   std::string text = name(kind);
-  text += ": " + witness;
+  text += ": ";
+  text += witness;
   if (!ids.empty()) {
     text += " [ids";
-    for (const Index id : ids) text += " " + to_text(id);
+    for (const Index id : ids) text.append(" ").append(to_text(id));
     text += "]";
   }
-  for (std::size_t i = 0; i < where.size(); ++i) text += (i == 0 ? " at " : ", ") + to_text(where[i]);
+  for (std::size_t i = 0; i < where.size(); ++i) text.append(i == 0 ? " at " : ", ").append(to_text(where[i]));
   return text;
 }
 

@@ -1,21 +1,24 @@
 // Numbers as text, so that they read back to the same value.
 #pragma once
 
-#include <array>
-#include <charconv>
+#include <concepts>
 #include <string>
 
 #include "../core/pslg.hpp"
 
 namespace pardel {
 
-template <class Number>
-[[nodiscard]] std::string to_text(Number value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end.ptr};
+[[nodiscard]] std::string to_text(long long value);
+[[nodiscard]] std::string to_text(unsigned long long value);
+[[nodiscard]] std::string to_text(double value);
+[[nodiscard]] std::string to_text(Point p);
+
+[[nodiscard]] std::string to_text(std::signed_integral auto value) { return to_text(static_cast<long long>(value)); }
+[[nodiscard]] std::string to_text(std::unsigned_integral auto value) {
+  return to_text(static_cast<unsigned long long>(value));
 }
 
-[[nodiscard]] inline std::string to_text(Point p) { return "(" + to_text(p.x) + ", " + to_text(p.y) + ")"; }
+/// Six significant digits, for people.
+[[nodiscard]] std::string to_short_text(double value);
 
 }  // namespace pardel

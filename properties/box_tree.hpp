@@ -1,0 +1,105 @@
+// BoxTree: a static tree of bounding boxes over line segments, for the two questions the checker asks of
+// many segments at once: which of them come near this box, and which lies directly below this point.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "../core/pslg.hpp"
+
+namespace pardel {
+
+struct Box {
+  double min_x = std::numeric_limits<double>::infinity();
+  double min_y = std::numeric_limits<double>::infinity();
+  double max_x = -std::numeric_limits<double>::infinity();
+  double max_y = -std::numeric_limits<double>::infinity();
+
+  void include(Point p) {
+    min_x = std::min(min_x, p.x);
+    min_y = std::min(min_y, p.y);
+    max_x = std::max(max_x, p.x);
+    max_y = std::max(max_y, p.y);
+  }
+  void include(const Box& other) {
+    include(Point{other.min_x, other.min_y});
+    include(Point{other.max_x, other.max_y});
+  }
+  [[nodiscard]] bool meets(const Box& other) const {
+    return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
+  }
+};
+
+class BoxTree {
+ public:
+  /// O(n log n). The boxes are those of the items 0, 1, ..., n-1.
+  explicit BoxTree(std::vector<Box> boxes);
+
+  /// visit(item) for every item whose box the filter lets through; filter(Box) must hold for a box that
+  /// contains one for which it holds.
+  template <class Filter, class Visit>
+  void visit(const Filter& filter, const Visit& visit_item) const {
+    if (!nodes_.empty()) descend(0, filter, visit_item);
+  }
+
+  [[nodiscard]] const Box& box(Index item) const { return boxes_[item]; }
+
+ private:
+  static constexpr std::uint32_t leaf_size = 4;
+
+  struct Node {
+    Box box;
+    std::uint32_t first, last;  ///< a run of order_
+    std::uint32_t left, right;  ///< children; 0: a leaf
+  };
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last);
+
+  template <class Filter, class Visit>
+  void descend(std::uint32_t at, const Filter& filter, const Visit& visit_item) const {
+    const Node& node = nodes_[at];
+    if (!filter(node.box)) return;
+    if (node.left == 0) {
+      for (std::uint32_t i = node.first; i < node.last; ++i)
+        if (filter(boxes_[order_[i]])) visit_item(order_[i]);
+      return;
+    }
+    descend(node.left, filter, visit_item);
+    descend(node.right, filter, visit_item);
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<Index> order_;
+  std::vector<Node> nodes_;
+};
+
+/// Segments of a plane straight-line graph, to be asked what lies below a point.
+class SegmentsBelow {
+ public:
+  /// Both spans must outlive this.
+  SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments);
+
+  /// The segment that a ray straight down from p hits first, no_index when none: of those whose interior
+  /// lies strictly below p at an abscissa just left of p's (so that ends and vertical segments need no
+  /// cases of their own). Segments must not cross. Exact; O(log n) on typical input.
+  [[nodiscard]] Index directly_below(Point p) const;
+
+  /// Some segment that contains p, no_index when none.
+  [[nodiscard]] Index through(Point p) const;
+
+ private:
+  struct Ends {
+    Point left, right;  ///< left has the smaller abscissa
+  };
+  [[nodiscard]] Ends ends(Index segment) const;
+  [[nodiscard]] bool is_above(Index s, Index t) const;
+
+  std::span<const Point> points_;
+  std::span<const Segment> segments_;
+  BoxTree tree_;
+};
+
+}  // namespace pardel

@@ -1,0 +1,236 @@
+// Is the mesh, as a complex, a set of positively oriented triangles glued edge to edge?
+#include <algorithm>
+
+#include "exact.hpp"
+#include "stages.hpp"
+#include "text.hpp"
+
+namespace pardel {
+namespace {
+
+void check_orientation(const Subject& subject, Findings& found) {
+  judge_all(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+    const Triangle& triangle = subject.mesh.triangles[t];
+    const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
+    if (exactly::orientation(a, b, c) > 0) return;
+    if (mine.wants(ViolationKind::degenerate_triangle))
+      mine.keep({ViolationKind::degenerate_triangle,
+                 {static_cast<Index>(t), triangle.v[0], triangle.v[1], triangle.v[2]},
+                 {a, b, c},
+                 "triangle " + to_text(t) + " is not counter-clockwise: twice its signed area is " +
+                     exactly::orientation_text(a, b, c)});
+  });
+}
+
+/// The edge of `other` that runs from `to` to `from`, if its neighbour is t.
+bool is_reciprocal(const Triangle& other, Index t, Index from, Index to) {
+  for (int j = 0; j < 3; ++j)
+    if (other.v[next(j)] == to && other.v[previous(j)] == from) return other.n[j] == t;
+  return false;
+}
+
+void check_reciprocity(const Mesh& mesh, Findings& found) {
+  judge_all(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+    const Triangle& triangle = mesh.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      const Index from = triangle.v[next(i)];
+      const Index to = triangle.v[previous(i)];
+      if (triangle.n[i] == no_index || is_reciprocal(mesh.triangles[triangle.n[i]], static_cast<Index>(t), from, to))
+        continue;
+      if (mine.wants(ViolationKind::wrong_neighbour))
+        mine.keep({ViolationKind::wrong_neighbour,
+                   {static_cast<Index>(t), triangle.n[i]},
+                   {mesh.points[from], mesh.points[to]},
+                   "triangle " + to_text(t) + " names " + to_text(triangle.n[i]) + " as its neighbour across edge " +
+                       to_text(from) + "-" + to_text(to) + ", which does not agree"});
+    }
+  });
+}
+
+/// Edges with triangles on both sides that do not know each other.
+void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Findings& found) {
+  const auto boundary = adjacency.boundary();
+  for (const BoundaryEdge& edge : boundary) {
+    if (edge.from > edge.to) continue;
+    const auto back = std::lower_bound(boundary.begin(), boundary.end(), edge, [](const auto& x, const auto& y) {
+      return std::pair(x.from, x.to) < std::pair(y.to, y.from);
+    });
+    if (back == boundary.end() || back->from != edge.to || back->to != edge.from) continue;
+    found.add(ViolationKind::wrong_neighbour, {edge.left.triangle, back->left.triangle},
+              {mesh.points[edge.from], mesh.points[edge.to]},
+              "triangles " + to_text(edge.left.triangle) + " and " + to_text(back->left.triangle) + " share edge " +
+                  to_text(edge.from) + "-" + to_text(edge.to) + " but are not neighbours");
+  }
+}
+
+bool names_no_neighbour_at_all(const Mesh& mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [](const Triangle& t) {
+    return t.n == std::array<Index, 3>{no_index, no_index, no_index};
+  });
+}
+
+/// Reports a vertex whose triangles are not all reached by going around it, or that has an edge with two
+/// triangles on one side. The latter can only hide where there are several fans.
+void check_vertices(const Subject& subject, const Adjacency& adjacency, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+    const auto vertex = static_cast<Index>(v);
+    Index reached = 0;
+    const int fans = adjacency.visit_fans(vertex, [&](Index, int) { ++reached; });
+    if (reached != adjacency.corners(vertex)) {
+      mine.add(ViolationKind::non_manifold_vertex, {vertex}, {mesh.points[v]},
+               "vertex " + to_text(v) + " has " + to_text(adjacency.corners(vertex)) +
+                   " triangles, but going around it from its boundary edges reaches " + to_text(reached));
+    } else if (fans > 1) {
+      std::vector<Index> ahead;
+      adjacency.visit_fans(vertex,
+                           [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
+      std::sort(ahead.begin(), ahead.end());
+      const auto twice = std::adjacent_find(ahead.begin(), ahead.end());
+      if (twice != ahead.end())
+        mine.add(ViolationKind::non_manifold_vertex, {vertex, *twice}, {mesh.points[v]},
+                 "vertex " + to_text(v) + " has two triangles on the left of its edge to vertex " + to_text(*twice));
+    }
+  });
+}
+
+void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& edges, Findings& found) {
+  std::vector<std::pair<Index, Index>> duplicates;
+  for (const NonManifoldEdge& edge : edges) {
+    std::vector<Index> ids = edge.triangles;
+    found.add(ViolationKind::non_manifold_edge, ids, {mesh.points[edge.a], mesh.points[edge.b]},
+              "edge " + to_text(edge.a) + "-" + to_text(edge.b) + " has " + to_text(ids.size()) +
+                  " triangles, more than one on a side");
+    // Equal triangles share their edges, so they meet here.
+    const auto corners = [&](Index t) {
+      std::array<Index, 3> sorted = mesh.triangles[t].v;
+      std::sort(sorted.begin(), sorted.end());
+      return sorted;
+    };
+    std::sort(ids.begin(), ids.end(),
+              [&](Index s, Index t) { return std::pair(corners(s), s) < std::pair(corners(t), t); });
+    for (std::size_t i = 1; i < ids.size(); ++i)
+      if (corners(ids[i - 1]) == corners(ids[i])) duplicates.emplace_back(ids[i - 1], ids[i]);
+  }
+  std::sort(duplicates.begin(), duplicates.end());
+  duplicates.erase(std::unique(duplicates.begin(), duplicates.end()), duplicates.end());
+  for (const auto& [s, t] : duplicates)
+    found.add(ViolationKind::duplicate_triangle, {s, t}, {mesh.points[mesh.triangles[s].v[0]]},
+              "triangles " + to_text(s) + " and " + to_text(t) + " have the same corners");
+}
+
+/// A connected oriented surface with L boundary loops is a disk with holes if and only if V - E + F = 2 - L,
+/// where a vertex counts once for each of its fans (a pinched surface is cut apart at the pinch).
+void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& found) {
+  const auto triangles = adjacency.triangles();
+  constexpr Index unseen = no_index;
+  Array<Index> component(triangles.size(), unseen);
+  std::vector<Index> stack;
+  std::vector<Index> representative;
+  std::vector<std::int64_t> characteristic;  // V - E + F
+  for (std::size_t start = 0; start < triangles.size(); ++start) {
+    if (component[start] != unseen) continue;
+    const auto id = static_cast<Index>(representative.size());
+    representative.push_back(static_cast<Index>(start));
+    std::int64_t faces = 0, sides = 0, open_sides = 0;
+    component[start] = id;
+    stack.push_back(static_cast<Index>(start));
+    while (!stack.empty()) {
+      const Triangle& triangle = triangles[stack.back()];
+      stack.pop_back();
+      ++faces;
+      sides += 3;
+      for (const Index n : triangle.n) {
+        if (n == no_index) {
+          ++open_sides;
+        } else if (component[n] == unseen) {
+          component[n] = id;
+          stack.push_back(n);
+        }
+      }
+    }
+    characteristic.push_back(faces - (sides + open_sides) / 2);
+  }
+
+  for (std::size_t v = 0; v < subject.mesh.points.size(); ++v) {
+    Index last = no_index;
+    adjacency.visit_fans(static_cast<Index>(v), [&](Index t, int corner) {
+      // A fan begins with its boundary edge; a closed one has none and counts at its first triangle.
+      if (last == no_index || triangles[t].n[previous(corner)] == no_index) ++characteristic[component[t]];
+      last = t;
+    });
+  }
+
+  std::vector<std::int64_t> loops(representative.size(), 0);
+  const auto boundary = adjacency.boundary();
+  std::vector<char> walked(boundary.size(), 0);
+  const auto position = [&](EdgeRef edge) {
+    const Index from = triangles[edge.triangle].v[next(edge.edge)];
+    const Index to = triangles[edge.triangle].v[previous(edge.edge)];
+    auto at = std::lower_bound(boundary.begin(), boundary.end(), std::pair(from, to),
+                               [](const BoundaryEdge& e, const auto& key) { return std::pair(e.from, e.to) < key; });
+    while (at->left.triangle != edge.triangle) ++at;
+    return static_cast<std::size_t>(at - boundary.begin());
+  };
+  for (std::size_t start = 0; start < boundary.size(); ++start) {
+    if (walked[start] != 0) continue;
+    ++loops[component[boundary[start].left.triangle]];
+    for (std::size_t at = start; walked[at] == 0;) {
+      walked[at] = 1;
+      // The next boundary edge of the same fan at `to`: turn clockwise through the triangles there.
+      EdgeRef edge = boundary[at].left;
+      const Index pivot = boundary[at].to;
+      for (;;) {
+        edge.edge = next(edge.edge);
+        const Triangle& triangle = triangles[edge.triangle];
+        if (triangle.n[edge.edge] == no_index) break;
+        edge.triangle = triangle.n[edge.edge];
+        const Triangle& other = triangles[edge.triangle];
+        edge.edge = next(other.v[0] == pivot ? 0 : other.v[1] == pivot ? 1 : 2);  // arrives at the pivot
+      }
+      at = position(edge);
+    }
+  }
+
+  for (std::size_t id = 0; id < representative.size(); ++id) {
+    if (characteristic[id] == 2 - loops[id]) continue;
+    const Index t = representative[id];
+    found.add(ViolationKind::euler_characteristic, {t}, {subject.corner(triangles[t], 0)},
+              "the component of triangle " + to_text(t) + " has V - E + F = " + to_text(characteristic[id]) + " and " +
+                  to_text(loops[id]) + " boundary loops, which do not sum to 2");
+  }
+}
+
+}  // namespace
+
+Adjacency check_topology(const Subject& subject, bool neighbours_usable, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  check_orientation(subject, found);
+
+  const bool absent = subject.options.foreign && names_no_neighbour_at_all(mesh);
+  if (neighbours_usable && !absent) {
+    check_reciprocity(mesh, found);
+    if (found.count(ViolationKind::wrong_neighbour) == 0) {
+      Adjacency given({}, mesh);
+      check_lost_neighbours(mesh, given, found);
+      check_vertices(subject, given, found);
+      if (found.count(ViolationKind::wrong_neighbour) == 0 && found.count(ViolationKind::non_manifold_vertex) == 0) {
+        check_euler(subject, given, found);
+        return given;
+      }
+    }
+  }
+
+  // The neighbours cannot be relied on: find the true ones, and what edges have too many.
+  Array<Triangle> rebuilt = mesh.triangles;
+  std::vector<NonManifoldEdge> non_manifold;
+  rebuild_neighbours(rebuilt.span(), non_manifold);
+  report_non_manifold(mesh, non_manifold, found);
+  Adjacency adjacency(std::move(rebuilt), mesh);
+  if (found.count(ViolationKind::non_manifold_vertex) == 0) check_vertices(subject, adjacency, found);
+  if (non_manifold.empty() && found.count(ViolationKind::non_manifold_vertex) == 0)
+    check_euler(subject, adjacency, found);
+  return adjacency;
+}
+
+}  // namespace pardel
