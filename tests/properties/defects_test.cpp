@@ -1,0 +1,186 @@
+// The checker can say no: every seeded defect, at several places of several meshes, is found for what it is.
+#include "../../properties/defects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "../../parallel/mesher.hpp"
+#include "../../properties/domains.hpp"
+
+namespace pardel {
+namespace {
+
+struct Subject {
+  std::string name;
+  Pslg pslg;
+  Goal goal;
+  Mesh mesh;
+};
+
+Goal goal_of(double min_angle_deg, double max_area = std::numeric_limits<double>::infinity()) {
+  Goal goal;
+  goal.min_angle_deg = min_angle_deg;
+  goal.max_area = max_area;
+  return goal;
+}
+
+/// A unit square that carries all that a point can carry: attributes and markers.
+Pslg labelled_square() {
+  Pslg pslg = domains::square();
+  pslg.attributes_per_point = 2;
+  pslg.point_attributes = {0, 1, 2, 3, 4, 5, 6, 7};
+  pslg.point_markers = {11, 0, 13, 0};
+  pslg.points.push_back({0.25, 0.625});
+  pslg.point_attributes.insert(pslg.point_attributes.end(), {8, 9});
+  pslg.point_markers.push_back(15);
+  return pslg;
+}
+
+/// The last of its three faces belongs to no region.
+Pslg two_regions_of_three() {
+  Pslg pslg = domains::regions();
+  pslg.regions.pop_back();
+  return pslg;
+}
+
+Subject meshed(std::string name, Pslg pslg, Goal goal) {
+  auto result = mesh(pslg, goal);
+  EXPECT_TRUE(result.ok()) << name << ": " << (result ? "" : result.error().message);
+  if (!result) return {std::move(name), std::move(pslg), std::move(goal), {}};
+  return {std::move(name), std::move(pslg), std::move(goal), std::move(result->mesh)};
+}
+
+/// Constrained Delaunay only: no point added, no angle promised.
+Subject triangulated(std::string name, Pslg pslg) {
+  auto result = triangulate(pslg);
+  EXPECT_TRUE(result.ok()) << name;
+  if (!result) return {std::move(name), std::move(pslg), goal_of(0), {}};
+  return {std::move(name), std::move(pslg), goal_of(0), std::move(result->mesh)};
+}
+
+const std::vector<Subject>& subjects() {
+  static const std::vector<Subject> all = {
+      meshed("square", domains::square(), goal_of(25, 0.02)),
+      meshed("labelled_square", labelled_square(), goal_of(20.7, 0.05)),
+      meshed("regions", two_regions_of_three(), goal_of(20.7)),
+      meshed("touching_holes", domains::touching_holes(), goal_of(20.7, 0.5)),
+      meshed("cracks", domains::cracks(), goal_of(20.7)),
+      meshed("pipe", domains::pipe(), goal_of(20.7)),
+      meshed("random_points", domains::random_points(60, 1), goal_of(20.7)),
+      triangulated("triangulated_cracks", domains::cracks()),
+      triangulated("triangulated_wedge", domains::wedge(50, 1.8)),
+      triangulated("triangulated_grid", domains::grid(3)),
+  };
+  return all;
+}
+
+constexpr std::uint64_t seeds[] = {1, 2, 3};
+
+std::uint64_t count(const Certificate& certificate, ViolationKind kind) {
+  return certificate.violation_counts.at(static_cast<std::size_t>(kind));
+}
+
+std::string report(const Certificate& certificate) {
+  std::string text;
+  for (std::size_t kind = 0; kind < certificate.violation_counts.size(); ++kind)
+    if (certificate.violation_counts[kind] != 0)
+      text += std::string(name(static_cast<ViolationKind>(kind))) + " x" +
+              std::to_string(certificate.violation_counts[kind]) + " ";
+  return text.empty() ? "nothing" : text;
+}
+
+std::string identifier(std::string_view sentence) {
+  std::string id;
+  for (char c : sentence) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) id += c;
+    if (c == ' ') id += '_';
+  }
+  return id;
+}
+
+class UnharmedMesh : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(UnharmedMesh, is_accepted) {
+  const Subject& subject = subjects().at(GetParam());
+  ASSERT_FALSE(subject.mesh.triangles.empty());
+  const Certificate certificate = check(subject.pslg, subject.mesh, subject.goal);
+  EXPECT_TRUE(certificate.valid) << report(certificate)
+                                 << (certificate.violations.empty() ? "" : certificate.violations[0].message());
+}
+
+INSTANTIATE_TEST_SUITE_P(Defects, UnharmedMesh, testing::Range<std::size_t>(0, 10),
+                         [](const auto& instance) { return subjects().at(instance.param).name; });
+
+class SeededDefect : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(SeededDefect, is_found) {
+  const Defect& defect = defects()[GetParam()];
+  int places = 0;
+  for (const Subject& subject : subjects()) {
+    for (const std::uint64_t seed : seeds) {
+      Pslg pslg = subject.pslg;
+      Mesh mesh = subject.mesh;
+      Goal goal = subject.goal;
+      if (!defect.inject(pslg, mesh, goal, seed)) continue;
+      ++places;
+      const Certificate certificate = check(pslg, mesh, goal);
+      EXPECT_FALSE(certificate.valid) << subject.name << ", seed " << seed;
+      EXPECT_GT(count(certificate, defect.expected), 0u) << subject.name << ", seed " << seed << ": expected "
+                                                         << name(defect.expected) << ", found " << report(certificate);
+    }
+  }
+  EXPECT_GT(places, 0) << "no mesh offered a place";
+}
+
+TEST_P(SeededDefect, that_finds_no_place_changes_nothing_and_one_that_does_is_reproducible) {
+  const Defect& defect = defects()[GetParam()];
+  for (const Subject& subject : subjects()) {
+    Pslg pslg = subject.pslg, same_pslg = subject.pslg;
+    Mesh mesh = subject.mesh, same_mesh = subject.mesh;
+    Goal goal = subject.goal, same_goal = subject.goal;
+    const bool injected = defect.inject(pslg, mesh, goal, 5);
+    EXPECT_EQ(injected, defect.inject(same_pslg, same_mesh, same_goal, 5));
+    EXPECT_EQ(pslg, same_pslg) << subject.name;
+    EXPECT_EQ(mesh.triangles, same_mesh.triangles) << subject.name;
+    if (injected) continue;
+    EXPECT_EQ(pslg, subject.pslg) << subject.name;
+    EXPECT_EQ(mesh, subject.mesh) << subject.name;
+    EXPECT_EQ(goal.max_area, subject.goal.max_area) << subject.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Defects, SeededDefect, testing::Range<std::size_t>(0, defects().size()),
+                         [](const auto& instance) { return identifier(defects()[instance.param].name); });
+
+TEST(Defects, are_at_least_seventy_and_each_has_its_own_name) {
+  std::set<std::string> names;
+  for (const Defect& defect : defects()) EXPECT_TRUE(names.insert(identifier(defect.name)).second) << defect.name;
+  EXPECT_GE(names.size(), 70u);
+}
+
+TEST(Defects, provoke_every_kind_of_violation) {
+  std::set<ViolationKind> provoked;
+  for (const Defect& defect : defects()) {
+    provoked.insert(defect.expected);
+    for (const Subject& subject : subjects()) {
+      Pslg pslg = subject.pslg;
+      Mesh mesh = subject.mesh;
+      Goal goal = subject.goal;
+      if (subject.name == "pipe" || !defect.inject(pslg, mesh, goal, 1)) continue;
+      for (const Violation& violation : check(pslg, mesh, goal).violations) provoked.insert(violation.kind);
+    }
+  }
+  // The bound on circumradii is an option of the check and no part of a goal.
+  const Subject& square = subjects().front();
+  CheckOptions options;
+  options.max_circumradius = 0x1p-20;
+  for (const Violation& violation : check(square.pslg, square.mesh, square.goal, options).violations)
+    provoked.insert(violation.kind);
+  for (int kind = 0; kind <= static_cast<int>(ViolationKind::wrong_attribute); ++kind)
+    EXPECT_TRUE(provoked.contains(static_cast<ViolationKind>(kind))) << name(static_cast<ViolationKind>(kind));
+}
+
+}  // namespace
+}  // namespace pardel
