@@ -17,10 +17,12 @@ class BucketQueue {
 
   /// The key of a squared length: its exponent and the two leading bits of its mantissa.
   [[nodiscard]] static unsigned key(double squared_length) {
-    return static_cast<unsigned>(std::bit_cast<std::uint64_t>(squared_length) >> 50U) & (buckets - 1);
+    return static_cast<unsigned>(std::bit_cast<std::uint64_t>(squared_length) >> 50U) & last;
   }
   /// Comes before every length.
   static constexpr unsigned urgent = 0;
+  /// Comes after every length.
+  static constexpr unsigned last = 8191;
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
@@ -62,7 +64,7 @@ class BucketQueue {
     TriangleId id;
     Index next;
   };
-  static constexpr unsigned buckets = 8192;
+  static constexpr unsigned buckets = last + 1;
   std::array<Index, buckets> head_;
   std::array<std::uint64_t, buckets / 64> words_{};
   std::array<std::uint64_t, buckets / 4096> summary_{};

@@ -34,7 +34,9 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   for (double& cap : twice_region_cap_) cap *= 2 * stricter;
   if (placement == Placement::off_centre && goal.min_angle_deg > 0) {
     const double c = std::cos(radians(goal.min_angle_deg));
-    off_centre_height_ = 0.95 * 0.5 * std::sqrt((1 + c) / (1 - c));
+    // The hair to spare is for rounding alone: at 0.95, Triangle's choice, meshes at 30 degrees get 2 % larger.
+    constexpr double to_spare = 0.999;
+    off_centre_height_ = to_spare * 0.5 * std::sqrt((1 + c) / (1 - c));
   }
 }
 

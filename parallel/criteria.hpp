@@ -65,7 +65,7 @@ class Criteria {
   [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
 
   /// The point to insert for a bad triangle: its circumcentre, or the off-centre where that is nearer to the
-  /// shortest side (Üngör, "Off-centers", 2004), with 5 % to spare.
+  /// shortest side (Üngör, "Off-centers: a new type of Steiner points", 2004).
   [[nodiscard]] Point split_point(const Shape& s) const;
 
   /// The estimated number of triangles that the sizes ask for where this one lies.

@@ -59,13 +59,21 @@ class Refinement {
 
     // Down: what is long at a level is split there; what gets short enough waits for a finer one.
     for (std::size_t level = 0; level < levels.size() && go_on(); ++level) {
-      const bool finest = level + 1 == levels.size();
-      const double longest = finest ? 0 : long_in_finer_cells * levels[level + 1].side();
-      sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), longest * longest);
+      if (level + 1 < levels.size()) {
+        const double longest = long_in_finer_cells * levels[level + 1].side();
+        sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), {longest * longest});
+        continue;
+      }
+      // Everywhere the shorter half of the work comes before the longer: points put in for long triangles would
+      // only be in the way of those that short ones need anyway. Tiles that finish one by one cannot have this
+      // order by themselves, and neither has one queue over everything: it makes larger meshes.
+      const Deferral longer_half{0, median_key(task_.deferred)};
+      sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), longer_half);
+      sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), {});
     }
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0 && go_on();)
-      sweep_to_fixpoint(levels[level], std::exchange(task_.stuck, {}), 0);
+      sweep_to_fixpoint(levels[level], std::exchange(task_.stuck, {}), {});
 
     counts_.inserted = task_.inserted;
     counts_.segment_splits = task_.segment_splits;
@@ -78,31 +86,41 @@ class Refinement {
  private:
   [[nodiscard]] bool go_on() const { return !task_.cancelled && !task_.budget_reached; }
 
-  void sweep_to_fixpoint(const Lattice& lattice, const std::vector<TriangleId>& pending, double defer_below) {
+  [[nodiscard]] unsigned median_key(const std::vector<TriangleId>& ids) const {
+    std::vector<unsigned> keys;
+    keys.reserve(ids.size());
+    for (const TriangleId id : ids) keys.push_back(judge_.assess(id).key);
+    if (keys.empty()) return BucketQueue::last;
+    const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
+    std::nth_element(keys.begin(), middle, keys.end());
+    return *middle;
+  }
+
+  void sweep_to_fixpoint(const Lattice& lattice, const std::vector<TriangleId>& pending, const Deferral& later) {
     std::vector<std::vector<TriangleId>> inbox(lattice.cells());
     bool any = false;
     for (const TriangleId id : pending) {
       const Assessment a = judge_.assess(id);
       if (a.need == Assessment::Need::nothing) continue;
-      if (a.longest_squared <= defer_below) {
+      if (later.applies_to(a)) {
         task_.deferred.push_back(id);
         continue;
       }
       inbox[lattice.cell_of(judge_.point_for(id, a))].push_back(id);
       any = true;
     }
-    while (any && go_on()) any = sweep(lattice, inbox, defer_below);
+    while (any && go_on()) any = sweep(lattice, inbox, later);
   }
 
   /// Four phases, one per colour. Returns whether any candidate was handed to another cell.
-  bool sweep(const Lattice& lattice, std::vector<std::vector<TriangleId>>& inbox, double defer_below) {
+  bool sweep(const Lattice& lattice, std::vector<std::vector<TriangleId>>& inbox, const Deferral& later) {
     Sweep done{lattice.cells(), 0, 0};
     const std::uint64_t before = t_.points.size();
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
       for (Index cell = 0; cell < lattice.cells(); ++cell) {
         if (lattice.colour_of(cell) != colour || inbox[cell].empty()) continue;
         const std::vector<TriangleId> seeds = admitted(lattice.box_of(cell), std::exchange(inbox[cell], {}));
-        if (!task_.run(lattice, cell, seeds, defer_below)) return false;
+        if (!task_.run(lattice, cell, seeds, later)) return false;
         done.handed_on += task_.handed_on.size();
         for (const HandedOn& h : task_.handed_on) inbox[h.cell].push_back(h.id);
       }

@@ -64,11 +64,11 @@ Point Judge::point_for(TriangleId id, const Assessment& a) const {
                                                 : criteria_.split_point(Shape(t_, t_.slots[id]));
 }
 
-bool Task::run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, double defer_below) {
+bool Task::run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, const Deferral& later) {
   lattice_ = &lattice;
   cell_ = cell;
   box_ = lattice.box_of(cell);
-  defer_below_ = defer_below;
+  later_ = later;
   handed_on.clear();
   for (const TriangleId id : seeds) consider(id);
   while (!queue_.empty()) {
@@ -81,7 +81,7 @@ bool Task::run(const Lattice& lattice, Index cell, std::span<const TriangleId> s
 void Task::consider(TriangleId id) {
   const Assessment a = judge_.assess(id);
   if (a.need == Assessment::Need::nothing) return;
-  if (a.longest_squared <= defer_below_)
+  if (later_.applies_to(a))
     deferred.push_back(id);
   else
     queue_.push(id, a.key);
@@ -91,7 +91,7 @@ void Task::consider(TriangleId id) {
 /// holds now is assessed again, and that is all that counts.
 void Task::process(TriangleId id) {
   const Assessment a = judge_.assess(id);
-  if (a.need == Assessment::Need::nothing || a.longest_squared <= defer_below_) return;
+  if (a.need == Assessment::Need::nothing || later_.applies_to(a)) return;
   if (a.need == Assessment::Need::split_edge) {
     const EdgeRef e(id, a.side);
     const Outcome outcome = split_edge(e);

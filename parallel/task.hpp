@@ -54,6 +54,16 @@ class Judge {
   double squared_floor_;
 };
 
+/// What a pass leaves for a later one: triangles no longer than `longest_squared` wait for a finer lattice,
+/// those whose key is above `last_key` for the next round.
+struct Deferral {
+  double longest_squared = 0;
+  unsigned last_key = BucketQueue::last;
+  [[nodiscard]] bool applies_to(const Assessment& a) const {
+    return a.longest_squared <= longest_squared || a.key > last_key;
+  }
+};
+
 /// A triangle that a task could not finish, and the cell that has to.
 struct HandedOn {
   TriangleId id;
@@ -65,10 +75,9 @@ class Task {
   Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, const Options& options)
       : t_(t), lines_(lines), judge_(judge), options_(options), insertion_(t, criteria) {}
 
-  /// Refines in the box of `cell`, starting with `seeds` (whose corners lie in the box). Triangles whose
-  /// longest edge is at most `defer_below` (squared) are left for a finer lattice. Returns false when the caller's
-  /// progress callback said stop or the budget is reached.
-  bool run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, double defer_below);
+  /// Refines in the box of `cell`, starting with `seeds` (whose corners lie in the box). Returns false
+  /// when the caller's progress callback said stop or the budget is reached.
+  bool run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, const Deferral& later);
 
   std::vector<HandedOn> handed_on;   ///< by the last run, in order: to another cell
   std::vector<TriangleId> stuck;     ///< by all runs: the box of their own cell is too small
@@ -92,7 +101,7 @@ class Task {
   const Lattice* lattice_ = nullptr;
   Index cell_ = 0;
   Box box_;
-  double defer_below_ = 0;
+  Deferral later_;
   std::uint64_t steps_ = 0;
 };
 
