@@ -78,18 +78,27 @@ Result<Coarse> read_coarse(const fs::path& file) {
 }
 
 Result<Mended> mend(Domain domain, bool convex_hull) {
-  if (validate(domain.pslg, {.convex_hull = convex_hull}).empty()) return Mended{std::move(domain), false, {}};
-  Result<Repaired> repaired = repair(domain.pslg);
-  if (!repaired) return repaired.error();
-  for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", domain.name, line));
-  domain.pslg = std::move(repaired->pslg);
-  return Mended{std::move(domain), true, std::move(repaired->point_map)};
+  Mended mended{std::move(domain), std::nullopt, {}};
+  Pslg& pslg = mended.domain.pslg;
+  if (validate(pslg, {.convex_hull = convex_hull}).empty()) return mended;
+  Result<Repaired> repaired = repair(pslg);
+  if (!repaired) return as_in_file(repaired.error(), mended.domain, convex_hull);
+  for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", mended.domain.name, line));
+  mended.original = std::exchange(pslg, std::move(repaired->pslg));
+  mended.point_map = std::move(repaired->point_map);
+  return mended;
 }
 
 Error problems_error(const Domain& domain, const std::vector<Problem>& problems) {
   std::string message = fmt::format("{}: {} problem{}", domain.name, problems.size(), problems.size() == 1 ? "" : "s");
   for (const Problem& problem : problems) message += "\n  " + problem.message(domain.base);
   return {ErrorKind::invalid_input, message};
+}
+
+Error as_in_file(const Error& error, const Domain& domain, bool convex_hull) {
+  if (error.kind != ErrorKind::invalid_input) return error;
+  const std::vector<Problem> problems = validate(domain.pslg, {.convex_hull = convex_hull});
+  return problems.empty() ? Error{error.kind, domain.name + ": " + error.message} : problems_error(domain, problems);
 }
 
 }  // namespace pardel::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,16 +35,19 @@ struct Coarse {
 };
 [[nodiscard]] Result<Coarse> read_coarse(const std::filesystem::path& file);
 
-/// A valid Pslg is returned as it is; otherwise what repair() makes of it, after a line on stderr for
+/// A valid Pslg stays as it is; otherwise it becomes what repair() makes of it, after a line on stderr for
 /// everything that was done.
 struct Mended {
   Domain domain;
-  bool changed = false;
-  std::vector<Index> point_map;  ///< old point -> new point; empty where nothing changed
+  std::optional<Pslg> original;  ///< as it was, where it changed
+  std::vector<Index> point_map;  ///< then: original point -> point
 };
 [[nodiscard]] Result<Mended> mend(Domain domain, bool convex_hull);
 
 /// All problems of an invalid Pslg as one message, numbered as in the file.
 [[nodiscard]] Error problems_error(const Domain& domain, const std::vector<Problem>& problems);
+
+/// An error of the mesher, which knows no file and numbers from 0, in the terms of the file.
+[[nodiscard]] Error as_in_file(const Error& error, const Domain& domain, bool convex_hull);
 
 }  // namespace pardel::cli

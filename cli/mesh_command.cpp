@@ -46,19 +46,12 @@ Result<Coarse> read(const Arguments& arguments) {
   if (!arguments.repair) return Coarse{{}, {}, std::move(*domain)};
   Result<Mended> mended = mend(std::move(*domain), arguments.goal.convex_hull);
   if (!mended) return mended.error();
-  if (mended->changed && !arguments.goal.sizes.empty()) {
+  if (mended->original && !arguments.goal.sizes.empty()) {
     return Error{ErrorKind::usage,
                  "--sizes speaks of the points of the input, which --repair changed; write the repaired "
                  "domain with 'pardel doctor' and give sizes for its points"};
   }
   return Coarse{{}, {}, std::move(mended->domain)};
-}
-
-/// The mesher's own message numbers from 0; problems are told as the file numbers them.
-Error as_in_file(const Error& error, const Domain& domain, bool convex_hull) {
-  if (error.kind != ErrorKind::invalid_input) return error;
-  const std::vector<Problem> problems = validate(domain.pslg, {.convex_hull = convex_hull});
-  return problems.empty() ? Error{error.kind, domain.name + ": " + error.message} : problems_error(domain, problems);
 }
 
 Result<Meshed> make_mesh(const Arguments& arguments, const Coarse& input, const Goal& goal, const Options& options) {

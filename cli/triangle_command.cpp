@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,9 +59,9 @@ what it takes is no failure.
 
 /// What the switches ask to be meshed.
 struct Input {
-  Coarse coarse;  ///< the mesh is empty without r
-  Pslg original;  ///< as read, where it had to be mended
-  std::vector<Index> point_map;
+  Coarse coarse;                 ///< the mesh is empty without r
+  std::optional<Pslg> original;  ///< as read, where it had to be mended
+  std::vector<Index> point_map;  ///< then: original point -> point
   bool node_was_read = true;
 };
 
@@ -77,14 +77,7 @@ Result<Input> read_points(const TriangleSwitches& switches) {
   if (!domain) return domain.error();
   input.node_was_read = !switches.poly || !has_own_points(file);
   if (switches.no_holes) domain->pslg.holes.clear();
-  Pslg original = domain->pslg;
-  Result<Mended> mended = mend(std::move(*domain), switches.convex_hull || !switches.poly);
-  if (!mended) return mended.error();
-  if (mended->changed) {
-    input.original = std::move(original);
-    input.point_map = std::move(mended->point_map);
-  }
-  input.coarse.domain = std::move(mended->domain);
+  input.coarse.domain = std::move(*domain);
   return input;
 }
 
@@ -132,12 +125,29 @@ Options options_of(const TriangleSwitches& switches, const Input& input) {
   return options;
 }
 
-Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, const Goal& goal,
-                         const Options& options) {
+Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, const Interrupt& interrupt) {
   const Coarse& coarse = input.coarse;
-  if (switches.refine) return refine(coarse.mesh, coarse.max_areas, goal, options);
-  if (switches.quality) return mesh(coarse.domain.pslg, goal, options);
-  return triangulate(coarse.domain.pslg, goal.convex_hull, options);
+  const Goal goal = goal_of(switches);
+  const ShowProgress show = switches.quiet ? ShowProgress::never : ShowProgress::automatic;
+  return supervise(interrupt, show, options_of(switches, input), [&](const Options& options) -> Result<Meshed> {
+    if (switches.refine) return refine(coarse.mesh, coarse.max_areas, goal, options);
+    if (switches.quality) return mesh(coarse.domain.pslg, goal, options);
+    return triangulate(coarse.domain.pslg, goal.convex_hull, options);
+  });
+}
+
+/// Triangle goes on where points coincide and segments cross; so do we, on a mended domain.
+Result<Meshed> make_mesh_of_mended(const TriangleSwitches& switches, Input& input, const Interrupt& interrupt) {
+  const bool convex_hull = switches.convex_hull || !switches.poly;
+  Result<Meshed> meshed = make_mesh(switches, input, interrupt);
+  if (meshed || meshed.error().kind != ErrorKind::invalid_input) return meshed;
+  if (switches.refine) return Error{meshed.error().kind, input.coarse.domain.name + ": " + meshed.error().message};
+  Result<Mended> mended = mend(std::move(input.coarse.domain), convex_hull);
+  if (!mended) return mended.error();
+  input.coarse.domain = std::move(mended->domain);
+  input.original = std::move(mended->original);
+  input.point_map = std::move(mended->point_map);
+  return make_mesh(switches, input, interrupt);
 }
 
 /// True where nothing but the limits that the switches set stands between the mesh and its goal.
@@ -196,25 +206,20 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   const Interrupt interrupt;
   Result<Input> input = switches.refine ? read_mesh_to_refine(switches) : read_points(switches);
   if (!input) return input.error();
-  const Goal goal = goal_of(switches);
-  const ShowProgress show = switches.quiet ? ShowProgress::never : ShowProgress::automatic;
-  Result<Meshed> meshed = supervise(interrupt, show, options_of(switches, *input),
-                                    [&](const Options& options) { return make_mesh(switches, *input, goal, options); });
+  Result<Meshed> meshed = make_mesh_of_mended(switches, *input, interrupt);
   if (!meshed) return meshed.error();
 
   bool right = true;
   if (switches.check) {
-    Goal judged = goal;
-    if (!switches.quality) judged.min_angle_deg = 0;
     const Certificate certificate =
-        check(input->coarse.domain.pslg, meshed->mesh, judged, {.foreign = switches.refine});
+        check(input->coarse.domain.pslg, meshed->mesh, goal_of(switches), {.foreign = switches.refine});
     right = certificate.valid || (!meshed->report.goal_met() && only_bounds_missed(certificate));
     if (!certificate.valid) warn(violations_text(certificate, most_listed));
     if (certificate.valid) say(switches, "Checked: the mesh is right.");
   }
 
   Mesh& mesh = meshed->mesh;
-  if (!input->point_map.empty()) restore_numbering(mesh, input->original, input->point_map);
+  if (input->original) restore_numbering(mesh, *input->original, input->point_map);
   if (switches.jettison) remove_unused_vertices(mesh);
   set_regions(switches, mesh);
   if (interrupt.requested()) return interrupted();
