@@ -16,6 +16,12 @@ namespace pardel {
 inline constexpr double largest_coordinate = 0x1p200;
 inline constexpr double smallest_coordinate = 0x1p-140;
 
+/// True for the coordinates that the predicates are exact for; false for NaN and infinity.
+[[nodiscard]] inline bool is_usable(double x) {
+  return x == 0 || (std::abs(x) >= smallest_coordinate && std::abs(x) <= largest_coordinate);
+}
+[[nodiscard]] inline bool is_usable(Point p) { return is_usable(p.x) && is_usable(p.y); }
+
 namespace exact {
 [[nodiscard]] double orient2d(Point a, Point b, Point c);
 [[nodiscard]] double incircle(Point a, Point b, Point c, Point d);

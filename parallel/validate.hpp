@@ -26,12 +26,12 @@ enum class ProblemKind : std::uint8_t {
   all_points_collinear,  ///< or fewer than three points
   unclosed_outline,      ///< the exterior reaches everything: no domain would be left
   no_domain,             ///< an outline exists, but holes eat all of it
-  hole_outside,
+  hole_outside,          ///< in no bounded face, or at a coordinate that is unusable
   hole_on_segment,
-  region_outside,
+  region_outside,  ///< not in the domain (a hole's face is not), or at a coordinate that is unusable
   region_on_segment,
   regions_share_face,  ///< two region seeds in one face
-  bad_region_cap,      ///< an area cap that is NaN
+  bad_region_cap,      ///< an area cap that is not positive: zero, negative or NaN
 };
 [[nodiscard]] const char* name(ProblemKind kind);
 
@@ -45,12 +45,15 @@ struct Problem {
 };
 
 struct ValidateOptions {
-  bool convex_hull = false;           ///< the outline is the hull: an unclosed outline is no problem
-  std::size_t max_problems = 10'000;  ///< per kind; crossings can be quadratic in number
+  bool convex_hull = false;  ///< the outline is the hull: an unclosed outline is no problem
+  /// Per kind; crossings can be quadratic in number. The search for conflicts of segments (crossing, overlapping,
+  /// point on segment) ends when it has found so many of one of these.
+  std::size_t max_problems = 10'000;
 };
 
-/// Every problem, in order of kind, then ids. Empty: the Pslg can be meshed. O((n + problems) log n) on
-/// typical input. Exact: no tolerance anywhere.
+/// Every problem, in order of kind, then ids. Empty: the Pslg can be meshed. Questions about faces (unclosed
+/// outline, no domain, holes, regions) are asked only where segments meet as they should and coordinates are
+/// usable. O((n + problems) log n) on typical input. Exact: no tolerance anywhere.
 [[nodiscard]] std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options = {});
 
 struct Repaired {

@@ -1,0 +1,82 @@
+#include "duplicates.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+
+namespace pardel {
+namespace {
+
+/// Finalizer of MurmurHash3: every bit of the input reaches every bit of the output.
+std::uint64_t mixed(std::uint64_t h) {
+  h = (h ^ h >> 33U) * 0xff51afd7ed558ccdULL;
+  h = (h ^ h >> 33U) * 0xc4ceb9fe1a85ec53ULL;
+  return h ^ h >> 33U;
+}
+
+std::uint64_t hash_of(Point p) {
+  // Adding zero turns -0 into 0.
+  return mixed(mixed(std::bit_cast<std::uint64_t>(p.x + 0.0)) + std::bit_cast<std::uint64_t>(p.y + 0.0));
+}
+
+/// The low half of a point's hash beside its index.
+struct Entry {
+  std::uint32_t hash;
+  Index index;
+};
+
+/// A hash table over the entries of one part; reused from part to part.
+class Table {
+ public:
+  /// The earlier entry with an equal point, or null after having taken the entry in.
+  const Entry* find_or_insert(const Entry& entry, std::span<const Point> points) {
+    for (std::size_t slot = entry.hash & mask_;; slot = (slot + 1) & mask_) {
+      if (slots_[slot] == nullptr) {
+        slots_[slot] = &entry;
+        return nullptr;
+      }
+      if (slots_[slot]->hash == entry.hash && points[slots_[slot]->index] == points[entry.index]) return slots_[slot];
+    }
+  }
+  void clear_for(std::size_t entries) {
+    const std::size_t size = std::bit_ceil(2 * entries + 1);
+    slots_.assign(size, nullptr);
+    mask_ = size - 1;
+  }
+
+ private:
+  std::vector<const Entry*> slots_;
+  std::size_t mask_ = 0;
+};
+
+}  // namespace
+
+std::vector<Duplicate> find_duplicates(std::span<const Point> points) {
+  // Parts of about a thousand points: their tables stay in the first-level cache.
+  const std::size_t parts = std::bit_ceil(std::clamp<std::size_t>(points.size() / 1024, 1, 4096));
+  const auto part_of = [&](std::uint64_t hash) { return (hash >> 32U) & (parts - 1); };
+
+  std::vector<std::size_t> end(parts + 1);
+  for (const Point& p : points) ++end[part_of(hash_of(p)) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Entry> entries(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint64_t hash = hash_of(points[i]);
+    entries[end[part_of(hash)]++] = {static_cast<std::uint32_t>(hash), static_cast<Index>(i)};
+  }
+
+  std::vector<Duplicate> duplicates;
+  Table table;
+  std::size_t begin = 0;
+  for (std::size_t part = 0; part < parts; begin = end[part++]) {
+    table.clear_for(end[part] - begin);
+    for (std::size_t i = begin; i < end[part]; ++i)
+      if (const Entry* first = table.find_or_insert(entries[i], points))
+        duplicates.push_back({first->index, entries[i].index});
+  }
+  std::ranges::sort(duplicates, {}, &Duplicate::again);
+  return duplicates;
+}
+
+}  // namespace pardel
