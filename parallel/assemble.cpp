@@ -95,7 +95,7 @@ void mark_vertices(Mesh& mesh, const PointData& data) {
   mesh.point_markers.resize(mesh.points.size(), 0);
   for (const ConstrainedEdge& e : mesh.constrained_edges)
     for (const Index v : {e.a, e.b})
-      if (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1))
+      if (e.marker != 0 && (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1)))
         mesh.point_markers[v] = e.marker;
   for (std::size_t v = 0; v < data.markers.size(); ++v)
     if (data.markers[v] != 0) mesh.point_markers[v] = data.markers[v];

@@ -99,11 +99,11 @@ constexpr Defect group[] = {
     {"a vertex lies on an edge of the triangles around it", degenerate_triangle,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
-         const Index v = edit::apex(mesh, s);
+         const Index v = edit::apex(mesh, s), a = edit::tail(mesh, s), b = edit::head(mesh, s);
          if (!is_interior(mesh, v)) return false;
-         mesh.points[v] = mesh.points[edit::head(mesh, s)];
-         mesh.points[v] = edit::between(mesh.points[edit::tail(mesh, s)], mesh.points[v]);
-         return true;
+         // Only where rounding leaves the midpoint on the edge.
+         return move(mesh, v, edit::between(mesh.points[a], mesh.points[b]),
+                     [&] { return edit::orientation(mesh, a, b, v) == 0; });
        });
      }},
     {"a vertex lies on another", degenerate_triangle,

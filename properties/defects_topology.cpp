@@ -18,6 +18,17 @@ bool touches_constraint(const Mesh& mesh, Index t) {
   });
 }
 
+/// No edge joins a corner of t to one of u, and they share none.
+bool far_apart(const Mesh& mesh, Index t, Index u) {
+  return std::ranges::none_of(mesh.triangles[t].v, [&](Index v) {
+    const auto around = edit::star(mesh, v);
+    return std::ranges::any_of(around, [&](Index w) {
+      return std::ranges::any_of(mesh.triangles[w].v,
+                                 [&](Index c) { return std::ranges::count(mesh.triangles[u].v, c) != 0; });
+    });
+  });
+}
+
 bool disjoint(const Triangle& t, const Triangle& u) {
   return std::ranges::none_of(t.v, [&](Index v) { return std::ranges::count(u.v, v) != 0; });
 }
@@ -154,7 +165,7 @@ constexpr Defect group[] = {
          return drop_triangles(mesh, [&](Index u) { return std::ranges::binary_search(face, u); });
        });
      }},
-    {"no triangle is left", uncovered_domain,
+    {"no triangle is left", missing_input_vertex,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        mesh.triangles.clear();
        mesh.region.clear();
@@ -341,7 +352,7 @@ constexpr Defect group[] = {
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const Index u = another(seed, mesh.triangles.size());
-         if (!disjoint(mesh.triangles[t], mesh.triangles[u])) return false;
+         if (!far_apart(mesh, t, u)) return false;
          if (touches_constraint(mesh, t) || touches_constraint(mesh, u)) return false;
          add_handle(mesh, t, u);
          return true;

@@ -45,6 +45,14 @@ Pslg two_regions_of_three() {
   return pslg;
 }
 
+/// Two points closer to a wall between them than the wall is long: Delaunay on either side, not across.
+Pslg points_beside_a_wall() {
+  Pslg pslg = domains::square();
+  pslg.points.insert(pslg.points.end(), {{0.125, 0.5}, {0.875, 0.5}, {0.5, 0.5625}, {0.5, 0.4375}});
+  pslg.segments.push_back({4, 5, 0});
+  return pslg;
+}
+
 Subject meshed(std::string name, Pslg pslg, Goal goal) {
   auto result = mesh(pslg, goal);
   EXPECT_TRUE(result.ok()) << name << ": " << (result ? "" : result.error().message);
@@ -72,6 +80,7 @@ const std::vector<Subject>& subjects() {
       triangulated("triangulated_cracks", domains::cracks()),
       triangulated("triangulated_wedge", domains::wedge(50, 1.8)),
       triangulated("triangulated_grid", domains::grid(3)),
+      triangulated("triangulated_points_beside_a_wall", points_beside_a_wall()),
   };
   return all;
 }
@@ -110,7 +119,7 @@ TEST_P(UnharmedMesh, is_accepted) {
                                  << (certificate.violations.empty() ? "" : certificate.violations[0].message());
 }
 
-INSTANTIATE_TEST_SUITE_P(Defects, UnharmedMesh, testing::Range<std::size_t>(0, 10),
+INSTANTIATE_TEST_SUITE_P(Defects, UnharmedMesh, testing::Range<std::size_t>(0, subjects().size()),
                          [](const auto& instance) { return subjects().at(instance.param).name; });
 
 class SeededDefect : public testing::TestWithParam<std::size_t> {};
