@@ -16,6 +16,10 @@ target_include_directories(pardel_settings SYSTEM INTERFACE $<BUILD_INTERFACE:${
 
 add_library(pardel_warnings INTERFACE)
 target_compile_options(pardel_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+# g++ 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(pardel_warnings INTERFACE -Wno-restrict)
+endif()
 if(PARDEL_WERROR)
   target_compile_options(pardel_warnings INTERFACE -Werror)
 endif()
