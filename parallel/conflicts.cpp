@@ -37,8 +37,8 @@ Point crossing_point(Point a, Point b, Point c, Point d) {
   const Expansion<2> wx(two_difference(a.x, c.x)), wy(two_difference(a.y, c.y));
   const auto above = dx * wy - dy * wx;
   const auto below = dy * ux - dx * uy;
-  return {(below * a.x + above * ux).estimate() / below.estimate(),
-          (below * a.y + above * uy).estimate() / below.estimate()};
+  return {snapped((below * a.x + above * ux).estimate() / below.estimate()),
+          snapped((below * a.y + above * uy).estimate() / below.estimate())};
 }
 
 class Search {

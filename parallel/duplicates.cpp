@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <unordered_map>
 
 namespace pardel {
 namespace {
@@ -76,6 +78,36 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points) {
         duplicates.push_back({first->index, entries[i].index});
   }
   std::ranges::sort(duplicates, {}, &Duplicate::again);
+  return duplicates;
+}
+
+std::vector<Duplicate> find_close(std::span<const Point> points, double distance) {
+  // Cells at least so wide that a coordinate over the width is an integer of fewer than 53 bits.
+  double width = distance;
+  for (const Point& p : points) width = std::max(width, 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y)));
+  const auto cell_of = [&](Point p) { return Point{std::floor(p.x / width), std::floor(p.y / width)}; };
+
+  struct Hash {
+    std::size_t operator()(Point cell) const { return hash_of(cell); }
+  };
+  std::unordered_map<Point, std::vector<Index>, Hash> kept;
+  std::vector<Duplicate> duplicates;
+  for (Index i = 0; i < points.size(); ++i) {
+    const Point p = points[i], cell = cell_of(p);
+    Index first = no_index;
+    for (const double dx : {-1.0, 0.0, 1.0}) {
+      for (const double dy : {-1.0, 0.0, 1.0}) {
+        const auto near = kept.find({cell.x + dx, cell.y + dy});
+        if (near == kept.end()) continue;
+        for (const Index j : near->second)
+          if (points[j] == p || std::hypot(points[j].x - p.x, points[j].y - p.y) < distance) first = std::min(first, j);
+      }
+    }
+    if (first == no_index)
+      kept[cell].push_back(i);
+    else
+      duplicates.push_back({first, i});
+  }
   return duplicates;
 }
 

@@ -1,4 +1,4 @@
-// Points that are equal.
+// Points that are equal, or so close that they are to be.
 #pragma once
 
 #include <span>
@@ -18,5 +18,10 @@ struct Duplicate {
 /// Every point that equals an earlier one, in ascending order of `again`. -0 equals 0; NaN equals nothing.
 /// Expected time O(n): a partition by hash, then a table per part that stays in cache.
 [[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points);
+
+/// The same for points closer than `distance` (> 0, finite): in ascending order, every point becomes a duplicate of
+/// the lowest earlier point that is no duplicate and closer than that, or equal. So those that stay are at least
+/// `distance` apart. Preconditions: coordinates are in the predicates' range. Expected time O(n).
+[[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance);
 
 }  // namespace pardel

@@ -1,0 +1,260 @@
+// Rounds of: merge points, drop what became nothing or the same twice, split where segments meet. A crossing is
+// rounded to a point, so pieces lie a rounding beside the segment that they are of and may meet others anew; hence
+// the rounds.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "conflicts.hpp"
+#include "duplicates.hpp"
+#include "segment_index.hpp"
+#include "validate.hpp"
+
+namespace pardel {
+namespace {
+
+constexpr int most_rounds = 100;
+
+/// What is being repaired, where it came from, and what was done to it so far.
+struct Work {
+  Pslg pslg;
+  std::vector<Index> point_map;  ///< old point -> point
+  std::vector<Index> source;     ///< segment -> old segment
+  std::size_t merged = 0, without_length = 0, repeated = 0, crossings = 0, splits = 0;
+};
+
+/// Takes the duplicates out of the points and names the first of each by its new number.
+void merge(Work& work, std::span<const Duplicate> duplicates) {
+  if (duplicates.empty()) return;
+  work.merged += duplicates.size();
+  Pslg& pslg = work.pslg;
+  const std::size_t width = pslg.attributes_per_point;
+  std::vector<Index> renamed(pslg.points.size(), no_index);
+  for (const Duplicate& d : duplicates) renamed[d.again] = d.first;
+  Index kept = 0;
+  for (Index i = 0; i < renamed.size(); ++i) {
+    if (renamed[i] != no_index) {
+      renamed[i] = renamed[renamed[i]];
+      continue;
+    }
+    renamed[i] = kept;
+    pslg.points[kept] = pslg.points[i];
+    for (std::size_t k = 0; k < width; ++k)
+      pslg.point_attributes[kept * width + k] = pslg.point_attributes[i * width + k];
+    if (!pslg.point_markers.empty()) pslg.point_markers[kept] = pslg.point_markers[i];
+    ++kept;
+  }
+  pslg.points.resize(kept);
+  pslg.point_attributes.resize(kept * width);
+  if (!pslg.point_markers.empty()) pslg.point_markers.resize(kept);
+  for (Index& point : work.point_map) point = renamed[point];
+  for (Segment& s : pslg.segments) s = {renamed[s.a], renamed[s.b], s.marker};
+}
+
+/// Drops segments without length, and those with the ends of an earlier one. The one that stays takes the first
+/// marker that is not zero.
+void drop_surplus_segments(Work& work) {
+  std::vector<Segment>& segments = work.pslg.segments;
+  const auto ends = [&](Index s) { return std::minmax(segments[s].a, segments[s].b); };
+  std::vector<Index> order(segments.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, [&](Index s, Index t) { return std::pair(ends(s), s) < std::pair(ends(t), t); });
+  std::vector<bool> stays(segments.size());
+  for (std::size_t k = 0, first = 0; k < order.size(); ++k) {
+    Segment& segment = segments[order[k]];
+    if (segment.a == segment.b) {
+      ++work.without_length;
+    } else if (k == 0 || ends(order[k]) != ends(order[first])) {
+      stays[order[k]] = true;
+      first = k;
+    } else {
+      ++work.repeated;
+      int& marker = segments[order[first]].marker;
+      if (marker == 0) marker = segment.marker;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (!stays[s]) continue;
+    segments[kept] = segments[s];
+    work.source[kept++] = work.source[s];
+  }
+  segments.resize(kept);
+  work.source.resize(kept);
+}
+
+/// A new point on a segment: its attributes lie between those of the ends, its marker is the segment's.
+Index add_point(Pslg& pslg, Point p, const Segment& on) {
+  const Point a = pslg.points[on.a], b = pslg.points[on.b];
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const double share = std::min(1.0, std::hypot(p.x - a.x, p.y - a.y) / length);
+  const std::size_t width = pslg.attributes_per_point;
+  for (std::size_t k = 0; k < width; ++k) {
+    const double at_a = pslg.point_attributes[on.a * width + k], at_b = pslg.point_attributes[on.b * width + k];
+    pslg.point_attributes.push_back((1 - share) * at_a + share * at_b);
+  }
+  if (!pslg.point_markers.empty()) pslg.point_markers.push_back(on.marker);
+  pslg.points.push_back(p);
+  return static_cast<Index>(pslg.points.size() - 1);
+}
+
+/// Splits every segment at the given points, which are put in order along it. Pieces take the segment's place.
+void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
+  const std::vector<Point>& points = work.pslg.points;
+  std::ranges::sort(segment_and_point);
+  std::vector<Segment> pieces;
+  std::vector<Index> source;
+  auto next = segment_and_point.begin();
+  for (Index s = 0; s < work.pslg.segments.size(); ++s) {
+    const Segment segment = work.pslg.segments[s];
+    const Point a = points[segment.a], b = points[segment.b];
+    const auto first = next;
+    while (next != segment_and_point.end() && next->first == s) ++next;
+    // By the longer extent, which rounding cannot turn around.
+    const bool along_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+    const bool ascending = along_x ? a.x < b.x : a.y < b.y;
+    std::stable_sort(first, next, [&](const auto& p, const auto& q) {
+      const double at_p = along_x ? points[p.second].x : points[p.second].y;
+      const double at_q = along_x ? points[q.second].x : points[q.second].y;
+      return ascending ? at_p < at_q : at_q < at_p;
+    });
+    Index from = segment.a;
+    for (auto at = first; at != next; ++at) {
+      pieces.push_back({from, at->second, segment.marker});
+      from = at->second;
+    }
+    pieces.push_back({from, segment.b, segment.marker});
+    source.resize(pieces.size(), work.source[s]);
+  }
+  work.pslg.segments = std::move(pieces);
+  work.source = std::move(source);
+}
+
+/// One round. True when no two segments meet but at their ends, and no point lies inside one.
+bool resolve(Work& work, double snap) {
+  Pslg& pslg = work.pslg;
+  merge(work, find_duplicates(pslg.points));
+  if (snap > 0) merge(work, find_close(pslg.points, snap));
+  drop_surplus_segments(work);
+
+  std::vector<bool> is_end(pslg.points.size());
+  for (const Segment& s : pslg.segments) is_end[s.a] = is_end[s.b] = true;
+  std::vector<Index> loose;
+  for (Index i = 0; i < is_end.size(); ++i)
+    if (!is_end[i]) loose.push_back(i);
+  const SegmentIndex index(pslg.points, pslg.segments);
+  const std::vector<Conflict> conflicts = find_conflicts(pslg.points, pslg.segments, loose, index);
+
+  // Where segments overlap, an end of one is inside the other.
+  std::vector<std::pair<Index, Index>> splits;
+  for (const Conflict& c : conflicts) {
+    if (c.kind == ConflictKind::overlapping) continue;
+    if (c.kind == ConflictKind::point_on_segment) {
+      splits.emplace_back(c.second, c.first);
+      continue;
+    }
+    ++work.crossings;
+    const Index point = add_point(pslg, place_of(c, pslg.points, pslg.segments), pslg.segments[c.first]);
+    splits.emplace_back(c.first, point);
+    splits.emplace_back(c.second, point);
+  }
+  work.splits += splits.size();
+  split(work, std::move(splits));
+  return conflicts.empty();
+}
+
+template <class T>
+void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
+  std::vector<bool> goes(values.size());
+  for (const Index i : ids) goes[i] = true;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!goes[i]) values[kept++] = values[i];
+  values.resize(kept);
+}
+
+std::string lines(std::span<const Problem> problems) {
+  std::string text;
+  for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + p.message();
+  return text;
+}
+
+bool is_beyond_repair(const Problem& problem) {
+  switch (problem.kind) {
+    case ProblemKind::non_finite_coordinate:
+    case ProblemKind::coordinate_out_of_range:
+    case ProblemKind::wrong_count:
+    case ProblemKind::index_out_of_range:
+    case ProblemKind::bad_region_cap:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Drops holes and regions that are in no face, or in one that has a region already. What is left over cannot be
+/// mended.
+std::vector<Problem> drop_misplaced_seeds(Pslg& pslg, std::vector<std::string>& log) {
+  std::vector<Problem> problems = validate(pslg);
+  std::vector<Index> holes, regions;
+  std::vector<Problem> rest;
+  for (Problem& p : problems) {
+    switch (p.kind) {
+      case ProblemKind::hole_outside:
+      case ProblemKind::hole_on_segment:
+        holes.push_back(p.ids[0]);
+        break;
+      case ProblemKind::region_outside:
+      case ProblemKind::region_on_segment:
+        regions.push_back(p.ids[0]);
+        break;
+      case ProblemKind::regions_share_face:
+        regions.push_back(p.ids[1]);
+        break;
+      default:
+        rest.push_back(std::move(p));
+        continue;
+    }
+    log.push_back("Dropped: " + p.message());
+  }
+  erase_at(pslg.holes, holes);
+  erase_at(pslg.regions, regions);
+  if (rest.empty() && !(holes.empty() && regions.empty())) return drop_misplaced_seeds(pslg, log);
+  return rest;
+}
+
+}  // namespace
+
+Result<Repaired> repair(const Pslg& pslg, double snap) {
+  if (!(snap >= 0) || std::isinf(snap)) return Error{ErrorKind::usage, "The snapping distance must not be negative."};
+  std::vector<Problem> beyond = validate(pslg, {.max_problems = 20});
+  std::erase_if(beyond, [](const Problem& p) { return !is_beyond_repair(p); });
+  if (!beyond.empty()) return Error{ErrorKind::invalid_input, lines(beyond)};
+
+  Work work{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
+  std::iota(work.point_map.begin(), work.point_map.end(), Index{0});
+  std::iota(work.source.begin(), work.source.end(), Index{0});
+  for (int round = 0; !resolve(work, snap); ++round)
+    if (round == most_rounds)
+      return Error{ErrorKind::invalid_input,
+                   "Rounded crossings keep crossing other segments; a larger snapping "
+                   "distance may help."};
+
+  std::vector<std::string> log;
+  const auto note = [&](std::size_t count, const char* what) {
+    if (count > 0) log.push_back(std::to_string(count) + " " + what);
+  };
+  note(work.merged, "points merged into others at the same place or closer than the snapping distance.");
+  note(work.without_length, "segments without length dropped.");
+  note(work.repeated, "segments or pieces dropped that had the ends of others.");
+  note(work.crossings, "crossings made points.");
+  note(work.splits, "splits of segments, at crossings and at points inside them.");
+  const std::vector<Problem> rest = drop_misplaced_seeds(work.pslg, log);
+  if (!rest.empty()) return Error{ErrorKind::invalid_input, lines(rest)};
+  return Repaired{std::move(work.pslg), std::move(work.point_map), std::move(work.source), std::move(log)};
+}
+
+}  // namespace pardel
