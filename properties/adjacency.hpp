@@ -15,6 +15,11 @@ namespace pardel {
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 
+/// Which corner of the triangle this vertex is; the vertex must be one.
+inline int corner_at(const Triangle& triangle, Index vertex) {
+  return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
+}
+
 /// Edge `edge` of a triangle, which lies on the left of the edge from v[next(edge)] to v[previous(edge)].
 struct EdgeRef {
   Index triangle = no_index;
@@ -77,7 +82,7 @@ class Adjacency {
     Index t = first;
     for (Index steps = 0; steps < corners_[vertex]; ++steps) {
       const Triangle& triangle = triangles_[t];
-      const int corner = triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
+      const int corner = corner_at(triangle, vertex);
       visit(t, corner);
       t = triangle.n[next(corner)];
       if (t == no_index || t == first) return;

@@ -41,6 +41,27 @@ void check_sides(const Subject& subject, const Domain& domain, const Chains& cha
   }
 }
 
+/// Each face of the domain has a triangle at one of its segments at least.
+void check_faces(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+  std::vector<char> has_triangle(domain.faces().count(), 0);
+  for (const ChainEdge& edge : chains.edges) {
+    if (edge.left.exists()) has_triangle[domain.faces().face(edge.segment, Side::left)] = 1;
+    if (edge.right.exists()) has_triangle[domain.faces().face(edge.segment, Side::right)] = 1;
+  }
+  for (std::size_t s = 0; s < domain.segments().size(); ++s) {
+    const Segment& segment = domain.segments()[s];
+    for (const Side side : {Side::left, Side::right}) {
+      const Index face = domain.faces().face(static_cast<Index>(s), side);
+      if (!domain.inside(face) || has_triangle[face] != 0) continue;
+      has_triangle[face] = 1;  // said once is enough
+      found.add(ViolationKind::uncovered_domain, {static_cast<Index>(s)},
+                {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
+                "the face of the domain on the " + std::string(side == Side::left ? "left" : "right") + " of segment " +
+                    to_text(s) + " has no triangle at any of its segments");
+    }
+  }
+}
+
 /// Where two boundary edges have more in common than an end: an overlap, with the proof. `vertex`: the
 /// vertices of the mesh that `points` are.
 void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> vertex,
@@ -191,7 +212,7 @@ void check_holes(const Subject& subject, const Domain& domain, Findings& found) 
 void check_area(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   const Mesh& mesh = subject.mesh;
   std::vector<ExactSum> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel
+#pragma omp parallel if (mesh.triangles.size() >= worth_threads)
   {
     ExactSum& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
@@ -226,6 +247,7 @@ void check_area(const Subject& subject, const Domain& domain, const Chains& chai
 void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                     Findings& found) {
   check_sides(subject, domain, chains, found);
+  check_faces(subject, domain, chains, found);
   check_boundary(subject, domain, adjacency, chains, found);
   check_holes(subject, domain, found);
   if (chains.broken.empty()) check_area(subject, domain, chains, found);

@@ -119,6 +119,34 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
               "triangles " + to_text(s) + " and " + to_text(t) + " have the same corners");
 }
 
+/// visit(triangle) once for each fan: the triangles at a vertex that are connected by edges at it. Every fan
+/// is found, also where a vertex has more of them than it should.
+template <class Visit>
+void count_fans(std::span<const Triangle> triangles, const Visit& visit) {
+  Array<std::uint8_t> visited(triangles.size(), 0);  // bit k: corner k
+  // Marks corners around the vertex on one side until the fan ends (false) or is complete (true).
+  const auto closes = [&](Index t, int corner, bool counter_clockwise) {
+    const Index vertex = triangles[t].v[corner];
+    for (;;) {
+      visited[t] = static_cast<std::uint8_t>(visited[t] | 1 << corner);
+      t = triangles[t].n[counter_clockwise ? next(corner) : previous(corner)];
+      if (t == no_index) return false;
+      corner = corner_at(triangles[t], vertex);
+      if ((visited[t] >> corner & 1) != 0) return true;
+    }
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto t = static_cast<Index>(i);
+    for (int corner = 0; corner < 3; ++corner) {
+      if ((visited[t] >> corner & 1) != 0) continue;
+      visit(t);
+      if (closes(t, corner, true)) continue;
+      const Index before = triangles[t].n[previous(corner)];
+      if (before != no_index) closes(before, corner_at(triangles[before], triangles[t].v[corner]), false);
+    }
+  }
+}
+
 /// A connected oriented surface with L boundary loops is a disk with holes if and only if V - E + F = 2 - L,
 /// where a vertex counts once for each of its fans (a pinched surface is cut apart at the pinch).
 void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& found) {
@@ -152,14 +180,7 @@ void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& f
     characteristic.push_back(faces - (sides + open_sides) / 2);
   }
 
-  for (std::size_t v = 0; v < subject.mesh.points.size(); ++v) {
-    Index last = no_index;
-    adjacency.visit_fans(static_cast<Index>(v), [&](Index t, int corner) {
-      // A fan begins with its boundary edge; a closed one has none and counts at its first triangle.
-      if (last == no_index || triangles[t].n[previous(corner)] == no_index) ++characteristic[component[t]];
-      last = t;
-    });
-  }
+  count_fans(triangles, [&](Index t) { ++characteristic[component[t]]; });
 
   std::vector<std::int64_t> loops(representative.size(), 0);
   const auto boundary = adjacency.boundary();
@@ -186,7 +207,7 @@ void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& f
         if (triangle.n[edge.edge] == no_index) break;
         edge.triangle = triangle.n[edge.edge];
         const Triangle& other = triangles[edge.triangle];
-        edge.edge = next(other.v[0] == pivot ? 0 : other.v[1] == pivot ? 1 : 2);  // arrives at the pivot
+        edge.edge = next(corner_at(other, pivot));  // arrives at the pivot
       }
       at = position(edge);
     }
@@ -228,8 +249,7 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Finding
   report_non_manifold(mesh, non_manifold, found);
   Adjacency adjacency(std::move(rebuilt), mesh);
   if (found.count(ViolationKind::non_manifold_vertex) == 0) check_vertices(subject, adjacency, found);
-  if (non_manifold.empty() && found.count(ViolationKind::non_manifold_vertex) == 0)
-    check_euler(subject, adjacency, found);
+  check_euler(subject, adjacency, found);
   return adjacency;
 }
 

@@ -48,12 +48,15 @@ class Findings {
   std::vector<Violation> kept_;
 };
 
+/// Loops shorter than this are not worth waking other threads for.
+inline constexpr std::size_t worth_threads = 1 << 13;
+
 /// judge(i, findings) for all i < n on all threads. Each thread takes one run of consecutive indices and
 /// the runs are joined in order, so that the findings do not depend on the number of threads.
 template <class Judge>
 void judge_all(std::size_t n, Findings& found, const Judge& judge) {
   std::vector<Findings> parts(static_cast<std::size_t>(omp_get_max_threads()), Findings(found.limit()));
-#pragma omp parallel
+#pragma omp parallel if (n >= worth_threads)
   {
     Findings& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)

@@ -68,7 +68,7 @@ Extreme found(const Extreme& extreme) { return extreme.triangle == no_index ? Ex
 
 void measure(const Mesh& mesh, Certificate& certificate) {
   std::vector<Measures> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel
+#pragma omp parallel if (mesh.triangles.size() >= worth_threads)
   {
     Measures& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
