@@ -59,22 +59,37 @@ Result<Coarse> read_coarse(const fs::path& file) {
   Result<Mesh> mesh = read_mesh(file);
   if (!mesh) return mesh.error();
   Coarse coarse;
-  const fs::path area = fs::path(file).replace_extension(".area");
-  std::error_code ignored;
-  if (fs::exists(area, ignored)) {
-    Result<std::vector<double>> caps = read_area(area);
-    if (!caps) return caps.error();
-    if (caps->size() != mesh->triangles.size()) {
-      return Error{ErrorKind::invalid_input, fmt::format("{}: {} area caps for {} triangles", area.string(),
-                                                         caps->size(), mesh->triangles.size())};
-    }
-    coarse.max_areas = std::move(*caps);
-  }
   Result<Pslg> pslg = domain_beside(file, *mesh);
   if (!pslg) return pslg.error();
   coarse.mesh = std::move(*mesh);
   coarse.domain = {std::move(*pslg), file.string(), number_base(fs::path(file).replace_extension(".node"))};
+  adopt_segments(coarse);
+  const fs::path area = fs::path(file).replace_extension(".area");
+  std::error_code ignored;
+  if (fs::exists(area, ignored)) {
+    if (Status read = read_caps(coarse, area); !read) return read.error();
+  }
   return coarse;
+}
+
+Status read_caps(Coarse& coarse, const fs::path& area) {
+  Result<std::vector<double>> caps = read_area(area);
+  if (!caps) return caps.error();
+  if (caps->size() != coarse.mesh.triangles.size()) {
+    return Error{ErrorKind::invalid_input, fmt::format("{}: {} area caps for {} triangles", area.string(), caps->size(),
+                                                       coarse.mesh.triangles.size())};
+  }
+  coarse.max_areas = std::move(*caps);
+  return Done{};
+}
+
+void adopt_segments(Coarse& coarse) {
+  const std::vector<Segment>& segments = coarse.domain.pslg.segments;
+  coarse.mesh.constrained_edges.clear();
+  coarse.mesh.constrained_edges.reserve(segments.size());
+  for (Index s = 0; s < segments.size(); ++s) {
+    coarse.mesh.constrained_edges.push_back({segments[s].a, segments[s].b, s, segments[s].marker});
+  }
 }
 
 Result<Mended> mend(Domain domain, bool convex_hull) {
@@ -90,7 +105,10 @@ Result<Mended> mend(Domain domain, bool convex_hull) {
 }
 
 Error problems_error(const Domain& domain, const std::vector<Problem>& problems) {
-  std::string message = fmt::format("{}: {} problem{}", domain.name, problems.size(), problems.size() == 1 ? "" : "s");
+  if (problems.size() == 1) {
+    return {ErrorKind::invalid_input, fmt::format("{}: {}", domain.name, problems.front().message(domain.base))};
+  }
+  std::string message = fmt::format("{}: {} problems", domain.name, problems.size());
   for (const Problem& problem : problems) message += "\n  " + problem.message(domain.base);
   return {ErrorKind::invalid_input, message};
 }

@@ -35,6 +35,13 @@ struct Coarse {
 };
 [[nodiscard]] Result<Coarse> read_coarse(const std::filesystem::path& file);
 
+/// One cap per triangle of coarse.mesh, from a .area file.
+[[nodiscard]] Status read_caps(Coarse& coarse, const std::filesystem::path& area);
+
+/// Makes the segments of the domain the constrained edges of the mesh, so that what is refined from it knows
+/// which segment a vertex was put on.
+void adopt_segments(Coarse& coarse);
+
 /// A valid Pslg stays as it is; otherwise it becomes what repair() makes of it, after a line on stderr for
 /// everything that was done.
 struct Mended {

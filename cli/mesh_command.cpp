@@ -62,7 +62,7 @@ Result<Meshed> make_mesh(const Arguments& arguments, const Coarse& input, const 
 }
 
 Certificate check_mesh(const Arguments& arguments, const Coarse& input, const Meshed& meshed, const Goal& goal) {
-  // A refined mesh numbers segments as the coarse one did; for its domain it is a stranger.
+  // A refined mesh numbers regions as the coarse one did; for the domain it is a stranger.
   return check(input.domain.pslg, meshed.mesh, goal, {.foreign = arguments.refine});
 }
 

@@ -88,20 +88,14 @@ Result<Input> read_mesh_to_refine(const TriangleSwitches& switches) {
   if (!mesh) return mesh.error();
   // Without p the mesh's outline is all that is constrained, whatever lies beside it.
   if (!switches.poly) mesh->constrained_edges.clear();
-  if (switches.area_caps) {
-    const std::string area = switches.name + ".area";
-    Result<std::vector<double>> caps = read_area(area);
-    if (!caps) return caps.error();
-    if (caps->size() != mesh->triangles.size()) {
-      return Error{ErrorKind::invalid_input,
-                   fmt::format("{}: {} area caps for {} triangles", area, caps->size(), mesh->triangles.size())};
-    }
-    input.coarse.max_areas = std::move(*caps);
-  }
   Result<Pslg> pslg = switches.poly ? read_pslg(switches.name + ".poly") : domain_of(*mesh);
   if (!pslg) return pslg.error();
   input.coarse.mesh = std::move(*mesh);
   input.coarse.domain = {std::move(*pslg), switches.name + ".ele", number_base(switches.name + ".node")};
+  adopt_segments(input.coarse);
+  if (switches.area_caps) {
+    if (Status read = read_caps(input.coarse, switches.name + ".area"); !read) return read.error();
+  }
   return input;
 }
 

@@ -90,11 +90,11 @@ TEST_F(BadInput, a_number_beyond_double_is_refused_with_its_line) {
 }
 
 TEST_F(BadInput, a_coordinate_of_1e300_is_refused_with_its_point) {
-  is_refused(with_point("1e300"), {"bad.poly", "point 2", "1e+300"});
+  is_refused(with_point("1e300"), {"bad.poly", "Point 2", "1e+300"});
 }
 
 TEST_F(BadInput, a_coordinate_of_1e_minus_300_is_refused_with_its_point) {
-  is_refused(with_point("1e-300"), {"bad.poly", "point 2", "1e-300"});
+  is_refused(with_point("1e-300"), {"bad.poly", "Point 2", "1e-300"});
 }
 
 TEST_F(BadInput, a_segment_end_out_of_range_is_refused_with_its_line) {
@@ -118,18 +118,18 @@ TEST_F(BadInput, overlapping_collinear_segments_are_refused) {
 }
 
 TEST_F(BadInput, a_point_on_a_segment_is_refused_with_its_number) {
-  is_refused(with_more("5 0.5 0\n6 0.5 0.5\n", "", 4), {"bad.poly", "point 5", "0.5, 0"});
+  is_refused(with_more("5 0.5 0\n6 0.5 0.5\n", "", 4), {"bad.poly", "Point 5", "0.5, 0"});
 }
 
 TEST_F(BadInput, points_that_are_all_collinear_are_refused) {
-  is_refused("4 2 0 0\n1 0 0\n2 1 1\n3 2 2\n4 3 3\n0 0\n0\n", {"bad.poly", "collinear"});
+  is_refused("4 2 0 0\n1 0 0\n2 1 1\n3 2 2\n4 3 3\n0 0\n0\n", {"bad.poly", "on one line"});
 }
 
 TEST_F(BadInput, two_points_are_refused) { is_refused("2 2 0 0\n1 0 0\n2 1 1\n0 0\n0\n", {"bad.poly"}); }
 
 TEST_F(BadInput, a_hole_outside_is_refused_with_its_place) {
   is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n1\n1 7 8\n",
-             {"bad.poly", "hole 1", "7, 8"});
+             {"bad.poly", "Hole 1", "7, 8"});
 }
 
 TEST_F(BadInput, an_outline_that_is_not_closed_is_refused) {
@@ -137,7 +137,7 @@ TEST_F(BadInput, an_outline_that_is_not_closed_is_refused) {
 }
 
 TEST_F(BadInput, every_problem_is_told_not_only_the_first) {
-  is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "5 1 3\n6 2 4\n", 6), {"bad.poly", "cross", "duplicate"});
+  is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "5 1 3\n6 2 4\n", 6), {"4 problems", "Points 5 and 6", "cross", "interior of segment 5", "interior of segment 6"});
 }
 
 TEST_F(BadInput, an_angle_of_60_is_a_usage_error) {
