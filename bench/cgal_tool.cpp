@@ -13,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../core/neighbours.hpp"
 #include "run_in_child.hpp"
 #include "stopwatch.hpp"
 #include "tool.hpp"
@@ -82,6 +83,7 @@ Mesh plain(const Cgal& triangulation, const Takes& takes) {
   }
   for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
     if (takes(f)) mesh.triangles.push_back({{index[f->vertex(0)], index[f->vertex(1)], index[f->vertex(2)]}, {}});
+  rebuild_neighbours(mesh.triangles, mesh.points.size());
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -80,7 +81,8 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
   if (task.delaunay_only)
     fmt::print(", Delaunay triangulation alone");
   else
-    fmt::print(", angles from {}°, areas to {:.4g}", task.goal.min_angle_deg, task.goal.max_area);
+    fmt::print(", angles from {}°", task.goal.min_angle_deg);
+  if (std::isfinite(task.goal.max_area)) fmt::print(", areas to {:.4g}", task.goal.max_area);
   fmt::print("; medians of {} interleaved runs, one thread\n\n", settings.runs);
   fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", "tool", "mesh s", "× pardel", "triangles",
              "M tri/s", "B/tri", "the checker's verdict");
@@ -107,8 +109,7 @@ bool write_json(const std::vector<Row>& rows, const Settings& settings) {
   report["seed"] = settings.task.seed;
   report["delaunay_only"] = settings.task.delaunay_only;
   report["min_angle_deg"] = settings.task.goal.min_angle_deg;
-  if (settings.task.goal.max_area < std::numeric_limits<double>::infinity())
-    report["max_area"] = settings.task.goal.max_area;
+  if (std::isfinite(settings.task.goal.max_area)) report["max_area"] = settings.task.goal.max_area;
   report["runs"] = settings.runs;
   for (const Row& row : rows) {
     report["tools"][row.tool] = {{"seconds", row.all_seconds},
