@@ -86,8 +86,9 @@ class Array {
     size_ += values.size();
   }
   void resize(std::size_t n, const T& value = T{}) {
+    const T copy = value;  // as in push_back
     if (n > capacity_) reserve(n);
-    for (std::size_t i = size_; i < n; ++i) data_[i] = value;
+    for (std::size_t i = size_; i < n; ++i) data_[i] = copy;
     size_ = n;
   }
   void pop_back() { --size_; }

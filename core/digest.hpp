@@ -14,11 +14,17 @@ struct Digest {
   friend bool operator==(const Digest&, const Digest&) = default;
 };
 
-/// The sum modulo 2^128 of one 128-bit hash per triangle and one per constrained edge. A triangle's hash
-/// is taken over the bits of its corners' coordinates (as exact doubles, -0 read as 0) in counter-clockwise
-/// order starting at the lexicographically least corner, and over the bits of its region's attribute;
-/// a constrained edge's over its two ends, least first, and its marker. Linear time, parallel; the sum
-/// commutes, so threads do not change it.
+/// The sum modulo 2^128 of one 128-bit hash per triangle and one per constrained edge, each over a sequence of
+/// 64-bit words. Coordinates and attributes go in as the bits of the double, -0 as 0.
+///   triangle: x, y of its corners in their order (counter-clockwise in a valid mesh), starting at the
+///             lexicographically least; then its region's attribute, 0 if it has none. kind = 3.
+///   edge:     x, y of its ends, the lexicographically least first; then its marker as int64. kind = 2.
+/// The hash of words w starts at h = mix(kind), l = mix(not kind), continues for each w with
+///   h = mix(h xor w * 0x9e3779b97f4a7c15),  l = mix(l + w * 0xd1342543de82ef95 + 0x2545f4914f6cdd1d),
+/// and ends as (high, low) = (mix(h + l), mix(l xor h * 0x9e3779b97f4a7c15)); mix is the finalizer of
+/// splitmix64. Not cryptographic: it finds differences, it does not withstand an adversary.
+/// Linear time, parallel; the sum commutes, so threads do not change it.
+/// Precondition: indices are in range (what read_mesh and the mesher return is).
 [[nodiscard]] Digest digest(const Mesh& mesh);
 
 /// 32 lower-case hexadecimal digits.

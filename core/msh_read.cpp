@@ -113,7 +113,7 @@ class MshReader {
   Result<Mesh> read() {
     in_.expect_line("$MeshFormat");
     if (const std::string_view word = in_.word(); word != "$MeshFormat") {
-      in_.fail("expected $MeshFormat, found " + quoted(word));
+      in_.fail("expected $MeshFormat, found " + in_quotes(word));
     }
     read_format();
     while (in_.next_line()) read_section(in_.word());
@@ -153,17 +153,17 @@ class MshReader {
     if (section == "$Entities" && version_ > 4) return read_entities();
     if (section == "$Nodes") return version_ > 4 ? read_nodes() : read_nodes_2();
     if (section == "$Elements") return version_ > 4 ? read_elements() : read_elements_2();
-    if (!section.starts_with('$')) return in_.fail("expected a section, found " + quoted(section));
+    if (!section.starts_with('$')) return in_.fail("expected a section, found " + in_quotes(section));
     const std::string end = "$End" + std::string(section.substr(1));
     const std::size_t at = in_.rest().find("\n" + end);
-    if (at == std::string_view::npos) return in_.fail("the section " + quoted(section) + " does not end");
+    if (at == std::string_view::npos) return in_.fail("the section " + in_quotes(section) + " does not end");
     in_.skip(at + 1 + end.size());
   }
 
   void expect_end(std::string_view name) {
     in_.expect_line(name);
     if (const std::string_view word = in_.word(); word != name) {
-      in_.fail("expected " + std::string(name) + ", found " + quoted(word));
+      in_.fail("expected " + std::string(name) + ", found " + in_quotes(word));
     }
   }
 
@@ -243,7 +243,7 @@ class MshReader {
       tags.clear();
       for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
         source_.row("a node's tag");
-        tags.push_back(source_.size("a node's tag"));
+        tags.push_back(node_tag());
       }
       for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
         source_.row("a node's coordinates");
@@ -254,11 +254,16 @@ class MshReader {
     finish_nodes(n);
   }
 
+  std::size_t node_tag() {
+    const std::size_t tag = source_.size("a node's tag");
+    if (tag == 0) in_.fail("expected a node's tag greater than 0");
+    return tag;
+  }
+
   void read_node(std::size_t tag) {
     const double x = source_.number("an x coordinate");
     const double y = source_.number("a y coordinate");
     source_.number("a z coordinate");
-    if (tag == 0) in_.fail("expected a node's tag greater than 0");
     nodes_.add(tag, {x, y});
   }
 
@@ -345,7 +350,7 @@ class MshReader {
     in_.expect_line("the number of nodes");
     const std::size_t n = in_.count("the number of nodes");
     if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
-    for (std::size_t i = 0; i < n && in_.expect_record("node", i, n); ++i) read_node(in_.count("a node's tag"));
+    for (std::size_t i = 0; i < n && in_.expect_record("node", i, n); ++i) read_node(node_tag());
     finish_nodes(n);
   }
 

@@ -12,7 +12,7 @@ Result<Mesh> parse_off(std::string_view text, const std::string& name) {
   TextReader in(text, name);
   Mesh mesh;
   in.expect_line("\"OFF\"");
-  if (const std::string_view word = in.word(); word != "OFF") in.fail("expected \"OFF\", found " + quoted(word));
+  if (const std::string_view word = in.word(); word != "OFF") in.fail("expected \"OFF\", found " + in_quotes(word));
   if (!in.has_field()) in.expect_line("the number of vertices");
   const std::size_t points = in.count("the number of vertices");
   const std::size_t triangles = in.count("the number of faces");

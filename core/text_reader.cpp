@@ -46,7 +46,7 @@ Result<std::string> read_file(const std::filesystem::path& file) {
   return bytes;
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;
   constexpr char digits[] = "0123456789abcdef";
   std::string text = "\"";
@@ -211,7 +211,7 @@ void TextReader::fail(const std::string& message) {
 void TextReader::fail_expected(std::string_view what) {
   skip_blanks();
   const std::string_view token = peek();
-  const std::string found = !token.empty() ? quoted(token)
+  const std::string found = !token.empty() ? in_quotes(token)
                             : at_ == end_  ? "the end of the file"
                                            : "the end of the line";
   fail("expected " + std::string(what) + ", found " + found);

@@ -15,7 +15,7 @@ namespace pardel {
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file);
 
 /// `token` between quotes, shortened to 40 bytes, with what does not print as \xNN: safe in a message.
-[[nodiscard]] std::string quoted(std::string_view token);
+[[nodiscard]] std::string in_quotes(std::string_view token);
 
 /// Walks over a text whose records are lines of fields between blanks (spaces, tabs, the CR of CR LF). Blank
 /// lines are passed over, and where `#` starts a comment, so is what follows it. What a line holds beyond the

@@ -77,7 +77,7 @@ SegmentSection read_segments(TextReader& in, std::size_t points, int base);
 /// The number of a point, as an index.
 inline Index read_point_index(TextReader& in, std::string_view what, std::size_t points, int base) {
   if (points == 0) {
-    in.fail("expected no " + std::string(what) + ", as there are no points");
+    in.fail("expected no point, as there are none, found one as " + std::string(what));
     return 0;
   }
   return static_cast<Index>(in.integer(what, base, static_cast<std::int64_t>(points) - 1 + base) - base);

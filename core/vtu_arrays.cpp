@@ -150,11 +150,11 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
     const Tag tag = tag_at(text, at);
     if (tag.name == "VTKFile") {
       if (tag["type"] != "UnstructuredGrid") {
-        return file.error_at(at, "expected type=\"UnstructuredGrid\", found " + quoted(tag["type"]));
+        return file.error_at(at, "expected type=\"UnstructuredGrid\", found " + in_quotes(tag["type"]));
       }
       if (!tag["byte_order"].empty() && tag["byte_order"] != native) {
-        return file.error_at(at,
-                             "expected byte_order=\"" + std::string(native) + "\", found " + quoted(tag["byte_order"]));
+        return file.error_at(
+            at, "expected byte_order=\"" + std::string(native) + "\", found " + in_quotes(tag["byte_order"]));
       }
       if (!tag["compressor"].empty()) {
         return file.error_at(
@@ -167,8 +167,9 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
       found_piece = true;
       const std::int64_t points = whole(tag["NumberOfPoints"], -1);
       const std::int64_t cells = whole(tag["NumberOfCells"], -1);
-      if (points < 0) return file.error_at(at, "expected the number of points, found " + quoted(tag["NumberOfPoints"]));
-      if (cells < 0) return file.error_at(at, "expected the number of cells, found " + quoted(tag["NumberOfCells"]));
+      if (points < 0)
+        return file.error_at(at, "expected the number of points, found " + in_quotes(tag["NumberOfPoints"]));
+      if (cells < 0) return file.error_at(at, "expected the number of cells, found " + in_quotes(tag["NumberOfCells"]));
       file.points_ = static_cast<std::size_t>(points);
       file.cells_ = static_cast<std::size_t>(cells);
     } else if (tag.name == "DataArray") {
@@ -176,8 +177,8 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
       const std::int64_t components = whole(tag["NumberOfComponents"], 1);
       const std::int64_t offset = whole(tag["offset"], 0);
       if (components < 1)
-        return file.error_at(at, "expected a number of components, found " + quoted(tag["NumberOfComponents"]));
-      if (offset < 0) return file.error_at(at, "expected an offset, found " + quoted(tag["offset"]));
+        return file.error_at(at, "expected a number of components, found " + in_quotes(tag["NumberOfComponents"]));
+      if (offset < 0) return file.error_at(at, "expected an offset, found " + in_quotes(tag["offset"]));
       array.components = static_cast<std::size_t>(components);
       array.offset = static_cast<std::size_t>(offset);
       if (!tag.closed) {
@@ -215,7 +216,7 @@ const VtuArray* VtuFile::find(std::string_view section, std::string_view name) c
 Result<std::string_view> VtuFile::bytes_of(const VtuArray& array, std::string& decoded) const {
   const bool appended = array.format == "appended";
   if (!appended && array.format != "binary") {
-    return error_at(array.begin, "expected format ascii, binary or appended, found " + quoted(array.format));
+    return error_at(array.begin, "expected format ascii, binary or appended, found " + in_quotes(array.format));
   }
   if (appended && (appended_ == 0 || array.offset > text_.size() - appended_)) {
     return error_at(array.begin, "there are no appended data at offset " + std::to_string(array.offset));
@@ -255,13 +256,13 @@ Result<Array<Value>> VtuFile::values(const VtuArray& array) const {
   if (!convert(*bytes, array.type, values)) {
     return error_at(array.begin,
                     std::string(std::is_same_v<Value, double> ? "expected numbers" : "expected whole numbers") +
-                        ", found type " + quoted(array.type));
+                        ", found type " + in_quotes(array.type));
   }
   if constexpr (std::is_same_v<Value, double>) {
     const auto bad = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
     if (bad != values.end()) {
       return error_at(array.begin, "value " + std::to_string(bad - values.begin()) + " of the array " +
-                                       quoted(array.name) + " is not finite");
+                                       in_quotes(array.name) + " is not finite");
     }
   }
   return values;

@@ -30,7 +30,7 @@ class VtuMesh {
 
  private:
   void fail(const VtuArray& array, const std::string& message) {
-    if (!error_) error_ = file_.error_at(array.begin, "array " + quoted(array.name) + ": " + message);
+    if (!error_) error_ = file_.error_at(array.begin, "array " + in_quotes(array.name) + ": " + message);
   }
 
   const VtuArray* required(std::string_view section, std::string_view name) {

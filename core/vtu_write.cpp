@@ -97,6 +97,7 @@ Section point_data(const Mesh& mesh, const Array<int>& markers) {
 Section field_data(const Mesh& mesh) {
   const auto& edges = mesh.constrained_edges;
   Section section{"FieldData", {}};
+  if (edges.empty()) return section;
   section.second.push_back(array_of<std::int64_t>("constrained_edges", 2, edges.size(), [&](Bytes& to, std::size_t i) {
     to.raw(std::int64_t{edges[i].a}).raw(std::int64_t{edges[i].b});
   }));

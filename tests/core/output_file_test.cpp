@@ -1,0 +1,118 @@
+#include "../../core/output_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../../core/formats.hpp"
+#include "../../core/records.hpp"
+#include "folder.hpp"
+#include "sample_mesh.hpp"
+
+namespace pardel {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(OutputFile, appears_under_its_name_only_when_complete) {
+  const Folder folder;
+  folder.write("a b.txt", "old");
+  OutputFile out(folder / "a b.txt");
+  out.write("new");
+  EXPECT_EQ(folder.names(), "a b.txt a b.txt.partial ");
+  EXPECT_EQ(folder.read("a b.txt"), "old");
+  ASSERT_TRUE(out.commit().ok());
+  EXPECT_EQ(folder.names(), "a b.txt ");
+  EXPECT_EQ(folder.read("a b.txt"), "new");
+}
+
+TEST(OutputFile, leaves_nothing_behind_when_it_is_given_up) {
+  const Folder folder;
+  { OutputFile(folder / "a.txt").write("half"); }
+  EXPECT_EQ(folder.names(), "");
+}
+
+TEST(OutputFile, replaces_what_a_symbolic_link_points_to) {
+  const Folder folder;
+  folder.write("file", "old");
+  fs::create_symlink("file", folder / "link");
+  OutputFile out(folder / "link");
+  out.write("new");
+  ASSERT_TRUE(out.commit().ok());
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(folder.read("file"), "new");
+}
+
+TEST(OutputFile, that_cannot_be_opened_is_an_io_error_with_its_name) {
+  OutputFile out("/nowhere/a.txt");
+  EXPECT_FALSE(out.ok());
+  out.write("x");
+  const Status status = out.commit();
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().kind, ErrorKind::io);
+  EXPECT_EQ(status.error().message, "/nowhere/a.txt: cannot be opened for writing: No such file or directory");
+}
+
+TEST(OutputFile, reports_a_full_disk_even_if_only_closing_finds_it) {
+  for (const std::size_t bytes : {std::size_t{1}, std::size_t{1} << 20}) {
+    OutputFile out("/dev/full");
+    out.write(std::string(bytes, 'x'));
+    const Status status = out.commit();
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().kind, ErrorKind::io);
+    EXPECT_EQ(status.error().message, "/dev/full: cannot be written: No space left on device");
+  }
+  EXPECT_TRUE(fs::exists("/dev/full"));
+  EXPECT_FALSE(fs::exists("/dev/full.partial"));
+}
+
+TEST(OutputFile, writes_to_devices_directly) {
+  OutputFile out("/dev/null");
+  out.write("x");
+  EXPECT_TRUE(out.commit().ok());
+  EXPECT_FALSE(fs::is_regular_file("/dev/null"));
+}
+
+TEST(Writers, report_a_full_disk) {
+  const Mesh mesh = sample_mesh();
+  const fs::path full = "/dev/full";
+  for (const Status& status :
+       {write_vtu(mesh, full), write_off(mesh, full), write_svg(mesh, full), write_svg(Pslg{}, full),
+        write_msh(mesh, full, MshEncoding::ascii), write_msh(mesh, full, MshEncoding::binary), write_poly({}, full)}) {
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().kind, ErrorKind::io);
+  }
+}
+
+TEST(Writers, of_several_files_leave_none_if_one_fails) {
+  const Folder folder;
+  fs::create_symlink("/dev/full", folder / "m.ele");
+  const Status status = write_mesh(sample_mesh(), {}, folder / "m.node");
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(message_of(status, folder), "m.ele: cannot be written: No space left on device");
+  EXPECT_EQ(folder.names(), "m.ele ");
+}
+
+TEST(Writers, that_cannot_open_a_file_leave_none) {
+  const Folder folder;
+  fs::create_directory(folder / "m.poly");
+  EXPECT_EQ(message_of(write_mesh(sample_mesh(), {}, folder / "m.node"), folder),
+            "m.poly: cannot be opened for writing: Is a directory");
+  EXPECT_EQ(folder.names(), "m.poly ");
+}
+
+TEST(Records, are_in_order_however_many_threads_format_them) {
+  const Folder folder;
+  constexpr std::size_t n = 200'000;
+  std::string expected;
+  for (std::size_t i = 0; i < n; ++i) expected += std::to_string(i) + "\n";
+  OutputFile out(folder / "a");
+  write_records(out, n, [](Bytes& to, std::size_t i) { to << i << '\n'; });
+  ASSERT_TRUE(out.commit().ok());
+  EXPECT_EQ(folder.read("a"), expected);
+}
+
+TEST(Records, have_the_shortest_numbers_that_read_back) {
+  EXPECT_EQ((Bytes() << 0.1 << ' ' << 1.0 / 3 << ' ' << 1e21 << ' ' << -0.0).view(), "0.1 0.3333333333333333 1e+21 -0");
+}
+
+}  // namespace
+}  // namespace pardel
