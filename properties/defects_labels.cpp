@@ -37,12 +37,17 @@ bool free_of_others(const Pslg& pslg, Index a, Index b) {
   });
 }
 
+/// Does an edge of the mesh cross ab, with both ends clear of the line by more than rounding explains?
 bool some_edge_crosses(const Mesh& mesh, Index a, Index b) {
+  const auto is_clear = [&](Index v) {
+    return exactly::line_distance_exceeds(mesh.points[v], mesh.points[a], mesh.points[b],
+                                          0x1p-20 * edit::length(mesh, a, b));
+  };
   return at_some_side(mesh, 0, [&](Side s) {
     const Index p = edit::tail(mesh, s), q = edit::head(mesh, s);
     return edit::across(mesh, s) != no_index &&
            edit::orientation(mesh, a, b, p) * edit::orientation(mesh, a, b, q) < 0 &&
-           edit::orientation(mesh, p, q, a) * edit::orientation(mesh, p, q, b) < 0;
+           edit::orientation(mesh, p, q, a) * edit::orientation(mesh, p, q, b) < 0 && is_clear(p) && is_clear(q);
   });
 }
 
@@ -250,8 +255,10 @@ constexpr Defect group[] = {
      }},
     {"the input has a hole that the mesh does not know", covered_exterior,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
+       const auto face = edit::faces(mesh);
+       if (std::ranges::count(face, 0) == std::ssize(face)) return false;  // nothing would be left
        return at_some_triangle(mesh, seed, [&](Index t) {
-         if (edit::region_of(mesh, t) != no_index || edit::face(mesh, t).size() == mesh.triangles.size()) return false;
+         if (edit::region_of(mesh, t) != no_index) return false;
          pslg.holes.push_back(edit::centroid(mesh, t));
          return true;
        });

@@ -72,21 +72,24 @@ std::set<std::pair<Index, Index>> constrained(const Mesh& mesh) {
   return edges;
 }
 
-std::vector<Index> face(const Mesh& mesh, Index t) {
+std::vector<Index> faces(const Mesh& mesh) {
   const auto walls = constrained(mesh);
-  std::set<Index> reached;
-  std::vector<Index> frontier = {t};
-  while (!frontier.empty()) {
-    const Index at = frontier.back();
-    frontier.pop_back();
-    if (!reached.insert(at).second) continue;
-    for (int i = 0; i < 3; ++i) {
-      const Side s{at, i};
-      if (across(mesh, s) != no_index && !walls.contains(ends(tail(mesh, s), head(mesh, s))))
-        frontier.push_back(across(mesh, s));
+  std::vector<Index> face(mesh.triangles.size(), no_index);
+  for (Index start = 0; start < face.size(); ++start) {
+    std::vector<Index> frontier = {start};
+    while (!frontier.empty()) {
+      const Index t = frontier.back();
+      frontier.pop_back();
+      if (face[t] != no_index) continue;
+      face[t] = start;
+      for (int i = 0; i < 3; ++i) {
+        const Side s{t, i};
+        if (across(mesh, s) != no_index && !walls.contains(ends(tail(mesh, s), head(mesh, s))))
+          frontier.push_back(across(mesh, s));
+      }
     }
   }
-  return {reached.begin(), reached.end()};
+  return face;
 }
 
 void relink(Mesh& mesh) { rebuild_neighbours(mesh.triangles, mesh.points.size()); }

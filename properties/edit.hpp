@@ -38,8 +38,8 @@ struct Side {
 /// The constrained edges, lower end first.
 [[nodiscard]] std::set<std::pair<Index, Index>> constrained(const Mesh& mesh);
 [[nodiscard]] std::pair<Index, Index> ends(Index a, Index b);
-/// The triangles that are reached from t without crossing a constrained edge.
-[[nodiscard]] std::vector<Index> face(const Mesh& mesh, Index t);
+/// For each triangle the number of its face: what can be reached without crossing a constrained edge.
+[[nodiscard]] std::vector<Index> faces(const Mesh& mesh);
 
 void relink(Mesh& mesh);
 /// The triangles keep their order otherwise.
