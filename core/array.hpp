@@ -1,6 +1,6 @@
 // Array<T>: a growable array of trivially copyable values whose growth neither copies nor doubles the
-// peak memory. Large blocks are grown by realloc, which moves pages instead of bytes, and pages that are
-// reserved but not written cost nothing.
+// peak memory: large blocks are grown by moving pages instead of bytes, and pages that are reserved but not
+// written cost nothing.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,12 @@
 #include <utility>
 
 namespace pardel {
+namespace detail {
+/// realloc for blocks of any size: nullptr where there is no memory (the old block then stays). Large blocks are
+/// mappings of their own, grown without copying, on huge pages where the system has them.
+[[nodiscard]] void* grow_block(void* block, std::size_t old_bytes, std::size_t new_bytes);
+void free_block(void* block, std::size_t bytes);
+}  // namespace detail
 
 template <class T>
 class Array {
@@ -30,7 +36,7 @@ class Array {
     swap(other);
     return *this;
   }
-  ~Array() { std::free(data_); }
+  ~Array() { detail::free_block(data_, capacity_ * sizeof(T)); }
 
   /// Takes over the storage of an array of another type of the same size, bytes unchanged.
   template <class U>
@@ -69,7 +75,7 @@ class Array {
   void reserve(std::size_t n) {
     if (n <= capacity_) return;
     if (n > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
-    void* grown = std::realloc(static_cast<void*>(data_), n * sizeof(T));
+    void* grown = detail::grow_block(data_, capacity_ * sizeof(T), n * sizeof(T));
     if (grown == nullptr) throw std::bad_alloc();
     data_ = static_cast<T*>(grown);
     capacity_ = n;
@@ -100,7 +106,7 @@ class Array {
       Array().swap(*this);
       return;
     }
-    if (void* shrunk = std::realloc(static_cast<void*>(data_), size_ * sizeof(T))) {
+    if (void* shrunk = detail::grow_block(data_, capacity_ * sizeof(T), size_ * sizeof(T))) {
       data_ = static_cast<T*>(shrunk);
       capacity_ = size_;
     }

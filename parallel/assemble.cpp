@@ -81,13 +81,10 @@ void constrain_edges(const Mesh& mesh, Assembled& domain, std::vector<Constraint
     }
 }
 
-void renumber(const std::vector<Index>& input_of_vertex, Array<Point>& points, Array<Slot>& slots) {
-  const std::size_t inputs = input_of_vertex.size();
-  std::vector<Point> moved(points.begin(), points.begin() + inputs);
-  for (std::size_t v = 0; v < inputs; ++v) points[input_of_vertex[v]] = moved[v];
-  for (Slot& slot : slots)
-    for (VertexId& v : slot.v)
-      if (v < inputs) v = input_of_vertex[v];
+/// Puts the input's points back into the input's order.
+void restore_order(const std::vector<Index>& input_of_vertex, Array<Point>& points) {
+  const std::vector<Point> moved(points.begin(), points.begin() + input_of_vertex.size());
+  for (std::size_t v = 0; v < moved.size(); ++v) points[input_of_vertex[v]] = moved[v];
 }
 
 /// Vertex marker: its own, else that of a line it lies on, else 1 on the boundary, else 0.
@@ -200,23 +197,29 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
                  std::vector<std::array<Index, 3>> background) {
   Triangulation& t = domain.triangulation;
   Mesh mesh;
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
-    for (unsigned side = 0; side < 3; ++side) {
-      const Slot& slot = t.slots[id];
-      const EdgeRef across = slot.n[side];
-      if (!across.constrained() || (!across.none() && across.triangle() < id)) continue;
-      const Index line = domain.lines.line_of(t, slot.from(side), slot.to(side));
-      const int marker = domain.marker_of_line[line];
-      mesh.constrained_edges.push_back({slot.from(side), slot.to(side), domain.segment_of_line[line],
-                                        marker != 0     ? marker
-                                        : across.none() ? 1
-                                                        : 0});
-    }
-  renumber(domain.input_of_vertex, t.points, t.slots);
   const std::size_t inputs = domain.input_of_vertex.size();
-  for (ConstrainedEdge& e : mesh.constrained_edges)
-    for (Index* v : {&e.a, &e.b})
-      if (*v < inputs) *v = domain.input_of_vertex[*v];
+  const auto number = [&](VertexId v) { return v < inputs ? domain.input_of_vertex[v] : v; };
+  const auto triangle_of = [&](EdgeRef out) { return out.none() ? no_index : out.triangle(); };
+  Array<Triangle> triangles = Array<Triangle>::recast(std::move(t.slots));
+  for (Triangle& triangle : triangles) {
+    const auto slot = std::bit_cast<Slot>(triangle);
+    const auto id = static_cast<TriangleId>(&triangle - triangles.begin());
+    for (unsigned side = 0; side < 3; ++side) {
+      const EdgeRef across = slot.n[side];
+      if (across.constrained() && (across.none() || across.triangle() > id)) {
+        const Index line = domain.lines.line_of(t, slot.from(side), slot.to(side));
+        const int marker = domain.marker_of_line[line];
+        mesh.constrained_edges.push_back({number(slot.from(side)), number(slot.to(side)), domain.segment_of_line[line],
+                                          marker != 0     ? marker
+                                          : across.none() ? 1
+                                                          : 0});
+      }
+      triangle.v[side] = number(slot.v[side]);
+      triangle.n[side] = triangle_of(across);
+    }
+  }
+  mesh.triangles = std::move(triangles);
+  restore_order(domain.input_of_vertex, t.points);
   for (std::size_t v = inputs; v < t.origin.size(); ++v)
     if (t.origin[v] < domain.lines.size()) {
       const Index segment = domain.segment_of_line[t.origin[v]];
@@ -227,12 +230,6 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   mesh.origin = std::move(t.origin);
   mesh.region = std::move(t.region);
   mesh.region_attributes = std::move(region_attributes);
-  mesh.triangles = Array<Triangle>::recast(std::move(t.slots));
-  for (Triangle& triangle : mesh.triangles)
-    for (Index& n : triangle.n) {
-      const auto out = std::bit_cast<EdgeRef>(n);
-      n = out.none() ? no_index : out.triangle();
-    }
   mark_vertices(mesh, data);
   interpolate_attributes(mesh, data, std::move(background));
   return mesh;

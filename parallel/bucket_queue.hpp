@@ -11,6 +11,14 @@
 
 namespace pardel {
 
+/// A triangle as it was when it was queued. Slots are reused at once, so the slot may hold another one by the
+/// time its turn comes; the first corner then differs, since every insertion makes one triangle per slot with
+/// the new vertex first.
+struct Queued {
+  TriangleId id;
+  VertexId first_corner;
+};
+
 class BucketQueue {
  public:
   BucketQueue() { head_.fill(no_index); }
@@ -26,7 +34,7 @@ class BucketQueue {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
-  void push(TriangleId id, unsigned key) {
+  void push(Queued triangle, unsigned key) {
     Index node = free_;
     if (node == no_index) {
       node = static_cast<Index>(nodes_.size());
@@ -34,7 +42,7 @@ class BucketQueue {
     } else {
       free_ = nodes_[node].next;
     }
-    nodes_[node] = {id, head_[key]};
+    nodes_[node] = {triangle, head_[key]};
     head_[key] = node;
     words_[key / 64] |= std::uint64_t{1} << (key % 64);
     summary_[key / 4096] |= std::uint64_t{1} << (key / 64 % 64);
@@ -42,7 +50,7 @@ class BucketQueue {
   }
 
   /// Precondition: not empty.
-  TriangleId pop() {
+  Queued pop() {
     unsigned s = 0;
     while (summary_[s] == 0) ++s;
     const unsigned word = s * 64 + static_cast<unsigned>(std::countr_zero(summary_[s]));
@@ -56,12 +64,12 @@ class BucketQueue {
     nodes_[node].next = free_;
     free_ = node;
     --size_;
-    return nodes_[node].id;
+    return nodes_[node].triangle;
   }
 
  private:
   struct Node {
-    TriangleId id;
+    Queued triangle;
     Index next;
   };
   static constexpr unsigned buckets = last + 1;

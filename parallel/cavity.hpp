@@ -1,4 +1,5 @@
-// Insertion in two steps: find_cavity decides and changes nothing, retriangulate changes and decides nothing.
+// Insertion in two steps: finding the cavity decides and changes nothing, retriangulating it changes and
+// decides nothing.
 //
 // The cavity of a point p is the set of triangles that p's insertion destroys: those whose open circumdisk
 // contains p, reached from a first one without crossing a constrained edge (Bowyer 1981, Watson 1981; the
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "triangulation.hpp"
@@ -30,120 +32,139 @@ enum class Walk : std::uint8_t { complete, foreign, tangled };
 
 class Cavity {
  public:
-  std::vector<TriangleId> triangles;
-  std::vector<BoundaryEdge> boundary;
-  /// Set where a constrained edge is split: the boundary starts at its end, and boundary[left_count] (or
-  /// `end`, when the edge has no right side) is its start.
-  std::size_t left_count = 0;
-  bool splits_edge = false;
-  bool open = false;
-  VertexId end = no_index;
+  Cavity() { enlarge(64); }
 
-  void clear() {
-    triangles.clear();
-    boundary.clear();
-    left_count = 0;
-    splits_edge = open = false;
-  }
+  [[nodiscard]] std::span<const TriangleId> triangles() const { return {triangles_.data(), triangle_count_}; }
+  [[nodiscard]] std::span<const BoundaryEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
+  /// The end of boundary edge i.
   [[nodiscard]] VertexId to(std::size_t i) const {
-    return i + 1 < boundary.size() ? boundary[i + 1].from : open ? end : boundary[0].from;
+    return i + 1 < boundary_count_ ? boundary_[i + 1].from : open_ ? end_ : boundary_[0].from;
   }
+  /// True where a constrained edge is split. The boundary then starts at the edge's end; its start comes
+  /// after left_count() edges.
+  [[nodiscard]] bool splits_edge() const { return splits_edge_; }
+  [[nodiscard]] std::size_t left_count() const { return left_count_; }
+  /// The edge that is split has nothing on its right, so the boundary is a chain and not a cycle.
+  [[nodiscard]] bool open() const { return open_; }
 
   /// The cavity of a point whose disk test is reach(TriangleId, apex corner) -> Reach, from `first`, which
   /// is in it. A foreign triangle ends the walk.
   template <class ReachOf>
   [[nodiscard]] Walk find(const Triangulation& t, TriangleId first, const ReachOf& reach) {
     clear();
-    triangles.push_back(first);
-    stack_.assign({EdgeRef(first, 2), EdgeRef(first, 1), EdgeRef(first, 0)});
-    return grow(t, reach);
+    add(first);
+    stack_[0] = EdgeRef(first, 2);
+    stack_[1] = EdgeRef(first, 1);
+    stack_[2] = EdgeRef(first, 0);
+    return grow(t, 3, reach);
   }
 
   /// The cavity of a point on the constrained edge e.
   template <class ReachOf>
   [[nodiscard]] Walk find_on_edge(const Triangulation& t, EdgeRef e, const ReachOf& reach) {
     clear();
-    splits_edge = true;
-    end = t.slot(e).from(e.side());
+    splits_edge_ = true;
+    end_ = t.slot(e).from(e.side());
     const EdgeRef other = t.slot(e).n[e.side()];
-    open = other.none();
+    open_ = other.none();
     Walk walk = grow_from_side(t, e, reach);
-    left_count = boundary.size();
-    if (open || walk != Walk::complete) return walk;
+    left_count_ = boundary_count_;
+    if (open_ || walk != Walk::complete) return walk;
     walk = grow_from_side(t, other, reach);
     return walk == Walk::complete && !is_tree() ? Walk::tangled : walk;
   }
 
  private:
-  template <class ReachOf>
-  Walk grow_from_side(const Triangulation& t, EdgeRef e, const ReachOf& reach) {
-    triangles.push_back(e.triangle());
-    stack_.assign({EdgeRef(e.triangle(), previous_corner[e.side()]), EdgeRef(e.triangle(), next_corner[e.side()])});
-    return grow(t, reach);
+  void clear() {
+    triangle_count_ = boundary_count_ = left_count_ = 0;
+    splits_edge_ = open_ = false;
+  }
+  void add(TriangleId id) {
+    // The boundary and the stack never hold more than two entries above the number of triangles.
+    if (triangle_count_ + 4 > triangles_.size()) enlarge(2 * triangles_.size());
+    triangles_[triangle_count_++] = id;
+  }
+  void enlarge(std::size_t n) {
+    triangles_.resize(n);
+    boundary_.resize(n);
+    stack_.resize(n);
   }
 
   template <class ReachOf>
-  Walk grow(const Triangulation& t, const ReachOf& reach) {
-    while (!stack_.empty()) {
-      const EdgeRef inner = stack_.back();
-      stack_.pop_back();
+  Walk grow_from_side(const Triangulation& t, EdgeRef e, const ReachOf& reach) {
+    add(e.triangle());
+    stack_[0] = EdgeRef(e.triangle(), previous_corner[e.side()]);
+    stack_[1] = EdgeRef(e.triangle(), next_corner[e.side()]);
+    return grow(t, 2, reach);
+  }
+
+  template <class ReachOf>
+  Walk grow(const Triangulation& t, std::size_t top, const ReachOf& reach) {
+    while (top > 0) {
+      const EdgeRef inner = stack_[--top];
       const Slot& slot = t.slots[inner.triangle()];
       const EdgeRef outer = slot.n[inner.side()];
-      if (!outer.constrained()) {
-        const Reach r = reach(outer.triangle(), outer.side());
-        if (r == Reach::foreign) return Walk::foreign;
-        if (r == Reach::inside) {
-          triangles.push_back(outer.triangle());
-          stack_.push_back(EdgeRef(outer.triangle(), previous_corner[outer.side()]));
-          stack_.push_back(EdgeRef(outer.triangle(), next_corner[outer.side()]));
-          if (triangles.size() >= 64 && std::has_single_bit(triangles.size()) && !is_tree()) return Walk::tangled;
-          continue;
-        }
+      const Reach r = outer.constrained() ? Reach::outside : reach(outer.triangle(), outer.side());
+      if (r == Reach::outside) {
+        boundary_[boundary_count_++] = {slot.from(inner.side()), inner, outer};
+      } else if (r == Reach::inside) {
+        add(outer.triangle());
+        stack_[top++] = EdgeRef(outer.triangle(), previous_corner[outer.side()]);
+        stack_[top++] = EdgeRef(outer.triangle(), next_corner[outer.side()]);
+        if (triangle_count_ >= 64 && std::has_single_bit(triangle_count_) && !is_tree()) return Walk::tangled;
+      } else {
+        return Walk::foreign;
       }
-      boundary.push_back({slot.from(inner.side()), inner, outer});
     }
     return Walk::complete;
   }
 
   /// A walk that meets itself would go on for ever; it is caught here, at sizes that are powers of two.
-  bool is_tree() {
-    sorted_ = triangles;
-    std::sort(sorted_.begin(), sorted_.end());
-    return std::adjacent_find(sorted_.begin(), sorted_.end()) == sorted_.end();
+  [[nodiscard]] bool is_tree() const {
+    std::vector<TriangleId> sorted(triangles().begin(), triangles().end());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
   }
 
+  // Scratch of one common length; the counts say how much of it is in use.
+  std::vector<TriangleId> triangles_;
+  std::vector<BoundaryEdge> boundary_;
   std::vector<EdgeRef> stack_;
-  std::vector<TriangleId> sorted_;
+  std::size_t triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
+  bool splits_edge_ = false, open_ = false;
+  VertexId end_ = no_index;
 };
 
-/// Replaces the cavity by the fan of triangles around vertex p; corner 0 of each is p. `fan` receives their
-/// ids: the cavity's own, reused, then fresh ones from `allocate`.
+/// Replaces the cavity by the fan of triangles around vertex p: one per boundary edge, in their order, with
+/// corners p, from, to. `fan` receives their ids: the cavity's own, reused, then fresh ones from `allocate`.
 template <class Allocate>
 void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const Allocate& allocate,
                    std::vector<TriangleId>& fan) {
-  const std::size_t n = cavity.boundary.size();
-  Index left_region = no_index, right_region = no_index;
-  if (!t.region.empty()) {
-    left_region = t.region[cavity.triangles.front()];
-    right_region = t.region[cavity.triangles.back()];
-  }
-  fan = cavity.triangles;  // an insertion never makes fewer triangles than it destroys
-  while (fan.size() < n) fan.push_back(allocate());
+  const auto boundary = cavity.boundary();
+  const std::size_t n = boundary.size(), old = cavity.triangles().size();
+  fan.resize(n);
+  std::copy_n(cavity.triangles().begin(), std::min(n, old), fan.begin());  // never fewer new ones than old ones
+  for (std::size_t i = old; i < n; ++i) fan[i] = allocate();
 
-  const auto spoke_constrained = [&](std::size_t i) {
-    return cavity.splits_edge && (i == 0 || i == cavity.left_count);
-  };
+  TriangleId before = fan[n - 1];
   for (std::size_t i = 0; i < n; ++i) {
-    const EdgeRef outer = cavity.boundary[i].outer;
-    const std::size_t after = i + 1 < n ? i + 1 : 0;
-    const std::size_t before = i > 0 ? i - 1 : n - 1;
-    Slot& slot = t.slots[fan[i]];
-    slot.v = {p, cavity.boundary[i].from, cavity.to(i)};
-    slot.n[0] = outer;
-    slot.n[1] = cavity.open && i + 1 == n ? EdgeRef() : EdgeRef(fan[after], 2, spoke_constrained(after));
-    slot.n[2] = cavity.open && i == 0 ? EdgeRef() : EdgeRef(fan[before], 1, spoke_constrained(i));
-    if (!outer.none()) t.slots[outer.triangle()].n[outer.side()] = EdgeRef(fan[i], 0, outer.constrained());
-    if (!t.region.empty()) t.region[fan[i]] = !cavity.splits_edge || i < cavity.left_count ? left_region : right_region;
+    const EdgeRef outer = boundary[i].outer;
+    const TriangleId here = fan[i], after = fan[i + 1 < n ? i + 1 : 0];
+    t.slots[here] = {{p, boundary[i].from, cavity.to(i)}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
+    if (!outer.none()) t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
+    before = here;
+  }
+  if (cavity.open()) {
+    t.slots[fan[0]].n[2] = EdgeRef();
+    t.slots[fan[n - 1]].n[1] = EdgeRef();
+  } else if (cavity.splits_edge()) {
+    t.constrain(EdgeRef(fan[0], 2));
+    t.constrain(EdgeRef(fan[cavity.left_count()], 2));
+  }
+  if (!t.region.empty()) {
+    const Index left = t.region[cavity.triangles().front()], right = t.region[cavity.triangles().back()];
+    for (std::size_t i = 0; i < n; ++i)
+      t.region[fan[i]] = !cavity.splits_edge() || i < cavity.left_count() ? left : right;
   }
 }
 

@@ -19,7 +19,7 @@ double squared(double x) { return x * x; }
 
 Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
                    std::function<double(Point)> area_cap)
-    : squared_cosine_(goal.min_angle_deg > 0 ? squared(std::cos(radians(goal.min_angle_deg))) * stricter : INFINITY),
+    : squared_sine_(squared(std::sin(radians(goal.min_angle_deg))) / stricter),
       squared_lens_cosine_(
           goal.conforming ? 0 : squared(std::cos(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
       twice_max_area_(2 * goal.max_area * stricter),
@@ -49,7 +49,7 @@ bool Criteria::too_large_locally(const Shape& s, Index region) const {
 }
 
 Point Criteria::split_point(const Shape& s) const {
-  const unsigned o = s.shortest;  // the apex; the shortest side runs from q to r
+  const unsigned o = s.shortest_side();  // the apex; the shortest side runs from q to r
   const Point q = s.p[next_corner[o]], r = s.p[previous_corner[o]], a = s.p[o];
   const double rx = r.x - q.x, ry = r.y - q.y, ax = a.x - q.x, ay = a.y - q.y;
   const double a2 = ax * ax + ay * ay, r2 = rx * rx + ry * ry;

@@ -12,12 +12,31 @@
 
 namespace pardel {
 
-/// The three corners of a triangle and what is asked of them again and again.
-struct Shape {
-  std::array<Point, 3> p;
-  std::array<double, 3> squared;  ///< squared length of the side opposite each corner
+/// What a triangle's quality is read from.
+struct Measure {
+  std::array<double, 3> squared{};  ///< squared length of the side opposite each corner
   double twice_area = 0;
-  unsigned shortest = 0;  ///< the side; the smallest angle lies at this corner
+
+  [[nodiscard]] double shortest_squared() const { return std::min(std::min(squared[0], squared[1]), squared[2]); }
+  [[nodiscard]] double longest_squared() const { return std::max(std::max(squared[0], squared[1]), squared[2]); }
+  [[nodiscard]] double middle_squared() const {
+    const double low = std::min(squared[0], squared[1]), high = std::max(squared[0], squared[1]);
+    return std::max(low, std::min(high, squared[2]));
+  }
+  /// The shortest side; the smallest angle lies at the corner of the same number.
+  [[nodiscard]] unsigned shortest_side() const {
+    const unsigned side = squared[0] <= squared[1] ? 0 : 1;
+    return squared[2] < squared[side] ? 2 : side;
+  }
+  /// (b - a) . (c - a) for the corner a.
+  [[nodiscard]] double dot_at(unsigned corner) const {
+    return 0.5 * (squared[next_corner[corner]] + squared[previous_corner[corner]] - squared[corner]);
+  }
+};
+
+/// The corners of a triangle with its measure.
+struct Shape : Measure {
+  std::array<Point, 3> p;
 
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
@@ -27,16 +46,9 @@ struct Shape {
     const double bcx = c.x - b.x, bcy = c.y - b.y;
     squared = {bcx * bcx + bcy * bcy, acx * acx + acy * acy, abx * abx + aby * aby};
     twice_area = abx * acy - aby * acx;
-    shortest = squared[0] <= squared[1] ? 0 : 1;
-    if (squared[2] < squared[shortest]) shortest = 2;
   }
 
   [[nodiscard]] Point centroid() const { return {(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}; }
-  [[nodiscard]] double longest_squared() const { return std::max({squared[0], squared[1], squared[2]}); }
-  /// (b - a) . (c - a) for the corner a.
-  [[nodiscard]] double dot_at(unsigned corner) const {
-    return 0.5 * (squared[next_corner[corner]] + squared[previous_corner[corner]] - squared[corner]);
-  }
 };
 
 /// A Goal made ready. A hair stricter than the goal, so that what passes here in floating point passes an
@@ -47,14 +59,14 @@ class Criteria {
   Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
            std::function<double(Point)> area_cap = {});
 
-  [[nodiscard]] bool bad_shape(const Shape& s) const {
-    const double dot = s.dot_at(s.shortest);
-    return dot * dot > squared_cosine_ * s.squared[next_corner[s.shortest]] * s.squared[previous_corner[s.shortest]];
+  [[nodiscard]] bool bad_shape(const Measure& s) const {
+    // The smallest angle lies between the two longer sides: its sine is twice the area over their product.
+    return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
-  [[nodiscard]] bool too_large(const Shape& s, Index region) const {
-    if (s.twice_area > twice_max_area_) return true;
-    return has_local_size_ && too_large_locally(s, region);
-  }
+  [[nodiscard]] bool too_large(const Measure& m) const { return m.twice_area > twice_max_area_; }
+  /// There are sizes that depend on the place: too_large alone does not tell.
+  [[nodiscard]] bool has_local_size() const { return has_local_size_; }
+  [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
   /// The corner opposite a constrained side sees it at so large an angle that the side has to be split:
   /// inside or on the diametral circle for a conforming goal, else in the diametral lens (Shewchuk,
   /// "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
@@ -72,9 +84,7 @@ class Criteria {
   [[nodiscard]] double triangles_wanted(const Shape& s, Index region) const;
 
  private:
-  [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
-
-  double squared_cosine_;
+  double squared_sine_;  ///< of the smallest angle allowed
   double squared_lens_cosine_;
   double twice_max_area_;
   double squared_max_edge_;

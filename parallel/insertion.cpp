@@ -6,9 +6,6 @@
 namespace pardel {
 namespace {
 
-double squared_distance(Point a, Point b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
-double dot_from(Point p, Point a, Point b) { return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y); }
-
 constexpr auto nothing_else = [](TriangleId, unsigned) { return Reach::outside; };
 
 }  // namespace
@@ -17,10 +14,23 @@ bool Insertion::disk_contains(const Slot& slot, Point p) const {
   return incircle(t_.points[slot.v[0]], t_.points[slot.v[1]], t_.points[slot.v[2]], p) > 0;
 }
 
-bool Insertion::star_shaped(Point p) const {
-  for (std::size_t i = 0; i < cavity_.boundary.size(); ++i)
-    if (orient2d(t_.points[cavity_.boundary[i].from], t_.points[cavity_.to(i)], p) <= 0) return false;
-  return true;
+bool Insertion::measure_fan(Point p) {
+  const auto boundary = cavity_.boundary();
+  const std::size_t n = boundary.size();
+  measures_.resize(n);
+  Point a = t_.points[boundary[0].from];
+  double squared_a = (a.x - p.x) * (a.x - p.x) + (a.y - p.y) * (a.y - p.y);
+  bool visible = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point b = t_.points[cavity_.to(i)];
+    const double squared_b = (b.x - p.x) * (b.x - p.x) + (b.y - p.y) * (b.y - p.y);
+    const double area = orient2d(a, b, p);
+    visible = visible && area > 0;
+    measures_[i] = {{(b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), squared_b, squared_a}, area};
+    a = b;
+    squared_a = squared_b;
+  }
+  return visible;
 }
 
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
@@ -28,19 +38,17 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   if (!disk_contains(t_.slots[first], p)) return Outcome::refused;
   const Walk walk = cavity_.find(t_, first, reach_within(p, box));
   if (walk == Walk::foreign) return Outcome::leaves_box;
+  is_star_ = measure_fan(p) && walk == Walk::complete;
 
-  is_star_ = walk == Walk::complete;
   double longest = 0, longest_wide = 0;
   EdgeRef wide;  // the longest edge whose whole diametral disk, not only the lens, contains p
   blocker_ = EdgeRef();
-  for (std::size_t i = 0; i < cavity_.boundary.size(); ++i) {
-    const BoundaryEdge& edge = cavity_.boundary[i];
-    const Point a = t_.points[edge.from], b = t_.points[cavity_.to(i)];
-    const bool visible = orient2d(a, b, p) > 0;
-    is_star_ = is_star_ && visible;
+  for (std::size_t i = 0; i < measures_.size(); ++i) {
+    const BoundaryEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
-    const double dot = dot_from(p, a, b), length = squared_distance(a, b);
-    if ((!visible || criteria_.encroaches(dot, squared_distance(p, a), squared_distance(p, b))) && length > longest) {
+    const Measure& m = measures_[i];
+    const double dot = m.dot_at(0), length = m.squared[0];
+    if ((m.twice_area <= 0 || criteria_.encroaches(dot, m.squared[1], m.squared[2])) && length > longest) {
       longest = length;
       blocker_ = edge.inner;
     }
@@ -72,7 +80,7 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
         if (!box.contains(t_.points[v])) return Outcome::leaves_box;
   const Walk walk = cavity_.find_on_edge(t_, e, reach_within(p, box));
   if (walk == Walk::foreign) return Outcome::leaves_box;
-  if (walk == Walk::tangled || !star_shaped(p)) return edge_by_flips(p, e, line);
+  if (walk == Walk::tangled || !measure_fan(p)) return edge_by_flips(p, e, line);
   commit(p, line);
   return Outcome::inserted;
 }
@@ -91,7 +99,8 @@ void Insertion::commit(Point p, Index origin) {
 
 /// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.
 Outcome Insertion::face_by_flips(Point p) {
-  for (const TriangleId id : cavity_.triangles) {
+  const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
+  for (const TriangleId id : candidates) {
     const Slot& slot = t_.slots[id];
     EdgeRef on;
     bool inside = true;
@@ -104,7 +113,7 @@ Outcome Insertion::face_by_flips(Point p) {
     const auto across_only = [&](TriangleId other, unsigned) {
       return !on.none() && other == on.triangle() ? Reach::inside : Reach::outside;
     };
-    if (cavity_.find(t_, id, across_only) != Walk::complete || !star_shaped(p)) return Outcome::refused;
+    if (cavity_.find(t_, id, across_only) != Walk::complete || !measure_fan(p)) return Outcome::refused;
     commit(p, interior_vertex);
     finish_by_flips();
     return Outcome::inserted;
@@ -113,13 +122,15 @@ Outcome Insertion::face_by_flips(Point p) {
 }
 
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
-  if (cavity_.find_on_edge(t_, e, nothing_else) != Walk::complete || !star_shaped(p)) return Outcome::refused;
+  if (cavity_.find_on_edge(t_, e, nothing_else) != Walk::complete || !measure_fan(p)) return Outcome::refused;
   commit(p, line);
   finish_by_flips();
   return Outcome::inserted;
 }
 
 void Insertion::finish_by_flips() {
+  has_flipped_ = true;
+  measures_.clear();
   std::vector<EdgeRef> suspects;
   for (const TriangleId id : fan_) suspects.push_back(EdgeRef(id, 0));
   restore_delaunay(t_, std::move(suspects), fan_);

@@ -35,7 +35,12 @@ class Insertion {
   Outcome split_edge(Point p, EdgeRef e, Index line, const Box& box);
 
   /// After `inserted`: the triangles that are new or changed.
-  [[nodiscard]] const std::vector<TriangleId>& changed() const { return fan_; }
+  [[nodiscard]] std::span<const TriangleId> changed() const { return fan_; }
+  /// After `inserted`: their measures, in the same order; empty where flips were needed.
+  [[nodiscard]] std::span<const Measure> measures() const { return measures_; }
+  /// Some insertion so far needed flips, which can leave a triangle's slot and first corner as they were and
+  /// change the others.
+  [[nodiscard]] bool has_flipped() const { return has_flipped_; }
   /// After `encroaches`: the longest of the edges encroached, seen from inside the cavity.
   [[nodiscard]] EdgeRef blocker() const { return blocker_; }
 
@@ -48,7 +53,8 @@ class Insertion {
       return box.contains(t_.points[slot.v[side]]) ? Reach::inside : Reach::foreign;
     };
   }
-  [[nodiscard]] bool star_shaped(Point p) const;
+  /// Measures the fan that would be made; false where p does not see every edge of the boundary from its left.
+  bool measure_fan(Point p);
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);
@@ -57,8 +63,9 @@ class Insertion {
   Triangulation& t_;
   const Criteria& criteria_;
   Cavity cavity_;
-  bool is_star_ = false;  ///< after try_in_face
+  bool is_star_ = false, has_flipped_ = false;
   std::vector<TriangleId> fan_;
+  std::vector<Measure> measures_;
   EdgeRef blocker_;
 };
 

@@ -52,9 +52,10 @@ namespace exact {
   const double blift = bdx * bdx + bdy * bdy;
   const double clift = cdx * cdx + cdy * cdy;
   const double det = alift * (bc1 - bc2) + blift * (ca1 - ca2) + clift * (ab1 - ab2);
-  const double permanent = (std::abs(bc1) + std::abs(bc2)) * alift + (std::abs(ca1) + std::abs(ca2)) * blift +
-                           (std::abs(ab1) + std::abs(ab2)) * clift;
-  constexpr double bound = (10.0 + 96.0 * 0x1p-53) * 0x1p-53;
+  // Shewchuk's iccerrboundA is (10 + 96 eps) times the permanent, the sum of alift (|bc1| + |bc2|) and its like.
+  // By Cauchy and Schwarz |bc1| + |bc2| <= (blift + clift) / 2, so this sum is no smaller, and cheaper.
+  const double permanent = alift * blift + blift * clift + clift * alift;
+  constexpr double bound = 11.0 * 0x1p-53;
   if (std::abs(det) > bound * permanent) return det;
   return exact::incircle(a, b, c, d);
 }

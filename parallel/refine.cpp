@@ -53,7 +53,9 @@ class Refinement {
     double estimate = 0;
     for (TriangleId id = 0; id < t_.slots.size(); ++id) {
       estimate += std::max(1.7, criteria.triangles_wanted(Shape(t_, t_.slots[id]), judge_.region_of(id)));
-      if (judge_.assess(id).need != Assessment::Need::nothing) task_.deferred.push_back(id);
+      const Assessment a = judge_.assess(id);
+      if (a.need != Assessment::Need::nothing) task_.deferred.push_back(id);
+      task_.left_alone = task_.left_alone || a.left_alone;
     }
     const std::vector<Lattice> levels = lattices(bounds_of(t_.points.span()), estimate);
 
@@ -79,6 +81,7 @@ class Refinement {
     counts_.segment_splits = task_.segment_splits;
     counts_.refused = task_.refused;
     counts_.budget_reached = task_.budget_reached;
+    counts_.left_alone = task_.left_alone;
     return counts_;
   }
   [[nodiscard]] bool cancelled() const { return task_.cancelled; }
@@ -164,12 +167,12 @@ std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Cr
   const auto why = [&](TriangleId id) -> Exemption {
     const Slot& slot = t.slots[id];
     const Shape shape(t, slot);
-    const bool large = criteria.too_large(shape, judge.region_of(id));
+    const bool large = judge.too_large(id);
     if (!large)
       if (const auto small = small_angle(t, lines, slot, shape))
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached) return {id, ExemptReason::budget};
-    if (shape.squared[shape.shortest] < options.min_edge * options.min_edge) return {id, ExemptReason::min_edge};
+    if (shape.shortest_squared() < options.min_edge * options.min_edge) return {id, ExemptReason::min_edge};
     if (insertion.try_in_face(criteria.split_point(shape), id, everywhere) == Outcome::encroaches) {
       if (judge.forbidden(insertion.blocker())) return {id, ExemptReason::kept_segment};
       if (judge.below_floor(insertion.blocker())) return {id, ExemptReason::min_edge};

@@ -23,6 +23,7 @@ struct Sweep {
 struct RefineCounts {
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   bool budget_reached = false;
+  bool left_alone = false;  ///< there may be exemptions; otherwise there are none
   std::vector<Sweep> sweeps;
 };
 

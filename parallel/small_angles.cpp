@@ -52,8 +52,8 @@ Point edge_split_point(const Triangulation& t, const Line& line, VertexId a, Ver
 }
 
 std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines, const Slot& slot,
-                                      const Shape& shape) {
-  const unsigned corner = shape.shortest;
+                                      const Measure& measure) {
+  const unsigned corner = measure.shortest_side();
   const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
   if (slot.n[next_corner[corner]].constrained() && slot.n[previous_corner[corner]].constrained()) {
     const Index first = lines.line_of(t, o, u), second = lines.line_of(t, o, v);

@@ -26,6 +26,6 @@ struct SmallAngle {
 /// nestled (its smallest angle lies between two lines) or seditious (its shortest edge joins points of one
 /// shell on two lines that meet at less than 60 degrees).
 [[nodiscard]] std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines, const Slot& slot,
-                                                    const Shape& shape);
+                                                    const Measure& measure);
 
 }  // namespace pardel

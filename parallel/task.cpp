@@ -13,40 +13,45 @@ bool Judge::below_floor(EdgeRef e) const {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) < 4 * squared_floor_;
 }
 
-bool Judge::encroached(const Slot& slot, const Shape& shape, TriangleId id, unsigned side) const {
-  if (criteria_.encroaches(shape.dot_at(side), shape.squared[next_corner[side]], shape.squared[previous_corner[side]]))
-    return true;
-  return criteria_.conforming() && !slot.n[side].none() && !delaunay_across(t_, EdgeRef(id, side));
+/// The first constrained side that has to be split and may be, or 3.
+unsigned Judge::encroached_side(TriangleId id, const Slot& slot, const Measure& m) const {
+  unsigned side = 0;
+  for (; side < 3; ++side) {
+    if (!slot.n[side].constrained()) continue;
+    const EdgeRef e(id, side);
+    const bool encroached =
+        criteria_.encroaches(m.dot_at(side), m.squared[next_corner[side]], m.squared[previous_corner[side]]) ||
+        (criteria_.conforming() && !slot.n[side].none() && !delaunay_across(t_, e));
+    if (encroached && !forbidden(e) && !below_floor(e)) break;
+  }
+  return side;
 }
 
-Assessment Judge::assess(TriangleId id) const {
+Assessment Judge::assess(TriangleId id, const Measure& m) const {
   const Slot& slot = t_.slots[id];
-  const Shape shape(t_, slot);
   Assessment result;
-  result.longest_squared = shape.longest_squared();
-  for (unsigned side = 0; side < 3; ++side) {
-    if (!slot.n[side].constrained() || !encroached(slot, shape, id, side)) continue;
-    const EdgeRef e(id, side);
-    if (forbidden(e) || below_floor(e)) continue;
-    result.need = Assessment::Need::split_edge;
-    result.side = side;
-    result.key = BucketQueue::urgent;
-    return result;
+  result.longest_squared = m.longest_squared();
+  if (slot.any_constrained()) {
+    result.side = encroached_side(id, slot, m);
+    if (result.side < 3) {
+      result.need = Assessment::Need::split_edge;
+      result.key = BucketQueue::urgent;
+      return result;
+    }
   }
-  const double shortest = shape.squared[shape.shortest];
-  if (shortest < squared_floor_) return result;
-  const bool bad = criteria_.too_large(shape, region_of(id)) ||
-                   (criteria_.bad_shape(shape) && !small_angle(t_, lines_, slot, shape));
-  if (bad) {
-    result.need = Assessment::Need::split_triangle;
-    result.key = BucketQueue::key(shortest);
-  }
+  const bool large = too_large(id, m);
+  if (!large && !criteria_.bad_shape(m)) return result;
+  const double shortest = m.shortest_squared();
+  result.left_alone = shortest < squared_floor_ || (!large && small_angle(t_, lines_, slot, m));
+  if (result.left_alone) return result;
+  result.need = Assessment::Need::split_triangle;
+  result.key = BucketQueue::key(shortest);
   return result;
 }
 
 bool Judge::breaks_goal(TriangleId id) const {
   const Shape shape(t_, t_.slots[id]);
-  return criteria_.bad_shape(shape) || criteria_.too_large(shape, region_of(id));
+  return criteria_.bad_shape(shape) || too_large(id, shape);
 }
 
 Index Judge::line_of(EdgeRef e) const {
@@ -60,8 +65,7 @@ Point Judge::point_on(EdgeRef e) const {
 }
 
 Point Judge::point_for(TriangleId id, const Assessment& a) const {
-  return a.need == Assessment::Need::split_edge ? point_on(EdgeRef(id, a.side))
-                                                : criteria_.split_point(Shape(t_, t_.slots[id]));
+  return a.need == Assessment::Need::split_edge ? point_on(EdgeRef(id, a.side)) : point_in(id);
 }
 
 bool Task::run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, const Deferral& later) {
@@ -72,44 +76,66 @@ bool Task::run(const Lattice& lattice, Index cell, std::span<const TriangleId> s
   handed_on.clear();
   for (const TriangleId id : seeds) consider(id);
   while (!queue_.empty()) {
-    if (!may_go_on()) return false;
+    if (!may_go_on()) {
+      budget_reached = !cancelled;
+      left_alone = true;
+      return false;
+    }
     process(queue_.pop());
   }
   return true;
 }
 
-void Task::consider(TriangleId id) {
-  const Assessment a = judge_.assess(id);
-  if (a.need == Assessment::Need::nothing) return;
+void Task::queue_if_bad(TriangleId id, const Assessment& a) {
+  if (a.need == Assessment::Need::nothing) {
+    left_alone = left_alone || a.left_alone;
+    return;
+  }
   if (later_.applies_to(a))
     deferred.push_back(id);
   else
-    queue_.push(id, a.key);
+    queue_.push({id, t_.slots[id].v[0]}, a.key);
 }
 
-/// The queue's entry may be stale, its triangle long replaced by another in the same slot: what the slot
-/// holds now is assessed again, and that is all that counts.
-void Task::process(TriangleId id) {
-  const Assessment a = judge_.assess(id);
-  if (a.need == Assessment::Need::nothing || later_.applies_to(a)) return;
-  if (a.need == Assessment::Need::split_edge) {
-    const EdgeRef e(id, a.side);
-    const Outcome outcome = split_edge(e);
-    if (outcome == Outcome::leaves_box) hand_on(id, judge_.point_on(e));
+void Task::consider_changed() {
+  const auto changed = insertion_.changed();
+  const auto measures = insertion_.measures();
+  if (measures.empty()) {
+    for (const TriangleId id : changed) consider(id);
     return;
   }
-  const Point p = judge_.point_for(id, a);
+  for (std::size_t i = 0; i < changed.size(); ++i) queue_if_bad(changed[i], judge_.assess(changed[i], measures[i]));
+}
+
+void Task::process(Queued triangle) {
+  const TriangleId id = triangle.id;
+  const Slot& slot = t_.slots[id];
+  if (slot.v[0] != triangle.first_corner) return;  // replaced; if what replaced it is bad, it was queued too
+  if (slot.any_constrained() || insertion_.has_flipped()) {
+    const Assessment a = judge_.assess(id);
+    if (a.need == Assessment::Need::nothing) return;
+    if (a.need == Assessment::Need::split_edge) {
+      const EdgeRef e(id, a.side);
+      if (split_edge(e) == Outcome::leaves_box) hand_on(id, judge_.point_on(e));
+      return;
+    }
+  }
+  const Point p = judge_.point_in(id);
   switch (insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:
       ++inserted;
-      for (const TriangleId changed : insertion_.changed()) consider(changed);
+      consider_changed();
       return;
     case Outcome::encroaches: {
       const EdgeRef blocker = insertion_.blocker();
-      if (judge_.forbidden(blocker) || judge_.below_floor(blocker)) return;
+      if (judge_.forbidden(blocker) || judge_.below_floor(blocker)) {
+        left_alone = true;
+        return;
+      }
       const Outcome outcome = split_edge(blocker);
       if (outcome == Outcome::inserted) consider(id);
       if (outcome == Outcome::leaves_box) hand_on(id, judge_.point_on(blocker));
+      if (outcome == Outcome::refused) left_alone = true;
       return;
     }
     case Outcome::leaves_box:
@@ -117,6 +143,7 @@ void Task::process(TriangleId id) {
       return;
     case Outcome::refused:
       ++refused;
+      left_alone = true;
       return;
   }
 }
@@ -126,7 +153,7 @@ Outcome Task::split_edge(EdgeRef e) {
   const Outcome outcome = insertion_.split_edge(judge_.point_on(e), e, line, box_);
   if (outcome == Outcome::inserted) {
     ++segment_splits;
-    for (const TriangleId changed : insertion_.changed()) consider(changed);
+    consider_changed();
   }
   if (outcome == Outcome::refused) ++refused;
   return outcome;
@@ -140,12 +167,9 @@ void Task::hand_on(TriangleId id, Point p) {
     handed_on.push_back({id, cell});
 }
 
-bool Task::may_go_on() {
-  if (options_.max_vertices > 0 && t_.points.size() >= options_.max_vertices) budget_reached = true;
-  constexpr std::uint64_t steps_between_reports = 4096;
-  if (options_.progress && ++steps_ % steps_between_reports == 0 && !options_.progress({t_.slots.size(), 0}))
-    cancelled = true;
-  return !budget_reached && !cancelled;
+bool Task::report() {
+  cancelled = options_.progress && !options_.progress({t_.slots.size(), 0});
+  return !cancelled;
 }
 
 }  // namespace pardel

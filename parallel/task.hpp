@@ -21,6 +21,7 @@ struct Assessment {
   unsigned side = 0;  ///< the side to split
   unsigned key = 0;   ///< its place in the queue
   double longest_squared = 0;
+  bool left_alone = false;  ///< breaks the goal, but nothing is to be done
 };
 
 /// The decisions of the refinement: pure functions of the triangulation.
@@ -33,19 +34,26 @@ class Judge {
         options_(options),
         squared_floor_(options.min_edge * options.min_edge) {}
 
-  [[nodiscard]] Assessment assess(TriangleId id) const;
+  [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
+  [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const;
   /// Breaks the criteria, justified or not.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
   [[nodiscard]] bool forbidden(EdgeRef e) const;  ///< may not be split by the caller's wish
   [[nodiscard]] bool below_floor(EdgeRef e) const;
+  [[nodiscard]] bool too_large(TriangleId id) const { return too_large(id, Shape(t_, t_.slots[id])); }
   /// The point that the assessment's need puts in.
   [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const;
   [[nodiscard]] Point point_on(EdgeRef e) const;
+  [[nodiscard]] Point point_in(TriangleId id) const { return criteria_.split_point(Shape(t_, t_.slots[id])); }
   [[nodiscard]] Index line_of(EdgeRef e) const;
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
-  [[nodiscard]] bool encroached(const Slot& slot, const Shape& shape, TriangleId id, unsigned side) const;
+  [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
+  [[nodiscard]] bool too_large(TriangleId id, const Measure& m) const {
+    return criteria_.too_large(m) ||
+           (criteria_.has_local_size() && criteria_.too_large_locally(Shape(t_, t_.slots[id]), region_of(id)));
+  }
 
   const Triangulation& t_;
   const Lines& lines_;
@@ -73,7 +81,12 @@ struct HandedOn {
 class Task {
  public:
   Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, const Options& options)
-      : t_(t), lines_(lines), judge_(judge), options_(options), insertion_(t, criteria) {}
+      : t_(t),
+        lines_(lines),
+        judge_(judge),
+        options_(options),
+        insertion_(t, criteria),
+        most_vertices_(options.max_vertices > 0 ? options.max_vertices : UINT64_MAX) {}
 
   /// Refines in the box of `cell`, starting with `seeds` (whose corners lie in the box). Returns false
   /// when the caller's progress callback said stop or the budget is reached.
@@ -84,13 +97,20 @@ class Task {
   std::vector<TriangleId> deferred;  ///< by all runs
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   bool budget_reached = false, cancelled = false;
+  bool left_alone = false;  ///< some triangle that breaks the goal was not split; it may be gone by now
 
  private:
-  void consider(TriangleId id);
-  void process(TriangleId id);
+  void consider(TriangleId id) { queue_if_bad(id, judge_.assess(id)); }
+  void consider_changed();
+  void queue_if_bad(TriangleId id, const Assessment& a);
+  void process(Queued triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   void hand_on(TriangleId id, Point p);
-  [[nodiscard]] bool may_go_on();
+  [[nodiscard]] bool may_go_on() {
+    constexpr std::uint64_t steps_between_reports = 4096;
+    return t_.points.size() < most_vertices_ && (++steps_ % steps_between_reports != 0 || report());
+  }
+  [[nodiscard]] bool report();
 
   Triangulation& t_;
   const Lines& lines_;
@@ -102,6 +122,7 @@ class Task {
   Index cell_ = 0;
   Box box_;
   Deferral later_;
+  std::uint64_t most_vertices_;
   std::uint64_t steps_ = 0;
 };
 

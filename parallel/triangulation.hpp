@@ -51,6 +51,7 @@ struct Slot {
   [[nodiscard]] VertexId apex(unsigned side) const { return v[side]; }
   [[nodiscard]] VertexId from(unsigned side) const { return v[next_corner[side]]; }
   [[nodiscard]] VertexId to(unsigned side) const { return v[previous_corner[side]]; }
+  [[nodiscard]] bool any_constrained() const { return n[0].constrained() || n[1].constrained() || n[2].constrained(); }
   [[nodiscard]] bool is_ghost() const { return v[0] == ghost || v[1] == ghost || v[2] == ghost; }
 };
 static_assert(sizeof(Slot) == sizeof(Triangle), "the result reuses the engine's storage");
