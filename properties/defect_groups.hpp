@@ -10,6 +10,7 @@ namespace pardel {
 
 [[nodiscard]] std::span<const Defect> defects_of_arrays();
 [[nodiscard]] std::span<const Defect> defects_of_topology();
+[[nodiscard]] std::span<const Defect> defects_of_coverage();
 [[nodiscard]] std::span<const Defect> defects_of_geometry();
 [[nodiscard]] std::span<const Defect> defects_of_labels();
 [[nodiscard]] std::span<const Defect> defects_of_goals();

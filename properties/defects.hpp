@@ -21,7 +21,7 @@ struct Defect {
   bool (*inject)(Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed);
 };
 
-/// All of them, in groups: arrays and numbers, triangles and links, geometry, segments and labels, goals.
+/// All of them, in groups: arrays and numbers, triangles and links, coverage, geometry, segments and labels, goals.
 [[nodiscard]] std::span<const Defect> defects();
 
 }  // namespace pardel

@@ -7,67 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "drawing.hpp"
+
 namespace pardel::domains {
 namespace {
-
-/// The lattice of all computed coordinates: fine enough to be invisible, and coarse enough that
-/// platforms whose sine differs in the last bit still make the same domain.
-double snapped(double x) { return std::round(x * 0x1p30) * 0x1p-30; }
-Point snapped(double x, double y) { return {snapped(x), snapped(y)}; }
-
-Point on_circle(Point centre, double radius, double degrees) {
-  const double angle = degrees * (std::numbers::pi / 180);
-  return snapped(centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle));
-}
-
-/// A polygonal path, drawn stroke by stroke.
-struct Path {
-  std::vector<Point> points;
-
-  Path& to(double x, double y) {
-    const Point p = snapped(x, y);
-    if (points.empty() || !(points.back() == p)) points.push_back(p);
-    return *this;
-  }
-  /// `pieces` chords; turns left when `to_deg` is larger. The first point is joined to what was drawn before.
-  Path& arc(Point centre, double radius, double from_deg, double to_deg, int pieces) {
-    for (int i = 0; i <= pieces; ++i) {
-      const Point p = on_circle(centre, radius, from_deg + (to_deg - from_deg) * i / pieces);
-      to(p.x, p.y);
-    }
-    return *this;
-  }
-};
-
-/// Adds points; returns the index of the first.
-Index add_points(Pslg& pslg, const std::vector<Point>& points) {
-  const auto first = static_cast<Index>(pslg.points.size());
-  pslg.points.insert(pslg.points.end(), points.begin(), points.end());
-  return first;
-}
-
-void add_open(Pslg& pslg, const std::vector<Point>& points, int marker = 0) {
-  const Index first = add_points(pslg, points);
-  for (Index i = 1; i < points.size(); ++i) pslg.segments.push_back({first + i - 1, first + i, marker});
-  pslg.has_segment_markers |= marker != 0;
-}
-
-void add_closed(Pslg& pslg, const std::vector<Point>& points, int marker = 0) {
-  const Index first = add_points(pslg, points);
-  const auto n = static_cast<Index>(points.size());
-  for (Index i = 0; i < n; ++i) pslg.segments.push_back({first + i, first + (i + 1) % n, marker});
-  pslg.has_segment_markers |= marker != 0;
-}
-
-std::vector<Point> circle(Point centre, double radius, int pieces) {
-  std::vector<Point> points;
-  for (int i = 0; i < pieces; ++i) points.push_back(on_circle(centre, radius, 360.0 * i / pieces));
-  return points;
-}
-
-std::vector<Point> rectangle(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
 
 /// Steele, Lea and Flood's SplitMix64: the same numbers everywhere.
 class SplitMix {

@@ -50,9 +50,10 @@ TEST(Domains, stay_valid_when_moved_far_from_the_origin) {
 }
 
 TEST(Domains, lie_on_a_dyadic_lattice) {
-  for (const std::string& name : domains::names())
-    for (const Point& p : domains::generate(name, 0, 1)->points)
-      EXPECT_TRUE(on_lattice(p.x, 0x1p40) && on_lattice(p.y, 0x1p40)) << name;
+  for (const std::string& name : domains::names()) {
+    const Pslg pslg = *domains::generate(name, 0, 1);
+    for (const Point& p : pslg.points) EXPECT_TRUE(on_lattice(p.x, 0x1p40) && on_lattice(p.y, 0x1p40)) << name;
+  }
 }
 
 TEST(Domains, the_shipped_key_and_pipe_are_what_the_functions_draw) {
