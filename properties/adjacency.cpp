@@ -68,6 +68,24 @@ Adjacency::Adjacency(Array<Triangle> rebuilt, const Mesh& mesh)
   });
 }
 
+void Adjacency::index_irregular_vertices() {
+  Array<char> is_irregular(start_.size(), 0);
+  bool any = false;
+  for (std::size_t v = 0; v < start_.size(); ++v) {
+    Index reached = 0;
+    visit_fans(static_cast<Index>(v), [&](Index, int) { ++reached; });
+    is_irregular[v] = reached != corners_[v];
+    any = any || is_irregular[v] != 0;
+  }
+  if (!any) return;
+  std::vector<std::pair<Index, Index>> found;
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
+    for (const Index v : triangles_[t].v)
+      if (is_irregular[v] != 0) found.emplace_back(v, static_cast<Index>(t));
+  std::sort(found.begin(), found.end());
+  irregular_ = std::move(found);
+}
+
 EdgeRef Adjacency::left_of(Index a, Index b) const {
   EdgeRef found;
   visit_fans(a, [&](Index t, int corner) {

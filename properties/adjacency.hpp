@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "../core/mesh.hpp"
@@ -57,10 +58,12 @@ class Adjacency {
   [[nodiscard]] Index corners(Index vertex) const { return corners_[vertex]; }
 
   /// visit(triangle, corner) for the triangles around a vertex, fan by fan, counter-clockwise; returns the
-  /// number of fans. Finds every open fan, and the closed one where there is no open one.
+  /// number of fans. Finds every open fan, and the closed one where there is no open one; where a vertex has
+  /// more than that it is irregular, see below.
   template <class Visit>
   int visit_fans(Index vertex, const Visit& visit) const {
     if (start_[vertex] == no_index) return 0;
+    if (!irregular_.empty() && visit_irregular(vertex, visit)) return 1;
     if (!on_boundary(vertex)) {
       visit_fan(vertex, start_[vertex], visit);
       return 1;
@@ -72,6 +75,10 @@ class Adjacency {
       visit_fan(vertex, edge->left.triangle, visit);
     return fans;
   }
+
+  /// Lists the triangles of the vertices whose triangles visit_fans() does not all find; from then on it
+  /// finds them all, in no order around the vertex. Linear time.
+  void index_irregular_vertices();
 
   /// The triangle on the left of the edge from a to b, if any. Time: the degree of a.
   [[nodiscard]] EdgeRef left_of(Index a, Index b) const;
@@ -89,12 +96,22 @@ class Adjacency {
     }
   }
 
+  template <class Visit>
+  bool visit_irregular(Index vertex, const Visit& visit) const {
+    auto entry = std::lower_bound(irregular_.begin(), irregular_.end(), std::pair(vertex, Index{0}));
+    if (entry == irregular_.end() || entry->first != vertex) return false;
+    for (; entry != irregular_.end() && entry->first == vertex; ++entry)
+      visit(entry->second, corner_at(triangles_[entry->second], vertex));
+    return true;
+  }
+
   Array<Triangle> rebuilt_;
   std::span<const Triangle> triangles_;
   std::vector<BoundaryEdge> boundary_;
   Array<Index> start_;  ///< per vertex, one of its triangles
   Array<Index> corners_;
   Array<char> on_boundary_;
+  std::vector<std::pair<Index, Index>> irregular_;  ///< (vertex, triangle), sorted
 };
 
 }  // namespace pardel

@@ -250,6 +250,7 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Finding
   Adjacency adjacency(std::move(rebuilt), mesh);
   if (found.count(ViolationKind::non_manifold_vertex) == 0) check_vertices(subject, adjacency, found);
   check_euler(subject, adjacency, found);
+  adjacency.index_irregular_vertices();
   return adjacency;
 }
 
