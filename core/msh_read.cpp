@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 #include "mesh_readers.hpp"
+#include "msh_source.hpp"
 #include "neighbours.hpp"
 #include "triangle_sections.hpp"
 
@@ -21,90 +21,6 @@ std::size_t corners_of(std::int64_t type) {
   constexpr int line = 1, triangle = 2, point = 15;
   return type == line ? 2 : type == triangle ? 3 : type == point ? 1 : 0;
 }
-
-/// Values in rows of text or as bytes one after the other.
-class MshSource {
- public:
-  MshSource(TextReader& in) : in_(in) {}
-  void set_binary() { binary_ = true; }
-  [[nodiscard]] bool binary() const { return binary_; }
-
-  /// Behind the line that opens a section, where the section's data begin.
-  void open_section() {
-    if (binary_) in_.end_line();
-  }
-  void row(std::string_view what) {
-    if (!binary_) in_.expect_line(what);
-  }
-  std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high) {
-    return binary_ ? checked(raw<std::int32_t>(what), what, low, high) : in_.integer(what, low, high);
-  }
-  std::size_t size(std::string_view what) {
-    constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max();
-    return static_cast<std::size_t>(binary_ ? checked(raw<std::int64_t>(what), what, 0, high)
-                                            : in_.integer(what, 0, high));
-  }
-  double number(std::string_view what) {
-    if (!binary_) return in_.number(what);
-    const double value = raw<double>(what);
-    if (!std::isfinite(value)) in_.fail("expected " + std::string(what) + ", found a number that is not finite");
-    return value;
-  }
-  /// Whether n records of `fields` fields, 8 bytes each in binary, are there.
-  bool room_for(std::size_t n, std::size_t fields, std::string_view what) {
-    return in_.room_for(n, binary_ ? 8 * fields : text_bytes(fields), what);
-  }
-
- private:
-  template <class Value>
-  Value raw(std::string_view what) {
-    Value value{};
-    const std::string_view bytes = in_.bytes(sizeof(Value), what);
-    if (!bytes.empty()) std::memcpy(&value, bytes.data(), sizeof(Value));
-    return value;
-  }
-  std::int64_t checked(std::int64_t value, std::string_view what, std::int64_t low, std::int64_t high) {
-    if (value >= low && value <= high) return value;
-    in_.fail("expected " + std::string(what) + ", from " + std::to_string(low) + " to " + std::to_string(high) +
-             ", found " + std::to_string(value));
-    return low;
-  }
-
-  TextReader& in_;
-  bool binary_ = false;
-};
-
-/// Vertices as the file numbers them. Tags need not be consecutive.
-class Nodes {
- public:
-  void add(std::size_t tag, const Point& p) { nodes_.push_back({tag, p}); }
-  void sort() {
-    std::sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag < b.tag; });
-  }
-  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-  [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }
-  /// A tag that occurs twice, or 0 (which none may have). Precondition: sorted.
-  [[nodiscard]] std::size_t repeated() const {
-    const auto same =
-        std::adjacent_find(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag == b.tag; });
-    return same == nodes_.end() ? 0 : same->tag;
-  }
-  /// no_index where there is no such node. Precondition: sorted.
-  [[nodiscard]] Index find(std::size_t tag) const {
-    if (nodes_.size() == 0 || tag < nodes_[0].tag || tag > nodes_.back().tag) return no_index;
-    if (nodes_.back().tag - nodes_[0].tag == nodes_.size() - 1) return static_cast<Index>(tag - nodes_[0].tag);
-    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), tag,
-                                        [](const Node& node, std::size_t t) { return node.tag < t; });
-    return found->tag == tag ? static_cast<Index>(found - nodes_.begin()) : no_index;
-  }
-
- private:
-  struct Node {
-    std::size_t tag;
-    Point point;
-  };
-  Array<Node> nodes_;
-};
 
 class MshReader {
  public:
@@ -173,7 +89,7 @@ class MshReader {
     const std::size_t n = in_.count("the number of physical names");
     for (std::size_t i = 0; i < n && in_.expect_record("physical name", i, n); ++i) {
       const std::int64_t dimension = in_.integer("a dimension", 0, 3);
-      const std::int64_t tag = in_.integer("a physical tag", any_marker_low, any_marker_high);
+      const std::int64_t tag = in_.integer("a physical tag", -any_marker_high, any_marker_high);
       std::string_view name = in_.rest_of_line();
       if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
       value_[{dimension, tag}] = value_of(dimension, tag, name);
@@ -211,7 +127,7 @@ class MshReader {
         for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) source_.number("an entity's coordinate");
         const std::size_t physicals = source_.size("the number of physical tags");
         for (std::size_t k = 0; k < physicals && !in_.failed(); ++k) {
-          const std::int64_t physical = source_.integer("a physical tag", any_marker_low, any_marker_high);
+          const std::int64_t physical = source_.integer("a physical tag", -any_marker_high, any_marker_high);
           if (k == 0) physical_[{dimension, tag}] = std::abs(physical);  // negative: the group has it reversed
         }
         if (dimension == 0) continue;
@@ -364,7 +280,7 @@ class MshReader {
       const std::size_t tags = in_.count("the number of tags");
       std::int64_t physical = 0;
       for (std::size_t k = 0; k < tags && !in_.failed(); ++k) {
-        const std::int64_t tag = in_.integer("a tag", any_marker_low, any_marker_high);
+        const std::int64_t tag = in_.integer("a tag", -any_marker_high, any_marker_high);
         if (k == 0) physical = std::abs(tag);
       }
       const std::int64_t dimension = static_cast<std::int64_t>(corners) - 1;
@@ -380,7 +296,7 @@ class MshReader {
   double version_ = 0;
   std::map<Key, double> value_;           ///< of physical groups that have a name
   std::map<Key, std::int64_t> physical_;  ///< of entities: the first physical group
-  Nodes nodes_;
+  MshNodes nodes_;
   bool has_nodes_ = false;
   bool has_elements_ = false;
   Array<double> attributes_;  ///< of triangles

@@ -1,5 +1,6 @@
 // VTU, VTK's XML format for unstructured grids (version 1.0), its arrays appended as raw bytes.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -38,13 +39,19 @@ AppendedArray array_of(std::string name, std::size_t components, std::size_t n, 
           [n, format = std::move(format)](OutputFile& out) { write_records(out, n, format); }};
 }
 
-/// In degrees: the angle opposite the shortest edge, 0 where the triangle is flat.
-double smallest_angle(const Point& a, const Point& b, const Point& c) {
-  const auto angle = [](const Point& at, const Point& p, const Point& q) {
-    const double ux = p.x - at.x, uy = p.y - at.y, vx = q.x - at.x, vy = q.y - at.y;
-    return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
+/// In degrees: the angle opposite the shortest edge; 0 where the triangle is flat.
+double smallest_angle(const std::array<Point, 3>& p) {
+  const auto squared_length = [&](std::size_t i) {  // of the edge opposite corner i
+    const Point& a = p[(i + 1) % 3];
+    const Point& b = p[(i + 2) % 3];
+    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
   };
-  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)}) * (180 / std::numbers::pi);
+  const std::array<double, 3> lengths{squared_length(0), squared_length(1), squared_length(2)};
+  const auto at = static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const Point& a = p[(at + 1) % 3];
+  const Point& b = p[(at + 2) % 3];
+  const double ux = a.x - p[at].x, uy = a.y - p[at].y, vx = b.x - p[at].x, vy = b.y - p[at].y;
+  return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy) * (180 / std::numbers::pi);
 }
 
 using Section = std::pair<std::string, std::vector<AppendedArray>>;
@@ -74,7 +81,7 @@ Section cell_data(const Mesh& mesh) {
   }
   section.second.push_back(array_of<double>("quality", 1, n, [&mesh](Bytes& to, std::size_t t) {
     const auto& v = mesh.triangles[t].v;
-    to.raw(smallest_angle(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]));
+    to.raw(smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]}));
   }));
   return section;
 }

@@ -99,7 +99,7 @@ TEST(Writers, that_cannot_open_a_file_leave_none) {
   EXPECT_EQ(folder.names(), "m.poly ");
 }
 
-TEST(Records, are_in_order_however_many_threads_format_them) {
+TEST(Records, are_written_in_order_across_all_blocks) {
   const Folder folder;
   constexpr std::size_t n = 200'000;
   std::string expected;
