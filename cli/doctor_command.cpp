@@ -29,25 +29,25 @@ struct Arguments {
   bool quiet = false;
 };
 
-nlohmann::json to_json(const Problem& problem, int base) {
+nlohmann::ordered_json to_json(const Problem& problem, int base) {
   return {{"kind", name(problem.kind)},
           {"ids", problem.ids},
           {"where", {problem.where.x, problem.where.y}},
           {"message", problem.message(base)}};
 }
 
-nlohmann::json to_json(const Domain& domain, const std::vector<Problem>& problems,
-                       const std::optional<Repaired>& repaired) {
-  nlohmann::json json = {{"schema", "pardel.doctor/1"},
-                         {"file", domain.name},
-                         {"input",
-                          {{"points", domain.pslg.points.size()},
-                           {"segments", domain.pslg.segments.size()},
-                           {"holes", domain.pslg.holes.size()},
-                           {"regions", domain.pslg.regions.size()}}},
-                         {"valid", problems.empty()},
-                         {"problems", nlohmann::json::array()},
-                         {"repaired", nullptr}};
+nlohmann::ordered_json to_json(const Domain& domain, const std::vector<Problem>& problems,
+                               const std::optional<Repaired>& repaired) {
+  nlohmann::ordered_json json = {{"schema", "pardel.doctor/1"},
+                                 {"file", domain.name},
+                                 {"input",
+                                  {{"points", domain.pslg.points.size()},
+                                   {"segments", domain.pslg.segments.size()},
+                                   {"holes", domain.pslg.holes.size()},
+                                   {"regions", domain.pslg.regions.size()}}},
+                                 {"valid", problems.empty()},
+                                 {"problems", nlohmann::ordered_json::array()},
+                                 {"repaired", nullptr}};
   for (const Problem& problem : problems) json["problems"].push_back(to_json(problem, domain.base));
   if (repaired) {
     json["repaired"] = {{"points", repaired->pslg.points.size()},
@@ -86,7 +86,7 @@ Result<ExitCode> run(const Arguments& arguments) {
         return written.error();
       }
     } else {
-      beyond_repair = result.error();
+      beyond_repair = as_in_file(result.error(), *domain, arguments.convex_hull);
     }
   }
   if (!arguments.quiet && arguments.json != "-") print(*domain, problems, repaired);

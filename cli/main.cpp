@@ -43,6 +43,12 @@ Exit status:
 
 Every subcommand has its own --help.)";
 
+std::string usage_message(const CLI::App* program, const CLI::Error& error) {
+  std::string name = program->get_name();
+  for (const CLI::App* command : program->get_subcommands()) name += ' ' + command->get_name();
+  return fmt::format("{}: {} (see '{} --help')\n", name, error.what(), name);
+}
+
 Result<ExitCode> run(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "triangle") {
     return run_triangle(std::vector<std::string>(argv + 2, argv + argc));
@@ -51,6 +57,7 @@ Result<ExitCode> run(int argc, char** argv) {
   program.set_version_flag("--version", "pardel " PARDEL_VERSION);
   program.footer(footer);
   program.formatter(std::make_shared<HelpFormatter>());  // subcommands inherit it
+  program.failure_message(usage_message);
   program.require_subcommand(1);
   const std::array commands = {add_mesh(program), add_check(program), add_doctor(program), add_draw(program),
                                add_generate(program)};

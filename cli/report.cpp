@@ -30,13 +30,13 @@ std::string reasons(const Report& report, bool justified_ones) {
   return list;
 }
 
-nlohmann::json goal_json(const MeshRun& run) {
+nlohmann::ordered_json goal_json(const MeshRun& run) {
   // An infinite cap is none; JSON says null for it.
   return {{"min_angle_deg", run.goal.min_angle_deg},
           {"max_area", run.goal.max_area},
           {"max_edge", run.goal.max_edge},
           {"region_caps", run.goal.region_caps},
-          {"sizes", run.sizes.empty() ? nlohmann::json() : nlohmann::json(run.sizes.string())},
+          {"sizes", run.sizes.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.sizes.string())},
           {"conforming", run.goal.conforming},
           {"convex_hull", run.goal.convex_hull},
           {"placement", name(run.options.placement)},
@@ -44,8 +44,8 @@ nlohmann::json goal_json(const MeshRun& run) {
           {"min_edge", run.options.min_edge}};
 }
 
-nlohmann::json refine_json(const Report& report) {
-  nlohmann::json exempt = nlohmann::json::object();
+nlohmann::ordered_json refine_json(const Report& report) {
+  nlohmann::ordered_json exempt = nlohmann::ordered_json::object();
   for (int i = 0; i < exempt_reasons; ++i) {
     const auto reason = static_cast<ExemptReason>(i);
     exempt[pardel::name(reason)] = report.count(reason);
@@ -61,14 +61,14 @@ nlohmann::json refine_json(const Report& report) {
 std::string to_json(const MeshRun& run) {
   const MeshStatistics& mesh = run.statistics;
   const Seconds& s = run.seconds;
-  nlohmann::json json = {
+  nlohmann::ordered_json json = {
       {"schema", "pardel.report/1"},
       {"version", PARDEL_VERSION},
       {"file", run.name},
       {"input", {{"points", run.points}, {"segments", run.segments}, {"holes", run.holes}, {"regions", run.regions}}},
       {"goal", goal_json(run)},
       {"threads", run.options.threads},
-      {"decomposition", nlohmann::json::object()},
+      {"decomposition", nlohmann::ordered_json::object()},
       {"seconds",
        {{"read", s.read},
         {"validate", s.validate},
@@ -88,7 +88,7 @@ std::string to_json(const MeshRun& run) {
       {"goal_met", run.report.goal_met()},
       {"peak_rss_bytes", peak_rss_bytes()},
       {"digest", to_string(run.digest)}};
-  if (run.certificate) json["certificate"] = nlohmann::json::parse(to_json(*run.certificate));
+  if (run.certificate) json["certificate"] = nlohmann::ordered_json::parse(to_json(*run.certificate));
   return json.dump(2) + "\n";
 }
 

@@ -137,7 +137,8 @@ TEST_F(BadInput, an_outline_that_is_not_closed_is_refused) {
 }
 
 TEST_F(BadInput, every_problem_is_told_not_only_the_first) {
-  is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "5 1 3\n6 2 4\n", 6), {"4 problems", "Points 5 and 6", "cross", "interior of segment 5", "interior of segment 6"});
+  is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "5 1 3\n6 2 4\n", 6),
+             {"4 problems", "Points 5 and 6", "cross", "interior of segment 5", "interior of segment 6"});
 }
 
 TEST_F(BadInput, an_angle_of_60_is_a_usage_error) {

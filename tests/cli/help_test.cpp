@@ -51,8 +51,14 @@ TEST_F(Help, no_command_an_unknown_one_or_an_unknown_option_is_a_usage_error) {
     const Ran ran = pardel(arguments);
     EXPECT_EQ(ran.exit_code, 2) << ran;
     EXPECT_EQ(ran.out, "");
-    EXPECT_NE(ran.err, "");
+    EXPECT_TRUE(ran.err.starts_with("pardel")) << ran;
   }
+}
+
+TEST_F(Help, a_usage_error_names_the_command_the_option_and_its_help) {
+  EXPECT_EQ(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "0"}).exit_code, 2);
+  EXPECT_TRUE(holds(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "many"}).err,
+                    {"pardel mesh: ", "--threads", "many", "pardel mesh --help"}));
 }
 
 }  // namespace
