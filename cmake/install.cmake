@@ -1,9 +1,6 @@
 # Installation in two parts. `pardel` is what links nothing but the standard library and OpenMP; `properties`
 # (pardel::properties, pardel::ref where built) needs CGAL as well, so that a user of the mesher alone does not.
 include(CMakePackageConfigHelpers)
-if(NOT TARGET pardel_parallel)
-  return()
-endif()
 set(PARDEL_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pardel)
 
 function(pardel_install_libraries export)
