@@ -1,0 +1,184 @@
+// The cavity is the set of triangles whose open circumdisk contains the point, and its boundary is one closed
+// counter-clockwise walk.
+#include "../../parallel/cavity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../../parallel/delaunay.hpp"
+#include "../../properties/exact.hpp"
+#include "samples.hpp"
+
+namespace pardel {
+namespace {
+
+using samples::Random;
+
+bool in_disk(const Triangulation& t, TriangleId id, Point p) {
+  const auto& v = t.slots[id].v;
+  return exactly::in_circle(t.points[v[0]], t.points[v[1]], t.points[v[2]], p) > 0;
+}
+
+auto reach_of(const Triangulation& t, Point p) {
+  return [&t, p](TriangleId id, unsigned) { return in_disk(t, id, p) ? Reach::inside : Reach::outside; };
+}
+
+std::vector<TriangleId> sorted(std::span<const TriangleId> ids) {
+  std::vector<TriangleId> result(ids.begin(), ids.end());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<TriangleId> all_in_conflict(const Triangulation& t, Point p) {
+  std::vector<TriangleId> ids;
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    if (in_disk(t, id, p)) ids.push_back(id);
+  return ids;
+}
+
+void expect_boundary(const Triangulation& t, const Cavity& cavity, Point p) {
+  for (std::size_t i = 0; i < cavity.boundary().size(); ++i) {
+    const BoundaryEdge& edge = cavity.boundary()[i];
+    const Slot& slot = t.slot(edge.inner);
+    EXPECT_EQ(slot.from(edge.inner.side()), edge.from);
+    EXPECT_EQ(slot.to(edge.inner.side()), cavity.to(i)) << "the boundary is a closed walk";
+    EXPECT_EQ(slot.n[edge.inner.side()], edge.outer);
+    EXPECT_EQ(std::count(cavity.triangles().begin(), cavity.triangles().end(), edge.inner.triangle()), 1);
+    EXPECT_GT(exactly::orientation(t.points[edge.from], t.points[cavity.to(i)], p), 0) << "p sees every edge";
+  }
+}
+
+TriangleId fresh_slot(Triangulation& t) {
+  t.slots.push_back({});
+  return static_cast<TriangleId>(t.slots.size() - 1);
+}
+
+/// A random point within the hull that is no vertex.
+Point inner_point(const Triangulation& t, Random& random) {
+  const Slot& slot = t.slots[random.below(t.slots.size())];
+  const double f = random.uniform(0.1, 0.5), g = random.uniform(0.1, 0.4);
+  const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
+  return {a.x + f * (b.x - a.x) + g * (c.x - a.x), a.y + f * (b.y - a.y) + g * (c.y - a.y)};
+}
+
+TEST(Cavity, is_the_set_of_triangles_whose_disk_contains_the_point) {
+  for (const samples::Family& family : samples::families(100, 1)) {
+    if (family.name == "nearly collinear" || family.name == "clusters") continue;  // a rounded point may leave the hull
+    SCOPED_TRACE(family.name);
+    Random random(2);
+    const Triangulation t = samples::triangulated(family.points).triangulation;
+    Cavity cavity;
+    for (int round = 0; round < 100; ++round) {
+      const Point p = inner_point(t, random);
+      const std::vector<TriangleId> expected = all_in_conflict(t, p);
+      if (expected.empty()) continue;
+      const TriangleId first = expected[random.below(expected.size())];
+      ASSERT_EQ(cavity.find(t, first, reach_of(t, p)), Walk::complete);
+      EXPECT_EQ(sorted(cavity.triangles()), expected);
+      EXPECT_EQ(cavity.boundary().size(), expected.size() + 2) << "the dual graph of the cavity is a tree";
+      expect_boundary(t, cavity, p);
+    }
+  }
+}
+
+TEST(Cavity, retriangulated_again_and_again_leaves_a_delaunay_triangulation) {
+  Random random(3);
+  Triangulation t = samples::triangulated(samples::lattice_points(5)).triangulation;
+  Cavity cavity;
+  std::vector<TriangleId> fan;
+  for (int round = 0; round < 300; ++round) {
+    const Point p = inner_point(t, random);
+    const std::vector<TriangleId> conflict = all_in_conflict(t, p);
+    ASSERT_EQ(cavity.find(t, conflict.front(), reach_of(t, p)), Walk::complete);
+    const std::size_t before = t.slots.size();
+    t.points.push_back(p);
+    retriangulate(t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
+    EXPECT_EQ(t.slots.size(), before + 2) << "no slot is lost";
+    ASSERT_EQ(samples::fault(t), "");
+    for (const TriangleId id : fan) EXPECT_EQ(t.slots[id].v[0], t.points.size() - 1);
+  }
+  EXPECT_NEAR(samples::twice_area(t), 2 * 16, 1e-12);
+}
+
+TEST(Cavity, stops_at_a_foreign_triangle) {
+  const Triangulation t = samples::triangulated(samples::lattice_points(6)).triangulation;
+  const Point p{2.4, 2.3};
+  const std::vector<TriangleId> conflict = all_in_conflict(t, p);
+  ASSERT_GE(conflict.size(), 2U);
+  Cavity cavity;
+  const auto reach = [&](TriangleId id, unsigned) { return in_disk(t, id, p) ? Reach::foreign : Reach::outside; };
+  EXPECT_EQ(cavity.find(t, conflict.front(), reach), Walk::foreign);
+}
+
+TEST(Cavity, ends_at_constrained_edges) {
+  // The diagonal of a square with a vertex to each side: p beside it never reaches across.
+  const std::vector<Point> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const Triangulation t = samples::triangulated(points, {{0, 2}}).triangulation;
+  const Point p{2.25, 2};
+  EXPECT_EQ(all_in_conflict(t, p).size(), 2U);
+  const EdgeRef diagonal = samples::find_edge(t, 0, 2);
+  const TriangleId below = exactly::orientation(points[0], points[2], p) < 0 ? samples::find_edge(t, 2, 0).triangle()
+                                                                             : diagonal.triangle();
+  Cavity cavity;
+  ASSERT_EQ(cavity.find(t, below, reach_of(t, p)), Walk::complete);
+  EXPECT_EQ(cavity.triangles().size(), 1U);
+  EXPECT_EQ(cavity.boundary().size(), 3U);
+}
+
+TEST(Cavity, of_a_split_edge_is_closed_inside_and_open_at_the_hull) {
+  const std::vector<Point> points = samples::lattice_points(5);
+  for (const auto& [u, v, inside] : {std::tuple{6U, 7U, true}, std::tuple{0U, 1U, false}, std::tuple{4U, 9U, false}}) {
+    Triangulation t = samples::triangulated(points, {{u, v}}).triangulation;
+    const EdgeRef e = samples::find_edge(t, u, v);
+    const Point p{(points[u].x + points[v].x) / 2, (points[u].y + points[v].y) / 2};
+    Cavity cavity;
+    ASSERT_EQ(cavity.find_on_edge(t, e, reach_of(t, p)), Walk::complete);
+    EXPECT_TRUE(cavity.splits_edge());
+    EXPECT_EQ(cavity.open(), !inside);
+    EXPECT_EQ(sorted(cavity.triangles()), all_in_conflict(t, p));
+    EXPECT_EQ(cavity.boundary().size(), cavity.triangles().size() + (inside ? 2 : 1));
+    EXPECT_EQ(cavity.boundary().front().from, t.slot(e).to(e.side())) << "it starts at the end of the edge";
+    EXPECT_EQ(cavity.to(cavity.left_count() - 1), t.slot(e).from(e.side()));
+    expect_boundary(t, cavity, p);
+
+    std::vector<TriangleId> fan;
+    t.points.push_back(p);
+    retriangulate(t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
+    EXPECT_EQ(samples::fault(t), "");
+    EXPECT_TRUE(samples::find_edge(t, u, v).none());
+    for (const Index end : {u, v}) {
+      const EdgeRef half = samples::find_edge(t, end, static_cast<Index>(points.size()));
+      ASSERT_FALSE(half.none());
+      EXPECT_TRUE(t.slot(half).n[half.side()].constrained());
+    }
+    EXPECT_EQ(samples::twice_area(t), 2 * 16);
+  }
+}
+
+TEST(Cavity, gives_each_side_of_a_split_edge_its_own_region) {
+  const std::vector<Point> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  Triangulation t = samples::triangulated(points, {{0, 2}}).triangulation;
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    const auto& v = t.slots[id].v;
+    t.region.push_back(std::find(v.begin(), v.end(), 1U) != v.end() ? 7 : 9);
+  }
+  const EdgeRef e = samples::find_edge(t, 0, 2);
+  Cavity cavity;
+  std::vector<TriangleId> fan;
+  ASSERT_EQ(cavity.find_on_edge(t, e, reach_of(t, {2, 2})), Walk::complete);
+  t.points.push_back({2, 2});
+  const auto allocate = [&] {
+    t.region.push_back(no_index);
+    return fresh_slot(t);
+  };
+  retriangulate(t, cavity, 4, allocate, fan);
+  ASSERT_EQ(t.slots.size(), 4U);
+  for (TriangleId id = 0; id < 4; ++id) {
+    const auto& v = t.slots[id].v;
+    EXPECT_EQ(t.region[id], std::find(v.begin(), v.end(), 1U) != v.end() ? 7U : 9U);
+  }
+}
+
+}  // namespace
+}  // namespace pardel

@@ -1,0 +1,369 @@
+// The mesher end to end: every goal on every domain, judged by the independent checker.
+#include "../../parallel/mesher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "../../core/digest.hpp"
+#include "../../properties/check.hpp"
+#include "../../properties/domains.hpp"
+#include "../../properties/exact.hpp"
+
+namespace pardel {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Pslg domain(const std::string& name) {
+  Result<Pslg> made = domains::generate(name, 0, 1);
+  EXPECT_TRUE(made) << name;
+  return std::move(made).value();
+}
+
+std::string verdict(const Pslg& pslg, const Mesh& mesh, const Goal& goal) {
+  const Certificate certificate = check(pslg, mesh, goal);
+  if (certificate.valid) return "valid";
+  std::string text;
+  for (std::size_t i = 0; i < certificate.violations.size() && i < 3; ++i)
+    text += certificate.violations[i].message() + '\n';
+  return text;
+}
+
+/// The triangles that the report calls justified are those that the checker finds justified itself.
+void expect_same_exemptions(const Certificate& certificate, const Report& report) {
+  std::set<Index> reported, found;
+  for (const Exemption& e : report.exempt)
+    if (justified(e.reason)) reported.insert(e.triangle);
+  for (const Justified& j : certificate.justified) found.insert(j.triangle);
+  // The mesher aims a hair higher than the goal, so it may excuse what needs no excuse, never the other way round.
+  EXPECT_TRUE(std::includes(reported.begin(), reported.end(), found.begin(), found.end()));
+}
+
+Meshed expect_met(const Pslg& pslg, const Goal& goal, const Options& options = {}) {
+  Result<Meshed> meshed = mesh(pslg, goal, options);
+  EXPECT_TRUE(meshed) << meshed.error().message;
+  if (!meshed) return {};
+  const Certificate certificate = check(pslg, meshed->mesh, goal);
+  EXPECT_TRUE(certificate.valid) << verdict(pslg, meshed->mesh, goal);
+  EXPECT_TRUE(meshed->report.goal_met());
+  expect_same_exemptions(certificate, meshed->report);
+  EXPECT_EQ(meshed->mesh.points.size(),
+            pslg.points.size() + meshed->report.inserted + meshed->report.segment_splits);
+  return std::move(meshed).value();
+}
+
+// Every domain ------------------------------------------------------------------------------------------------
+
+class Domain : public testing::TestWithParam<std::string> {};
+
+TEST_P(Domain, is_meshed_at_every_angle) {
+  for (const double angle : {0.0, 20.7, 25.0, 30.0, 33.0}) {
+    SCOPED_TRACE(angle);
+    expect_met(domain(GetParam()), {.min_angle_deg = angle});
+  }
+}
+
+TEST_P(Domain, is_meshed_with_circumcentres) {
+  Options options;
+  options.placement = Placement::circumcentre;
+  for (const double angle : {20.7, 30.0}) expect_met(domain(GetParam()), {.min_angle_deg = angle}, options);
+}
+
+TEST_P(Domain, is_meshed_conforming) {
+  for (const double angle : {0.0, 20.7, 30.0}) {
+    SCOPED_TRACE(angle);
+    expect_met(domain(GetParam()), {.min_angle_deg = angle, .conforming = true});
+  }
+}
+
+TEST_P(Domain, is_meshed_with_its_convex_hull) {
+  Pslg pslg = domain(GetParam());
+  pslg.holes.clear();
+  pslg.regions.clear();
+  expect_met(pslg, {.min_angle_deg = 25, .convex_hull = true});
+}
+
+TEST_P(Domain, is_meshed_with_caps_on_area_and_edges) {
+  for (const Goal& goal : {Goal{.max_area = 0.003}, Goal{.min_angle_deg = 30, .max_edge = 0.08},
+                           Goal{.min_angle_deg = 0, .max_area = 0.002, .conforming = true}}) {
+    SCOPED_TRACE(goal.max_area);
+    expect_met(domain(GetParam()), goal);
+  }
+}
+
+TEST_P(Domain, is_meshed_to_a_size_that_varies) {
+  Goal goal{.min_angle_deg = 25};
+  goal.size = [](Point p) { return 0.05 + 0.2 * std::hypot(p.x - 0.5, p.y - 0.5); };
+  expect_met(domain(GetParam()), goal);
+}
+
+TEST_P(Domain, is_meshed_far_from_the_origin) {
+  for (const double angle : {20.7, 33.0}) {
+    SCOPED_TRACE(angle);
+    expect_met(domains::moved(domain(GetParam()), 654321, 4987654), {.min_angle_deg = angle});
+  }
+}
+
+TEST_P(Domain, gives_the_same_mesh_twice) {
+  const Pslg pslg = domain(GetParam());
+  const Result<Meshed> first = mesh(pslg, {.min_angle_deg = 25}), second = mesh(pslg, {.min_angle_deg = 25});
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->mesh, second->mesh);
+}
+
+TEST_P(Domain, is_triangulated_without_a_single_new_point) {
+  const Pslg pslg = domain(GetParam());
+  const Result<Meshed> meshed = triangulate(pslg);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_EQ(meshed->mesh.points.size(), pslg.points.size());
+  EXPECT_EQ(verdict(pslg, meshed->mesh, {.min_angle_deg = 0, .region_caps = false}), "valid");
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(Every, Domain, testing::ValuesIn(domains::names()), test_name);
+
+// Goals of one kind -------------------------------------------------------------------------------------------
+
+TEST(Mesher, honours_the_caps_of_regions_and_only_where_asked) {
+  const Pslg pslg = domain("regions");
+  const Meshed capped = expect_met(pslg, {});
+  const Meshed free = expect_met(pslg, {.region_caps = false});
+  EXPECT_GT(capped.mesh.triangles.size(), free.mesh.triangles.size());
+  EXPECT_FALSE(check(pslg, free.mesh, {}).valid);
+}
+
+TEST(Mesher, grades_from_sizes_at_the_input_points) {
+  Pslg pslg = domains::square();
+  const std::vector<double> sizes{0.01, 0.2, 0.2, 0.2};
+  const auto size = interpolated_size(pslg, sizes);
+  ASSERT_TRUE(size);
+  EXPECT_EQ((*size)({0, 0}), 0.01);
+  EXPECT_NEAR((*size)({0.5, 0}), 0.105, 1e-15);
+  Goal goal{.min_angle_deg = 25};
+  goal.size = *size;
+  const Meshed meshed = expect_met(pslg, goal);
+  EXPECT_GT(meshed.mesh.points.size(), 150U);
+}
+
+TEST(Mesher, keeps_the_attributes_of_points_and_interpolates_them_for_new_ones) {
+  Pslg pslg = domains::pipe();
+  pslg.attributes_per_point = 2;
+  const auto linear = [](Point p) { return 3 * p.x - 2 * p.y + 7; };
+  for (const Point p : pslg.points) pslg.point_attributes.insert(pslg.point_attributes.end(), {linear(p), p.x});
+  const Meshed meshed = expect_met(pslg, {.max_area = 0.01});
+  ASSERT_EQ(meshed.mesh.attributes_per_point, 2U);
+  ASSERT_EQ(meshed.mesh.point_attributes.size(), 2 * meshed.mesh.points.size());
+  for (std::size_t v = 0; v < meshed.mesh.points.size(); ++v) {
+    const Point p = meshed.mesh.points[v];
+    EXPECT_NEAR(meshed.mesh.point_attributes[2 * v], linear(p), 1e-12);
+    EXPECT_NEAR(meshed.mesh.point_attributes[2 * v + 1], p.x, 1e-12);
+  }
+}
+
+TEST(Mesher, tells_where_every_vertex_and_every_constrained_edge_comes_from) {
+  Pslg pslg = domains::square();
+  pslg.segments.pop_back();
+  pslg.has_segment_markers = true;
+  for (Index s = 0; s < 3; ++s) pslg.segments[s].marker = static_cast<int>(10 + s);
+  const Meshed meshed = expect_met(pslg, {.max_area = 0.01, .convex_hull = true});
+  const Mesh& m = meshed.mesh;
+  ASSERT_EQ(m.origin.size(), m.points.size());
+  std::set<Index> origins(m.origin.begin(), m.origin.end());
+  EXPECT_EQ(origins, (std::set<Index>{0, 1, 2, hull_vertex, interior_vertex, input_vertex}));
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    EXPECT_EQ(m.origin[v] == input_vertex, v < pslg.points.size());
+    if (m.origin[v] == input_vertex) continue;
+    const int marker = m.origin[v] == hull_vertex ? 1 : m.origin[v] == interior_vertex ? 0 : 10 + int(m.origin[v]);
+    EXPECT_EQ(m.point_markers[v], marker);
+  }
+  for (const ConstrainedEdge& e : m.constrained_edges)
+    EXPECT_EQ(e.marker, e.segment == no_index ? 1 : static_cast<int>(10 + e.segment));
+}
+
+TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {
+  const Pslg pslg = domain("cracks");
+  const Meshed meshed = expect_met(pslg, {.min_angle_deg = 30});
+  for (std::size_t v = 0; v < pslg.points.size(); ++v) EXPECT_EQ(meshed.mesh.points[v], pslg.points[v]);
+}
+
+// What stops a run --------------------------------------------------------------------------------------------
+
+TEST(Budget, ends_the_run_and_the_report_says_which_triangles_it_left) {
+  const Pslg pslg = domains::pipe();
+  const Goal goal{.max_area = 1e-4};
+  for (const std::uint64_t most : {std::uint64_t{1}, std::uint64_t{pslg.points.size()}, std::uint64_t{2000}}) {
+    const Result<Meshed> meshed = mesh(pslg, goal, {.max_vertices = most});
+    ASSERT_TRUE(meshed);
+    EXPECT_LE(meshed->mesh.points.size(), std::max<std::size_t>(most, pslg.points.size()));
+    EXPECT_FALSE(meshed->report.goal_met());
+    const Certificate certificate = check(pslg, meshed->mesh, goal);
+    std::set<Index> guilty, reported;
+    for (const Violation& v : certificate.violations) {
+      EXPECT_TRUE(v.kind == ViolationKind::large_area || v.kind == ViolationKind::small_angle) << v.message();
+      guilty.insert(v.ids.front());
+    }
+    for (const Exemption& e : meshed->report.exempt) {
+      EXPECT_EQ(e.reason, ExemptReason::budget);
+      reported.insert(e.triangle);
+    }
+    EXPECT_TRUE(std::is_sorted(meshed->report.exempt.begin(), meshed->report.exempt.end(),
+                               [](const Exemption& a, const Exemption& b) { return a.triangle < b.triangle; }));
+    if (certificate.violations.size() < 1000) {
+      EXPECT_TRUE(std::includes(reported.begin(), reported.end(), guilty.begin(), guilty.end()));
+    }
+  }
+}
+
+TEST(Budget, that_is_not_needed_changes_nothing) {
+  const Pslg pslg = domains::key();
+  const Result<Meshed> free = mesh(pslg), capped = mesh(pslg, {}, {.max_vertices = 1'000'000});
+  ASSERT_TRUE(free && capped);
+  EXPECT_EQ(free->mesh, capped->mesh);
+}
+
+/// A goal of 10^12 triangles must not cost their memory where a budget allows a hundred.
+TEST(Budget, makes_a_goal_out_of_reach_cheap) {
+  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100});
+  ASSERT_TRUE(meshed);
+  EXPECT_EQ(meshed->mesh.points.size(), 100U);
+}
+
+double shortest_edge(const Mesh& m) {
+  double shortest = infinity;
+  for (const Triangle& t : m.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const Point a = m.points[t.v[i]], b = m.points[t.v[(i + 1) % 3]];
+      shortest = std::min(shortest, std::hypot(a.x - b.x, a.y - b.y));
+    }
+  return shortest;
+}
+
+TEST(Floor, is_never_undercut_and_the_report_names_it) {
+  const Pslg pslg = domains::square();
+  for (const Placement placement : {Placement::off_centre, Placement::circumcentre})
+    for (const double floor : {0.3, 0.1, 0.03}) {
+      const Goal goal{.max_area = 1e-5};
+      const Result<Meshed> meshed = mesh(pslg, goal, {.placement = placement, .min_edge = floor});
+      ASSERT_TRUE(meshed);
+      EXPECT_GE(shortest_edge(meshed->mesh), floor);
+      EXPECT_FALSE(meshed->report.goal_met());
+      EXPECT_EQ(meshed->report.count(ExemptReason::min_edge), meshed->report.exempt.size());
+      EXPECT_EQ(verdict(pslg, meshed->mesh, {.min_angle_deg = 0}), "valid");
+    }
+}
+
+TEST(Floor, does_not_undercut_what_the_input_has) {
+  Pslg pslg = domains::square();
+  pslg.points.push_back({0.5, 0.001});
+  const Result<Meshed> meshed = mesh(pslg, {.min_angle_deg = 30}, {.min_edge = 0.01});
+  ASSERT_TRUE(meshed);
+  EXPECT_GE(shortest_edge(meshed->mesh), 0.01 / 3);
+  EXPECT_GT(meshed->report.count(ExemptReason::min_edge), 0U);
+}
+
+TEST(KeptSegments, are_not_split_where_the_caller_forbids_it) {
+  const Pslg pslg = domain("cracks");
+  const Goal goal{.max_area = 0.001};
+  const Result<Meshed> all = mesh(pslg, goal, {.no_segment_splits = true});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->report.segment_splits, 0U);
+  EXPECT_EQ(verdict(pslg, all->mesh, {.min_angle_deg = 0}), "valid");
+  EXPECT_GT(all->report.count(ExemptReason::kept_segment), 0U);
+
+  const Result<Meshed> outline = mesh(pslg, goal, {.no_boundary_splits = true});
+  ASSERT_TRUE(outline);
+  EXPECT_GT(outline->report.segment_splits, 0U) << "segments inside may be split";
+  for (const Triangle& t : outline->mesh.triangles)
+    for (unsigned i = 0; i < 3; ++i) {
+      if (t.n[i] != no_index) continue;
+      EXPECT_LT(std::max(t.v[(i + 1) % 3], t.v[(i + 2) % 3]), pslg.points.size()) << "a boundary edge was split";
+    }
+  EXPECT_EQ(verdict(pslg, outline->mesh, {.min_angle_deg = 0}), "valid");
+}
+
+TEST(Cancellation, ends_the_run_with_an_error_of_its_kind) {
+  Options options;
+  options.progress = [](const Progress&) { return false; };
+  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-5}, options);
+  ASSERT_FALSE(meshed);
+  EXPECT_EQ(meshed.error().kind, ErrorKind::cancelled);
+}
+
+TEST(ProgressCallback, sees_the_mesh_grow) {
+  std::vector<std::uint64_t> seen;
+  Options options;
+  options.progress = [&](const Progress& progress) {
+    seen.push_back(progress.triangles);
+    return true;
+  };
+  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-5}, options);
+  ASSERT_TRUE(meshed);
+  ASSERT_GE(seen.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_LE(seen.back(), meshed->mesh.triangles.size());
+}
+
+// What a caller can get wrong ---------------------------------------------------------------------------------
+
+TEST(Usage, is_an_error_where_a_goal_has_no_meaning) {
+  const std::vector<Goal> wrong{{.min_angle_deg = 60},     {.min_angle_deg = 33.01}, {.min_angle_deg = -1},
+                                {.min_angle_deg = nan},    {.max_area = 0},          {.max_area = -1},
+                                {.max_area = nan},         {.max_edge = 0},          {.max_edge = -2},
+                                {.max_edge = nan},         {.min_angle_deg = infinity}};
+  for (const Goal& goal : wrong) {
+    const Result<Meshed> meshed = mesh(domains::square(), goal);
+    ASSERT_FALSE(meshed);
+    EXPECT_EQ(meshed.error().kind, ErrorKind::usage);
+    EXPECT_FALSE(meshed.error().message.empty());
+  }
+  for (const double floor : {-1.0, nan, infinity}) {
+    const Result<Meshed> meshed = mesh(domains::square(), {}, {.min_edge = floor});
+    ASSERT_FALSE(meshed);
+    EXPECT_EQ(meshed.error().kind, ErrorKind::usage);
+  }
+}
+
+TEST(InvalidInput, is_an_error_that_names_the_place) {
+  Pslg bad_point = domains::square();
+  bad_point.points[2].x = nan;
+  Pslg bad_id = domains::square();
+  bad_id.segments[1].b = 17;
+  Pslg crossing = domains::square();
+  crossing.segments.insert(crossing.segments.end(), {{0, 2}, {1, 3}});
+  Pslg open = domains::square();
+  open.segments.pop_back();
+  Pslg eaten = domains::square();
+  eaten.holes.push_back({0.5, 0.5});
+  Pslg flat;
+  flat.points = {{0, 0}, {1, 1}, {2, 2}};
+  Pslg cap = domains::square();
+  cap.regions.push_back({{0.5, 0.5}, 1, -3});
+  for (const Pslg& pslg : {bad_point, bad_id, crossing, open, eaten, flat, cap, Pslg{}}) {
+    const Result<Meshed> meshed = mesh(pslg);
+    ASSERT_FALSE(meshed);
+    EXPECT_EQ(meshed.error().kind, ErrorKind::invalid_input);
+    EXPECT_FALSE(meshed.error().message.empty());
+  }
+}
+
+TEST(InvalidInput, is_a_size_that_is_not_one_positive_number_per_point) {
+  const Pslg pslg = domains::square();
+  for (const std::vector<double>& sizes :
+       {std::vector<double>{1, 1, 1}, {1, 1, 1, 0}, {1, -1, 1, 1}, {1, 1, nan, 1}, {1, 1, 1, infinity}}) {
+    const auto size = interpolated_size(pslg, sizes);
+    ASSERT_FALSE(size);
+    EXPECT_EQ(size.error().kind, ErrorKind::invalid_input);
+  }
+}
+
+}  // namespace
+}  // namespace pardel

@@ -1,0 +1,223 @@
+// Inputs that kill meshers: refinement ends on each, the mesh is certified, and what it leaves is excused by a
+// small input angle or, at the limit of double precision alone, by the floor on edges.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "../../parallel/mesher.hpp"
+#include "../../properties/check.hpp"
+#include "../../properties/domains.hpp"
+#include "samples.hpp"
+
+namespace pardel {
+namespace {
+
+void add_closed(Pslg& pslg, const std::vector<Point>& outline) {
+  const auto first = static_cast<Index>(pslg.points.size()), n = static_cast<Index>(outline.size());
+  pslg.points.insert(pslg.points.end(), outline.begin(), outline.end());
+  for (Index i = 0; i < n; ++i) pslg.segments.push_back({first + i, first + (i + 1) % n});
+}
+
+void add_segment(Pslg& pslg, Point a, Point b) {
+  const auto first = static_cast<Index>(pslg.points.size());
+  pslg.points.insert(pslg.points.end(), {a, b});
+  pslg.segments.push_back({first, first + 1});
+}
+
+Pslg box(double low, double high) {
+  Pslg pslg;
+  add_closed(pslg, {{low, low}, {high, low}, {high, high}, {low, high}});
+  return pslg;
+}
+
+/// Meshed at each angle; all that breaks the goal is justified, and the checker agrees.
+void expect_certified(const Pslg& pslg, std::initializer_list<double> angles = {20.7, 30.0, 33.0}) {
+  for (const bool conforming : {false, true})
+    for (const double angle : angles) {
+      SCOPED_TRACE(std::to_string(angle) + (conforming ? " conforming" : ""));
+      const Goal goal{.min_angle_deg = angle, .conforming = conforming};
+      const Result<Meshed> meshed = mesh(pslg, goal);
+      ASSERT_TRUE(meshed) << meshed.error().message;
+      EXPECT_TRUE(meshed->report.goal_met())
+          << meshed->report.count(ExemptReason::precision) << " precision, "
+          << meshed->report.count(ExemptReason::min_edge) << " min_edge, of "
+          << meshed->mesh.triangles.size() << " triangles";
+      const Certificate certificate = check(pslg, meshed->mesh, goal, {.max_violations = 2});
+      EXPECT_TRUE(certificate.valid) << to_text(certificate);
+    }
+}
+
+TEST(TinyAngle, of_the_outline_ends) {
+  for (const double degrees : {10.0, 1.0, 0.1, 0.01}) {
+    SCOPED_TRACE(degrees);
+    const double t = std::tan(degrees * std::numbers::pi / 180);
+    Pslg pslg;
+    add_closed(pslg, {{0, 0}, {1, 0}, {1, t}});
+    expect_certified(pslg);
+  }
+}
+
+TEST(TinyAngle, between_segments_of_unlike_lengths_ends) {
+  for (const double degrees : {30.0, 3.0, 0.1, 0.01}) {
+    SCOPED_TRACE(degrees);
+    const double a = degrees * std::numbers::pi / 180;
+    Pslg pslg = box(-2, 2);
+    pslg.points.insert(pslg.points.end(), {{0, 0}, {1.3, 0}, {0.37 * std::cos(a), 0.37 * std::sin(a)}});
+    pslg.segments.insert(pslg.segments.end(), {{4, 5}, {4, 6}});
+    expect_certified(pslg);
+  }
+}
+
+TEST(TinyAngle, chained_from_segment_to_segment_ends) {
+  // A zigzag whose every corner is sharp: splits of one corner's shells encroach on the next.
+  for (const double height : {0.5, 0.05, 0.002}) {
+    SCOPED_TRACE(height);
+    Pslg pslg = box(-1, 9);
+    const auto first = static_cast<Index>(pslg.points.size());
+    for (Index i = 0; i < 9; ++i) {
+      pslg.points.push_back({i % 2 == 0 ? 0.5 : 7.5 - 0.3 * i, 1 + i * height});
+      if (i > 0) pslg.segments.push_back({first + i - 1, first + i});
+    }
+    expect_certified(pslg);
+  }
+}
+
+TEST(Hub, of_many_segments_ends) {
+  for (const int spokes : {7, 60, 360}) {
+    SCOPED_TRACE(spokes);
+    Pslg pslg = box(-2, 2);
+    pslg.points.push_back({0, 0});
+    for (int i = 0; i < spokes; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.1) / spokes, length = 1 + 0.4 * std::sin(7.0 * i);
+      pslg.points.push_back({length * std::cos(angle), length * std::sin(angle)});
+      pslg.segments.push_back({4, static_cast<Index>(pslg.points.size() - 1)});
+    }
+    expect_certified(pslg);
+  }
+}
+
+TEST(Parallels, that_nearly_touch_end) {
+  for (const double gap : {1e-4, 1e-6, 1e-9}) {
+    SCOPED_TRACE(gap);
+    Pslg pslg = box(0, 1);
+    // As long as a thousand gaps: what lies between them has to be cut into triangles of the gap's size.
+    add_segment(pslg, {0.5, 0.5}, {0.5 + 1000 * gap, 0.5});
+    add_segment(pslg, {0.5 + 300 * gap, 0.5 + gap}, {0.5 + 1300 * gap, 0.5 + gap});
+    expect_certified(pslg, {20.7, 30.0});
+  }
+}
+
+TEST(NearDuplicates, end) {
+  for (const double distance : {1e-6, 1e-9, 1e-12}) {
+    SCOPED_TRACE(distance);
+    Pslg pslg = box(0, 1);
+    pslg.points.insert(pslg.points.end(), {{0.3, 0.4}, {0.3 + distance, 0.4}, {0.7, 0.7}, {0.7, 0.7 + distance}});
+    expect_certified(pslg);
+  }
+}
+
+TEST(Rectangle, a_million_times_as_long_as_wide_ends) {
+  Pslg pslg;
+  add_closed(pslg, {{0, 0}, {1e5, 0}, {1e5, 1}, {0, 1}});
+  expect_certified(pslg, {20.7});
+  Pslg high;
+  add_closed(high, {{0, 0}, {1e-4, 0}, {1e-4, 10}, {0, 10}});
+  expect_certified(high, {20.7});
+}
+
+TEST(Circle, of_a_thousand_points_ends_with_and_without_segments) {
+  std::vector<Point> circle;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 1000;
+    circle.push_back({std::cos(angle), std::sin(angle)});
+  }
+  Pslg outline;
+  add_closed(outline, circle);
+  expect_certified(outline);
+  Pslg points;
+  points.points = circle;
+  expect_certified(points);
+}
+
+TEST(Scale, of_any_power_of_two_ends) {
+  for (const std::string& name : domains::names())
+    for (const double scale : {0x1p60, 0x1p-60, 0x1p150, 0x1p-100}) {
+      SCOPED_TRACE(name + " times " + std::to_string(std::log2(scale)) + " octaves");
+      const Pslg pslg = domains::moved(*domains::generate(name, 0, 1), 0, 0, scale);
+      const Goal goal{.min_angle_deg = 30, .region_caps = false};
+      const Result<Meshed> meshed = mesh(pslg, goal);
+      ASSERT_TRUE(meshed) << meshed.error().message;
+      EXPECT_TRUE(meshed->report.goal_met());
+      EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+    }
+}
+
+/// A domain of side 2^10 about (2^40, 2^40), where doubles are 2^-12 apart and the floor on edges is 2^-2.
+TEST(FarOffset, of_two_to_the_fortieth_ends) {
+  Pslg pslg = box(0, 1024);
+  add_segment(pslg, {200, 300}, {700, 400});
+  pslg.points.push_back({512, 900});
+  pslg.segments.push_back({4, 6});
+  expect_certified(domains::moved(pslg, 0x1p40, 0x1p40), {20.7, 30.0});
+}
+
+/// Where the input itself is as fine as the doubles about it, the floor ends refinement, and the report says so.
+TEST(FarOffset, too_far_for_the_size_of_the_domain_ends_with_reasons) {
+  for (const double offset : {0x1p46, 0x1p50, 0x1p51}) {
+    SCOPED_TRACE(offset);
+    const Pslg pslg = domains::moved(box(0, 64), offset, offset);
+    const Goal goal{.min_angle_deg = 30, .max_area = 1};
+    const Result<Meshed> meshed = mesh(pslg, goal);
+    ASSERT_TRUE(meshed) << meshed.error().message;
+    EXPECT_FALSE(meshed->report.goal_met());
+    EXPECT_GT(meshed->report.count(ExemptReason::min_edge), 0U);
+    EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid);
+  }
+}
+
+/// Rounded onto a slanted line, the hull has corners of 179.99999999999 degrees and slivers along it that are
+/// thinner than doubles can split; all else is right.
+TEST(NearlyCollinear, points_of_the_hull_end_with_reasons) {
+  samples::Random random(1);
+  Pslg pslg;
+  pslg.points = {{0.5, 7}, {0.5, -7}};
+  for (int i = 0; i < 50; ++i) {
+    const double x = random.uniform(0, 1);
+    pslg.points.push_back({x, 0.5 + x / 3});
+  }
+  expect_certified(pslg, {20.7});
+  pslg.points.erase(pslg.points.begin() + 1);
+  const Result<Meshed> meshed = mesh(pslg);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid);
+}
+
+/// Sizes that go to zero at a point: a mesh graded down to the floor there.
+TEST(Size, that_vanishes_at_a_corner_ends) {
+  Goal goal;
+  goal.size = [](Point p) { return 0.3 * std::hypot(p.x, p.y); };
+  const Pslg pslg = domains::square();
+  const Result<Meshed> meshed = mesh(pslg, goal);
+  ASSERT_TRUE(meshed);
+  EXPECT_LT(meshed->mesh.triangles.size(), 100'000U);
+  EXPECT_TRUE(check(pslg, meshed->mesh, {}).valid);
+}
+
+/// Random segments in all directions, many of them sharing ends: small angles of every kind at once.
+TEST(RandomSegments, end) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    samples::Random random(seed);
+    Pslg pslg = box(-0.25, 1.25);
+    const std::vector<Point> points = samples::uniform_points(25, seed);
+    const std::vector<Constraint> constraints = samples::random_constraints(points, 40, random);
+    pslg.points.insert(pslg.points.end(), points.begin(), points.end());
+    for (const Constraint c : constraints) pslg.segments.push_back({c.a + 4, c.b + 4});
+    expect_certified(pslg, {20.7, 33.0});
+    expect_certified(domains::moved(pslg, 654321, 4987654), {25.0});
+  }
+}
+
+}  // namespace
+}  // namespace pardel
