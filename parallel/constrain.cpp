@@ -84,14 +84,14 @@ class ConstraintInserter {
         t_.constrain(EdgeRef(id, previous_corner[corner]));
         return present = true;
       }
-      if (slot.is_ghost()) return false;
-      const double right = orient2d(a, t_.points[x], b), left = orient2d(a, t_.points[y], b);
+      if (x == ghost) return false;
+      const double right = orient2d(a, t_.points[x], b);
       const bool ahead = (t_.points[x].x - a.x) * (b.x - a.x) + (t_.points[x].y - a.y) * (b.y - a.y) > 0;
       if (right == 0 && ahead) {
         passed = x;
         return true;
       }
-      if (right > 0 && left < 0) {
+      if (y != ghost && right > 0 && orient2d(a, t_.points[y], b) < 0) {
         out = EdgeRef(id, corner);
         return true;
       }
