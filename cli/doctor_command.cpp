@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -30,8 +31,10 @@ struct Arguments {
 };
 
 nlohmann::ordered_json to_json(const Problem& problem, int base) {
+  std::vector<std::uint64_t> ids;  // as the file numbers them
+  for (const Index id : problem.ids) ids.push_back(std::uint64_t{id} + static_cast<unsigned>(base));
   return {{"kind", name(problem.kind)},
-          {"ids", problem.ids},
+          {"ids", ids},
           {"where", {problem.where.x, problem.where.y}},
           {"message", problem.message(base)}};
 }

@@ -104,7 +104,7 @@ TEST_F(BadOutput, triangle_leaves_no_file_when_the_disk_fills_up) {
 
 TEST_F(BadOutput, an_interrupt_stops_with_130_and_leaves_no_file) {
   const Ran ran =
-      pardel({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "2e-7", "--progress", "always"},
+      pardel({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "5e-8", "--progress", "always"},
              {.interrupt_when = "triangles"});
   EXPECT_EQ(ran.exit_code, 130) << ran;
   EXPECT_TRUE(holds(ran.err, {"interrupted"}));

@@ -73,7 +73,8 @@ TEST_F(DoctorCommand, the_findings_come_as_json) {
     EXPECT_FALSE(findings["valid"]);
     EXPECT_EQ(findings["input"]["points"], 5);
     ASSERT_FALSE(findings["problems"].empty());
-    EXPECT_TRUE(findings["problems"][0].contains("ids"));
+    EXPECT_EQ(findings["problems"][0]["ids"], (json{4, 5}));  // as the file numbers them
+    EXPECT_EQ(findings["problems"][0]["where"], (json{0.0, 1.0}));
     EXPECT_TRUE(findings["repaired"].is_null());
   }
 }

@@ -264,11 +264,12 @@ TEST_F(MeshCommand, a_pipe_sees_no_progress_and_a_terminal_none_of_short_work) {
   EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu"}, {.terminal = true}).err, "");
 }
 
-TEST_F(MeshCommand, a_terminal_sees_progress_of_long_work) {
-  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--max-area", "2e-7", "--max-vertices", "8000000"},
-                         {.terminal = true});
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K"}));
+TEST_F(MeshCommand, a_terminal_sees_progress_of_long_work_and_Ctrl_C_ends_it) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--max-area", "5e-8"},
+                         {.interrupt_when = "triangles", .terminal = true});
+  EXPECT_EQ(ran.exit_code, 130) << ran;
+  EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K", "interrupted"}));
+  EXPECT_FALSE(exists("m.off"));
 }
 
 }  // namespace

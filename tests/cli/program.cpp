@@ -57,12 +57,17 @@ void redirect(int to, const char* file) {
   _exit(97);
 }
 
-/// All that a terminal shows until its last writer is gone.
-std::string shown(int terminal) {
+/// All that a terminal shows until its last writer is gone; SIGINT to the child once it shows `interrupt_when`.
+std::string shown(int terminal, pid_t child, const std::string& interrupt_when) {
   std::string text;
+  bool waiting = !interrupt_when.empty();
   char buffer[4096];
-  for (ssize_t got; (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
+  for (ssize_t got; (got = ::read(terminal, buffer, sizeof buffer)) > 0;) {
     text.append(buffer, static_cast<std::size_t>(got));
+    if (!waiting || text.find(interrupt_when) == std::string::npos) continue;
+    kill(child, SIGINT);
+    waiting = false;
+  }
   return text;
 }
 
@@ -102,10 +107,10 @@ Ran Workshop::pardel(const std::vector<std::string>& arguments, const RunOptions
   Ran ran;
   if (slave >= 0) {
     close(slave);
-    ran.err = shown(master);
+    ran.err = shown(master, child, options.interrupt_when);
     close(master);
   }
-  if (!options.interrupt_when.empty()) interrupt_once_seen(child, options.interrupt_when, err);
+  if (!options.terminal && !options.interrupt_when.empty()) interrupt_once_seen(child, options.interrupt_when, err);
   int status = 0;
   waitpid(child, &status, 0);
   ran.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
