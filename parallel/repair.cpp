@@ -1,8 +1,12 @@
 // Rounds of: merge points, drop what became nothing or the same twice, split where segments meet. A crossing is
 // rounded to a point, so pieces lie a rounding beside the segment that they are of and may meet others anew; hence
-// the rounds.
+// the rounds. Where many segments pass within roundings of one point, this breeds crossings. Then all is done again
+// with crossings rounded to a lattice, finer than the last place of the largest coordinate at first, then coarser
+// and coarser (after Hobby's snap rounding, 1999, but that given points stay where they are).
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <string>
@@ -16,20 +20,23 @@
 namespace pardel {
 namespace {
 
-constexpr int most_rounds = 100;
+/// The units of the lattices to be tried, relative to the largest coordinate; 0: none.
+constexpr std::array<double, 6> lattice_units{0, 0x1p-52, 0x1p-49, 0x1p-46, 0x1p-43, 0x1p-40};
 
-/// What is being repaired, where it came from, and what was done to it so far.
+Point on_lattice(Point p, double unit) {
+  return unit > 0 ? Point{std::round(p.x / unit) * unit, std::round(p.y / unit) * unit} : p;
+}
+
+/// What is being repaired, and where it came from.
 struct Work {
   Pslg pslg;
   std::vector<Index> point_map;  ///< old point -> point
   std::vector<Index> source;     ///< segment -> old segment
-  std::size_t merged = 0, without_length = 0, repeated = 0, crossings = 0, splits = 0;
 };
 
 /// Takes the duplicates out of the points and names the first of each by its new number.
 void merge(Work& work, std::span<const Duplicate> duplicates) {
   if (duplicates.empty()) return;
-  work.merged += duplicates.size();
   Pslg& pslg = work.pslg;
   const std::size_t width = pslg.attributes_per_point;
   std::vector<Index> renamed(pslg.points.size(), no_index);
@@ -65,13 +72,11 @@ void drop_surplus_segments(Work& work) {
   std::vector<bool> stays(segments.size());
   for (std::size_t k = 0, first = 0; k < order.size(); ++k) {
     Segment& segment = segments[order[k]];
-    if (segment.a == segment.b) {
-      ++work.without_length;
-    } else if (k == 0 || ends(order[k]) != ends(order[first])) {
+    if (segment.a == segment.b) continue;
+    if (k == 0 || ends(order[k]) != ends(order[first])) {
       stays[order[k]] = true;
       first = k;
     } else {
-      ++work.repeated;
       int& marker = segments[order[first]].marker;
       if (marker == 0) marker = segment.marker;
     }
@@ -133,8 +138,10 @@ void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
   work.source = std::move(source);
 }
 
-/// One round. True when no two segments meet but at their ends, and no point lies inside one.
-bool resolve(Work& work, double snap) {
+/// One round of splits. Returns how many conflicts there were: zero when no two segments meet but at their ends, and
+/// no point lies inside one.
+/// The search for them ends when there are `most` of one kind.
+std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   Pslg& pslg = work.pslg;
   merge(work, find_duplicates(pslg.points));
   if (snap > 0) merge(work, find_close(pslg.points, snap));
@@ -146,7 +153,7 @@ bool resolve(Work& work, double snap) {
   for (Index i = 0; i < is_end.size(); ++i)
     if (!is_end[i]) loose.push_back(i);
   const SegmentIndex index(pslg.points, pslg.segments);
-  const std::vector<Conflict> conflicts = find_conflicts(pslg.points, pslg.segments, loose, index);
+  const std::vector<Conflict> conflicts = find_conflicts(pslg.points, pslg.segments, loose, index, most);
 
   // Where segments overlap, an end of one is inside the other.
   std::vector<std::pair<Index, Index>> splits;
@@ -156,14 +163,46 @@ bool resolve(Work& work, double snap) {
       splits.emplace_back(c.second, c.first);
       continue;
     }
-    ++work.crossings;
-    const Index point = add_point(pslg, place_of(c, pslg.points, pslg.segments), pslg.segments[c.first]);
+    const Point place = on_lattice(place_of(c, pslg.points, pslg.segments), unit);
+    const Index point = add_point(pslg, place, pslg.segments[c.first]);
     splits.emplace_back(c.first, point);
     splits.emplace_back(c.second, point);
   }
-  work.splits += splits.size();
   split(work, std::move(splits));
-  return conflicts.empty();
+  return conflicts.size();
+}
+
+/// Rounds until nothing is left to do; false when the conflicts do not become fewer by half with every round.
+bool untangle(Work& work, double snap, double unit) {
+  std::size_t too_many = std::numeric_limits<std::size_t>::max();
+  for (std::size_t conflicts = 0; (conflicts = resolve(work, snap, unit, too_many)) > 0; too_many = conflicts / 2 + 1)
+    if (conflicts >= too_many) return false;
+  return true;
+}
+
+/// What became of the points and segments, a line each.
+std::vector<std::string> summary(const Pslg& old, const Work& work) {
+  std::vector<bool> is_old(work.pslg.points.size());
+  for (const Index point : work.point_map) is_old[point] = true;
+  const auto kept = static_cast<std::size_t>(std::ranges::count(is_old, true));
+  std::vector<Index> pieces(old.segments.size());
+  for (const Index s : work.source) ++pieces[s];
+  std::size_t without_length = 0, covered = 0, split_up = 0;
+  for (std::size_t s = 0; s < pieces.size(); ++s) {
+    if (pieces[s] > 1) ++split_up;
+    if (pieces[s] > 0) continue;
+    ++(work.point_map[old.segments[s].a] == work.point_map[old.segments[s].b] ? without_length : covered);
+  }
+  std::vector<std::string> log;
+  const auto note = [&](std::size_t count, const char* what) {
+    if (count > 0) log.push_back(std::string(what) + ": " + std::to_string(count) + ".");
+  };
+  note(old.points.size() - kept, "Points merged into others at the same place, or closer than the snapping distance");
+  note(work.pslg.points.size() - kept, "Points added where segments cross");
+  note(without_length, "Segments without length dropped");
+  note(covered, "Segments dropped that others cover");
+  note(split_up, "Segments split where they cross others or have points inside them");
+  return log;
 }
 
 template <class T>
@@ -234,24 +273,23 @@ Result<Repaired> repair(const Pslg& pslg, double snap) {
   std::erase_if(beyond, [](const Problem& p) { return !is_beyond_repair(p); });
   if (!beyond.empty()) return Error{ErrorKind::invalid_input, lines(beyond)};
 
-  Work work{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
-  std::iota(work.point_map.begin(), work.point_map.end(), Index{0});
-  std::iota(work.source.begin(), work.source.end(), Index{0});
-  for (int round = 0; !resolve(work, snap); ++round)
-    if (round == most_rounds)
-      return Error{ErrorKind::invalid_input,
-                   "Rounded crossings keep crossing other segments; a larger snapping "
-                   "distance may help."};
+  Work begin{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
+  std::iota(begin.point_map.begin(), begin.point_map.end(), Index{0});
+  std::iota(begin.source.begin(), begin.source.end(), Index{0});
+  double largest = 0;
+  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  Work work;
+  const bool untangled = std::ranges::any_of(lattice_units, [&](double unit) {
+    work = begin;
+    return untangle(work, snap, unit * largest);
+  });
+  if (!untangled)
+    return Error{
+        ErrorKind::invalid_input,
+        "Segments meet so closely that splitting them at rounded crossings makes ever more crossings; a larger "
+        "snapping distance may help."};
 
-  std::vector<std::string> log;
-  const auto note = [&](std::size_t count, const char* what) {
-    if (count > 0) log.push_back(std::to_string(count) + " " + what);
-  };
-  note(work.merged, "points merged into others at the same place or closer than the snapping distance.");
-  note(work.without_length, "segments without length dropped.");
-  note(work.repeated, "segments or pieces dropped that had the ends of others.");
-  note(work.crossings, "crossings made points.");
-  note(work.splits, "splits of segments, at crossings and at points inside them.");
+  std::vector<std::string> log = summary(pslg, work);
   const std::vector<Problem> rest = drop_misplaced_seeds(work.pslg, log);
   if (!rest.empty()) return Error{ErrorKind::invalid_input, lines(rest)};
   return Repaired{std::move(work.pslg), std::move(work.point_map), std::move(work.source), std::move(log)};

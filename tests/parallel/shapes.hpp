@@ -1,0 +1,30 @@
+// Small domains, built up from polygons.
+#pragma once
+
+#include <vector>
+
+#include "../../core/pslg.hpp"
+
+namespace pardel::testing {
+
+inline void add_polygon(Pslg& pslg, const std::vector<Point>& corners, int marker = 0) {
+  const auto n = static_cast<Index>(pslg.points.size()), m = static_cast<Index>(corners.size());
+  pslg.points.insert(pslg.points.end(), corners.begin(), corners.end());
+  for (Index i = 0; i < m; ++i) pslg.segments.push_back({n + i, n + (i + 1) % m, marker});
+}
+inline void add_square(Pslg& pslg, double side, Point at, int marker = 0) {
+  add_polygon(pslg, {at, {at.x + side, at.y}, {at.x + side, at.y + side}, {at.x, at.y + side}}, marker);
+}
+inline Pslg points_only(const std::vector<Point>& points) {
+  Pslg pslg;
+  pslg.points = points;
+  return pslg;
+}
+/// Points 0 to 3 counter-clockwise from the origin; segment i from point i on.
+inline Pslg square(double side) {
+  Pslg pslg;
+  add_square(pslg, side, {0, 0});
+  return pslg;
+}
+
+}  // namespace pardel::testing
