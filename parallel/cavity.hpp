@@ -81,10 +81,11 @@ class Cavity {
   }
   void add(TriangleId id) {
     // The boundary and the stack never hold more than two entries above the number of triangles.
-    if (triangle_count_ + 4 > triangles_.size()) enlarge(2 * triangles_.size());
+    if (triangle_count_ + 4 > triangles_.size()) [[unlikely]]
+      enlarge(2 * triangles_.size());
     triangles_[triangle_count_++] = id;
   }
-  void enlarge(std::size_t n) {
+  [[gnu::noinline]] void enlarge(std::size_t n) {
     triangles_.resize(n);
     boundary_.resize(n);
     stack_.resize(n);
@@ -146,13 +147,15 @@ void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const All
   std::copy_n(cavity.triangles().begin(), std::min(n, old), fan.begin());  // never fewer new ones than old ones
   for (std::size_t i = old; i < n; ++i) fan[i] = allocate();
 
-  TriangleId before = fan[n - 1];
-  for (std::size_t i = 0; i < n; ++i) {
-    const EdgeRef outer = boundary[i].outer;
-    const TriangleId here = fan[i], after = fan[i + 1 < n ? i + 1 : 0];
-    t.slots[here] = {{p, boundary[i].from, cavity.to(i)}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
+  TriangleId after = fan[0];
+  VertexId to = cavity.to(n - 1);
+  for (std::size_t i = n; i-- > 0;) {
+    const auto [from, inner, outer] = boundary[i];
+    const TriangleId here = fan[i], before = fan[i > 0 ? i - 1 : n - 1];
+    t.slots[here] = {{p, from, to}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
     if (!outer.none()) t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
-    before = here;
+    after = here;
+    to = from;
   }
   if (cavity.open()) {
     t.slots[fan[0]].n[2] = EdgeRef();

@@ -10,10 +10,6 @@ constexpr auto nothing_else = [](TriangleId, unsigned) { return Reach::outside; 
 
 }  // namespace
 
-bool Insertion::disk_contains(const Slot& slot, Point p) const {
-  return incircle(t_.points[slot.v[0]], t_.points[slot.v[1]], t_.points[slot.v[2]], p) > 0;
-}
-
 bool Insertion::measure_fan(Point p) {
   const auto boundary = cavity_.boundary();
   const std::size_t n = boundary.size();

@@ -5,6 +5,7 @@
 
 #include "cavity.hpp"
 #include "criteria.hpp"
+#include "predicates.hpp"
 #include "tiles.hpp"
 #include "triangulation.hpp"
 
@@ -45,7 +46,9 @@ class Insertion {
   [[nodiscard]] EdgeRef blocker() const { return blocker_; }
 
  private:
-  [[nodiscard]] bool disk_contains(const Slot& slot, Point p) const;
+  [[nodiscard]] bool disk_contains(const Slot& slot, Point p) const {
+    return incircle(t_.points[slot.v[0]], t_.points[slot.v[1]], t_.points[slot.v[2]], p) > 0;
+  }
   [[nodiscard]] auto reach_within(Point p, const Box& box) const {
     return [this, p, &box](TriangleId id, unsigned side) {
       const Slot& slot = t_.slots[id];
