@@ -97,6 +97,12 @@ class Array {
     for (std::size_t i = size_; i < n; ++i) data_[i] = copy;
     size_ = n;
   }
+  /// New elements hold whatever the memory holds (zero bytes, in a large block not used before); pages of a
+  /// large block that nobody writes cost nothing.
+  void resize_uninitialised(std::size_t n) {
+    if (n > capacity_) reserve(grown_capacity(n));
+    size_ = n;
+  }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   /// Gives the unused tail back to the system.

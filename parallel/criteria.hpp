@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -64,6 +65,7 @@ class Criteria {
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
   [[nodiscard]] bool too_large(const Measure& m) const { return m.twice_area > twice_max_area_; }
+  [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
   /// There are sizes that depend on the place: too_large alone does not tell.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;

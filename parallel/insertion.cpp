@@ -82,15 +82,11 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
 }
 
 void Insertion::commit(Point p, Index origin) {
-  const auto v = static_cast<VertexId>(t_.points.size());
-  t_.points.push_back(p);
-  t_.origin.push_back(origin);
-  const auto allocate = [this] {
-    t_.slots.push_back({});
-    if (!t_.region.empty()) t_.region.push_back(no_index);
-    return static_cast<TriangleId>(t_.slots.size() - 1);
-  };
-  retriangulate(t_, cavity_, v, allocate, fan_);
+  const VertexId v = supply_->vertices.take();
+  t_.points[v] = p;
+  t_.origin[v] = origin;
+  retriangulate(
+      t_, cavity_, v, [this] { return supply_->triangles.take(); }, fan_);
 }
 
 /// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.

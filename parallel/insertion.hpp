@@ -5,6 +5,7 @@
 
 #include "cavity.hpp"
 #include "criteria.hpp"
+#include "numbers.hpp"
 #include "predicates.hpp"
 #include "tiles.hpp"
 #include "triangulation.hpp"
@@ -19,11 +20,24 @@ enum class Outcome : std::uint8_t {
   refused,     ///< no valid triangulation would result in double precision
 };
 
+/// The numbers for what a task makes.
+struct Supply {
+  Numbers vertices, triangles;
+  /// For one more insertion.
+  [[nodiscard]] bool suffices() const { return vertices.left() >= 1 && triangles.left() >= 2; }
+};
+
 /// Inserts points into one triangulation, one at a time, each within a box: only triangles whose corners
 /// all lie in the box are changed. Every triangle made is exactly positively oriented.
 class Insertion {
  public:
   Insertion(Triangulation& t, const Criteria& criteria) : t_(t), criteria_(criteria) {}
+
+  /// Numbers come from `supply`, which has to suffice for each insertion.
+  void start(Supply& supply) {
+    supply_ = &supply;
+    has_flipped_ = false;
+  }
 
   /// Inserts p, unless it encroaches on a constrained edge of its cavity or lies beyond one. Refused where p
   /// does not lie in the open circumdisk of `first`. Precondition: the corners of `first` lie in the box.
@@ -39,7 +53,7 @@ class Insertion {
   [[nodiscard]] std::span<const TriangleId> changed() const { return fan_; }
   /// After `inserted`: their measures, in the same order; empty where flips were needed.
   [[nodiscard]] std::span<const Measure> measures() const { return measures_; }
-  /// Some insertion so far needed flips, which can leave a triangle's slot and first corner as they were and
+  /// Some insertion since the start needed flips, which can leave a triangle's slot and first corner as they were and
   /// change the others.
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
   /// After `encroaches`: the longest of the edges encroached, seen from inside the cavity.
@@ -65,6 +79,7 @@ class Insertion {
 
   Triangulation& t_;
   const Criteria& criteria_;
+  Supply* supply_ = nullptr;
   Cavity cavity_;
   bool is_star_ = false, has_flipped_ = false;
   std::vector<TriangleId> fan_;

@@ -22,6 +22,12 @@ enum class Placement : std::uint8_t {
   off_centre,  ///< Üngör's: nearer to the shortest edge, just far enough for the angle bound; smaller meshes
 };
 
+/// How the plane is cut into tasks.
+enum class Decomposition : std::uint8_t {
+  automatic,  ///< tiles sized by work: the triangles of one fit a core's cache
+  none,       ///< one tile over everything
+};
+
 struct Progress {
   std::uint64_t triangles = 0;  ///< so far
   double estimate = 0;          ///< of the final number; 0 while unknown
@@ -29,7 +35,8 @@ struct Progress {
 
 struct Options {
   Placement placement = Placement::off_centre;
-  int threads = 1;
+  int threads = 1;  ///< does not change the result
+  Decomposition decomposition = Decomposition::automatic;
   std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
   /// No point is inserted where it would make an edge shorter than this; 0: a default that double
   /// precision can hold, 2^-42 times the largest coordinate.

@@ -1,8 +1,14 @@
 #include "refine.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <memory>
+#include <numeric>
+#include <utility>
 
+#include "parallel_for.hpp"
 #include "task.hpp"
 
 namespace pardel {
@@ -10,6 +16,10 @@ namespace {
 
 /// The final triangles of one tile fit the second-level cache together with their vertices.
 constexpr double triangles_per_tile = 16'000;
+/// What quality alone makes of a triangle of the input, at the very least.
+constexpr double triangles_per_input_triangle = 1.7;
+/// A vertex makes two triangles; a fifth to spare.
+constexpr double insertions_per_triangle = 0.6;
 /// From one lattice to the next finer one, the side of a cell shrinks by this factor.
 constexpr Index levels_apart = 4;
 /// A level splits what is longer than this part of the next finer level's cell: shorter triangles have
@@ -44,119 +54,298 @@ std::vector<Lattice> lattices(Box bounds, double estimate) {
   return result;
 }
 
+/// A task to be: a cell with what waits for it.
+struct Job {
+  Index cell = 0;
+  std::vector<Queued> seeds;
+  std::vector<Queued> outsiders;  ///< seeds whose triangles do not lie in the box
+  double insertions = 0;          ///< expected
+  Supply supply;
+  TaskResult result;
+};
+
 class Refinement {
  public:
   Refinement(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options)
-      : t_(t), judge_(t, lines, criteria, options), task_(t, lines, judge_, criteria, options) {}
+      : t_(t),
+        criteria_(criteria),
+        options_(options),
+        judge_(t, lines, criteria, options),
+        threads_(std::max(1, options.threads)),
+        vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
+        triangles_(static_cast<Index>(t.slots.size()), max_triangles) {
+    for (int i = 0; i < threads_; ++i) tasks_.push_back(std::make_unique<Task>(t, lines, judge_, criteria));
+  }
 
-  RefineCounts run(const Criteria& criteria) {
-    double estimate = 0;
-    for (TriangleId id = 0; id < t_.slots.size(); ++id) {
-      estimate += std::max(1.7, criteria.triangles_wanted(Shape(t_, t_.slots[id]), judge_.region_of(id)));
-      const Assessment a = judge_.assess(id);
-      if (a.need != Assessment::Need::nothing) task_.deferred.push_back(id);
-      task_.left_alone = task_.left_alone || a.left_alone;
-    }
-    const std::vector<Lattice> levels = lattices(bounds_of(t_.points.span()), estimate);
+  void run() {
+    Pending pending = everything_bad();
+    const Box bounds = bounds_of(t_.points.span());
+    const std::vector<Lattice> levels =
+        lattices(bounds, options_.decomposition == Decomposition::none ? 1 : pending.estimate);
+    estimate_ = pending.estimate;
+    deferred_ = std::move(pending.triangles);
 
     // Down: what is long at a level is split there; what gets short enough waits for a finer one.
-    for (std::size_t level = 0; level < levels.size() && go_on(); ++level) {
-      if (level + 1 < levels.size()) {
-        const double longest = long_in_finer_cells * levels[level + 1].side();
-        sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), {longest * longest});
-        continue;
-      }
-      // Everywhere the shorter half of the work comes before the longer: points put in for long triangles would
-      // only be in the way of those that short ones need anyway. Tiles that finish one by one cannot have this
-      // order by themselves, and neither has one queue over everything: it makes larger meshes.
-      const Deferral longer_half{0, median_key(task_.deferred)};
-      sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), longer_half);
-      sweep_to_fixpoint(levels[level], std::exchange(task_.deferred, {}), {});
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+      const double longest = long_in_finer_cells * levels[level + 1].side();
+      sweep_to_fixpoint(levels[level], std::exchange(deferred_, {}), {longest * longest});
     }
+    // At the finest, everywhere the shorter half of the work comes before the longer: points put in for long
+    // triangles would only be in the way of those that short ones need anyway. Tiles that finish one by one cannot
+    // have this order by themselves, and neither has one queue over everything: it makes larger meshes.
+    const Deferral longer_half{0, median_key(deferred_)};
+    sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), longer_half);
+    sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
     // Up: what no box of a level could hold gets a larger one.
-    for (std::size_t level = levels.size() - 1; level-- > 0 && go_on();)
-      sweep_to_fixpoint(levels[level], std::exchange(task_.stuck, {}), {});
-
-    counts_.inserted = task_.inserted;
-    counts_.segment_splits = task_.segment_splits;
-    counts_.refused = task_.refused;
-    counts_.budget_reached = task_.budget_reached;
-    counts_.left_alone = task_.left_alone;
-    return counts_;
+    for (std::size_t level = levels.size() - 1; level-- > 0;)
+      sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
+    close_ranks();
   }
-  [[nodiscard]] bool cancelled() const { return task_.cancelled; }
+
+  [[nodiscard]] bool cancelled() const { return cancelled_.load(); }
+  [[nodiscard]] bool out_of_triangles() const { return triangles_.available() < 2; }
+  [[nodiscard]] RefineCounts counts() && { return std::move(counts_); }
 
  private:
-  [[nodiscard]] bool go_on() const { return !task_.cancelled && !task_.budget_reached; }
+  struct Pending {
+    std::vector<Queued> triangles;
+    double estimate = 0;
+  };
 
-  [[nodiscard]] unsigned median_key(const std::vector<TriangleId>& ids) const {
-    std::vector<unsigned> keys;
-    keys.reserve(ids.size());
-    for (const TriangleId id : ids) keys.push_back(judge_.assess(id).key);
-    if (keys.empty()) return BucketQueue::last;
+  static Index most_vertices(const Triangulation& t, const Options& options) {
+    const auto present = static_cast<std::uint64_t>(t.points.size());
+    if (options.max_vertices == 0) return max_triangles;
+    return static_cast<Index>(
+        std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_triangles)));
+  }
+
+  /// All triangles that ask for something, and how many triangles the result may have.
+  Pending everything_bad() {
+    std::vector<Pending> found(block_count(t_.slots.size()));
+    std::vector<char> left_alone(found.size(), 0);
+    parallel_blocks(threads_, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+      for (std::size_t id = first; id < last; ++id) {
+        const auto triangle = static_cast<TriangleId>(id);
+        found[block].estimate += std::max(triangles_per_input_triangle, wanted_by(triangle));
+        const Assessment a = judge_.assess(triangle);
+        if (a.need != Assessment::Need::nothing) found[block].triangles.push_back({triangle, t_.slots[triangle].v[0]});
+        if (a.left_alone) left_alone[block] = 1;
+      }
+    });
+    Pending all;
+    for (const Pending& block : found) {
+      all.estimate += block.estimate;
+      all.triangles.insert(all.triangles.end(), block.triangles.begin(), block.triangles.end());
+    }
+    counts_.left_alone = std::any_of(left_alone.begin(), left_alone.end(), [](char c) { return c != 0; });
+    return all;
+  }
+
+  [[nodiscard]] double wanted_by(TriangleId id) const {
+    return criteria_.triangles_wanted(Shape(t_, t_.slots[id]), judge_.region_of(id));
+  }
+
+  [[nodiscard]] bool go_on() const { return !cancelled_.load(std::memory_order_relaxed) && !counts_.budget_reached; }
+
+  /// Asked by tasks now and then; the caller hears of it on its own thread only.
+  bool report(int thread) {
+    if (thread == 0 && options_.progress && !options_.progress({triangles_.in_use(), estimate_})) cancelled_ = true;
+    return !cancelled_.load(std::memory_order_relaxed);
+  }
+
+  [[nodiscard]] unsigned median_key(const std::vector<Queued>& ids) const {
+    if (ids.empty()) return BucketQueue::last;
+    std::vector<unsigned> keys(ids.size());
+    parallel_blocks(threads_, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) keys[i] = judge_.assess(ids[i].id).key;
+    });
     const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
     std::nth_element(keys.begin(), middle, keys.end());
     return *middle;
   }
 
-  void sweep_to_fixpoint(const Lattice& lattice, const std::vector<TriangleId>& pending, const Deferral& later) {
-    std::vector<std::vector<TriangleId>> inbox(lattice.cells());
-    bool any = false;
-    for (const TriangleId id : pending) {
-      const Assessment a = judge_.assess(id);
-      if (a.need == Assessment::Need::nothing) continue;
-      if (later.applies_to(a)) {
-        task_.deferred.push_back(id);
-        continue;
+  void sweep_to_fixpoint(const Lattice& lattice, const std::vector<Queued>& pending, const Deferral& later) {
+    constexpr Index nowhere = no_index, afterwards = no_index - 1;
+    std::vector<Index> cell(pending.size());
+    parallel_blocks(threads_, pending.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) {
+        cell[i] = nowhere;
+        if (!judge_.is_current(pending[i])) continue;
+        const TriangleId id = pending[i].id;
+        const Assessment a = judge_.assess(id);
+        if (a.need != Assessment::Need::nothing)
+          cell[i] = later.applies_to(a) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
       }
-      inbox[lattice.cell_of(judge_.point_for(id, a))].push_back(id);
-      any = true;
-    }
-    while (any && go_on()) any = sweep(lattice, inbox, later);
-  }
-
-  /// Four phases, one per colour. Returns whether any candidate was handed to another cell.
-  bool sweep(const Lattice& lattice, std::vector<std::vector<TriangleId>>& inbox, const Deferral& later) {
-    Sweep done{lattice.cells(), 0, 0};
-    const std::uint64_t before = t_.points.size();
-    for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
-      for (Index cell = 0; cell < lattice.cells(); ++cell) {
-        if (lattice.colour_of(cell) != colour || inbox[cell].empty()) continue;
-        const std::vector<TriangleId> seeds = admitted(lattice.box_of(cell), std::exchange(inbox[cell], {}));
-        if (!task_.run(lattice, cell, seeds, later)) return false;
-        done.handed_on += task_.handed_on.size();
-        for (const HandedOn& h : task_.handed_on) inbox[h.cell].push_back(h.id);
-      }
-    }
-    done.inserted = t_.points.size() - before;
-    counts_.sweeps.push_back(done);
-    return std::any_of(inbox.begin(), inbox.end(), [](const auto& box) { return !box.empty(); });
-  }
-
-  /// The seeds whose triangles lie in the box; the others need a larger one.
-  std::vector<TriangleId> admitted(const Box& box, std::vector<TriangleId> seeds) {
-    std::erase_if(seeds, [&](TriangleId id) {
-      const auto& v = t_.slots[id].v;
-      const bool fits = box.contains(t_.points[v[0]]) && box.contains(t_.points[v[1]]) && box.contains(t_.points[v[2]]);
-      if (!fits) task_.stuck.push_back(id);
-      return !fits;
     });
-    return seeds;
+    std::vector<std::vector<Queued>> inbox(lattice.cells());
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      if (cell[i] == nowhere) continue;
+      (cell[i] == afterwards ? deferred_ : inbox[cell[i]]).push_back(pending[i]);
+    }
+    const auto waiting = [&] {
+      return std::any_of(inbox.begin(), inbox.end(), [](const auto& b) { return !b.empty(); });
+    };
+    while (waiting() && go_on()) sweep(lattice, inbox, later);
+  }
+
+  /// Four phases, one per colour.
+  void sweep(const Lattice& lattice, std::vector<std::vector<Queued>>& inbox, const Deferral& later) {
+    const auto start = std::chrono::steady_clock::now();
+    Sweep done{lattice.cells(), 0, 0, 0};
+    for (unsigned colour = 0; colour < Lattice::colours && go_on(); ++colour) {
+      const std::vector<double> wanted = wanted_in_cells(inbox);
+      std::vector<Job> jobs;
+      for (Index cell = 0; cell < lattice.cells(); ++cell)
+        if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
+          jobs.emplace_back();
+          jobs.back().cell = cell;
+          jobs.back().seeds = std::exchange(inbox[cell], {});
+          jobs.back().insertions = insertions_per_triangle * lattice.sum_over_box(cell, wanted);
+        }
+      phase(lattice, jobs, later);
+      for (Job& job : jobs) {
+        done.inserted += job.result.inserted + job.result.segment_splits;
+        done.handed_on += job.result.handed_on.size();
+        for (const HandedOn& h : job.result.handed_on) inbox[h.cell].push_back(h.triangle);
+        collect(job);
+      }
+      vertices_.settle();
+      triangles_.settle();
+    }
+    done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    counts_.sweeps.push_back(done);
+    if (vertices_.available() == 0) counts_.budget_reached = counts_.left_alone = true;
+    if (out_of_triangles()) cancelled_ = true;
+  }
+
+  /// Cells of one colour have disjoint boxes: their tasks run in any order, at the same time.
+  void phase(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later) {
+    parallel_for(threads_, jobs.size(), [&](std::size_t i, int) { admit(jobs[i], lattice.box_of(jobs[i].cell)); });
+    supply(jobs);
+    t_.points.resize_uninitialised(vertices_.end());
+    t_.origin.resize_uninitialised(vertices_.end());
+    t_.slots.resize_uninitialised(triangles_.end());
+    if (!t_.region.empty()) t_.region.resize_uninitialised(triangles_.end());
+
+    std::vector<std::size_t> largest_first(jobs.size());
+    std::iota(largest_first.begin(), largest_first.end(), std::size_t{0});
+    std::stable_sort(largest_first.begin(), largest_first.end(),
+                     [&](std::size_t a, std::size_t b) { return jobs[a].insertions > jobs[b].insertions; });
+    parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
+      Job& job = jobs[largest_first[i]];
+      job.result = tasks_[static_cast<std::size_t>(thread)]->run(lattice, job.cell, job.seeds, later, job.supply,
+                                                                 [&] { return report(thread); });
+    });
+  }
+
+  /// Numbers for each job: as many as it is expected to need, and as many again above all of these. What is not used
+  /// comes back, so the second helping costs memory only where it is needed.
+  void supply(std::vector<Job>& jobs) {
+    std::vector<std::vector<NumberRange>> vertices(jobs.size()), triangles(jobs.size());
+    for (int helping = 0; helping < 2; ++helping)
+      for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const auto insertions = static_cast<std::size_t>(std::min(jobs[i].insertions, 1e9));
+        vertices_.assign(insertions, vertices[i]);
+        triangles_.assign(2 * insertions, triangles[i]);
+      }
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      jobs[i].supply = {Numbers(std::move(vertices[i])), Numbers(std::move(triangles[i]))};
+  }
+
+  /// What the sizes ask for where the triangles lie that wait in each cell.
+  [[nodiscard]] std::vector<double> wanted_in_cells(const std::vector<std::vector<Queued>>& inbox) const {
+    std::vector<double> wanted(inbox.size(), 0);
+    if (!criteria_.has_size()) return wanted;
+    parallel_for(threads_, inbox.size(), [&](std::size_t cell, int) {
+      for (const Queued q : inbox[cell])
+        if (judge_.is_current(q)) wanted[cell] += wanted_by(q.id);
+    });
+    return wanted;
+  }
+
+  /// Keeps the seeds that are still there and whose triangles lie in the box.
+  void admit(Job& job, const Box& box) const {
+    constexpr double insertions_per_seed = 2.5, spare = 32;
+    job.insertions += spare;
+    std::erase_if(job.seeds, [&](Queued q) {
+      if (!judge_.is_current(q)) return true;
+      for (const VertexId v : t_.slots[q.id].v)
+        if (!box.contains(t_.points[v])) {
+          job.outsiders.push_back(q);
+          return true;
+        }
+      job.insertions += insertions_per_seed;
+      return false;
+    });
+  }
+
+  void collect(const Job& job) {
+    vertices_.take_back(job.supply.vertices);
+    triangles_.take_back(job.supply.triangles);
+    const TaskResult& r = job.result;
+    stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
+    stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
+    deferred_.insert(deferred_.end(), r.deferred.begin(), r.deferred.end());
+    counts_.inserted += r.inserted;
+    counts_.segment_splits += r.segment_splits;
+    counts_.refused += r.refused;
+    counts_.left_alone = counts_.left_alone || r.left_alone;
+  }
+
+  /// Moves the last vertices and triangles into the holes that unused numbers left.
+  void close_ranks() {
+    const std::vector<NumberMove> triangle_moves = moves_into_holes(triangles_);
+    for (const NumberMove move : triangle_moves) {
+      t_.slots[move.to] = t_.slots[move.from];
+      if (!t_.region.empty()) t_.region[move.to] = t_.region[move.from];
+      for (unsigned side = 0; side < 3; ++side)
+        if (const EdgeRef out = t_.slots[move.to].n[side]; !out.none())
+          t_.slots[out.triangle()].n[out.side()] = EdgeRef(move.to, side, out.constrained());
+    }
+    const std::size_t triangles = triangles_.in_use();
+    t_.slots.resize(triangles);
+    if (!t_.region.empty()) t_.region.resize(triangles);
+
+    const std::vector<NumberMove> vertex_moves = moves_into_holes(vertices_);
+    const VertexId vertices = vertices_.in_use();
+    std::vector<VertexId> moved_to(t_.points.size() - vertices, no_index);
+    for (const NumberMove move : vertex_moves) {
+      t_.points[move.to] = t_.points[move.from];
+      t_.origin[move.to] = t_.origin[move.from];
+      moved_to[move.from - vertices] = move.to;
+    }
+    if (!vertex_moves.empty())
+      parallel_blocks(threads_, triangles, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t id = first; id < last; ++id)
+          for (VertexId& v : t_.slots[id].v)
+            if (v >= vertices) v = moved_to[v - vertices];
+      });
+    t_.points.resize(vertices);
+    t_.origin.resize(vertices);
   }
 
   Triangulation& t_;
+  const Criteria& criteria_;
+  const Options& options_;
   Judge judge_;
-  Task task_;
+  int threads_;
+  std::vector<std::unique_ptr<Task>> tasks_;
+  NumberLedger vertices_, triangles_;
+  std::vector<Queued> stuck_, deferred_;
   RefineCounts counts_;
+  double estimate_ = 0;
+  std::atomic<bool> cancelled_{false};
 };
 
 }  // namespace
 
 Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options) {
   Refinement refinement(t, lines, criteria, options);
-  RefineCounts counts = refinement.run(criteria);
+  refinement.run();
+  if (refinement.out_of_triangles())
+    return Error{ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
   if (refinement.cancelled()) return Error{ErrorKind::cancelled, "the caller asked to stop"};
-  return counts;
+  return std::move(refinement).counts();
 }
 
 std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Criteria& criteria,

@@ -17,7 +17,8 @@ namespace pardel {
 struct Sweep {
   Index cells = 0;
   std::uint64_t inserted = 0;   ///< vertices
-  std::uint64_t handed_on = 0;  ///< candidates whose point lies in another cell, or whose cavity leaves the box
+  std::uint64_t handed_on = 0;  ///< triangles left to the task of another cell
+  double seconds = 0;
 };
 
 struct RefineCounts {

@@ -68,31 +68,38 @@ Point Judge::point_for(TriangleId id, const Assessment& a) const {
   return a.need == Assessment::Need::split_edge ? point_on(EdgeRef(id, a.side)) : point_in(id);
 }
 
-bool Task::run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, const Deferral& later) {
+TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
+                     Supply& supply, const std::function<bool()>& go_on) {
   lattice_ = &lattice;
   cell_ = cell;
   box_ = lattice.box_of(cell);
   later_ = later;
-  handed_on.clear();
-  for (const TriangleId id : seeds) consider(id);
-  while (!queue_.empty()) {
-    if (!may_go_on()) {
-      budget_reached = !cancelled;
-      left_alone = true;
-      return false;
-    }
-    process(queue_.pop());
+  supply_ = &supply;
+  insertion_.start(supply);
+  result_ = {};
+  for (const Queued seed : seeds) consider(seed.id);
+
+  constexpr std::uint64_t steps_between_questions = 4096;
+  bool stopped = false;
+  for (std::uint64_t step = 1; !queue_.empty(); ++step) {
+    stopped = stopped || (step % steps_between_questions == 0 && !go_on());
+    const Queued next = queue_.pop();
+    if (!judge_.is_current(next)) continue;  // replaced; if what replaced it is bad, it was queued too
+    if (stopped || !supply.suffices())
+      result_.handed_on.push_back({next, cell});
+    else
+      process(next);
   }
-  return true;
+  return std::move(result_);
 }
 
 void Task::queue_if_bad(TriangleId id, const Assessment& a) {
   if (a.need == Assessment::Need::nothing) {
-    left_alone = left_alone || a.left_alone;
+    result_.left_alone = result_.left_alone || a.left_alone;
     return;
   }
   if (later_.applies_to(a))
-    deferred.push_back(id);
+    result_.deferred.push_back({id, t_.slots[id].v[0]});
   else
     queue_.push({id, t_.slots[id].v[0]}, a.key);
 }
@@ -110,40 +117,39 @@ void Task::consider_changed() {
 void Task::process(Queued triangle) {
   const TriangleId id = triangle.id;
   const Slot& slot = t_.slots[id];
-  if (slot.v[0] != triangle.first_corner) return;  // replaced; if what replaced it is bad, it was queued too
   if (slot.any_constrained() || insertion_.has_flipped()) {
     const Assessment a = judge_.assess(id);
     if (a.need == Assessment::Need::nothing) return;
     if (a.need == Assessment::Need::split_edge) {
       const EdgeRef e(id, a.side);
-      if (split_edge(e) == Outcome::leaves_box) hand_on(id, judge_.point_on(e));
+      if (split_edge(e) == Outcome::leaves_box) hand_on(triangle, judge_.point_on(e));
       return;
     }
   }
   const Point p = judge_.point_in(id);
   switch (insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:
-      ++inserted;
+      ++result_.inserted;
       consider_changed();
       return;
     case Outcome::encroaches: {
       const EdgeRef blocker = insertion_.blocker();
       if (judge_.forbidden(blocker) || judge_.below_floor(blocker)) {
-        left_alone = true;
+        result_.left_alone = true;
         return;
       }
       const Outcome outcome = split_edge(blocker);
       if (outcome == Outcome::inserted) consider(id);
-      if (outcome == Outcome::leaves_box) hand_on(id, judge_.point_on(blocker));
-      if (outcome == Outcome::refused) left_alone = true;
+      if (outcome == Outcome::leaves_box) hand_on(triangle, judge_.point_on(blocker));
+      if (outcome == Outcome::refused) result_.left_alone = true;
       return;
     }
     case Outcome::leaves_box:
-      hand_on(id, p);
+      hand_on(triangle, p);
       return;
     case Outcome::refused:
-      ++refused;
-      left_alone = true;
+      ++result_.refused;
+      result_.left_alone = true;
       return;
   }
 }
@@ -152,24 +158,19 @@ Outcome Task::split_edge(EdgeRef e) {
   const Index line = judge_.line_of(e);
   const Outcome outcome = insertion_.split_edge(judge_.point_on(e), e, line, box_);
   if (outcome == Outcome::inserted) {
-    ++segment_splits;
+    ++result_.segment_splits;
     consider_changed();
   }
-  if (outcome == Outcome::refused) ++refused;
+  if (outcome == Outcome::refused) ++result_.refused;
   return outcome;
 }
 
-void Task::hand_on(TriangleId id, Point p) {
+void Task::hand_on(Queued triangle, Point p) {
   const Index cell = lattice_->cell_of(p);
   if (cell == cell_)
-    stuck.push_back(id);
+    result_.stuck.push_back(triangle);
   else
-    handed_on.push_back({id, cell});
-}
-
-bool Task::report() {
-  cancelled = options_.progress && !options_.progress({t_.slots.size(), 0});
-  return !cancelled;
+    result_.handed_on.push_back({triangle, cell});
 }
 
 }  // namespace pardel

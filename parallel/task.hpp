@@ -1,6 +1,7 @@
 // A task: refines what lies in one box, by itself, until nothing in it can be done any more.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,8 @@ class Judge {
         options_(options),
         squared_floor_(options.min_edge * options.min_edge) {}
 
+  /// Whether the slot still holds the triangle that was queued.
+  [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id].v[0] == q.first_corner; }
   [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
   [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const;
   /// Breaks the criteria, justified or not.
@@ -74,30 +77,30 @@ struct Deferral {
 
 /// A triangle that a task could not finish, and the cell that has to.
 struct HandedOn {
-  TriangleId id;
+  Queued triangle;
   Index cell;
 };
 
+/// What a task did and what it leaves to others, each list in a fixed order.
+struct TaskResult {
+  std::vector<HandedOn> handed_on;  ///< to other cells, or to its own when its numbers were used up
+  std::vector<Queued> stuck;        ///< the box of their own cell is too small
+  std::vector<Queued> deferred;     ///< for a finer lattice or the next round
+  std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
+  bool left_alone = false;  ///< some triangle that breaks the goal was not split; it may be gone by now
+};
+
+/// Works on one cell at a time; a thread has one of its own. Nothing of one run is left for the next but
+/// allocated memory.
 class Task {
  public:
-  Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, const Options& options)
-      : t_(t),
-        lines_(lines),
-        judge_(judge),
-        options_(options),
-        insertion_(t, criteria),
-        most_vertices_(options.max_vertices > 0 ? options.max_vertices : UINT64_MAX) {}
+  Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria)
+      : t_(t), lines_(lines), judge_(judge), insertion_(t, criteria) {}
 
-  /// Refines in the box of `cell`, starting with `seeds` (whose corners lie in the box). Returns false
-  /// when the caller's progress callback said stop or the budget is reached.
-  bool run(const Lattice& lattice, Index cell, std::span<const TriangleId> seeds, const Deferral& later);
-
-  std::vector<HandedOn> handed_on;   ///< by the last run, in order: to another cell
-  std::vector<TriangleId> stuck;     ///< by all runs: the box of their own cell is too small
-  std::vector<TriangleId> deferred;  ///< by all runs
-  std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
-  bool budget_reached = false, cancelled = false;
-  bool left_alone = false;  ///< some triangle that breaks the goal was not split; it may be gone by now
+  /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on() is asked now and
+  /// then; when it says no, the run ends early.
+  TaskResult run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
+                 Supply& supply, const std::function<bool()>& go_on);
 
  private:
   void consider(TriangleId id) { queue_if_bad(id, judge_.assess(id)); }
@@ -105,25 +108,19 @@ class Task {
   void queue_if_bad(TriangleId id, const Assessment& a);
   void process(Queued triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
-  void hand_on(TriangleId id, Point p);
-  [[nodiscard]] bool may_go_on() {
-    constexpr std::uint64_t steps_between_reports = 4096;
-    return t_.points.size() < most_vertices_ && (++steps_ % steps_between_reports != 0 || report());
-  }
-  [[nodiscard]] bool report();
+  void hand_on(Queued triangle, Point p);
 
   Triangulation& t_;
   const Lines& lines_;
   const Judge& judge_;
-  const Options& options_;
   Insertion insertion_;
   BucketQueue queue_;
+  TaskResult result_;
   const Lattice* lattice_ = nullptr;
   Index cell_ = 0;
   Box box_;
   Deferral later_;
-  std::uint64_t most_vertices_;
-  std::uint64_t steps_ = 0;
+  Supply* supply_ = nullptr;
 };
 
 }  // namespace pardel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "../core/pslg.hpp"
 
@@ -48,6 +49,17 @@ class Lattice {
     if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * side_;
     if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * side_;
     return box;
+  }
+
+  /// The part that the box of a cell has in a quantity given per cell: all of the cell, half of the cells beside
+  /// it, a quarter of those at its corners (all of them at the rim).
+  [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
+    const Index i = cell % columns_, j = cell / columns_;
+    double sum = 0;
+    for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows_ - 1); ++y)
+      for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns_ - 1); ++x)
+        sum += per_cell[y * columns_ + x] * (x == i ? 1 : 0.5) * (y == j ? 1 : 0.5);
+    return sum;
   }
 
  private:
