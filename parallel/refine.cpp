@@ -81,7 +81,7 @@ class Refinement {
     counts_.segment_splits = task_.segment_splits;
     counts_.refused = task_.refused;
     counts_.budget_reached = task_.budget_reached;
-    counts_.left_alone = task_.left_alone;
+    counts_.left_alone = task_.left_alone || !task_.stuck.empty();  // with a point that is nowhere
     return counts_;
   }
   [[nodiscard]] bool cancelled() const { return task_.cancelled; }

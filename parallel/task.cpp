@@ -135,7 +135,6 @@ void Task::process(Queued triangle) {
       const Outcome outcome = split_edge(blocker);
       if (outcome == Outcome::inserted) consider(id);
       if (outcome == Outcome::leaves_box) hand_on(id, judge_.point_on(blocker));
-      if (outcome == Outcome::refused) left_alone = true;
       return;
     }
     case Outcome::leaves_box:
@@ -155,7 +154,10 @@ Outcome Task::split_edge(EdgeRef e) {
     ++segment_splits;
     consider_changed();
   }
-  if (outcome == Outcome::refused) ++refused;
+  if (outcome == Outcome::refused) {
+    ++refused;
+    left_alone = true;
+  }
   return outcome;
 }
 
