@@ -140,6 +140,7 @@ void Task::process(Queued triangle) {
     case Outcome::leaves_box:
       hand_on(id, p);
       return;
+    case Outcome::too_close:
     case Outcome::refused:
       ++refused;
       left_alone = true;
@@ -154,7 +155,7 @@ Outcome Task::split_edge(EdgeRef e) {
     ++segment_splits;
     consider_changed();
   }
-  if (outcome == Outcome::refused) {
+  if (outcome == Outcome::refused || outcome == Outcome::too_close) {
     ++refused;
     left_alone = true;
   }

@@ -85,7 +85,7 @@ class Task {
         lines_(lines),
         judge_(judge),
         options_(options),
-        insertion_(t, criteria),
+        insertion_(t, criteria, options.min_edge),
         most_vertices_(options.max_vertices > 0 ? options.max_vertices : UINT64_MAX) {}
 
   /// Refines in the box of `cell`, starting with `seeds` (whose corners lie in the box). Returns false
