@@ -23,7 +23,7 @@ struct Conflict {
   ConflictKind kind;
   Index first;
   Index second;
-  friend auto operator<=>(const Conflict&, const Conflict&) = default;
+  friend auto operator<=>(const Conflict&, const Conflict&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Every conflict once, in ascending order; but the search ends as soon as there are `most` of one kind.
