@@ -73,7 +73,9 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
 }
 
 Result<ExitCode> run(const Arguments& arguments) {
-  if (Status folder = check_folder(arguments.repaired); !folder) return folder.error();
+  if (!arguments.repaired.empty()) {
+    if (Status fine = check_poly_output(arguments.repaired); !fine) return fine.error();
+  }
   if (Status folder = check_folder(arguments.json); !folder) return folder.error();
   const Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return domain.error();

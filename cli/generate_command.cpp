@@ -10,6 +10,7 @@
 #include "../core/formats.hpp"
 #include "../properties/domains.hpp"
 #include "command.hpp"
+#include "output.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -22,6 +23,7 @@ struct Arguments {
 };
 
 Result<ExitCode> run(const Arguments& arguments) {
+  if (Status fine = check_poly_output(arguments.output); !fine) return fine.error();
   const Result<Pslg> pslg = domains::generate(arguments.name, arguments.n, arguments.seed);
   if (!pslg) return pslg.error();
   const Status written = write_poly(*pslg, arguments.output);

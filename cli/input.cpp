@@ -50,6 +50,11 @@ bool has_own_points(const fs::path& poly) {
 }
 
 Result<Domain> read_domain(const fs::path& file) {
+  if (is_mesh_suffix(file) && file.extension() != ".node") {
+    return Error{ErrorKind::usage, fmt::format("{}: a domain is needed here, a .poly or .node file; meshes are for "
+                                               "'pardel mesh --refine' and 'pardel check'",
+                                               file.string())};
+  }
   Result<Pslg> pslg = read_pslg(file);
   if (!pslg) return pslg.error();
   return Domain{std::move(*pslg), file.string(), number_base(file)};

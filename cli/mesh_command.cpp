@@ -1,10 +1,12 @@
 // pardel mesh: a domain and a goal in, a mesh out.
 #include <fmt/core.h>
+#include <omp.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +32,7 @@ struct Arguments {
   std::vector<std::filesystem::path> outputs;
   GoalOptions goal;
   Options options;
+  std::optional<int> threads;
   bool refine = false;
   bool repair = false;
   bool check = false;
@@ -78,8 +81,12 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
   return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;
 }
 
-Result<ExitCode> run(const Arguments& arguments) {
+Result<ExitCode> run(Arguments& arguments) {
   Stopwatch total, watch;
+  if (arguments.threads) {
+    arguments.options.threads = *arguments.threads;
+    omp_set_num_threads(*arguments.threads);  // what reads, writes and checks keeps to the number, too
+  }
   std::vector<std::filesystem::path> inputs = {arguments.input};
   if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine.error();
   if (Status fine = check_folder(arguments.json); !fine) return fine.error();
@@ -166,7 +173,7 @@ Command add_mesh(CLI::App& program) {
       ->check(positive_number("a length"))
       ->type_name("LENGTH")
       ->group("Limits");
-  app->add_option("--threads", options.threads, "Threads (default 1); the mesh does not depend on their number")
+  app->add_option("--threads", arguments->threads, "Threads (default 1); the mesh does not depend on their number")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""))
       ->group("Limits");

@@ -20,6 +20,14 @@ Error io_error(const fs::path& file, int error) {
   return {ErrorKind::io, fmt::format("{}: {}", file.string(), std::strerror(error))};
 }
 
+/// True for what has no name in a folder to appear under: devices, pipes, handles like /dev/stdout.
+bool written_in_place(const fs::path& file) {
+  std::error_code ignored;
+  const std::string name = file.lexically_normal().string();
+  return name.starts_with("/dev/") || name.starts_with("/proc/") ||
+         (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored));
+}
+
 /// What a file stands for: Triangle's files of one stem belong together.
 fs::path family(const fs::path& file) {
   std::error_code ignored;
@@ -51,10 +59,15 @@ Status check_folder(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (access(folder.c_str(), F_OK) != 0) return io_error(file, errno);
   if (!fs::is_directory(folder, ignored)) return io_error(file, ENOTDIR);
-  // What is no regular file is written in place and needs no room in the folder.
-  const bool in_place = fs::exists(file, ignored) && !fs::is_regular_file(file, ignored);
-  if (access(in_place ? file.c_str() : folder.c_str(), W_OK) != 0) return io_error(file, errno);
+  if (access(written_in_place(file) ? file.c_str() : folder.c_str(), W_OK) != 0) return io_error(file, errno);
   return Done{};
+}
+
+Status check_poly_output(const fs::path& file) {
+  if (file.extension() != ".poly" && !written_in_place(file)) {
+    return Error{ErrorKind::usage, fmt::format("{}: domains are written as .poly", file.string())};
+  }
+  return check_folder(file);
 }
 
 Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {

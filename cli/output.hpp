@@ -17,7 +17,9 @@ namespace pardel::cli {
 /// that would replace one of the inputs (usage), a folder that does not exist or may not be written (io).
 [[nodiscard]] Status check_mesh_outputs(std::span<const std::filesystem::path> outputs,
                                         std::span<const std::filesystem::path> inputs);
-/// The last of these for any one file; "-" and "" are fine.
+/// A domain is written as .poly (or to a device); any other suffix would mislead whoever reads it: usage.
+[[nodiscard]] Status check_poly_output(const std::filesystem::path& file);
+/// That the folder of a file exists and may be written (io); "-" and "" are fine.
 [[nodiscard]] Status check_folder(const std::filesystem::path& file);
 
 }  // namespace pardel::cli

@@ -6,6 +6,7 @@
 #include "background.hpp"
 #include "delaunay.hpp"
 #include "flips.hpp"
+#include "join_pieces.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -54,8 +55,8 @@ Status link_neighbours(const Mesh& mesh, Triangulation& t) {
 }
 
 /// Marks the mesh's constrained edges in the triangulation and lists them and every boundary edge.
-void constrain_edges(const Mesh& mesh, Assembled& domain, std::vector<Constraint>& constraints) {
-  Triangulation& t = domain.triangulation;
+std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t) {
+  std::vector<ConstrainedEdge> pieces;
   std::vector<Index> start(mesh.points.size() + 1, 0), list(mesh.constrained_edges.size());
   for (const ConstrainedEdge& e : mesh.constrained_edges) ++start[std::min(e.a, e.b) + 1U];
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
@@ -75,10 +76,9 @@ void constrain_edges(const Mesh& mesh, Assembled& domain, std::vector<Constraint
       }
       if (listed == nullptr && !across.none()) continue;
       t.constrain(EdgeRef(id, side));
-      constraints.push_back({a, b});
-      domain.segment_of_line.push_back(listed == nullptr ? no_index : listed->segment);
-      domain.marker_of_line.push_back(listed == nullptr ? 0 : listed->marker);
+      pieces.push_back(listed == nullptr ? ConstrainedEdge{a, b, no_index, 0} : *listed);
     }
+  return pieces;
 }
 
 /// Puts the input's points back into the input's order.
@@ -165,10 +165,11 @@ Result<Assembled> assemble(const Mesh& mesh) {
   t.points = mesh.points;
   if (Status linked = link_neighbours(mesh, t); !linked) return linked.error();
   if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
-  std::vector<Constraint> constraints;
-  constrain_edges(mesh, domain, constraints);
-  t.origin.resize(t.points.size(), input_vertex);
-  domain.lines = Lines(t.points, constraints);
+  Joined joined = join_pieces(mesh, constrain_edges(mesh, t));
+  t.origin = std::move(joined.origin);
+  domain.lines = Lines(t.points, joined.lines);
+  domain.segment_of_line = std::move(joined.segment_of_line);
+  domain.marker_of_line = std::move(joined.marker_of_line);
   domain.input_of_vertex.resize(t.points.size());
   for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
 
@@ -220,7 +221,7 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   }
   mesh.triangles = std::move(triangles);
   restore_order(domain.input_of_vertex, t.points);
-  for (std::size_t v = inputs; v < t.origin.size(); ++v)
+  for (std::size_t v = 0; v < t.origin.size(); ++v)
     if (t.origin[v] < domain.lines.size()) {
       const Index segment = domain.segment_of_line[t.origin[v]];
       t.origin[v] = segment == no_index ? hull_vertex : segment;

@@ -25,8 +25,9 @@ struct Assembled {
 /// Precondition: the Pslg is valid (validate.hpp); what it would have found can give invalid_input here.
 [[nodiscard]] Result<Assembled> assemble(const Pslg& pslg, bool convex_hull);
 
-/// From an existing mesh: its constrained edges, or where it lists none its boundary, become the lines. It is
-/// made constrained Delaunay by flips. A mesh that is no manifold or not positively oriented gives invalid_input.
+/// From an existing mesh: its constrained edges and its boundary become the lines, joined where the mesh knows the
+/// provenance of its vertices (join_pieces.hpp). It is made constrained Delaunay by flips. A mesh that is no
+/// manifold or not positively oriented gives invalid_input.
 [[nodiscard]] Result<Assembled> assemble(const Mesh& mesh);
 
 /// What the result inherits from the input's points; attributes of new points are interpolated.

@@ -5,13 +5,11 @@
 #include <compare>
 
 #include "expansion.hpp"
+#include "lexicographic.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
 namespace {
-
-/// Order along any line.
-bool before(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 /// For collinear a, b, p.
 bool strictly_between(Point a, Point b, Point p) {

@@ -23,13 +23,14 @@ struct Conflict {
   ConflictKind kind;
   Index first;
   Index second;
-  friend auto operator<=>(const Conflict&, const Conflict&) = default;
+  friend auto operator<=>(const Conflict&, const Conflict&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// Every conflict once, in ascending order; but the search ends as soon as there are `most` of one kind.
-/// Exact. Preconditions: the points that segments name are distinct and in the predicates' range; no two
-/// segments have the same ends, none has equal ends. `points` that are not to be looked at (because they equal
-/// another, say) are not in `candidates`, the points that no segment names but may lie on one.
+/// Every conflict once, in ascending order; but the search ends as soon as there are `most` of one kind. Exact.
+/// `candidates`: the points to look at that no segment names (all of them, but for those that equal another, say).
+/// Preconditions: the points that segments name are distinct and in the predicates' range; no two segments have the
+/// same ends, none has equal ends. Time: O(n log n) and what pairs of segments with intersecting bounding boxes take,
+/// which is quadratic for many long slanted segments side by side, or around one vertex (0.8 s for 10,000 spokes).
 [[nodiscard]] std::vector<Conflict> find_conflicts(std::span<const Point> points, std::span<const Segment> segments,
                                                    std::span<const Index> candidates, const SegmentIndex& index,
                                                    std::size_t most = std::numeric_limits<std::size_t>::max());

@@ -1,5 +1,6 @@
 #include "constrain.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <string>
 
@@ -167,9 +168,14 @@ class ConstraintInserter {
 
 Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints) {
   if (constraints.empty()) return Done{};
+  // In the order of their vertices, which follows from coordinates: that of the input has no say.
+  std::vector<std::pair<VertexId, VertexId>> ordered;
+  ordered.reserve(constraints.size());
+  for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));
+  std::sort(ordered.begin(), ordered.end());
   ConstraintInserter inserter(t);
-  for (const Constraint c : constraints)
-    if (Status inserted = inserter.insert(c); !inserted) return inserted;
+  for (const auto& [a, b] : ordered)
+    if (Status inserted = inserter.insert({a, b}); !inserted) return inserted;
   return Done{};
 }
 

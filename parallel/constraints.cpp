@@ -9,7 +9,7 @@ Lines::Lines(const Array<Point>& points, std::span<const Constraint> constraints
   lines_.reserve(constraints.size());
   start_.assign(points.size() + 1, 0);
   for (const Constraint c : constraints) {
-    lines_.push_back({c.a, c.b});
+    lines_.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
     ++start_[c.a + 1U];
     ++start_[c.b + 1U];
   }

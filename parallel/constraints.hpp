@@ -10,7 +10,8 @@
 namespace pardel {
 
 /// A constraint with what refinement asks of it. Its pieces (subsegments) are not stored: a vertex put on a
-/// line has the line as its origin, so the line of a piece follows from its ends.
+/// line has the line as its origin, so the line of a piece follows from its ends. a < b: vertices are numbered by
+/// their coordinates, so the direction that the input gives a segment has no say in how points on it are rounded.
 struct Line {
   VertexId a, b;
   bool acute_at_a = false;  ///< another line leaves a at less than 90 degrees

@@ -1,7 +1,6 @@
 #include "delaunay.hpp"
 
 #include <bit>
-#include <cstring>
 
 #include "cavity.hpp"
 #include "predicates.hpp"
@@ -10,26 +9,26 @@
 namespace pardel {
 namespace {
 
-std::uint64_t coordinate_hash(Point p) {
-  std::uint64_t h = std::bit_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15U + std::bit_cast<std::uint64_t>(p.y);
+std::uint64_t mixed(std::uint64_t h) {
   h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
   h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
   return h ^ h >> 32U;
 }
 
-/// Round r of the insertion holds about 4^-r of the points; the last rounds go first.
-std::vector<Index> biased_random_order(std::span<const Point> points) {
+/// Round r of the insertion holds about 4^-r of the points; the last rounds go first. Chance is a hash of a point's
+/// place on the curve: neither the order of the input nor its scale has a say.
+std::vector<Index> biased_random_order(std::size_t n) {
   constexpr int rounds = 12;
-  std::vector<std::uint8_t> round(points.size());
+  std::vector<std::uint8_t> round(n);
   std::array<std::size_t, rounds + 1> start{};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const int level = std::min(rounds - 1, std::countr_zero(coordinate_hash(points[i])) / 2);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int level = std::min(rounds - 1, std::countr_zero(mixed(i + 1)) / 2);
     round[i] = static_cast<std::uint8_t>(rounds - 1 - level);
     ++start[round[i] + 1U];
   }
   for (std::size_t r = 1; r < start.size(); ++r) start[r] += start[r - 1];
-  std::vector<Index> order(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) order[start[round[i]]++] = static_cast<Index>(i);
+  std::vector<Index> order(n);
+  for (std::size_t i = 0; i < n; ++i) order[start[round[i]]++] = static_cast<Index>(i);
   return order;
 }
 
@@ -101,7 +100,7 @@ Result<Delaunay> delaunay(std::span<const Point> points) {
   Triangulation& t = result.triangulation;
   t.points.reserve(points.size());
   for (const Index i : result.input_of_vertex) t.points.push_back(points[i]);
-  std::vector<Index> order = biased_random_order(t.points.span());
+  std::vector<Index> order = biased_random_order(t.points.size());
 
   const Point a = t.points[order[0]], b = t.points[order[1]];
   if (a == b) return coordinates_error("two points share the coordinates", a);

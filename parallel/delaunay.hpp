@@ -16,9 +16,9 @@ struct Delaunay {
 };
 
 /// Randomized incremental insertion in biased order (Amenta, Choi and Rote, "Incremental constructions con
-/// BRIO", 2003): expected O(n log n) for any input, the randomness being a hash of the coordinates, so the
-/// result does not depend on the order of the input. Precondition: distinct points, coordinates in range;
-/// a duplicate, or points that are all collinear, give invalid_input.
+/// BRIO", 2003): expected O(n log n) for any input, the randomness being a hash of the place along the curve, so
+/// the result does not depend on the order of the input. Precondition: distinct points, coordinates in range; a
+/// duplicate, or points that are all collinear, give invalid_input.
 [[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points);
 
 /// The non-ghost triangle that contains p, or a ghost triangle whose hull edge p lies beyond, found by a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lexicographic.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -15,9 +16,7 @@ Index origin(std::span<const Segment> segments, HalfEdge h) {
   return (h & 1U) != 0 ? segments[h / 2].b : segments[h / 2].a;
 }
 
-bool before(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
-/// The half-edges around each vertex, in counter-clockwise order from (but for) straight down.
+/// The half-edges around each vertex, in counter-clockwise order, from just past straight down on.
 struct Rotation {
   std::vector<HalfEdge> next;     ///< per half-edge: the one that follows with the same face to its left
   std::vector<bool> guards_left;  ///< per half-edge: its vertex has none to the left, and it is the last there, so

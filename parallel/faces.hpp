@@ -2,6 +2,7 @@
 // contains a point. Exact.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ class Faces {
 
   [[nodiscard]] Index count() const { return count_; }
   /// As seen from a to b.
-  [[nodiscard]] Index left_of(Index segment) const { return face_[2 * segment]; }
-  [[nodiscard]] Index right_of(Index segment) const { return face_[2 * segment + 1]; }
+  [[nodiscard]] Index left_of(Index segment) const { return face_[2 * std::size_t{segment}]; }
+  [[nodiscard]] Index right_of(Index segment) const { return face_[2 * std::size_t{segment} + 1]; }
   /// Precondition: p is on no segment.
   [[nodiscard]] Index containing(Point p) const;
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "lexicographic.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
 namespace {
-
-bool before(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 /// The points that are extreme in eight directions, counter-clockwise. (Rounding may pick points that are not
 /// quite extreme. What lies strictly left of every side of a closed polygon is inside its hull all the same.)

@@ -16,12 +16,14 @@ bool Insertion::measure_fan(Point p) {
   measures_.resize(n);
   Point a = t_.points[boundary[0].from];
   double squared_a = (a.x - p.x) * (a.x - p.x) + (a.y - p.y) * (a.y - p.y);
+  squared_closest_ = squared_a;
   bool visible = true;
   for (std::size_t i = 0; i < n; ++i) {
     const Point b = t_.points[cavity_.to(i)];
     const double squared_b = (b.x - p.x) * (b.x - p.x) + (b.y - p.y) * (b.y - p.y);
     const double area = orient2d(a, b, p);
     visible = visible && area > 0;
+    squared_closest_ = std::min(squared_closest_, squared_b);
     measures_[i] = {{(b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), squared_b, squared_a}, area};
     a = b;
     squared_a = squared_b;
@@ -56,6 +58,7 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   // Where a constrained edge is not Delaunay the cavity may hold triangles that p does not see.
   if (longest == 0 && !is_star_) blocker_ = wide;
   if (!blocker_.none()) return Outcome::encroaches;
+  if (too_close()) return Outcome::too_close;
   return walk == Walk::tangled ? Outcome::refused : Outcome::inserted;
 }
 
@@ -67,7 +70,7 @@ Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
   return outcome;
 }
 
-Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
+Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
   const EdgeRef other = t_.slot(e).n[e.side()];
   if (!box.contains(p)) return Outcome::leaves_box;
   for (const EdgeRef side : {e, other})
@@ -76,9 +79,16 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
         if (!box.contains(t_.points[v])) return Outcome::leaves_box;
   const Walk walk = cavity_.find_on_edge(t_, e, reach_within(p, box));
   if (walk == Walk::foreign) return Outcome::leaves_box;
-  if (walk == Walk::tangled || !measure_fan(p)) return edge_by_flips(p, e, line);
+  is_star_ = measure_fan(p) && walk == Walk::complete;
+  return too_close() ? Outcome::too_close : Outcome::inserted;
+}
+
+Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
+  const Outcome outcome = try_on_edge(p, e, box);
+  if (outcome != Outcome::inserted) return outcome;
+  if (!is_star_) return edge_by_flips(p, e, line);
   commit(p, line);
-  return Outcome::inserted;
+  return outcome;
 }
 
 void Insertion::commit(Point p, Index origin) {

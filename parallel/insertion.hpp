@@ -17,6 +17,7 @@ enum class Outcome : std::uint8_t {
   inserted,
   encroaches,  ///< blocker() is a constrained edge that has to be split instead
   leaves_box,  ///< another task's box, or a larger one, is needed
+  too_close,   ///< an edge below the floor would result
   refused,     ///< no valid triangulation would result in double precision
 };
 
@@ -28,10 +29,12 @@ struct Supply {
 };
 
 /// Inserts points into one triangulation, one at a time, each within a box: only triangles whose corners
-/// all lie in the box are changed. Every triangle made is exactly positively oriented.
+/// all lie in the box are changed. Every triangle made is exactly positively oriented, and no edge made is shorter
+/// than `min_edge`: so refinement ends, for only so many points have room (up to rounding of squared lengths).
 class Insertion {
  public:
-  Insertion(Triangulation& t, const Criteria& criteria) : t_(t), criteria_(criteria) {}
+  Insertion(Triangulation& t, const Criteria& criteria, double min_edge)
+      : t_(t), criteria_(criteria), squared_floor_(min_edge * min_edge) {}
 
   /// Numbers come from `supply`, which has to suffice for each insertion.
   void start(Supply& supply) {
@@ -48,6 +51,9 @@ class Insertion {
 
   /// Splits the constrained edge e, a piece of `line`, at p.
   Outcome split_edge(Point p, EdgeRef e, Index line, const Box& box);
+
+  /// What split_edge would find, with nothing changed (`inserted` then means that it could be).
+  Outcome try_on_edge(Point p, EdgeRef e, const Box& box);
 
   /// After `inserted`: the triangles that are new or changed.
   [[nodiscard]] std::span<const TriangleId> changed() const { return fan_; }
@@ -72,6 +78,7 @@ class Insertion {
   }
   /// Measures the fan that would be made; false where p does not see every edge of the boundary from its left.
   bool measure_fan(Point p);
+  [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);
@@ -79,9 +86,12 @@ class Insertion {
 
   Triangulation& t_;
   const Criteria& criteria_;
+  double squared_floor_;
   Supply* supply_ = nullptr;
   Cavity cavity_;
-  bool is_star_ = false, has_flipped_ = false;
+  bool is_star_ = false;        ///< after try_in_face and try_on_edge
+  double squared_closest_ = 0;  ///< after measure_fan: from the point to the nearest corner of the boundary
+  bool has_flipped_ = false;
   std::vector<TriangleId> fan_;
   std::vector<Measure> measures_;
   EdgeRef blocker_;

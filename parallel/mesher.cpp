@@ -148,6 +148,10 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
   if (!max_areas.empty() && max_areas.size() != coarse.triangles.size())
     return Error{ErrorKind::invalid_input, std::to_string(max_areas.size()) + " area caps for a mesh of " +
                                                std::to_string(coarse.triangles.size()) + " triangles"};
+  for (std::size_t i = 0; i < max_areas.size(); ++i)
+    if (!(max_areas[i] > 0))
+      return Error{ErrorKind::invalid_input, "the area cap of triangle " + std::to_string(i) +
+                                                 " must be positive, not " + std::to_string(max_areas[i])};
   Stopwatch watch;
   Meshed result;
   Result<Assembled> domain = assemble(coarse);

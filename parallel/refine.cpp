@@ -74,7 +74,8 @@ class Refinement {
         threads_(std::max(1, options.threads)),
         vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
         triangles_(static_cast<Index>(t.slots.size()), max_triangles) {
-    for (int i = 0; i < threads_; ++i) tasks_.push_back(std::make_unique<Task>(t, lines, judge_, criteria));
+    for (int i = 0; i < threads_; ++i)
+      tasks_.push_back(std::make_unique<Task>(t, lines, judge_, criteria, options.min_edge));
   }
 
   void run() {
@@ -100,6 +101,7 @@ class Refinement {
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
     close_ranks();
+    counts_.left_alone = counts_.left_alone || !stuck_.empty();  // with a point that is nowhere
   }
 
   [[nodiscard]] bool cancelled() const { return cancelled_.load(); }
@@ -351,7 +353,7 @@ Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria
 std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Criteria& criteria,
                                   const Options& options, bool budget_reached) {
   const Judge judge(t, lines, criteria, options);
-  Insertion insertion(t, criteria);
+  Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
   const auto why = [&](TriangleId id) -> Exemption {
     const Slot& slot = t.slots[id];
@@ -362,11 +364,13 @@ std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Cr
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached) return {id, ExemptReason::budget};
     if (shape.shortest_squared() < options.min_edge * options.min_edge) return {id, ExemptReason::min_edge};
-    if (insertion.try_in_face(criteria.split_point(shape), id, everywhere) == Outcome::encroaches) {
-      if (judge.forbidden(insertion.blocker())) return {id, ExemptReason::kept_segment};
-      if (judge.below_floor(insertion.blocker())) return {id, ExemptReason::min_edge};
+    Outcome outcome = insertion.try_in_face(criteria.split_point(shape), id, everywhere);
+    if (outcome == Outcome::encroaches) {
+      const EdgeRef blocker = insertion.blocker();
+      if (judge.forbidden(blocker)) return {id, ExemptReason::kept_segment};
+      outcome = insertion.try_on_edge(judge.point_on(blocker), blocker, everywhere);
     }
-    return {id, ExemptReason::precision};
+    return {id, outcome == Outcome::too_close ? ExemptReason::min_edge : ExemptReason::precision};
   };
   std::vector<Exemption> result;
   for (TriangleId id = 0; id < t.slots.size(); ++id)

@@ -74,7 +74,6 @@ TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued>
   cell_ = cell;
   box_ = lattice.box_of(cell);
   later_ = later;
-  supply_ = &supply;
   insertion_.start(supply);
   result_ = {};
   for (const Queued seed : seeds) consider(seed.id);
@@ -141,12 +140,12 @@ void Task::process(Queued triangle) {
       const Outcome outcome = split_edge(blocker);
       if (outcome == Outcome::inserted) consider(id);
       if (outcome == Outcome::leaves_box) hand_on(triangle, judge_.point_on(blocker));
-      if (outcome == Outcome::refused) result_.left_alone = true;
       return;
     }
     case Outcome::leaves_box:
       hand_on(triangle, p);
       return;
+    case Outcome::too_close:
     case Outcome::refused:
       ++result_.refused;
       result_.left_alone = true;
@@ -161,7 +160,10 @@ Outcome Task::split_edge(EdgeRef e) {
     ++result_.segment_splits;
     consider_changed();
   }
-  if (outcome == Outcome::refused) ++result_.refused;
+  if (outcome == Outcome::refused || outcome == Outcome::too_close) {
+    ++result_.refused;
+    result_.left_alone = true;
+  }
   return outcome;
 }
 

@@ -94,8 +94,8 @@ struct TaskResult {
 /// allocated memory.
 class Task {
  public:
-  Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria)
-      : t_(t), lines_(lines), judge_(judge), insertion_(t, criteria) {}
+  Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, double min_edge)
+      : t_(t), lines_(lines), judge_(judge), insertion_(t, criteria, min_edge) {}
 
   /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on() is asked now and
   /// then; when it says no, the run ends early.
@@ -120,7 +120,6 @@ class Task {
   Index cell_ = 0;
   Box box_;
   Deferral later_;
-  Supply* supply_ = nullptr;
 };
 
 }  // namespace pardel

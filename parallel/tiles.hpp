@@ -35,7 +35,8 @@ class Lattice {
   [[nodiscard]] Index columns() const { return columns_; }
   [[nodiscard]] Index rows() const { return rows_; }
   [[nodiscard]] double side() const { return side_; }
-  /// The cell of a point; points beyond the bounds belong to the nearest cell.
+  /// The cell of a point; points beyond the bounds belong to the nearest cell
+  /// (and those that are not a number, from needles, to the first).
   [[nodiscard]] Index cell_of(Point p) const {
     return clamped(p.y - bounds_.min_y, rows_) * columns_ + clamped(p.x - bounds_.min_x, columns_);
   }
@@ -65,7 +66,7 @@ class Lattice {
  private:
   [[nodiscard]] Index clamped(double offset, Index count) const {
     const double index = std::floor(offset / side_);
-    return index <= 0 ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
+    return !(index > 0) ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
   }
 
   Box bounds_;

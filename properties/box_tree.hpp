@@ -1,11 +1,9 @@
-// BoxTree: a static tree of bounding boxes over line segments, for the two questions the checker asks of
-// many segments at once: which of them come near this box, and which lies directly below this point.
+// BoxTree: a static tree of bounding boxes, to find those of many items that come near a place.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "../core/pslg.hpp"
@@ -74,32 +72,6 @@ class BoxTree {
   std::vector<Box> boxes_;
   std::vector<Index> order_;
   std::vector<Node> nodes_;
-};
-
-/// Segments of a plane straight-line graph, to be asked what lies below a point.
-class SegmentsBelow {
- public:
-  /// Both spans must outlive this.
-  SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments);
-
-  /// The segment that a ray straight down from p hits first, no_index when none: of those whose interior
-  /// lies strictly below p at an abscissa just left of p's (so that ends and vertical segments need no
-  /// cases of their own). Segments must not cross. Exact; O(log n) on typical input.
-  [[nodiscard]] Index directly_below(Point p) const;
-
-  /// Some segment that contains p, no_index when none.
-  [[nodiscard]] Index through(Point p) const;
-
- private:
-  struct Ends {
-    Point left, right;  ///< left has the smaller abscissa
-  };
-  [[nodiscard]] Ends ends(Index segment) const;
-  [[nodiscard]] bool is_above(Index s, Index t) const;
-
-  std::span<const Point> points_;
-  std::span<const Segment> segments_;
-  BoxTree tree_;
 };
 
 }  // namespace pardel

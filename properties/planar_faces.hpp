@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../core/pslg.hpp"
-#include "box_tree.hpp"
+#include "segments_below.hpp"
 
 namespace pardel {
 

@@ -1,7 +1,7 @@
 // The words of the theory as predicates, each the way it is defined: quantifiers are loops, numbers are
 // exact. Nothing here is fast.
 //
-// Source of the definitions, cited as [CC]: A. N. Chernikov and N. P. Chrisochoides, "Parallel Guaranteed
+// The definitions marked [CC], in our words, are those of A. N. Chernikov and N. P. Chrisochoides, "Parallel Guaranteed
 // Quality Planar Delaunay Mesh Generation by Concurrent Point Insertion", 2004.
 #pragma once
 
@@ -43,7 +43,7 @@ struct PlainMesh {
 [[nodiscard]] Number squared_shortest_edge(const PlainMesh& mesh, const Corners& t);
 [[nodiscard]] Number area(const PlainMesh& mesh, const Corners& t);
 
-/// "The open circumdisk of t contains p": strictly inside the circle through the corners.
+/// The open circumdisk of t contains p: p lies strictly inside the circle through the corners.
 [[nodiscard]] bool circumdisk_contains(const PlainMesh& mesh, const Corners& t, const ExactPoint& p);
 
 /// Does p see t: can p be joined to some point of t's interior by a segment whose inside meets no
@@ -51,17 +51,17 @@ struct PlainMesh {
 /// hide what is on either side of it.)
 [[nodiscard]] bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t);
 
-/// "M is Delaunay": the open circumdisk of every triangle is empty of vertices [CC, the empty circumdisk
+/// M is Delaunay: the open circumdisk of every triangle is empty of vertices [CC, the empty circumdisk
 /// property]. With constraints: empty of vertices that see the triangle (constrained Delaunay).
 /// Vertices without a triangle do not count.
 [[nodiscard]] bool is_delaunay(const PlainMesh& mesh);
 [[nodiscard]] bool is_constrained_delaunay(const PlainMesh& mesh);
 
-/// "M is conformal": two triangles meet in nothing, a common vertex or a common whole edge [CC], and each
+/// M is conformal: two triangles meet in nothing, a common vertex or a common whole edge [CC], and each
 /// is positively oriented. Quadratic.
 [[nodiscard]] bool is_conformal(const PlainMesh& mesh);
 
-/// The cavity C_M(p): "the set of triangles of M whose open circumdisk contains p" [CC], and that p sees.
+/// The cavity C_M(p): the set of triangles of M whose open circumdisk contains p [CC] and that p sees.
 /// Indices into mesh.triangles, ascending.
 [[nodiscard]] std::vector<Index> cavity(const PlainMesh& mesh, const ExactPoint& p);
 
@@ -69,7 +69,7 @@ struct PlainMesh {
 /// if and only if the triangles share no vertex (in a conformal mesh), so the closure is given by its vertices.
 [[nodiscard]] std::set<Index> closure(const PlainMesh& mesh, const std::vector<Index>& triangles);
 
-/// "p encroaches upon the edge ab": p lies inside or on its diametral circle [CC], and is none of its ends.
+/// p encroaches upon the edge ab: p lies inside or on its diametral circle [CC], and is none of its ends.
 [[nodiscard]] bool encroaches(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b);
 
 /// Every constrained edge upon which p encroaches, seen or unseen, in order.

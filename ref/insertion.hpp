@@ -1,5 +1,5 @@
-// Inserting a point into a (constrained) Delaunay mesh by the Bowyer-Watson kernel, as [CC] states it:
-// "find the cavity, delete its triangles, and connect the point to the cavity's boundary".
+// Inserting a point into a (constrained) Delaunay mesh by the Bowyer-Watson kernel, the one that [CC] builds on:
+// find the cavity, delete its triangles, and connect the point to the cavity's boundary.
 #pragma once
 
 #include <vector>

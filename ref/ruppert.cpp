@@ -98,7 +98,7 @@ class RegionCaps {
   std::vector<std::pair<PlainMesh, double>> faces_;
 };
 
-/// "Poor quality": the ratio of circumradius to shortest edge is above the bound, or the triangle is too large.
+/// Of poor quality: the ratio of circumradius to shortest edge is above the bound, or the triangle is too large.
 bool needs_split(const PlainMesh& mesh, const Corners& t, const Goal& goal, const RegionCaps& caps) {
   const double sine = std::sin(goal.min_angle_deg * (std::numbers::pi / 180));
   if (squared_circumradius(mesh, t) * (4 * sine * sine) > squared_shortest_edge(mesh, t)) return true;

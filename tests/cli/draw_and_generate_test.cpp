@@ -41,6 +41,13 @@ TEST_F(DrawAndGenerate, an_unknown_name_is_a_usage_error_that_lists_the_names) {
   EXPECT_EQ(files(), Files{});
 }
 
+TEST_F(DrawAndGenerate, domains_are_written_as_poly_only) {
+  EXPECT_EQ(pardel({"generate", "square", "-o", "x.node"}).exit_code, 2);
+  const Ran ran = pardel({"generate", "square", "-o", "/dev/stdout"});
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(ran.out.substr(0, 2), "4 ");
+}
+
 TEST_F(DrawAndGenerate, domains_points_and_meshes_are_drawn) {
   write("square.poly", square_poly);
   ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.node", "-o", "m.vtu", "-o", "m.msh"}).exit_code, 0);

@@ -234,6 +234,21 @@ TEST_F(MeshCommand, a_mesh_is_refined_in_every_format_that_is_read) {
   }
 }
 
+TEST_F(MeshCommand, a_mesh_in_place_of_a_domain_is_a_usage_error_that_names_the_way) {
+  write("m.vtu", "");
+  const Ran ran = pardel({"mesh", "m.vtu", "-o", "fine.vtu"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"m.vtu", "--refine"}));
+}
+
+TEST_F(MeshCommand, the_number_of_threads_changes_nothing_but_the_report) {
+  const json one = report({"key.poly", "-o", "a.vtu", "--threads", "1"});
+  const json two = report({"key.poly", "-o", "b.vtu", "--threads", "2"});
+  EXPECT_EQ(one["threads"], 1);
+  EXPECT_EQ(two["threads"], 2);
+  EXPECT_EQ(one["digest"], two["digest"]);
+}
+
 TEST_F(MeshCommand, holes_of_a_mesh_are_found_again_without_its_domain) {
   ASSERT_EQ(pardel({"mesh", "pipe.poly", "-o", "m.vtu"}).exit_code, 0);
   const json r = report({"m.vtu", "--refine", "-o", "fine.node", "--max-area", "0.01", "--check"});

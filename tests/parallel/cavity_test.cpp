@@ -93,7 +93,8 @@ TEST(Cavity, retriangulated_again_and_again_leaves_a_delaunay_triangulation) {
     ASSERT_EQ(cavity.find(t, conflict.front(), reach_of(t, p)), Walk::complete);
     const std::size_t before = t.slots.size();
     t.points.push_back(p);
-    retriangulate(t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
+    retriangulate(
+        t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
     EXPECT_EQ(t.slots.size(), before + 2) << "no slot is lost";
     ASSERT_EQ(samples::fault(t), "");
     for (const TriangleId id : fan) EXPECT_EQ(t.slots[id].v[0], t.points.size() - 1);
@@ -118,8 +119,8 @@ TEST(Cavity, ends_at_constrained_edges) {
   const Point p{2.25, 2};
   EXPECT_EQ(all_in_conflict(t, p).size(), 2U);
   const EdgeRef diagonal = samples::find_edge(t, 0, 2);
-  const TriangleId below = exactly::orientation(points[0], points[2], p) < 0 ? samples::find_edge(t, 2, 0).triangle()
-                                                                             : diagonal.triangle();
+  const TriangleId below =
+      exactly::orientation(points[0], points[2], p) < 0 ? samples::find_edge(t, 2, 0).triangle() : diagonal.triangle();
   Cavity cavity;
   ASSERT_EQ(cavity.find(t, below, reach_of(t, p)), Walk::complete);
   EXPECT_EQ(cavity.triangles().size(), 1U);
@@ -144,7 +145,8 @@ TEST(Cavity, of_a_split_edge_is_closed_inside_and_open_at_the_hull) {
 
     std::vector<TriangleId> fan;
     t.points.push_back(p);
-    retriangulate(t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
+    retriangulate(
+        t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
     EXPECT_EQ(samples::fault(t), "");
     EXPECT_TRUE(samples::find_edge(t, u, v).none());
     for (const Index end : {u, v}) {

@@ -72,13 +72,15 @@ TEST(InsertConstraints, satisfies_the_definition) {
       const Point centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
       for (const Point p : points) {
         if (exactly::in_circle(a, b, c, p) <= 0) continue;
-        EXPECT_TRUE(std::any_of(constraints.begin(), constraints.end(), [&](Constraint o) {
-          return exactly::orientation(points[o.a], points[o.b], centre) *
-                         exactly::orientation(points[o.a], points[o.b], p) <=
-                     0 &&
-                 exactly::orientation(centre, p, points[o.a]) * exactly::orientation(centre, p, points[o.b]) <= 0;
-        })) << "seed "
-            << seed;
+        EXPECT_TRUE(std::any_of(
+            constraints.begin(), constraints.end(),
+            [&](Constraint o) {
+              return exactly::orientation(points[o.a], points[o.b], centre) *
+                             exactly::orientation(points[o.a], points[o.b], p) <=
+                         0 &&
+                     exactly::orientation(centre, p, points[o.a]) * exactly::orientation(centre, p, points[o.b]) <= 0;
+            }))
+            << "seed " << seed;
       }
     }
   }
@@ -99,8 +101,11 @@ TEST(InsertConstraints, runs_between_the_rows_of_a_lattice) {
   std::vector<Point> points = samples::lattice_points(n);
   // Knight's moves of growing length through everything cocircular.
   const auto at = [](int x, int y) { return static_cast<Index>(y * n + x); };
-  const std::vector<Constraint> constraints{{at(0, 0), at(19, 1)}, {at(0, 2), at(19, 3)}, {at(0, 4), at(19, 18)},
-                                            {at(0, 5), at(17, 19)}, {at(19, 1), at(0, 1)}};
+  const std::vector<Constraint> constraints{{at(0, 0), at(19, 1)},
+                                            {at(0, 2), at(19, 3)},
+                                            {at(0, 4), at(19, 18)},
+                                            {at(0, 5), at(17, 19)},
+                                            {at(19, 1), at(0, 1)}};
   Triangulation t = delaunay_of(points);
   const Status inserted = insert_constraints(t, std::span(constraints).first(4));
   ASSERT_TRUE(inserted) << inserted.error().message;

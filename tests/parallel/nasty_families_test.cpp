@@ -39,10 +39,9 @@ void expect_certified(const Pslg& pslg, std::initializer_list<double> angles = {
       const Goal goal{.min_angle_deg = angle, .conforming = conforming};
       const Result<Meshed> meshed = mesh(pslg, goal);
       ASSERT_TRUE(meshed) << meshed.error().message;
-      EXPECT_TRUE(meshed->report.goal_met())
-          << meshed->report.count(ExemptReason::precision) << " precision, "
-          << meshed->report.count(ExemptReason::min_edge) << " min_edge, of "
-          << meshed->mesh.triangles.size() << " triangles";
+      EXPECT_TRUE(meshed->report.goal_met()) << meshed->report.count(ExemptReason::precision) << " precision, "
+                                             << meshed->report.count(ExemptReason::min_edge) << " min_edge, of "
+                                             << meshed->mesh.triangles.size() << " triangles";
       const Certificate certificate = check(pslg, meshed->mesh, goal, {.max_violations = 2});
       EXPECT_TRUE(certificate.valid) << to_text(certificate);
     }

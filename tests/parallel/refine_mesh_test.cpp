@@ -57,10 +57,9 @@ TEST(RefineMesh, honours_a_cap_per_triangle) {
     const auto& v = t.v;
     const Point a = fine->mesh.points[v[0]], b = fine->mesh.points[v[1]], c = fine->mesh.points[v[2]];
     const Point centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-    const auto over = static_cast<std::size_t>(
-        std::find_if(coarse.triangles.begin(), coarse.triangles.end(),
-                     [&](const Triangle& o) { return contains(o, centre); }) -
-        coarse.triangles.begin());
+    const auto over = static_cast<std::size_t>(std::find_if(coarse.triangles.begin(), coarse.triangles.end(),
+                                                            [&](const Triangle& o) { return contains(o, centre); }) -
+                                               coarse.triangles.begin());
     ASSERT_LT(over, caps.size());
     EXPECT_LE(area(fine->mesh, t), caps[over] * (1 + 1e-9));
     inside += over == 0 ? 1 : 0;

@@ -139,11 +139,11 @@ std::vector<Constraint> random_constraints(const std::vector<Point>& points, std
     const Constraint c{random.below(points.size()), random.below(points.size())};
     if (c.a == c.b) continue;
     const Point a = points[c.a], b = points[c.b];
-    const bool blocked = std::any_of(points.begin(), points.end(), [&](Point p) { return between(p, a, b); }) ||
-                         std::any_of(chosen.begin(), chosen.end(), [&](Constraint o) {
-                           return cross(a, b, points[o.a], points[o.b]) || (o.a == c.a && o.b == c.b) ||
-                                  (o.a == c.b && o.b == c.a);
-                         });
+    const bool blocked =
+        std::any_of(points.begin(), points.end(), [&](Point p) { return between(p, a, b); }) ||
+        std::any_of(chosen.begin(), chosen.end(), [&](Constraint o) {
+          return cross(a, b, points[o.a], points[o.b]) || (o.a == c.a && o.b == c.b) || (o.a == c.b && o.b == c.a);
+        });
     if (!blocked) chosen.push_back(c);
   }
   return chosen;
@@ -154,7 +154,8 @@ std::string fault(const Triangulation& t) {
     const Slot& slot = t.slots[id];
     const std::string here = "triangle " + std::to_string(id);
     for (unsigned side = 0; side < 3; ++side)
-      if (!reciprocal(t, id, side)) return here + " and its neighbour across side " + std::to_string(side) + " disagree";
+      if (!reciprocal(t, id, side))
+        return here + " and its neighbour across side " + std::to_string(side) + " disagree";
     if (slot.is_ghost()) continue;
     const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
     if (exactly::orientation(a, b, c) <= 0) return here + " is not counter-clockwise";

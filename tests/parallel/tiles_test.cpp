@@ -11,10 +11,14 @@ namespace {
 
 const std::vector<Lattice>& lattices() {
   static const std::vector<Lattice> all{
-      Lattice::over({0, 0, 1, 1}, 1),          Lattice::over({0, 0, 1, 1}, 2),
-      Lattice::over({0, 0, 1, 1}, 7),          Lattice::over({-3, 5, 4, 5.5}, 9),
-      Lattice::over({0, 0, 1e-6, 1}, 13),      Lattice::over({654321, 4987654, 654400, 4987754}, 6),
-      Lattice::over({0, 0, 0x1p-60, 0x1p-61}, 5), Lattice::over({0, 0, 3, 1}, 3),
+      Lattice::over({0, 0, 1, 1}, 1),
+      Lattice::over({0, 0, 1, 1}, 2),
+      Lattice::over({0, 0, 1, 1}, 7),
+      Lattice::over({-3, 5, 4, 5.5}, 9),
+      Lattice::over({0, 0, 1e-6, 1}, 13),
+      Lattice::over({654321, 4987654, 654400, 4987754}, 6),
+      Lattice::over({0, 0, 0x1p-60, 0x1p-61}, 5),
+      Lattice::over({0, 0, 3, 1}, 3),
   };
   return all;
 }
@@ -87,7 +91,8 @@ TEST(Lattice, has_as_many_cells_along_its_longer_side_as_was_asked_for) {
 TEST(Lattice, has_a_cell_for_points_beyond_all_bounds) {
   const Lattice lattice = Lattice::over({0, 0, 1, 1}, 4);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const double x : {-1e300, 1e300, -infinity, infinity})
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : {-1e300, 1e300, -infinity, infinity, nan})
     for (const double y : {-1e300, 1e300, 0.5}) EXPECT_LT(lattice.cell_of({x, y}), lattice.cells());
 }
 

@@ -539,6 +539,21 @@ TEST(Check, matches_the_vertices_of_a_foreign_mesh_by_coordinates) {
   EXPECT_TRUE(reports(check(c, no_angle_bound(), options), Kind::chain_off_segment));
 }
 
+TEST(Check, certifies_what_Mesh_2_promises_and_no_more) {
+  Case c;
+  c.pslg = domains::pipe();
+  c.mesh = testing::refined_by_cgal(c.pslg, 0.05);
+  CheckOptions options;
+  options.foreign = true;
+  Goal goal;
+  goal.min_angle_deg = 20.6;
+  goal.max_edge = 0.05;
+  goal.conforming = true;
+  EXPECT_TRUE(is_valid(check(c, goal, options)));
+  goal.min_angle_deg = 33;
+  EXPECT_TRUE(reports_only(check(c, goal, options), Kind::small_angle));
+}
+
 // Any mesh whatever.
 
 RC_GTEST_PROP(Check, neither_crashes_nor_accepts_when_ids_are_scrambled, ()) {

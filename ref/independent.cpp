@@ -1,0 +1,45 @@
+#include "independent.hpp"
+
+#include <algorithm>
+
+#include "insertion.hpp"
+
+namespace pardel::ref {
+
+PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoint>& points) {
+  PlainMesh result{mesh.points, {}, mesh.constraints};
+  result.points.insert(result.points.end(), points.begin(), points.end());
+
+  std::set<Index> deleted;
+  std::vector<Corners> added;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::vector<Index> hole = cavity(mesh, points[i]);
+    PlainMesh alone = mesh;
+    alone.points = result.points;
+    const auto fan = retriangulation(alone, hole, static_cast<Index>(mesh.points.size() + i));
+    deleted.insert(hole.begin(), hole.end());
+    added.insert(added.end(), fan.begin(), fan.end());
+  }
+
+  for (Index t = 0; t < mesh.triangles.size(); ++t)
+    if (!deleted.contains(t)) result.triangles.push_back(mesh.triangles[t]);
+  result.triangles.insert(result.triangles.end(), added.begin(), added.end());
+  return result;
+}
+
+std::set<std::array<ExactPoint, 3>> triangles_as_points(const PlainMesh& mesh) {
+  std::set<std::array<ExactPoint, 3>> triangles;
+  for (const Corners& t : mesh.triangles) {
+    std::array<ExactPoint, 3> corners = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles.insert(corners);
+  }
+  return triangles;
+}
+
+bool closures_are_disjoint(const PlainMesh& mesh, const ExactPoint& p, const ExactPoint& q) {
+  const std::set<Index> of_p = closure(mesh, cavity(mesh, p)), of_q = closure(mesh, cavity(mesh, q));
+  return std::none_of(of_p.begin(), of_p.end(), [&](Index v) { return of_q.contains(v); });
+}
+
+}  // namespace pardel::ref

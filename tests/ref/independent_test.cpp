@@ -1,0 +1,124 @@
+// Two points at a distance, inserted without knowing of each other.
+#include "../../ref/independent.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "../../properties/domains.hpp"
+#include "../../ref/insertion.hpp"
+#include "../../ref/ruppert.hpp"
+
+namespace pardel::ref {
+namespace {
+
+/// A fine Delaunay mesh of the unit square, so that points can be several circumradii apart.
+const PlainMesh& square_mesh() {
+  static const PlainMesh result = [] {
+    Goal goal;
+    goal.max_area = 0.002;
+    goal.conforming = true;
+    const auto mesh = ruppert(domains::square(), goal);
+    PlainMesh plain;
+    if (!mesh) return plain;
+    for (const Point& p : mesh->points) plain.points.push_back(exact(p));
+    for (const Triangle& t : mesh->triangles) plain.triangles.push_back(t.v);
+    for (const ConstrainedEdge& e : mesh->constrained_edges) plain.constraints.insert(edge(e.a, e.b));
+    return plain;
+  }();
+  return result;
+}
+
+/// |pq| >= factor * r̄, exactly.
+bool apart(const ExactPoint& p, const ExactPoint& q, int factor) {
+  static const Number squared_bound = squared_circumradius_bound(square_mesh());
+  return CGAL::squared_distance(p, q) >= factor * factor * squared_bound;
+}
+
+bool is_harmless(const ExactPoint& p) {
+  return encroached_by(square_mesh(), p).empty() && std::ranges::count(square_mesh().points, p) == 0;
+}
+
+/// Inside the square, no vertex, encroaching on no constrained edge, and so that `suits`. Of full size from the
+/// first case on: small coordinates would all lie in one corner.
+template <class Suits>
+ExactPoint harmless_point(const Suits& suits) {
+  const auto coordinate = rc::gen::resize(100, rc::gen::inRange(1, 2047));
+  const auto point = rc::gen::map(rc::gen::pair(coordinate, coordinate), [](const std::pair<int, int>& xy) {
+    return ExactPoint(xy.first * 0x1p-11, xy.second * 0x1p-11);
+  });
+  return *rc::gen::suchThat(point, [&](const ExactPoint& p) { return is_harmless(p) && suits(p); });
+}
+
+ExactPoint harmless_point() {
+  return harmless_point([](const ExactPoint&) { return true; });
+}
+
+/// At least `factor` r̄ from p.
+ExactPoint far_point(const ExactPoint& p, int factor) {
+  return harmless_point([&](const ExactPoint& q) { return apart(p, q, factor); });
+}
+
+PlainMesh inserted(PlainMesh mesh, const ExactPoint& first, const ExactPoint& second) {
+  insert(mesh, first);
+  insert(mesh, second);
+  return mesh;
+}
+
+bool gives_the_sequential_mesh(const ExactPoint& p, const ExactPoint& q) {
+  const auto independent = triangles_as_points(insert_independently(square_mesh(), {p, q}));
+  return independent == triangles_as_points(inserted(square_mesh(), p, q)) &&
+         independent == triangles_as_points(inserted(square_mesh(), q, p));
+}
+
+RC_GTEST_PROP(Independence, at_four_circumradii_the_closures_of_the_cavities_are_disjoint, ()) {
+  const ExactPoint p = harmless_point(), q = far_point(p, 4);
+  RC_ASSERT(closures_are_disjoint(square_mesh(), p, q));
+}
+
+RC_GTEST_PROP(Independence, at_four_circumradii_both_orders_and_none_give_one_mesh, ()) {
+  const ExactPoint p = harmless_point(), q = far_point(p, 4);
+  RC_ASSERT(gives_the_sequential_mesh(p, q));
+}
+
+RC_GTEST_PROP(Independence, two_circumradii_suffice_for_the_same_mesh, ()) {
+  const ExactPoint p = harmless_point();
+  const ExactPoint q = harmless_point([&](const ExactPoint& at) { return apart(p, at, 2) && !apart(p, at, 4); });
+  RC_CLASSIFY(!closures_are_disjoint(square_mesh(), p, q), "the cavities touch");
+  RC_ASSERT(gives_the_sequential_mesh(p, q));
+}
+
+RC_GTEST_PROP(Independence, inserting_a_harmless_point_keeps_the_bound_on_circumradii, ()) {
+  PlainMesh mesh = square_mesh();
+  insert(mesh, harmless_point());
+  RC_ASSERT(squared_circumradius_bound(mesh) <= squared_circumradius_bound(square_mesh()));
+}
+
+TEST(Independence, fails_for_two_points_in_one_triangle) {
+  const PlainMesh& mesh = square_mesh();
+  ASSERT_FALSE(mesh.triangles.empty());
+  const Corners& t = mesh.triangles[mesh.triangles.size() / 2];
+  const ExactPoint centre = CGAL::centroid(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  const ExactPoint p = CGAL::midpoint(centre, mesh.points[t[0]]), q = CGAL::midpoint(centre, mesh.points[t[1]]);
+  EXPECT_FALSE(closures_are_disjoint(mesh, p, q));
+  EXPECT_FALSE(is_conformal(insert_independently(mesh, {p, q})));
+  EXPECT_FALSE(gives_the_sequential_mesh(p, q));
+}
+
+TEST(Independence, of_two_distant_points_gives_a_delaunay_mesh_by_definition) {
+  const ExactPoint p(0.25, 0.25), q(0.75, 0.8125);
+  ASSERT_TRUE(is_harmless(p) && is_harmless(q) && apart(p, q, 4));
+  EXPECT_TRUE(is_delaunay(insert_independently(square_mesh(), {p, q})));
+}
+
+TEST(Independence, of_one_point_is_sequential_insertion) {
+  PlainMesh mesh = square_mesh();
+  const ExactPoint p(0.3125, 0.40625);
+  const auto alone = triangles_as_points(insert_independently(mesh, {p}));
+  insert(mesh, p);
+  EXPECT_EQ(alone, triangles_as_points(mesh));
+}
+
+}  // namespace
+}  // namespace pardel::ref
