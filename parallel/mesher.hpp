@@ -29,7 +29,7 @@ enum class Decomposition : std::uint8_t {
 };
 
 struct Progress {
-  std::uint64_t triangles = 0;  ///< so far
+  std::uint64_t triangles = 0;  ///< so far, roughly: each insertion counts for two
   double estimate = 0;          ///< of the final number; 0 while unknown
 };
 

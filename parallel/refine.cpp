@@ -84,6 +84,7 @@ class Refinement {
     const std::vector<Lattice> levels =
         lattices(bounds, options_.decomposition == Decomposition::none ? 1 : pending.estimate);
     estimate_ = pending.estimate;
+    triangles_before_ = triangles_.in_use();
     deferred_ = std::move(pending.triangles);
 
     // Down: what is long at a level is split there; what gets short enough waits for a finer one.
@@ -150,8 +151,10 @@ class Refinement {
   [[nodiscard]] bool go_on() const { return !cancelled_.load(std::memory_order_relaxed) && !counts_.budget_reached; }
 
   /// Asked by tasks now and then; the caller hears of it on its own thread only.
-  bool report(int thread) {
-    if (thread == 0 && options_.progress && !options_.progress({triangles_.in_use(), estimate_})) cancelled_ = true;
+  bool report(int thread, std::uint64_t vertices_made) {
+    made_ += 2 * vertices_made;
+    if (thread == 0 && options_.progress && !options_.progress({triangles_before_ + made_.load(), estimate_}))
+      cancelled_ = true;
     return !cancelled_.load(std::memory_order_relaxed);
   }
 
@@ -213,6 +216,8 @@ class Refinement {
       }
       vertices_.settle();
       triangles_.settle();
+      triangles_before_ = triangles_.in_use();
+      made_ = 0;
     }
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     counts_.sweeps.push_back(done);
@@ -235,8 +240,8 @@ class Refinement {
                      [&](std::size_t a, std::size_t b) { return jobs[a].insertions > jobs[b].insertions; });
     parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
       Job& job = jobs[largest_first[i]];
-      job.result = tasks_[static_cast<std::size_t>(thread)]->run(lattice, job.cell, job.seeds, later, job.supply,
-                                                                 [&] { return report(thread); });
+      job.result = tasks_[static_cast<std::size_t>(thread)]->run(
+          lattice, job.cell, job.seeds, later, job.supply, [&](std::uint64_t made) { return report(thread, made); });
     });
   }
 
@@ -336,6 +341,8 @@ class Refinement {
   std::vector<Queued> stuck_, deferred_;
   RefineCounts counts_;
   double estimate_ = 0;
+  std::uint64_t triangles_before_ = 0;  ///< when the last phase ended
+  std::atomic<std::uint64_t> made_{0};  ///< since then, as far as tasks have told
   std::atomic<bool> cancelled_{false};
 };
 
@@ -355,22 +362,25 @@ std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Cr
   const Judge judge(t, lines, criteria, options);
   Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
+  const auto named = [](Outcome outcome) {
+    return outcome == Outcome::too_close ? ExemptReason::min_edge : ExemptReason::precision;
+  };
+  const auto why_not_split = [&](EdgeRef e) {
+    if (judge.forbidden(e)) return ExemptReason::kept_segment;
+    if (judge.below_floor(e)) return ExemptReason::min_edge;
+    return named(insertion.try_on_edge(judge.point_on(e), e, everywhere));
+  };
   const auto why = [&](TriangleId id) -> Exemption {
-    const Slot& slot = t.slots[id];
-    const Shape shape(t, slot);
-    const bool large = judge.too_large(id);
-    if (!large)
-      if (const auto small = small_angle(t, lines, slot, shape))
+    const Shape shape(t, t.slots[id]);
+    const unsigned side = judge.non_delaunay_side(id);
+    if (side == 3 && !judge.too_large(id))
+      if (const auto small = small_angle(t, lines, t.slots[id], shape))
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached) return {id, ExemptReason::budget};
+    if (side < 3) return {id, why_not_split(EdgeRef(id, side))};
     if (shape.shortest_squared() < options.min_edge * options.min_edge) return {id, ExemptReason::min_edge};
-    Outcome outcome = insertion.try_in_face(criteria.split_point(shape), id, everywhere);
-    if (outcome == Outcome::encroaches) {
-      const EdgeRef blocker = insertion.blocker();
-      if (judge.forbidden(blocker)) return {id, ExemptReason::kept_segment};
-      outcome = insertion.try_on_edge(judge.point_on(blocker), blocker, everywhere);
-    }
-    return {id, outcome == Outcome::too_close ? ExemptReason::min_edge : ExemptReason::precision};
+    const Outcome outcome = insertion.try_in_face(criteria.split_point(shape), id, everywhere);
+    return {id, outcome == Outcome::encroaches ? why_not_split(insertion.blocker()) : named(outcome)};
   };
   std::vector<Exemption> result;
   for (TriangleId id = 0; id < t.slots.size(); ++id)

@@ -1,5 +1,7 @@
 #include "task.hpp"
 
+#include <utility>
+
 #include "flips.hpp"
 
 namespace pardel {
@@ -38,12 +40,15 @@ Assessment Judge::assess(TriangleId id, const Measure& m) const {
       result.key = BucketQueue::urgent;
       return result;
     }
+    result.left_alone = non_delaunay_side(id) < 3;
   }
   const bool large = too_large(id, m);
   if (!large && !criteria_.bad_shape(m)) return result;
   const double shortest = m.shortest_squared();
-  result.left_alone = shortest < squared_floor_ || (!large && small_angle(t_, lines_, slot, m));
-  if (result.left_alone) return result;
+  if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, slot, m))) {
+    result.left_alone = true;
+    return result;
+  }
   result.need = Assessment::Need::split_triangle;
   result.key = BucketQueue::key(shortest);
   return result;
@@ -51,7 +56,16 @@ Assessment Judge::assess(TriangleId id, const Measure& m) const {
 
 bool Judge::breaks_goal(TriangleId id) const {
   const Shape shape(t_, t_.slots[id]);
-  return criteria_.bad_shape(shape) || too_large(id, shape);
+  return criteria_.bad_shape(shape) || too_large(id, shape) || non_delaunay_side(id) < 3;
+}
+
+unsigned Judge::non_delaunay_side(TriangleId id) const {
+  unsigned side = criteria_.conforming() ? 0 : 3;
+  for (; side < 3; ++side) {
+    const EdgeRef across = t_.slots[id].n[side];
+    if (across.constrained() && !across.none() && !delaunay_across(t_, EdgeRef(id, side))) break;
+  }
+  return side;
 }
 
 Index Judge::line_of(EdgeRef e) const {
@@ -69,7 +83,7 @@ Point Judge::point_for(TriangleId id, const Assessment& a) const {
 }
 
 TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
-                     Supply& supply, const std::function<bool()>& go_on) {
+                     Supply& supply, const std::function<bool(std::uint64_t)>& go_on) {
   lattice_ = &lattice;
   cell_ = cell;
   box_ = lattice.box_of(cell);
@@ -80,8 +94,12 @@ TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued>
 
   constexpr std::uint64_t steps_between_questions = 4096;
   bool stopped = false;
+  std::uint64_t told = 0;
   for (std::uint64_t step = 1; !queue_.empty(); ++step) {
-    stopped = stopped || (step % steps_between_questions == 0 && !go_on());
+    if (step % steps_between_questions == 0 && !stopped) {
+      const std::uint64_t made = result_.inserted + result_.segment_splits;
+      stopped = !go_on(made - std::exchange(told, made));
+    }
     const Queued next = queue_.pop();
     if (!judge_.is_current(next)) continue;  // replaced; if what replaced it is bad, it was queued too
     if (stopped || !supply.suffices())

@@ -41,6 +41,8 @@ class Judge {
   [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const;
   /// Breaks the criteria, justified or not.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
+  /// A constrained side that a conforming goal wants Delaunay and that is not, or 3.
+  [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
   [[nodiscard]] bool forbidden(EdgeRef e) const;  ///< may not be split by the caller's wish
   [[nodiscard]] bool below_floor(EdgeRef e) const;
   [[nodiscard]] bool too_large(TriangleId id) const { return too_large(id, Shape(t_, t_.slots[id])); }
@@ -97,10 +99,10 @@ class Task {
   Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, double min_edge)
       : t_(t), lines_(lines), judge_(judge), insertion_(t, criteria, min_edge) {}
 
-  /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on() is asked now and
-  /// then; when it says no, the run ends early.
+  /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on(n) is asked now and
+  /// then, n being the number of vertices inserted since it was asked last; when it says no, the run ends early.
   TaskResult run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
-                 Supply& supply, const std::function<bool()>& go_on);
+                 Supply& supply, const std::function<bool(std::uint64_t)>& go_on);
 
  private:
   void consider(TriangleId id) { queue_if_bad(id, judge_.assess(id)); }

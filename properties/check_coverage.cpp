@@ -184,7 +184,13 @@ void check_boundary(const Subject& subject, const Domain& domain, const Adjacenc
   }
 }
 
-/// No triangle contains a hole's seed.
+/// True where a chain that is off its segment by no more than rounding may have passed p.
+bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
+  return !exactly::line_distance_exceeds(p, a, b, tolerance) || !exactly::line_distance_exceeds(p, b, c, tolerance) ||
+         !exactly::line_distance_exceeds(p, c, a, tolerance);
+}
+
+/// No triangle contains a hole's seed, unless only the rounding of the hole's rim put it there.
 void check_holes(const Subject& subject, const Domain& domain, Findings& found) {
   const auto& holes = subject.pslg.holes;
   std::vector<Index> by_x;
@@ -202,6 +208,7 @@ void check_holes(const Subject& subject, const Domain& domain, Findings& found) 
       if (p.y < std::min({a.y, b.y, c.y}) || p.y > std::max({a.y, b.y, c.y})) continue;
       if (exactly::orientation(a, b, p) < 0 || exactly::orientation(b, c, p) < 0 || exactly::orientation(c, a, p) < 0)
         continue;
+      if (within_rounding(p, a, b, c, domain.tolerance())) continue;
       mine.add(ViolationKind::covered_exterior, {static_cast<Index>(t), *hole}, {p},
                "triangle " + to_text(t) + " contains the seed of hole " + to_text(*hole));
     }
