@@ -88,7 +88,16 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
   if (outcome != Outcome::inserted) return outcome;
   if (!is_star_) return edge_by_flips(p, e, line);
   commit(p, line);
+  if (!spokes_delaunay()) finish_by_flips();
   return outcome;
+}
+
+/// A point that rounding put beside its edge lies outside the triangle on the other side. Seen from a corner far
+/// away under a tiny angle, that is far enough for the fan there not to be Delaunay.
+bool Insertion::spokes_delaunay() const {
+  return std::all_of(fan_.begin(), fan_.end(), [&](TriangleId id) {
+    return t_.slots[id].n[1].none() || locally_delaunay(t_, EdgeRef(id, 1));
+  });
 }
 
 void Insertion::commit(Point p, Index origin) {
@@ -134,7 +143,7 @@ void Insertion::finish_by_flips() {
   has_flipped_ = true;
   measures_.clear();
   std::vector<EdgeRef> suspects;
-  for (const TriangleId id : fan_) suspects.push_back(EdgeRef(id, 0));
+  for (const TriangleId id : fan_) suspects.insert(suspects.end(), {EdgeRef(id, 0), EdgeRef(id, 1)});
   restore_delaunay(t_, std::move(suspects), fan_);
 }
 

@@ -82,6 +82,7 @@ class Insertion {
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);
+  [[nodiscard]] bool spokes_delaunay() const;
   void finish_by_flips();
 
   Triangulation& t_;
