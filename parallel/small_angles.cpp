@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "expansion.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -20,11 +21,17 @@ double shell(double length) {
   return radius;
 }
 
-/// The foot of p on the line through a and b: takes out the drift that repeated rounding would add up.
+/// The foot of p on the line through a and b, rounded once: takes out the drift that repeated rounding would add up.
+/// Precondition: p is the line's but for rounding, so that the leading products all but cancel, and exactly.
 Point projected(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double off = ((p.x - a.x) * dy - (p.y - a.y) * dx) / (dx * dx + dy * dy);
-  return {p.x - off * dy, p.y + off * dx};
+  using namespace exact;
+  const Two dx = two_difference(b.x, a.x), dy = two_difference(b.y, a.y);
+  const Two ex = two_difference(p.x, a.x), ey = two_difference(p.y, a.y);
+  const Two left = two_product(ex.head, dy.head), right = two_product(ey.head, dx.head);
+  const double rest = (ex.head * dy.tail + ex.tail * dy.head) - (ey.head * dx.tail + ey.tail * dx.head);
+  const double cross = (left.head - right.head) + ((left.tail - right.tail) + rest);
+  const double off = cross / (dx.head * dx.head + dy.head * dy.head);
+  return {p.x - off * dy.head, p.y + off * dx.head};
 }
 
 /// Equal but for the rounding of the coordinates.
