@@ -308,8 +308,8 @@ TEST(ProgressCallback, sees_the_mesh_grow) {
   const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-5}, options);
   ASSERT_TRUE(meshed);
   ASSERT_GE(seen.size(), 3U);
-  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-  EXPECT_LE(seen.back(), meshed->mesh.triangles.size());
+  EXPECT_LT(seen.front(), seen.back() / 2);
+  EXPECT_NEAR(double(seen.back()) / double(meshed->mesh.triangles.size()), 1, 0.2);
 }
 
 // What a caller can get wrong ---------------------------------------------------------------------------------

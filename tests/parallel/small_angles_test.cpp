@@ -84,6 +84,18 @@ void expect_on_line(const Corner& corner, const std::string& what) {
         << what << ", after split " << v - 3;
 }
 
+/// The differences of coordinates of unlike signs are rounded themselves.
+TEST(EdgeSplitPoint, is_rounded_once_across_the_origin_too) {
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    samples::Random random(seed);
+    const auto near = [&] { return Point{random.uniform(-0.499, 0.499), random.uniform(-0.499, 0.499)}; };
+    Corner corner(near(), near(), near(), near());
+    VertexId u = 0, v = 1;
+    for (int i = 0; i < 20; ++i) (random.below(2) == 0 ? u : v) = corner.split(0, u, v);
+    expect_on_line(corner, "seed " + std::to_string(seed));
+  }
+}
+
 TEST(EdgeSplitPoint, stays_on_its_line_however_often_the_line_is_split) {
   for (const Point offset : {Point{0, 0}, Point{654321, 4987654}, Point{-1e-3, 1e9}})
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
