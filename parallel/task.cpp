@@ -42,10 +42,19 @@ Assessment Judge::assess(TriangleId id, const Measure& m) const {
     }
     result.left_alone = non_delaunay_side(id) < 3;
   }
+  const bool left_alone = result.left_alone;
+  result = assess_inside(id, m);
+  result.left_alone = result.left_alone || left_alone;
+  return result;
+}
+
+Assessment Judge::assess_inside(TriangleId id, const Measure& m) const {
+  Assessment result;
+  result.longest_squared = m.longest_squared();
   const bool large = too_large(id, m);
   if (!large && !criteria_.bad_shape(m)) return result;
   const double shortest = m.shortest_squared();
-  if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, slot, m))) {
+  if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, t_.slots[id], m))) {
     result.left_alone = true;
     return result;
   }
@@ -139,8 +148,10 @@ void Task::process(Queued triangle) {
     if (a.need == Assessment::Need::nothing) return;
     if (a.need == Assessment::Need::split_edge) {
       const EdgeRef e(id, a.side);
-      if (split_edge(e) == Outcome::leaves_box) hand_on(triangle, judge_.point_on(e));
-      return;
+      const Outcome outcome = split_edge(e);
+      if (outcome == Outcome::leaves_box) hand_on(triangle, judge_.point_on(e));
+      if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return;
+      if (judge_.assess_inside(id).need == Assessment::Need::nothing) return;
     }
   }
   const Point p = judge_.point_in(id);

@@ -39,6 +39,9 @@ class Judge {
   [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id].v[0] == q.first_corner; }
   [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
   [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const;
+  /// The same for a triangle whose sides cannot be split, encroached or not.
+  [[nodiscard]] Assessment assess_inside(TriangleId id) const { return assess_inside(id, Shape(t_, t_.slots[id])); }
+  [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m) const;
   /// Breaks the criteria, justified or not.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
   /// A constrained side that a conforming goal wants Delaunay and that is not, or 3.
