@@ -69,8 +69,15 @@ class Walk {
     return exactly::progress(from, p, a_, b_) > 0 && exactly::progress(p, b_, a_, b_) > 0;
   }
 
-  bool is_better(Index to, Index than) const {
-    if (than == no_index || to == last_) return true;
+  /// Rounding leaves slivers along a segment, whose long side skips a vertex that was put on it: where provenance
+  /// says what was put there, nothing is skipped.
+  bool is_better(Index at, Index to, Index than) const {
+    if (than == no_index) return true;
+    if (strictness_ == Strictness::rounding && (is_put_here(to) || is_put_here(than))) {
+      if (is_put_here(to) != is_put_here(than)) return is_put_here(to);
+      return exactly::compare_lengths(mesh_.points[at], mesh_.points[to], mesh_.points[at], mesh_.points[than]) < 0;
+    }
+    if (to == last_) return true;
     if (than == last_) return false;
     if (is_put_here(to) != is_put_here(than)) return is_put_here(to);
     return rough_distance(mesh_.points[to], a_, b_) < rough_distance(mesh_.points[than], a_, b_);
@@ -83,7 +90,7 @@ class Walk {
       const Index right = triangle.v[next(corner)];     // t lies on the left of the edge to this one
       const Index left = triangle.v[previous(corner)];  // and on the right of the edge to that one
       for (const Index to : {right, left}) {
-        if (to == best.to || !is_better(to, best.to) || !leads_on(at, to)) continue;
+        if (to == best.to || !is_better(at, to, best.to) || !leads_on(at, to)) continue;
         best = {at, to, segment_, {}, {}};
       }
     });
