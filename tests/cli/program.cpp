@@ -36,8 +36,9 @@ void redirect(int to, const char* file) {
 }
 
 /// The child's side of the fork; does not return.
-[[noreturn]] void become_program(const std::vector<std::string>& arguments, const RunOptions& options,
-                                 const fs::path& folder, const std::string& out, const std::string& err, int terminal) {
+[[noreturn]] void become_program(std::string program, const std::vector<std::string>& arguments,
+                                 const RunOptions& options, const fs::path& folder, const std::string& out,
+                                 const std::string& err, int terminal) {
   if (chdir(folder.c_str()) != 0) _exit(98);
   redirect(STDOUT_FILENO, options.out_file.empty() ? out.c_str() : options.out_file.c_str());
   if (terminal >= 0) {
@@ -48,13 +49,12 @@ void redirect(int to, const char* file) {
   if (options.file_size_limit) signal(SIGXFSZ, SIG_IGN);  // the write then fails as on a full disk
   limit(RLIMIT_FSIZE, options.file_size_limit);
   limit(RLIMIT_AS, options.address_space);
-  std::string program = PARDEL_PROGRAM;
   std::vector<std::string> copy = arguments;
   std::vector<char*> argv = {program.data()};
   for (std::string& argument : copy) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  execv(program.c_str(), argv.data());
-  _exit(97);
+  execvp(program.c_str(), argv.data());
+  _exit(127);
 }
 
 /// All that a terminal shows until its last writer is gone; SIGINT to the child once it shows `interrupt_when`.
@@ -94,6 +94,11 @@ Workshop::~Workshop() {
 }
 
 Ran Workshop::pardel(const std::vector<std::string>& arguments, const RunOptions& options) const {
+  return run(PARDEL_PROGRAM, arguments, options);
+}
+
+Ran Workshop::run(const std::string& program, const std::vector<std::string>& arguments,
+                  const RunOptions& options) const {
   const std::string out = folder_ / "stdout";
   const std::string err = folder_ / "stderr";
   fs::remove(err);
@@ -103,7 +108,7 @@ Ran Workshop::pardel(const std::vector<std::string>& arguments, const RunOptions
   }
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) become_program(arguments, options, folder_ / "work", out, err, slave);
+  if (child == 0) become_program(program, arguments, options, folder_ / "work", out, err, slave);
   Ran ran;
   if (slave >= 0) {
     close(slave);

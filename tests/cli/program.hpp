@@ -34,6 +34,8 @@ class Workshop : public ::testing::Test {
   ~Workshop() override;
 
   Ran pardel(const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
+  /// Another program, by its path or, as the shell does, by its name; exit code 127 where there is none.
+  Ran run(const std::string& program, const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
 
   void write(const std::string& name, std::string_view text) const;
   [[nodiscard]] std::string read(const std::string& name) const;
