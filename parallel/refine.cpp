@@ -153,6 +153,7 @@ class Refinement {
   /// Asked by tasks now and then; the caller hears of it on its own thread only.
   bool report(int thread, std::uint64_t vertices_made) {
     made_ += 2 * vertices_made;
+    if (cancelled_.load(std::memory_order_relaxed)) return false;
     if (thread == 0 && options_.progress && !options_.progress({triangles_before_ + made_.load(), estimate_}))
       cancelled_ = true;
     return !cancelled_.load(std::memory_order_relaxed);
