@@ -40,6 +40,8 @@ class Cavity {
   [[nodiscard]] VertexId to(std::size_t i) const {
     return i + 1 < boundary_count_ ? boundary_[i + 1].from : open_ ? end_ : boundary_[0].from;
   }
+  /// Some boundary edge is constrained.
+  [[nodiscard]] bool touches_constraint() const { return touches_constraint_; }
   /// True where a constrained edge is split. The boundary then starts at the edge's end; its start comes
   /// after left_count() edges.
   [[nodiscard]] bool splits_edge() const { return splits_edge_; }
@@ -77,7 +79,7 @@ class Cavity {
  private:
   void clear() {
     triangle_count_ = boundary_count_ = left_count_ = 0;
-    splits_edge_ = open_ = false;
+    splits_edge_ = open_ = touches_constraint_ = false;
   }
   void add(TriangleId id) {
     // The boundary and the stack never hold more than two entries above the number of triangles.
@@ -105,6 +107,7 @@ class Cavity {
       const EdgeRef inner = stack_[--top];
       const Slot& slot = t.slots[inner.triangle()];
       const EdgeRef outer = slot.n[inner.side()];
+      touches_constraint_ = touches_constraint_ || outer.constrained();
       const Reach r = outer.constrained() ? Reach::outside : reach(outer.triangle(), outer.side());
       if (r == Reach::outside) {
         boundary_[boundary_count_++] = {slot.from(inner.side()), inner, outer};
@@ -132,7 +135,7 @@ class Cavity {
   std::vector<BoundaryEdge> boundary_;
   std::vector<EdgeRef> stack_;
   std::size_t triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
-  bool splits_edge_ = false, open_ = false;
+  bool splits_edge_ = false, open_ = false, touches_constraint_ = false;
   VertexId end_ = no_index;
 };
 

@@ -31,16 +31,9 @@ bool Insertion::measure_fan(Point p) {
   return visible;
 }
 
-Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
-  if (!box.contains(p)) return Outcome::leaves_box;
-  if (!disk_contains(t_.slots[first], p)) return Outcome::refused;
-  const Walk walk = cavity_.find(t_, first, reach_within(p, box));
-  if (walk == Walk::foreign) return Outcome::leaves_box;
-  is_star_ = measure_fan(p) && walk == Walk::complete;
-
+EdgeRef Insertion::longest_encroached() const {
   double longest = 0, longest_wide = 0;
-  EdgeRef wide;  // the longest edge whose whole diametral disk, not only the lens, contains p
-  blocker_ = EdgeRef();
+  EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
   for (std::size_t i = 0; i < measures_.size(); ++i) {
     const BoundaryEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
@@ -48,15 +41,25 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
     const double dot = m.dot_at(0), length = m.squared[0];
     if ((m.twice_area <= 0 || criteria_.encroaches(dot, m.squared[1], m.squared[2])) && length > longest) {
       longest = length;
-      blocker_ = edge.inner;
+      found = edge.inner;
     }
     if (dot <= 0 && length > longest_wide) {
       longest_wide = length;
       wide = edge.inner;
     }
   }
-  // Where a constrained edge is not Delaunay the cavity may hold triangles that p does not see.
-  if (longest == 0 && !is_star_) blocker_ = wide;
+  // Where a constrained edge is not Delaunay the cavity may hold triangles that the point does not see.
+  return found.none() && !is_star_ ? wide : found;
+}
+
+Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
+  if (!box.contains(p)) return Outcome::leaves_box;
+  if (!disk_contains(t_.slots[first], p)) return Outcome::refused;
+  const Walk walk = cavity_.find(t_, first, reach_within(p, box));
+  if (walk == Walk::foreign) return Outcome::leaves_box;
+  is_star_ = measure_fan(p) && walk == Walk::complete;
+
+  blocker_ = cavity_.touches_constraint() ? longest_encroached() : EdgeRef();
   if (!blocker_.none()) return Outcome::encroaches;
   if (too_close()) return Outcome::too_close;
   return walk == Walk::tangled ? Outcome::refused : Outcome::inserted;
@@ -95,9 +98,8 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
 /// A point that rounding put beside its edge lies outside the triangle on the other side. Seen from a corner far
 /// away under a tiny angle, that is far enough for the fan there not to be Delaunay.
 bool Insertion::spokes_delaunay() const {
-  return std::all_of(fan_.begin(), fan_.end(), [&](TriangleId id) {
-    return t_.slots[id].n[1].none() || locally_delaunay(t_, EdgeRef(id, 1));
-  });
+  return std::all_of(fan_.begin(), fan_.end(),
+                     [&](TriangleId id) { return t_.slots[id].n[1].none() || locally_delaunay(t_, EdgeRef(id, 1)); });
 }
 
 void Insertion::commit(Point p, Index origin) {

@@ -78,6 +78,8 @@ class Insertion {
   }
   /// Measures the fan that would be made; false where p does not see every edge of the boundary from its left.
   bool measure_fan(Point p);
+  /// Of the constrained edges of the boundary that the point encroaches on or lies beyond; none() if there is none.
+  [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);

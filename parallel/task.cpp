@@ -29,37 +29,12 @@ unsigned Judge::encroached_side(TriangleId id, const Slot& slot, const Measure& 
   return side;
 }
 
-Assessment Judge::assess(TriangleId id, const Measure& m) const {
-  const Slot& slot = t_.slots[id];
-  Assessment result;
-  result.longest_squared = m.longest_squared();
-  if (slot.any_constrained()) {
-    result.side = encroached_side(id, slot, m);
-    if (result.side < 3) {
-      result.need = Assessment::Need::split_edge;
-      result.key = BucketQueue::urgent;
-      return result;
-    }
-    result.left_alone = non_delaunay_side(id) < 3;
-  }
-  const bool left_alone = result.left_alone;
-  result = assess_inside(id, m);
-  result.left_alone = result.left_alone || left_alone;
-  return result;
-}
-
-Assessment Judge::assess_inside(TriangleId id, const Measure& m) const {
-  Assessment result;
-  result.longest_squared = m.longest_squared();
-  const bool large = too_large(id, m);
-  if (!large && !criteria_.bad_shape(m)) return result;
-  const double shortest = m.shortest_squared();
-  if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, t_.slots[id], m))) {
-    result.left_alone = true;
-    return result;
-  }
-  result.need = Assessment::Need::split_triangle;
-  result.key = BucketQueue::key(shortest);
+Assessment Judge::assess_beside_constraint(TriangleId id, const Measure& m) const {
+  const unsigned side = encroached_side(id, t_.slots[id], m);
+  if (side < 3)
+    return {Assessment::Need::split_edge, side, BucketQueue::urgent, m.longest_squared(), /*left_alone=*/false};
+  Assessment result = assess_inside(id, m);
+  result.left_alone = result.left_alone || non_delaunay_side(id) < 3;
   return result;
 }
 
@@ -117,17 +92,6 @@ TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued>
       process(next);
   }
   return std::move(result_);
-}
-
-void Task::queue_if_bad(TriangleId id, const Assessment& a) {
-  if (a.need == Assessment::Need::nothing) {
-    result_.left_alone = result_.left_alone || a.left_alone;
-    return;
-  }
-  if (later_.applies_to(a))
-    result_.deferred.push_back({id, t_.slots[id].v[0]});
-  else
-    queue_.push({id, t_.slots[id].v[0]}, a.key);
 }
 
 void Task::consider_changed() {

@@ -22,7 +22,7 @@ struct Assessment {
   unsigned side = 0;  ///< the side to split
   unsigned key = 0;   ///< its place in the queue
   double longest_squared = 0;
-  bool left_alone = false;  ///< breaks the goal, but nothing is to be done
+  bool left_alone = false;  ///< breaks the goal, but nothing is to be done about it
 };
 
 /// The decisions of the refinement: pure functions of the triangulation.
@@ -38,10 +38,18 @@ class Judge {
   /// Whether the slot still holds the triangle that was queued.
   [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id].v[0] == q.first_corner; }
   [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const;
+  [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const {
+    return t_.slots[id].any_constrained() ? assess_beside_constraint(id, m) : assess_inside(id, m);
+  }
   /// The same for a triangle whose sides cannot be split, encroached or not.
   [[nodiscard]] Assessment assess_inside(TriangleId id) const { return assess_inside(id, Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m) const;
+  [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m) const {
+    const bool large = too_large(id, m);
+    if (!large && !criteria_.bad_shape(m)) return {};
+    const double shortest = m.shortest_squared();
+    if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, t_.slots[id], m))) return {.left_alone = true};
+    return {Assessment::Need::split_triangle, 0, BucketQueue::key(shortest), m.longest_squared(), false};
+  }
   /// Breaks the criteria, justified or not.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
   /// A constrained side that a conforming goal wants Delaunay and that is not, or 3.
@@ -57,6 +65,7 @@ class Judge {
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
+  [[nodiscard]] Assessment assess_beside_constraint(TriangleId id, const Measure& m) const;
   [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
   [[nodiscard]] bool too_large(TriangleId id, const Measure& m) const {
     return criteria_.too_large(m) ||
@@ -110,7 +119,14 @@ class Task {
  private:
   void consider(TriangleId id) { queue_if_bad(id, judge_.assess(id)); }
   void consider_changed();
-  void queue_if_bad(TriangleId id, const Assessment& a);
+  void queue_if_bad(TriangleId id, const Assessment& a) {
+    if (a.need == Assessment::Need::nothing)
+      result_.left_alone = result_.left_alone || a.left_alone;
+    else if (later_.applies_to(a))
+      result_.deferred.push_back({id, t_.slots[id].v[0]});
+    else
+      queue_.push({id, t_.slots[id].v[0]}, a.key);
+  }
   void process(Queued triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   void hand_on(Queued triangle, Point p);
