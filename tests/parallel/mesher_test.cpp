@@ -5,19 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
-#include "../../core/digest.hpp"
 #include "../../properties/check.hpp"
 #include "../../properties/domains.hpp"
-#include "../../properties/exact.hpp"
 
 namespace pardel {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Pslg domain(const std::string& name) {
   Result<Pslg> made = domains::generate(name, 0, 1);
@@ -192,177 +186,6 @@ TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {
   const Pslg pslg = domain("cracks");
   const Meshed meshed = expect_met(pslg, {.min_angle_deg = 30});
   for (std::size_t v = 0; v < pslg.points.size(); ++v) EXPECT_EQ(meshed.mesh.points[v], pslg.points[v]);
-}
-
-// What stops a run --------------------------------------------------------------------------------------------
-
-TEST(Budget, ends_the_run_and_the_report_says_which_triangles_it_left) {
-  const Pslg pslg = domains::pipe();
-  const Goal goal{.max_area = 1e-4};
-  for (const std::uint64_t most : {std::uint64_t{1}, std::uint64_t{pslg.points.size()}, std::uint64_t{2000}}) {
-    const Result<Meshed> meshed = mesh(pslg, goal, {.max_vertices = most});
-    ASSERT_TRUE(meshed);
-    EXPECT_LE(meshed->mesh.points.size(), std::max<std::size_t>(most, pslg.points.size()));
-    EXPECT_FALSE(meshed->report.goal_met());
-    const Certificate certificate = check(pslg, meshed->mesh, goal);
-    std::set<Index> guilty, reported;
-    for (const Violation& v : certificate.violations) {
-      EXPECT_TRUE(v.kind == ViolationKind::large_area || v.kind == ViolationKind::small_angle) << v.message();
-      guilty.insert(v.ids.front());
-    }
-    for (const Exemption& e : meshed->report.exempt) {
-      EXPECT_EQ(e.reason, ExemptReason::budget);
-      reported.insert(e.triangle);
-    }
-    EXPECT_TRUE(std::is_sorted(meshed->report.exempt.begin(), meshed->report.exempt.end(),
-                               [](const Exemption& a, const Exemption& b) { return a.triangle < b.triangle; }));
-    if (certificate.violations.size() < 1000) {
-      EXPECT_TRUE(std::includes(reported.begin(), reported.end(), guilty.begin(), guilty.end()));
-    }
-  }
-}
-
-TEST(Budget, that_is_not_needed_changes_nothing) {
-  const Pslg pslg = domains::key();
-  const Result<Meshed> free = mesh(pslg), capped = mesh(pslg, {}, {.max_vertices = 1'000'000});
-  ASSERT_TRUE(free && capped);
-  EXPECT_EQ(free->mesh, capped->mesh);
-}
-
-/// A goal of 10^12 triangles must not cost their memory where a budget allows a hundred.
-TEST(Budget, makes_a_goal_out_of_reach_cheap) {
-  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100});
-  ASSERT_TRUE(meshed);
-  EXPECT_EQ(meshed->mesh.points.size(), 100U);
-}
-
-double shortest_edge(const Mesh& m) {
-  double shortest = infinity;
-  for (const Triangle& t : m.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const Point a = m.points[t.v[i]], b = m.points[t.v[(i + 1) % 3]];
-      shortest = std::min(shortest, std::hypot(a.x - b.x, a.y - b.y));
-    }
-  return shortest;
-}
-
-TEST(Floor, is_never_undercut_and_the_report_names_it) {
-  const Pslg pslg = domains::square();
-  for (const Placement placement : {Placement::off_centre, Placement::circumcentre})
-    for (const double floor : {0.3, 0.1, 0.03}) {
-      const Goal goal{.max_area = 1e-5};
-      const Result<Meshed> meshed = mesh(pslg, goal, {.placement = placement, .min_edge = floor});
-      ASSERT_TRUE(meshed);
-      EXPECT_GE(shortest_edge(meshed->mesh), floor);
-      EXPECT_FALSE(meshed->report.goal_met());
-      EXPECT_EQ(meshed->report.count(ExemptReason::min_edge), meshed->report.exempt.size());
-      EXPECT_GT(meshed->report.refused, 0U);
-      EXPECT_EQ(verdict(pslg, meshed->mesh, {.min_angle_deg = 0}), "valid");
-    }
-}
-
-TEST(Floor, holds_beside_a_point_that_all_but_touches_a_segment) {
-  Pslg pslg = domains::square();
-  pslg.points.push_back({0.5, 0.001});
-  const Result<Meshed> meshed = mesh(pslg, {.min_angle_deg = 30}, {.min_edge = 0.01});
-  ASSERT_TRUE(meshed);
-  EXPECT_GE(shortest_edge(meshed->mesh), 0.01);
-  EXPECT_GT(meshed->report.count(ExemptReason::min_edge), 0U);
-}
-
-TEST(KeptSegments, are_not_split_where_the_caller_forbids_it) {
-  const Pslg pslg = domain("cracks");
-  const Goal goal{.max_area = 0.001};
-  const Result<Meshed> all = mesh(pslg, goal, {.no_segment_splits = true});
-  ASSERT_TRUE(all);
-  EXPECT_EQ(all->report.segment_splits, 0U);
-  EXPECT_EQ(verdict(pslg, all->mesh, {.min_angle_deg = 0}), "valid");
-  EXPECT_GT(all->report.count(ExemptReason::kept_segment), 0U);
-
-  const Result<Meshed> outline = mesh(pslg, goal, {.no_boundary_splits = true});
-  ASSERT_TRUE(outline);
-  EXPECT_GT(outline->report.segment_splits, 0U) << "segments inside may be split";
-  for (const Triangle& t : outline->mesh.triangles)
-    for (unsigned i = 0; i < 3; ++i) {
-      if (t.n[i] != no_index) continue;
-      EXPECT_LT(std::max(t.v[(i + 1) % 3], t.v[(i + 2) % 3]), pslg.points.size()) << "a boundary edge was split";
-    }
-  EXPECT_EQ(verdict(pslg, outline->mesh, {.min_angle_deg = 0}), "valid");
-}
-
-TEST(Cancellation, ends_the_run_with_an_error_of_its_kind) {
-  Options options;
-  options.progress = [](const Progress&) { return false; };
-  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-5}, options);
-  ASSERT_FALSE(meshed);
-  EXPECT_EQ(meshed.error().kind, ErrorKind::cancelled);
-}
-
-TEST(ProgressCallback, sees_the_mesh_grow) {
-  std::vector<std::uint64_t> seen;
-  Options options;
-  options.progress = [&](const Progress& progress) {
-    seen.push_back(progress.triangles);
-    return true;
-  };
-  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-5}, options);
-  ASSERT_TRUE(meshed);
-  ASSERT_GE(seen.size(), 3U);
-  EXPECT_LT(seen.front(), seen.back() / 2);
-  EXPECT_NEAR(double(seen.back()) / double(meshed->mesh.triangles.size()), 1, 0.2);
-}
-
-// What a caller can get wrong ---------------------------------------------------------------------------------
-
-TEST(Usage, is_an_error_where_a_goal_has_no_meaning) {
-  const std::vector<Goal> wrong{
-      {.min_angle_deg = 60}, {.min_angle_deg = 33.01}, {.min_angle_deg = -1},      {.min_angle_deg = nan},
-      {.max_area = 0},       {.max_area = -1},         {.max_area = nan},          {.max_edge = 0},
-      {.max_edge = -2},      {.max_edge = nan},        {.min_angle_deg = infinity}};
-  for (const Goal& goal : wrong) {
-    const Result<Meshed> meshed = mesh(domains::square(), goal);
-    ASSERT_FALSE(meshed);
-    EXPECT_EQ(meshed.error().kind, ErrorKind::usage);
-    EXPECT_FALSE(meshed.error().message.empty());
-  }
-  for (const double floor : {-1.0, nan, infinity}) {
-    const Result<Meshed> meshed = mesh(domains::square(), {}, {.min_edge = floor});
-    ASSERT_FALSE(meshed);
-    EXPECT_EQ(meshed.error().kind, ErrorKind::usage);
-  }
-}
-
-TEST(InvalidInput, is_an_error_that_names_the_place) {
-  Pslg bad_point = domains::square();
-  bad_point.points[2].x = nan;
-  Pslg bad_id = domains::square();
-  bad_id.segments[1].b = 17;
-  Pslg crossing = domains::square();
-  crossing.segments.insert(crossing.segments.end(), {{0, 2}, {1, 3}});
-  Pslg open = domains::square();
-  open.segments.pop_back();
-  Pslg eaten = domains::square();
-  eaten.holes.push_back({0.5, 0.5});
-  Pslg flat;
-  flat.points = {{0, 0}, {1, 1}, {2, 2}};
-  Pslg cap = domains::square();
-  cap.regions.push_back({{0.5, 0.5}, 1, -3});
-  for (const Pslg& pslg : {bad_point, bad_id, crossing, open, eaten, flat, cap, Pslg{}}) {
-    const Result<Meshed> meshed = mesh(pslg);
-    ASSERT_FALSE(meshed);
-    EXPECT_EQ(meshed.error().kind, ErrorKind::invalid_input);
-    EXPECT_FALSE(meshed.error().message.empty());
-  }
-}
-
-TEST(InvalidInput, is_a_size_that_is_not_one_positive_number_per_point) {
-  const Pslg pslg = domains::square();
-  for (const std::vector<double>& sizes :
-       {std::vector<double>{1, 1, 1}, {1, 1, 1, 0}, {1, -1, 1, 1}, {1, 1, nan, 1}, {1, 1, 1, infinity}}) {
-    const auto size = interpolated_size(pslg, sizes);
-    ASSERT_FALSE(size);
-    EXPECT_EQ(size.error().kind, ErrorKind::invalid_input);
-  }
 }
 
 }  // namespace
