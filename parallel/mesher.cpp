@@ -50,7 +50,7 @@ Status check_pslg(const Pslg& pslg, bool convex_hull) {
 }
 
 /// Coordinates near 2^k are 2^(k-53) apart. An edge 2^11 times as long as that still has an angle with 3 digits.
-double default_min_edge(std::span<const Point> points) {
+double least_min_edge(std::span<const Point> points) {
   double largest = 0;
   for (const Point p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   return largest * 0x1p-42;
@@ -58,7 +58,7 @@ double default_min_edge(std::span<const Point> points) {
 
 Status refine_domain(Assembled& domain, const Criteria& criteria, Options options, Report& report) {
   Triangulation& t = domain.triangulation;
-  if (options.min_edge == 0) options.min_edge = default_min_edge(t.points.span());
+  options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
   const Result<RefineCounts> counts = refine(t, domain.lines, criteria, options);
   if (!counts) return counts.error();
   report.inserted = counts->inserted;

@@ -38,8 +38,8 @@ struct Options {
   int threads = 1;  ///< does not change the result
   Decomposition decomposition = Decomposition::automatic;
   std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
-  /// No point is inserted where it would make an edge shorter than this; 0: a default that double
-  /// precision can hold, 2^-42 times the largest coordinate.
+  /// No point is inserted where it would make an edge shorter than this, nor than what double precision can
+  /// hold, 2^-42 times the largest coordinate.
   double min_edge = 0;
   bool no_boundary_splits = false;  ///< Triangle's -Y: do not split edges of the domain's boundary
   bool no_segment_splits = false;   ///< Triangle's -YY: do not split any segment

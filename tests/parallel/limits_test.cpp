@@ -87,6 +87,16 @@ TEST(Floor, is_never_undercut_and_the_report_names_it) {
     }
 }
 
+/// What doubles cannot hold is no floor: refinement would go on among neighbouring doubles.
+TEST(Floor, has_a_least_value) {
+  const Pslg pslg = domains::moved(domains::wedge(4, 0.001), 654321, 4987654);
+  const Goal goal{.min_angle_deg = 33, .conforming = true};
+  const Result<Meshed> none = mesh(pslg, goal), tiny = mesh(pslg, goal, {.min_edge = 1e-300});
+  ASSERT_TRUE(none && tiny);
+  EXPECT_GE(shortest_edge(none->mesh), 4987654 * 0x1p-42);
+  EXPECT_EQ(none->mesh, tiny->mesh);
+}
+
 TEST(Floor, holds_beside_a_point_that_all_but_touches_a_segment) {
   Pslg pslg = domains::square();
   pslg.points.push_back({0.5, 0.001});
