@@ -191,11 +191,14 @@ class Refinement {
     const auto waiting = [&] {
       return std::any_of(inbox.begin(), inbox.end(), [](const auto& b) { return !b.empty(); });
     };
-    while (waiting() && go_on()) sweep(lattice, inbox, later);
+    // A triangle may ask now for a point in one cell, now for one in another, and be sent to and fro for ever: what
+    // two sweeps without an insertion have tried wherever it asked to be needs a larger box.
+    for (int idle = 0; idle < 2 && waiting() && go_on();) idle = sweep(lattice, inbox, later) > 0 ? 0 : idle + 1;
+    for (const std::vector<Queued>& waits : inbox) stuck_.insert(stuck_.end(), waits.begin(), waits.end());
   }
 
-  /// Four phases, one per colour.
-  void sweep(const Lattice& lattice, std::vector<std::vector<Queued>>& inbox, const Deferral& later) {
+  /// Four phases, one per colour. Returns the number of vertices inserted.
+  std::uint64_t sweep(const Lattice& lattice, std::vector<std::vector<Queued>>& inbox, const Deferral& later) {
     const auto start = std::chrono::steady_clock::now();
     Sweep done{lattice.cells(), 0, 0, 0};
     for (unsigned colour = 0; colour < Lattice::colours && go_on(); ++colour) {
@@ -224,6 +227,7 @@ class Refinement {
     counts_.sweeps.push_back(done);
     if (vertices_.available() == 0) counts_.budget_reached = counts_.left_alone = true;
     if (out_of_triangles()) cancelled_ = true;
+    return done.inserted;
   }
 
   /// Cells of one colour have disjoint boxes: their tasks run in any order, at the same time.

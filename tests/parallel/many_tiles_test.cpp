@@ -65,6 +65,23 @@ TEST(ManyTiles, keep_the_budget_to_the_vertex) {
   }
 }
 
+/// Kept boundaries: a triangle that asked for a point in one tile, and there for a point in the other, was sent to and
+/// fro for ever.
+TEST(ManyTiles, do_not_send_a_triangle_to_and_fro) {
+  Pslg pslg;
+  pslg.points = {{1, 7},  {3, 3},  {5, 3},  {7, 8},  {9, 5},  {10, 4}, {14, 0}, {15, 5}, {16, 1}, {16, 5},
+                 {16, 8}, {18, 7}, {19, 3}, {19, 7}, {20, 3}, {21, 5}, {22, 5}, {22, 6}, {26, 2}, {29, 0},
+                 {29, 1}, {31, 0}, {31, 2}, {33, 3}, {38, 6}, {40, 4}, {41, 3}, {42, 1}, {42, 5}, {43, 5},
+                 {45, 0}, {46, 5}, {47, 1}, {51, 7}, {52, 4}, {54, 7}, {57, 3}};
+  for (Point& p : pslg.points) p = {p.x / 8, p.y / 64};
+  pslg.segments = {{11, 25}, {16, 5},  {6, 34}, {23, 5},  {7, 11}, {26, 6},  {29, 28}, {26, 28}, {2, 12},
+                   {35, 26}, {29, 11}, {23, 8}, {29, 13}, {7, 10}, {36, 20}, {19, 20}, {6, 19},  {4, 7}};
+  const Goal goal{.min_angle_deg = 30, .max_area = 0.01, .convex_hull = true};
+  const Result<Meshed> meshed = mesh(pslg, goal, {.no_boundary_splits = true});
+  ASSERT_TRUE(meshed);
+  EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0, .convex_hull = true}).valid);
+}
+
 TEST(ManyTiles, stop_when_the_caller_says_so) {
   int calls = 0;
   Options options{.threads = 2};
