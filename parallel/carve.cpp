@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "constrain.hpp"
 #include "delaunay.hpp"
 
@@ -31,18 +29,27 @@ std::vector<Constraint> constrain_hull(Triangulation& t) {
   return fresh;
 }
 
-/// The kept triangles, ordered by their least vertex: vertices are numbered along a space-filling curve,
-/// so triangles that are near in the plane become near in memory.
-std::vector<TriangleId> kept_in_order(const Triangulation& t, const Array<Index>& label, Index removed) {
-  const auto least = [&](TriangleId id) { return std::min({t.slots[id].v[0], t.slots[id].v[1], t.slots[id].v[2]}); };
-  std::vector<Index> start(t.points.size() + 1, 0);
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
-    if (label[id] != removed) ++start[least(id) + 1U];
-  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-  std::vector<TriangleId> order(start.back());
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
-    if (label[id] != removed) order[start[least(id)]++] = id;
-  return order;
+/// Takes the triangles so labelled out, by moving the last ones that stay into their places: those that stay
+/// keep their order, which follows a space-filling curve, but for as many as go.
+void remove_labelled(Triangulation& t, Array<Index>& label, Index removed) {
+  std::vector<TriangleId> holes;
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    if (label[id] != removed) continue;
+    holes.push_back(id);
+    for (const EdgeRef out : t.slots[id].n)
+      if (label[out.triangle()] != removed) t.slots[out.triangle()].n[out.side()] = EdgeRef();
+  }
+  const std::size_t kept = t.slots.size() - holes.size();
+  auto last = static_cast<TriangleId>(t.slots.size());
+  for (const TriangleId hole : holes) {
+    if (hole >= kept) break;
+    do --last;
+    while (label[last] == removed);
+    t.move_triangle(last, hole);
+    label[hole] = label[last];
+  }
+  t.slots.resize(kept);
+  label.resize(kept);
 }
 
 }  // namespace
@@ -70,24 +77,8 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules) {
     flood(t, stack, label, static_cast<Index>(r));
   }
 
-  const std::vector<TriangleId> order = kept_in_order(t, label, removed);
-  Array<Index> number(t.slots.size(), no_index);
-  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<Index>(k);
-  Array<Slot> kept;
-  kept.reserve(order.size());
-  for (const TriangleId id : order) {
-    Slot slot = t.slots[id];
-    for (EdgeRef& out : slot.n)
-      out = number[out.triangle()] == no_index ? EdgeRef()
-                                               : EdgeRef(number[out.triangle()], out.side(), out.constrained());
-    kept.push_back(slot);
-  }
-  if (!rules.region_seeds.empty()) {
-    t.region.clear();
-    t.region.reserve(order.size());
-    for (const TriangleId id : order) t.region.push_back(label[id]);
-  }
-  t.slots = std::move(kept);
+  remove_labelled(t, label, removed);
+  if (!rules.region_seeds.empty()) t.region = std::move(label);
   return hull;
 }
 

@@ -15,14 +15,14 @@ std::uint64_t mixed(std::uint64_t h) {
   return h ^ h >> 32U;
 }
 
-/// Round r of the insertion holds about 4^-r of the points; the last rounds go first. Chance is a hash of a point's
+/// Round r of the insertion holds about 16^-r of the points; the last rounds go first. Chance is a hash of a point's
 /// place on the curve: neither the order of the input nor its scale has a say.
 std::vector<Index> biased_random_order(std::size_t n) {
-  constexpr int rounds = 12;
+  constexpr int rounds = 8;
   std::vector<std::uint8_t> round(n);
   std::array<std::size_t, rounds + 1> start{};
   for (std::size_t i = 0; i < n; ++i) {
-    const int level = std::min(rounds - 1, std::countr_zero(mixed(i + 1)) / 2);
+    const int level = std::min(rounds - 1, std::countr_zero(mixed(i + 1)) / 4);
     round[i] = static_cast<std::uint8_t>(rounds - 1 - level);
     ++start[round[i] + 1U];
   }

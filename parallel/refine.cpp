@@ -308,11 +308,8 @@ class Refinement {
   void close_ranks() {
     const std::vector<NumberMove> triangle_moves = moves_into_holes(triangles_);
     for (const NumberMove move : triangle_moves) {
-      t_.slots[move.to] = t_.slots[move.from];
+      t_.move_triangle(move.from, move.to);
       if (!t_.region.empty()) t_.region[move.to] = t_.region[move.from];
-      for (unsigned side = 0; side < 3; ++side)
-        if (const EdgeRef out = t_.slots[move.to].n[side]; !out.none())
-          t_.slots[out.triangle()].n[out.side()] = EdgeRef(move.to, side, out.constrained());
     }
     const std::size_t triangles = triangles_.in_use();
     t_.slots.resize(triangles);

@@ -71,6 +71,13 @@ struct Triangulation {
     slots[inner.triangle()].n[inner.side()] = outer;
     if (!outer.none()) slots[outer.triangle()].n[outer.side()] = inner.with_constraint(constrained);
   }
+  /// Puts a triangle into another slot, whose content is lost, and tells its neighbours.
+  void move_triangle(TriangleId from, TriangleId to) {
+    slots[to] = slots[from];
+    for (unsigned side = 0; side < 3; ++side)
+      if (const EdgeRef out = slots[to].n[side]; !out.none())
+        slots[out.triangle()].n[out.side()] = EdgeRef(to, side, out.constrained());
+  }
   /// Marks an edge, on both sides.
   void constrain(EdgeRef e) {
     EdgeRef& outer = slots[e.triangle()].n[e.side()];
