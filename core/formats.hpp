@@ -4,6 +4,7 @@
 // directly). Every error names the file, and for text the line.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -39,10 +40,14 @@ namespace pardel {
 ///   .off         triangles only, nothing else.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
 
-/// By suffix: .node or .ele writes .node, .ele and .poly (all or, on an error, none); .vtu; .msh (binary); .off; .svg.
+enum class MshEncoding : std::uint8_t { ascii, binary };
+
+/// By suffix: .node or .ele writes .node, .ele and .poly (all or, on an error, none); .vtu; .msh (as `msh` says);
+/// .off; .svg.
 /// Preconditions, here and for all writers of meshes: indices are in range, per-point and per-triangle arrays
 /// have their lengths, and for .edge, .neigh and second order the neighbours are right.
-[[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file);
+[[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
+                                MshEncoding msh = MshEncoding::binary);
 
 /// True where write_mesh knows the suffix.
 [[nodiscard]] bool is_mesh_suffix(const std::filesystem::path& file);
@@ -66,13 +71,14 @@ struct TriangleFiles {
 
 /// Triangle's .area file: one cap per triangle, +infinity where the file says negative.
 [[nodiscard]] Result<std::vector<double>> read_area(const std::filesystem::path& file);
+/// The same, written: cap i is that of triangle base + i, +infinity is written as -1. Precondition: caps are positive.
+[[nodiscard]] Status write_area(const std::filesystem::path& file, std::span<const double> caps, int base = 1);
 /// One positive number per input vertex, Triangle-like: `n` then `i size`.
 [[nodiscard]] Result<std::vector<double>> read_sizes(const std::filesystem::path& file);
 
 /// Each region's attribute and each marker is a physical group (`region X`, `marker N`; `domain` for triangles
 /// without a region), its tag the number itself where that is a positive int. Vertices keep their order by tag,
 /// triangles are grouped by region.
-enum class MshEncoding : std::uint8_t { ascii, binary };
 [[nodiscard]] Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding);
 /// Version 1.0, appended raw, UInt64 headers. Cell arrays `region` (attribute) and `quality` (smallest angle in
 /// degrees), point arrays `marker` and `attributes`; constrained edges and their markers as field data.

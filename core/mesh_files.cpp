@@ -57,14 +57,14 @@ Result<Mesh> read_mesh(const std::filesystem::path& file) {
   return parse_off(*text, file.string());
 }
 
-Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file) {
+Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file, MshEncoding msh) {
   switch (format_of(file)) {
     case Format::triangle:
       return write_triangle_files(mesh, pslg, std::filesystem::path(file).replace_extension(), TriangleFiles{});
     case Format::vtu:
       return write_vtu(mesh, file);
     case Format::msh:
-      return write_msh(mesh, file, MshEncoding::binary);
+      return write_msh(mesh, file, msh);
     case Format::off:
       return write_off(mesh, file);
     case Format::svg:

@@ -125,6 +125,17 @@ Status write_poly(const Pslg& pslg, const fs::path& file, int base) {
   return out.commit();
 }
 
+Status write_area(const fs::path& file, std::span<const double> caps, int base) {
+  OutputFile out(file);
+  Bytes header;
+  header << caps.size() << '\n';
+  out.write(header.view());
+  write_records(out, caps.size(), [&](Bytes& to, std::size_t i) {
+    to << i + base << ' ' << (std::isinf(caps[i]) ? -1.0 : caps[i]) << '\n';
+  });
+  return out.commit();
+}
+
 Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const fs::path& stem, const TriangleFiles& files) {
   std::deque<OutputFile> outputs;
   const auto open = [&](const char* suffix) -> OutputFile& { return outputs.emplace_back(fs::path(stem) += suffix); };

@@ -238,6 +238,16 @@ TEST(Area, reads_one_cap_per_triangle_and_infinity_for_none) {
   EXPECT_EQ(*areas, (std::vector<double>{0.5, std::numeric_limits<double>::infinity(), 1e-9}));
 }
 
+TEST(Area, reads_back_as_it_was_written) {
+  const Folder folder;
+  const std::vector<double> caps{0.1, std::numeric_limits<double>::infinity(), 5e-324, 1.0 / 3, 1e300};
+  for (const int base : {0, 1}) {
+    ASSERT_TRUE(write_area(folder / "a.area", caps, base).ok());
+    EXPECT_EQ(*read_area(folder / "a.area"), caps);
+  }
+  EXPECT_TRUE(folder.read("a.area").starts_with("5\n1 0.1\n2 -1\n"));
+}
+
 TEST(Area, says_what_is_wrong_in_which_line) {
   const Folder folder;
   const auto failure = [&](const char* text) { return message_of(read_area(folder.write("a.area", text)), folder); };
