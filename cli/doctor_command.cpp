@@ -84,7 +84,7 @@ Result<ExitCode> run(const Arguments& arguments) {
   std::optional<Repaired> repaired;
   std::optional<Error> beyond_repair;
   if (!arguments.repaired.empty()) {
-    Result<Repaired> result = repair(domain.value().pslg, arguments.snap.value_or(0));
+    Result<Repaired> result = repair(domain.value().pslg, arguments.snap.value_or(0), domain.value().base);
     if (result) {
       repaired = std::move(*result);
       if (Status written = write_poly(repaired->pslg, arguments.repaired, domain.value().base); !written) {

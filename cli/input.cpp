@@ -101,7 +101,7 @@ Result<Mended> mend(Domain domain, bool convex_hull) {
   Mended mended{std::move(domain), std::nullopt, {}};
   Pslg& pslg = mended.domain.pslg;
   if (validate(pslg, {.convex_hull = convex_hull}).empty()) return mended;
-  Result<Repaired> repaired = repair(pslg);
+  Result<Repaired> repaired = repair(pslg, 0, mended.domain.base);
   if (!repaired) return as_in_file(repaired.error(), mended.domain, convex_hull);
   for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", mended.domain.name, line));
   mended.original = std::exchange(pslg, std::move(repaired->pslg));

@@ -215,9 +215,9 @@ void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
   values.resize(kept);
 }
 
-std::string lines(std::span<const Problem> problems) {
+std::string lines(std::span<const Problem> problems, int base) {
   std::string text;
-  for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + p.message();
+  for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + p.message(base);
   return text;
 }
 
@@ -235,43 +235,47 @@ bool is_beyond_repair(const Problem& problem) {
 }
 
 /// Drops holes and regions that are in no face, or in one that has a region already. What is left over cannot be
-/// mended.
-std::vector<Problem> drop_misplaced_seeds(Pslg& pslg, std::vector<std::string>& log) {
-  std::vector<Problem> problems = validate(pslg);
-  std::vector<Index> holes, regions;
-  std::vector<Problem> rest;
-  for (Problem& p : problems) {
-    switch (p.kind) {
-      case ProblemKind::hole_outside:
-      case ProblemKind::hole_on_segment:
+/// mended. Dropping some can show more (a region in a face that a hole took), hence the loop.
+std::vector<Problem> drop_misplaced_seeds(Work& work, int base, std::vector<std::string>& log) {
+  std::vector<Index> hole_source(work.pslg.holes.size()), region_source(work.pslg.regions.size());  // to the old ones
+  std::iota(hole_source.begin(), hole_source.end(), Index{0});
+  std::iota(region_source.begin(), region_source.end(), Index{0});
+  while (true) {
+    std::vector<Index> holes, regions;
+    std::vector<Problem> rest;
+    for (Problem& p : validate(work.pslg)) {
+      const bool of_hole = p.kind == ProblemKind::hole_outside || p.kind == ProblemKind::hole_on_segment;
+      const bool of_region = p.kind == ProblemKind::region_outside || p.kind == ProblemKind::region_on_segment;
+      if (of_hole) {
         holes.push_back(p.ids[0]);
-        break;
-      case ProblemKind::region_outside:
-      case ProblemKind::region_on_segment:
+      } else if (of_region) {
         regions.push_back(p.ids[0]);
-        break;
-      case ProblemKind::regions_share_face:
+      } else if (p.kind == ProblemKind::regions_share_face) {
         regions.push_back(p.ids[1]);
-        break;
-      default:
+      } else {
         rest.push_back(std::move(p));
         continue;
+      }
+      p.ids[0] = (of_hole ? hole_source : region_source)[p.ids[0]];
+      if (p.ids.size() > 1) p.ids[1] = (of_hole || of_region ? work.source : region_source)[p.ids[1]];
+      log.push_back("Dropped: " + p.message(base));
     }
-    log.push_back("Dropped: " + p.message());
+    if (holes.empty() && regions.empty()) return rest;
+    erase_at(work.pslg.holes, holes);
+    erase_at(hole_source, holes);
+    erase_at(work.pslg.regions, regions);
+    erase_at(region_source, regions);
+    if (!rest.empty()) return rest;
   }
-  erase_at(pslg.holes, holes);
-  erase_at(pslg.regions, regions);
-  if (rest.empty() && !(holes.empty() && regions.empty())) return drop_misplaced_seeds(pslg, log);
-  return rest;
 }
 
 }  // namespace
 
-Result<Repaired> repair(const Pslg& pslg, double snap) {
+Result<Repaired> repair(const Pslg& pslg, double snap, int base) {
   if (!(snap >= 0) || std::isinf(snap)) return Error{ErrorKind::usage, "The snapping distance must not be negative."};
   std::vector<Problem> beyond = validate(pslg, {.max_problems = 20});
   std::erase_if(beyond, [](const Problem& p) { return !is_beyond_repair(p); });
-  if (!beyond.empty()) return Error{ErrorKind::invalid_input, lines(beyond)};
+  if (!beyond.empty()) return Error{ErrorKind::invalid_input, lines(beyond, base)};
 
   Work begin{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
   std::iota(begin.point_map.begin(), begin.point_map.end(), Index{0});
@@ -290,8 +294,8 @@ Result<Repaired> repair(const Pslg& pslg, double snap) {
         "snapping distance may help."};
 
   std::vector<std::string> log = summary(pslg, work);
-  const std::vector<Problem> rest = drop_misplaced_seeds(work.pslg, log);
-  if (!rest.empty()) return Error{ErrorKind::invalid_input, lines(rest)};
+  const std::vector<Problem> rest = drop_misplaced_seeds(work, base, log);
+  if (!rest.empty()) return Error{ErrorKind::invalid_input, lines(rest, base)};
   return Repaired{std::move(work.pslg), std::move(work.point_map), std::move(work.source), std::move(log)};
 }
 

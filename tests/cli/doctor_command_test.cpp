@@ -45,6 +45,21 @@ TEST_F(DoctorCommand, the_repaired_domain_counts_from_where_the_ill_one_did) {
   EXPECT_EQ(table("well.poly")[1][0], 0);
 }
 
+TEST_F(DoctorCommand, the_repair_log_numbers_as_the_file_does_and_as_the_problems_do) {
+  for (const int base : {0, 1}) {
+    std::string text = base == 0 ? "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n"
+                                 : "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n";
+    write("holes.poly", text + "2\n0 0.5 0\n1 7 7\n");  // one on the first segment, one outside
+    const Ran ran = pardel({"doctor", "holes.poly", "--repair", "well.poly"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    const std::string first = std::to_string(base), second = std::to_string(base + 1);
+    const std::string on = "Hole " + first + " at (0.5, 0) lies on segment " + first;
+    const std::string outside = "Hole " + second + " at (7, 7)";
+    EXPECT_TRUE(holds(ran.out,
+                      {"hole_on_segment: " + on, "hole_outside: " + outside, "Dropped: " + on, "Dropped: " + outside}));
+  }
+}
+
 TEST_F(DoctorCommand, points_closer_than_the_snap_are_merged) {
   write("near.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1e-9 1\n4 0\n1 1 2\n2 2 3\n3 3 5\n4 4 1\n0\n");
   EXPECT_EQ(pardel({"doctor", "near.poly", "--repair", "well.poly", "--snap", "1e-6"}).exit_code, 0);
