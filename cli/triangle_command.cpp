@@ -27,7 +27,7 @@ namespace pardel::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_listed = 100;
+constexpr std::size_t most_listed = 10;
 
 constexpr const char* help = R"(pardel triangle [-switches] FILE
 
@@ -36,7 +36,8 @@ together; numbers follow theirs without a space: pardel triangle -pq30a0.1 key. 
 Without p, r, q or a: the Delaunay triangulation of FILE.node.
 
   p   reads FILE.poly              r   refines the mesh FILE.node, FILE.ele (with a: FILE.area; with p: FILE.poly)
-  q   smallest angle (default 20)  a   largest area; without a number: per region, or FILE.area with r; may come twice
+  q   smallest angle (default 20, at most 33)
+  a   largest area; without a number: per region, or FILE.area with r; may come twice
   D   truly Delaunay               c   triangulates the convex hull
   A   triangles carry the attribute of their region
   Y   splits no segment of the boundary; YY no segment at all

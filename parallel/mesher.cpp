@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "../core/shortest.hpp"
 #include "assemble.hpp"
 #include "background.hpp"
 #include "criteria.hpp"
@@ -30,7 +31,7 @@ constexpr double largest_min_angle_deg = 33;
 
 Status check_goal(const Goal& goal, const Options& options) {
   const auto refuse = [](const std::string& what, double value) {
-    return Error{ErrorKind::usage, what + ", not " + std::to_string(value)};
+    return Error{ErrorKind::usage, what + ", not " + shortest(value)};
   };
   if (!(goal.min_angle_deg >= 0 && goal.min_angle_deg <= largest_min_angle_deg))
     return refuse("the minimum angle must lie between 0 and 33 degrees", goal.min_angle_deg);
@@ -151,7 +152,7 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
   for (std::size_t i = 0; i < max_areas.size(); ++i)
     if (!(max_areas[i] > 0))
       return Error{ErrorKind::invalid_input, "the area cap of triangle " + std::to_string(i) +
-                                                 " must be positive, not " + std::to_string(max_areas[i])};
+                                                 " must be positive, not " + shortest(max_areas[i])};
   Stopwatch watch;
   Meshed result;
   Result<Assembled> domain = assemble(coarse);
@@ -185,7 +186,7 @@ Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::sp
   for (std::size_t v = 0; v < sizes.size(); ++v)
     if (!(sizes[v] > 0 && sizes[v] < INFINITY))
       return Error{ErrorKind::invalid_input,
-                   "the size at point " + std::to_string(v) + " must be positive, not " + std::to_string(sizes[v])};
+                   "the size at point " + std::to_string(v) + " must be positive, not " + shortest(sizes[v])};
   Result<Meshed> meshed = triangulate(pslg, convex_hull);
   if (!meshed) return meshed.error();
   std::vector<std::array<Index, 3>> triangles;

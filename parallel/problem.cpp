@@ -1,20 +1,12 @@
 // What a problem is called, and the sentence that tells it.
-#include <array>
-#include <charconv>
-
+#include "../core/shortest.hpp"
 #include "predicates.hpp"
 #include "validate.hpp"
 
 namespace pardel {
 namespace {
 
-/// The shortest text that reads back to the same double.
-std::string text(double x) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
-  return {buffer.data(), end};
-}
-std::string text(Point p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
+std::string text(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
 
 /// "3, 5, 8", "3 and 5", "3"; long lists are cut.
 std::string list(const std::vector<Index>& ids, int base) {
@@ -87,7 +79,7 @@ std::string Problem::message(int base) const {
     case ProblemKind::coordinate_out_of_range:
       return "Point " + id + " at " + at +
              " has a coordinate outside the range that exact arithmetic can use: zero, or " + "between " +
-             text(smallest_coordinate) + " and " + text(largest_coordinate) + " in magnitude.";
+             shortest(smallest_coordinate) + " and " + shortest(largest_coordinate) + " in magnitude.";
     case ProblemKind::wrong_count:
       return "There is not one row of attributes, or not one marker, per point.";
     case ProblemKind::index_out_of_range:
