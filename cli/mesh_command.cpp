@@ -25,7 +25,7 @@
 namespace pardel::cli {
 namespace {
 
-constexpr std::size_t most_listed = 100;  // triangles or violations on stderr; the counts are complete
+constexpr std::size_t most_listed = 10;  // triangles or violations on stderr; the counts are complete
 
 struct Arguments {
   std::filesystem::path input;
@@ -36,6 +36,7 @@ struct Arguments {
   bool refine = false;
   bool repair = false;
   bool check = false;
+  bool msh_ascii = false;
   std::filesystem::path json;
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
@@ -75,7 +76,7 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
     broken = !only_bounds_missed(*run.certificate);
     warn(violations_text(*run.certificate, most_listed));
   }
-  if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed));
+  if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--json"));
   if (broken) return ExitCode::violations;
   if (!run.report.goal_met()) return ExitCode::goal_missed;
   return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;
@@ -109,9 +110,10 @@ Result<ExitCode> run(Arguments& arguments) {
   if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal);
   run.seconds.check = watch.lap();
 
+  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
   for (const auto& output : arguments.outputs) {
     if (interrupt.requested()) return interrupted();
-    if (Status written = write_mesh(meshed->mesh, pslg, output); !written) return written.error();
+    if (Status written = write_mesh(meshed->mesh, pslg, output, msh); !written) return written.error();
   }
   run.seconds.write = watch.lap();
 
@@ -126,6 +128,7 @@ Result<ExitCode> run(Arguments& arguments) {
   run.report = std::move(meshed->report);
   run.statistics = statistics(meshed->mesh);
   run.digest = digest(meshed->mesh);
+  run.seconds.statistics = watch.lap();
   run.outputs = arguments.outputs;
   run.seconds.validate = run.report.validate_seconds;
   run.seconds.triangulate = run.report.triangulate_seconds;
@@ -141,6 +144,7 @@ Result<ExitCode> run(Arguments& arguments) {
 constexpr const char* footer =
     R"(The format of OUT follows its suffix: .node (or .ele) writes Triangle's .node, .ele and .poly; .vtu for
 ParaView; .msh for Gmsh; .off; .svg. An output that is complete has its name; a partial one never has.
+The report of --json numbers vertices and triangles from 0, whatever IN does.
 
 Examples:
   pardel mesh key.poly -o key.vtu                                   20.7 degrees, no size bound
@@ -183,10 +187,17 @@ Command add_mesh(CLI::App& program) {
   app->add_option("--placement", options.placement, "Where new points go: circumcentre or off-centre (default)")
       ->transform(CLI::CheckedTransformer(placements).description(""))
       ->type_name("WHERE");
+  const std::map<std::string, Decomposition> decompositions = {{"auto", Decomposition::automatic},
+                                                               {"none", Decomposition::none}};
+  app->add_option("--decomposition", options.decomposition,
+                  "How the plane is cut into tasks: auto (default; tiles sized by work) or none (one task)")
+      ->transform(CLI::CheckedTransformer(decompositions).description(""))
+      ->type_name("HOW");
   app->add_flag("--refine", arguments->refine, "IN is a mesh: keep its vertices and refine it");
   app->add_flag("--repair", arguments->repair, "Merge points and split segments of an invalid domain before meshing")
       ->excludes("--refine");
   app->add_flag("--check", arguments->check, "Check the mesh with exact arithmetic");
+  app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
   app->add_option("--json", arguments->json, "Write a report as JSON (pardel.report/1); - is standard output")
       ->type_name("FILE|-");
   const std::map<std::string, ShowProgress> shows = {

@@ -15,6 +15,8 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
+const char* name(Decomposition decomposition) { return decomposition == Decomposition::none ? "none" : "auto"; }
+
 const char* name(Placement placement) { return placement == Placement::circumcentre ? "circumcentre" : "off-centre"; }
 
 std::string plural(std::uint64_t n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
@@ -44,16 +46,33 @@ nlohmann::ordered_json goal_json(const MeshRun& run) {
           {"min_edge", run.options.min_edge}};
 }
 
+/// A vertex or triangle, from 0 as in the arrays of the mesh; null for none.
+nlohmann::ordered_json id_json(Index id) {
+  return id == no_index ? nlohmann::ordered_json() : nlohmann::ordered_json(id);
+}
+
+nlohmann::ordered_json exemption_json(const Exemption& exemption) {
+  nlohmann::ordered_json angle;
+  if (exemption.apex != no_index) angle = exemption.angle_deg;
+  return {{"triangle", id_json(exemption.triangle)},
+          {"reason", pardel::name(exemption.reason)},
+          {"apex", id_json(exemption.apex)},
+          {"input_angle_deg", angle}};
+}
+
 nlohmann::ordered_json refine_json(const Report& report) {
   nlohmann::ordered_json exempt = nlohmann::ordered_json::object();
   for (int i = 0; i < exempt_reasons; ++i) {
     const auto reason = static_cast<ExemptReason>(i);
     exempt[pardel::name(reason)] = report.count(reason);
   }
+  nlohmann::ordered_json exemptions = nlohmann::ordered_json::array();
+  for (const Exemption& exemption : report.exempt) exemptions.push_back(exemption_json(exemption));
   return {{"inserted", report.inserted},
           {"segment_splits", report.segment_splits},
           {"refused", report.refused},
-          {"exempt", exempt}};
+          {"exempt", exempt},
+          {"exemptions", exemptions}};
 }
 
 }  // namespace
@@ -68,7 +87,7 @@ std::string to_json(const MeshRun& run) {
       {"input", {{"points", run.points}, {"segments", run.segments}, {"holes", run.holes}, {"regions", run.regions}}},
       {"goal", goal_json(run)},
       {"threads", run.options.threads},
-      {"decomposition", nlohmann::ordered_json::object()},
+      {"decomposition", {{"kind", name(run.options.decomposition)}}},
       {"seconds",
        {{"read", s.read},
         {"validate", s.validate},
@@ -76,6 +95,7 @@ std::string to_json(const MeshRun& run) {
         {"refine", s.refine},
         {"check", s.check},
         {"write", s.write},
+        {"statistics", s.statistics},
         {"total", s.total}}},
       {"mesh",
        {{"vertices", mesh.vertices},
@@ -105,14 +125,14 @@ std::string to_text(const MeshRun& run) {
   }
   if (const std::string list = reasons(run.report, false); !list.empty()) text += fmt::format("missed  {}\n", list);
   if (run.certificate) text += fmt::format("check   {}\n", run.certificate->valid ? "valid" : "NOT VALID");
-  text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f})\n", s.total, s.read,
-                      s.validate + s.triangulate + s.refine, s.check, s.write);
+  text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
+                      s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);
   text += fmt::format("digest  {}\n", to_string(run.digest));
   for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", file.string());
   return text;
 }
 
-std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most) {
+std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most, std::string_view all_in) {
   if (report.goal_met()) return {};
   std::string text = fmt::format("the goal is missed at some triangles ({}):", reasons(report, false));
   std::size_t listed = 0, left = 0;
@@ -128,7 +148,8 @@ std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t mo
                         mesh.points[v[0]].x, mesh.points[v[0]].y, mesh.points[v[1]].x, mesh.points[v[1]].y,
                         mesh.points[v[2]].x, mesh.points[v[2]].y);
   }
-  if (left > 0) text += fmt::format("\n  and {} more", left);
+  if (left > 0) text += fmt::format("\n  ... and {} more", left);
+  if (left > 0 && !all_in.empty()) text += fmt::format(" (all in {})", all_in);
   return text;
 }
 

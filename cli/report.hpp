@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,9 @@ class Stopwatch {
 };
 
 struct Seconds {
-  double read = 0, validate = 0, triangulate = 0, refine = 0, check = 0, write = 0, total = 0;
+  double read = 0, validate = 0, triangulate = 0, refine = 0, check = 0, write = 0;
+  double statistics = 0;  ///< what the report says of the mesh, its digest included
+  double total = 0;
 };
 
 struct MeshRun {
@@ -52,7 +55,9 @@ struct MeshRun {
 [[nodiscard]] std::string to_text(const MeshRun& run);
 
 /// The triangles that miss the goal for a reason that no small input angle justifies: their number by
-/// reason, then the first `most` of them with their places. Empty where there are none.
-[[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most);
+/// reason, then the first `most` of them with their places, then how many more there are and, if `all_in` is not
+/// empty, where they can be read. Empty where there are none.
+[[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most,
+                                        std::string_view all_in = {});
 
 }  // namespace pardel::cli

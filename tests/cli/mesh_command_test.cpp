@@ -83,10 +83,10 @@ TEST_F(MeshCommand, the_report_has_every_key_of_its_schema) {
   const std::map<std::string, std::vector<std::string>> keys = {
       {"input", {"points", "segments", "holes", "regions"}},
       {"goal", {"min_angle_deg", "max_area", "max_edge"}},
-      {"decomposition", {}},
-      {"seconds", {"read", "validate", "triangulate", "refine", "check", "write", "total"}},
+      {"decomposition", {"kind"}},
+      {"seconds", {"read", "validate", "triangulate", "refine", "check", "write", "statistics", "total"}},
       {"mesh", {"vertices", "triangles", "min_angle_deg", "max_angle_deg", "max_circumradius", "area"}},
-      {"refine", {"inserted", "segment_splits", "refused", "exempt"}}};
+      {"refine", {"inserted", "segment_splits", "refused", "exempt", "exemptions"}}};
   for (const auto& [object, members] : keys) {
     ASSERT_TRUE(r.contains(object)) << object;
     for (const std::string& member : members) EXPECT_TRUE(r[object].contains(member)) << object << '.' << member;
@@ -97,6 +97,16 @@ TEST_F(MeshCommand, the_report_has_every_key_of_its_schema) {
   EXPECT_EQ(r["goal"]["min_angle_deg"], 25.0);
   EXPECT_EQ(r["goal"]["max_area"], 0.01);
   EXPECT_TRUE(r["goal"]["max_edge"].is_null());
+}
+
+TEST_F(MeshCommand, the_stages_take_no_more_than_the_total_together_and_hardly_less) {
+  json seconds = report({"square.poly", "-o", "m.vtu", "--max-area", "0.00001", "--check"})["seconds"];
+  const double total = seconds["total"];
+  seconds.erase("total");
+  double sum = 0;
+  for (const json& stage : seconds) sum += stage.get<double>();
+  EXPECT_LE(sum, total);
+  EXPECT_GT(sum, 0.8 * total);
 }
 
 TEST_F(MeshCommand, the_report_agrees_with_the_files) {
@@ -194,6 +204,55 @@ TEST_F(MeshCommand, small_input_angles_are_exempt_and_reported_with_code_0) {
   EXPECT_TRUE(r["goal_met"]);
   EXPECT_GT(r["refine"]["exempt"]["nestled"].get<int>() + r["refine"]["exempt"]["seditious"].get<int>(), 0);
   EXPECT_TRUE(holds(pardel({"mesh", "needle.poly", "-o", "m.vtu"}).out, {"exempt"}));
+}
+
+TEST_F(MeshCommand, every_exempt_triangle_is_in_the_report_with_the_small_input_angle_it_is_beside) {
+  write("needle.poly", "3 2 0 0\n1 10 0\n2 10 0.5\n3 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  const json r = report({"needle.poly", "-o", "m.node"});
+  const json& exemptions = r["refine"]["exemptions"];
+  int counted = 0;
+  for (const json& count : r["refine"]["exempt"]) counted += count.get<int>();
+  ASSERT_GT(counted, 0);
+  ASSERT_EQ(exemptions.size(), counted);
+  for (const json& exemption : exemptions) {
+    EXPECT_LT(exemption["triangle"], r["mesh"]["triangles"]);
+    EXPECT_EQ(exemption["apex"], 2);  // point 3 of the file
+    EXPECT_NEAR(exemption["input_angle_deg"], std::atan2(0.5, 10) * 180 / std::acos(-1), 1e-9);
+    EXPECT_TRUE(exemption["reason"] == "nestled" || exemption["reason"] == "seditious") << exemption;
+  }
+}
+
+TEST_F(MeshCommand, ten_missed_triangles_are_told_and_all_are_in_the_report) {
+  const std::vector<std::string> budget = {"square.poly", "-o", "m.vtu", "--max-area", "0.001", "--max-vertices", "50"};
+  const json exemptions = report(budget, 4)["refine"]["exemptions"];
+  ASSERT_GT(exemptions.size(), 10U);
+  EXPECT_TRUE(exemptions[0]["apex"].is_null());
+  EXPECT_TRUE(exemptions[0]["input_angle_deg"].is_null());
+
+  std::vector<std::string> arguments = budget;
+  arguments.insert(arguments.begin(), "mesh");
+  const Ran ran = pardel(arguments);
+  int told = 0;
+  for (auto at = ran.err.find("triangle ("); at != std::string::npos; at = ran.err.find("triangle (", at + 1)) ++told;
+  EXPECT_EQ(told, 10) << ran;
+  EXPECT_TRUE(holds(ran.err, {"... and " + std::to_string(exemptions.size() - 10) + " more (all in --json)"}));
+}
+
+TEST_F(MeshCommand, one_task_over_everything_makes_a_mesh_as_good_as_tiles_do) {
+  const json none = report({"key.poly", "-o", "m.node", "--decomposition", "none", "--max-area", "0.0005", "--check"});
+  EXPECT_EQ(none["decomposition"]["kind"], "none");
+  EXPECT_TRUE(none["certificate"]["valid"]);
+  EXPECT_EQ(report({"key.poly", "-o", "m.node"})["decomposition"]["kind"], "auto");
+  EXPECT_EQ(pardel({"mesh", "key.poly", "-o", "m.node", "--decomposition", "some"}).exit_code, 2);
+}
+
+TEST_F(MeshCommand, msh_files_are_binary_unless_text_is_asked_for) {
+  const json binary = report({"key.poly", "-o", "binary.msh"});
+  const json text = report({"key.poly", "-o", "text.msh", "--msh-ascii"});
+  EXPECT_TRUE(read("binary.msh").starts_with("$MeshFormat\n4.1 1 8"));
+  EXPECT_TRUE(read("text.msh").starts_with("$MeshFormat\n4.1 0 8"));
+  EXPECT_EQ(binary["digest"], text["digest"]);
+  EXPECT_TRUE(certified("key.poly", "text.msh", {}));
 }
 
 TEST_F(MeshCommand, what_is_broken_is_mended_on_request) {
