@@ -75,7 +75,7 @@ class Refinement {
         vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
         triangles_(static_cast<Index>(t.slots.size()), max_triangles) {
     for (int i = 0; i < threads_; ++i)
-      tasks_.push_back(std::make_unique<Task>(t, lines, judge_, criteria, options.min_edge));
+      tasks_.push_back(std::make_unique<Task>(t, judge_, criteria, options.min_edge));
   }
 
   void run() {

@@ -108,8 +108,8 @@ struct TaskResult {
 /// allocated memory.
 class Task {
  public:
-  Task(Triangulation& t, const Lines& lines, const Judge& judge, const Criteria& criteria, double min_edge)
-      : t_(t), lines_(lines), judge_(judge), insertion_(t, criteria, min_edge) {}
+  Task(Triangulation& t, const Judge& judge, const Criteria& criteria, double min_edge)
+      : t_(t), judge_(judge), insertion_(t, criteria, min_edge) {}
 
   /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on(n) is asked now and
   /// then, n being the number of vertices inserted since it was asked last; when it says no, the run ends early.
@@ -132,7 +132,6 @@ class Task {
   void hand_on(Queued triangle, Point p);
 
   Triangulation& t_;
-  const Lines& lines_;
   const Judge& judge_;
   Insertion insertion_;
   BucketQueue queue_;
