@@ -68,7 +68,7 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
 Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
   const Outcome outcome = try_in_face(p, first, box);
   if (outcome != Outcome::inserted) return outcome;
-  if (!is_star_) return face_by_flips(p);
+  if (!is_star_) return box.is_everything() ? face_by_flips(p) : Outcome::leaves_box;
   commit(p, interior_vertex);
   return outcome;
 }
@@ -89,17 +89,24 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
 Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
   const Outcome outcome = try_on_edge(p, e, box);
   if (outcome != Outcome::inserted) return outcome;
+  const bool flips = !is_star_ || !spokes_delaunay(p);
+  if (flips && !box.is_everything()) return Outcome::leaves_box;
   if (!is_star_) return edge_by_flips(p, e, line);
   commit(p, line);
-  if (!spokes_delaunay()) finish_by_flips();
+  if (flips) finish_by_flips();
   return outcome;
 }
 
 /// A point that rounding put beside its edge lies outside the triangle on the other side. Seen from a corner far
 /// away under a tiny angle, that is far enough for the fan there not to be Delaunay.
-bool Insertion::spokes_delaunay() const {
-  return std::all_of(fan_.begin(), fan_.end(),
-                     [&](TriangleId id) { return t_.slots[id].n[1].none() || locally_delaunay(t_, EdgeRef(id, 1)); });
+bool Insertion::spokes_delaunay(Point p) const {
+  const std::size_t n = cavity_.boundary().size();
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    if (i + 1 == cavity_.left_count()) continue;  // the spoke to the start of the edge that is split
+    const Point a = t_.points[cavity_.boundary()[i].from], b = t_.points[cavity_.to(i)];
+    if (incircle(p, a, b, t_.points[cavity_.to(i + 1)]) > 0) return false;
+  }
+  return true;
 }
 
 void Insertion::commit(Point p, Index origin) {

@@ -16,7 +16,7 @@ namespace pardel {
 enum class Outcome : std::uint8_t {
   inserted,
   encroaches,  ///< blocker() is a constrained edge that has to be split instead
-  leaves_box,  ///< another task's box, or a larger one, is needed
+  leaves_box,  ///< another task's box, or a larger one, is needed; where flips are needed, one without bounds
   too_close,   ///< an edge below the floor would result
   refused,     ///< no valid triangulation would result in double precision
 };
@@ -84,7 +84,8 @@ class Insertion {
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);
-  [[nodiscard]] bool spokes_delaunay() const;
+  /// The edges from p to the boundary that a split would make are locally Delaunay. Precondition: star-shaped.
+  [[nodiscard]] bool spokes_delaunay(Point p) const;
   void finish_by_flips();
 
   Triangulation& t_;

@@ -12,6 +12,9 @@ namespace pardel {
 /// Half-open: [min_x, max_x) x [min_y, max_y).
 struct Box {
   double min_x = -INFINITY, min_y = -INFINITY, max_x = INFINITY, max_y = INFINITY;
+  [[nodiscard]] bool is_everything() const {
+    return min_x == -INFINITY && min_y == -INFINITY && max_x == INFINITY && max_y == INFINITY;
+  }
   [[nodiscard]] bool contains(Point p) const { return p.x >= min_x && p.x < max_x && p.y >= min_y && p.y < max_y; }
 };
 
