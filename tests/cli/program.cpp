@@ -88,6 +88,14 @@ Workshop::Workshop() {
   fs::create_directory(folder_ / "work");
 }
 
+bool terminals_exist() {
+  int master = -1, slave = -1;
+  if (openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) return false;
+  close(slave);
+  close(master);
+  return true;
+}
+
 Workshop::~Workshop() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);

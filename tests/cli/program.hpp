@@ -19,6 +19,9 @@ struct Ran {
   std::string err;
 };
 
+/// Whether this machine has pseudo-terminals to run a program on.
+[[nodiscard]] bool terminals_exist();
+
 struct RunOptions {
   std::string out_file = {};                          ///< standard output goes there, if not empty
   std::optional<std::uint64_t> file_size_limit = {};  ///< bytes; more is "File too large"
