@@ -61,6 +61,7 @@ bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t) {
     const Kernel::Segment_2 wall(mesh.points[e[0]], mesh.points[e[1]]);
     if (CGAL::do_overlap(wall.bbox(), around)) walls.push_back(wall);
   }
+  if (walls.empty()) return true;
   // What p sees changes only where a ray from p passes an end of a wall, so t's edges are cut by all those
   // rays, and p looks once through every piece. No wall enters t's interior, so that whatever is seen of t
   // along a ray is seen as a whole: its middle stands for it.

@@ -1,0 +1,23 @@
+// From a plain generator and a plain shrinker to what RapidCheck wants.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "random.hpp"
+
+namespace pardel::generators {
+
+/// `make(Random&, int size)` makes a value, larger ones for larger sizes (0 to 100); `shrinks(value)` lists simpler
+/// ones, the simplest first. Both must be pure.
+template <class Make, class Shrinks>
+[[nodiscard]] auto generator(Make make, Shrinks shrinks) {
+  using Value = decltype(make(std::declval<Random&>(), 0));
+  return rc::Gen<Value>([make, shrinks](const rc::Random& random, int size) {
+    rc::Random source = random;
+    Random mine(source.next());
+    return rc::shrinkable::shrinkRecur(make(mine, size),
+                                       [shrinks](const Value& value) { return rc::seq::fromContainer(shrinks(value)); });
+  });
+}
+
+}  // namespace pardel::generators
