@@ -25,6 +25,7 @@
 namespace pardel::cli {
 namespace {
 
+constexpr Index most_cells_along = 4096;
 constexpr std::size_t most_listed = 10;  // triangles or violations on stderr; the counts are complete
 
 struct Arguments {
@@ -33,6 +34,7 @@ struct Arguments {
   GoalOptions goal;
   Options options;
   std::optional<int> threads;
+  std::vector<Index> cells;
   bool refine = false;
   bool repair = false;
   bool check = false;
@@ -87,6 +89,11 @@ Result<ExitCode> run(Arguments& arguments) {
   if (arguments.threads) {
     arguments.options.threads = *arguments.threads;
     omp_set_num_threads(*arguments.threads);  // what reads, writes and checks keeps to the number, too
+  }
+  if (!arguments.cells.empty()) {
+    if (arguments.options.decomposition == Decomposition::none)
+      return Error{ErrorKind::usage, "--cells has no meaning with --decomposition none"};
+    arguments.options.cells = {arguments.cells[0], arguments.cells[1]};
   }
   std::vector<std::filesystem::path> inputs = {arguments.input};
   if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine.error();
@@ -187,12 +194,18 @@ Command add_mesh(CLI::App& program) {
   app->add_option("--placement", options.placement, "Where new points go: circumcentre or off-centre (default)")
       ->transform(CLI::CheckedTransformer(placements).description(""))
       ->type_name("WHERE");
-  const std::map<std::string, Decomposition> decompositions = {{"auto", Decomposition::automatic},
-                                                               {"none", Decomposition::none}};
+  const std::map<std::string, Decomposition> decompositions = {
+      {"auto", Decomposition::automatic}, {"paper", Decomposition::paper}, {"none", Decomposition::none}};
   app->add_option("--decomposition", options.decomposition,
-                  "How the plane is cut into tasks: auto (default; tiles sized by work) or none (one task)")
+                  "How the plane is cut into tasks: auto (default; tiles sized by work), paper (cells of at least "
+                  "four circumradii) or none (one task)")
       ->transform(CLI::CheckedTransformer(decompositions).description(""))
       ->type_name("HOW");
+  app->add_option("--cells", arguments->cells, "Columns and rows of tiles (default: by work); changes the mesh a little")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1U, most_cells_along).description(""))
+      ->type_name("NX,NY");
   app->add_flag("--refine", arguments->refine, "IN is a mesh: keep its vertices and refine it");
   app->add_flag("--repair", arguments->repair, "Merge points and split segments of an invalid domain before meshing")
       ->excludes("--refine");

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +16,17 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-const char* name(Decomposition decomposition) { return decomposition == Decomposition::none ? "none" : "auto"; }
+const char* name(Decomposition decomposition) {
+  switch (decomposition) {
+    case Decomposition::automatic:
+      return "auto";
+    case Decomposition::paper:
+      return "paper";
+    case Decomposition::none:
+      return "none";
+  }
+  return "";
+}
 
 const char* name(Placement placement) { return placement == Placement::circumcentre ? "circumcentre" : "off-centre"; }
 
@@ -60,6 +71,44 @@ nlohmann::ordered_json exemption_json(const Exemption& exemption) {
           {"input_angle_deg", angle}};
 }
 
+/// How the plane was cut, and what the theory says of the circumradii then.
+nlohmann::ordered_json decomposition_json(const MeshRun& run) {
+  const Tiling& tiling = run.report.tiling;
+  Sweep sum;
+  for (const Sweep& sweep : tiling.sweeps) {
+    sum.to_other_cells += sweep.to_other_cells;
+    sum.beyond_box += sweep.beyond_box;
+    sum.out_of_numbers += sweep.out_of_numbers;
+  }
+  const double side = std::min(tiling.cell_width, tiling.cell_height);
+  return {{"kind", name(run.options.decomposition)},
+          {"columns", tiling.columns},
+          {"rows", tiling.rows},
+          {"cells", std::uint64_t{tiling.columns} * tiling.rows},
+          {"cell_side", side},
+          {"circumradius",
+           {{"measured", tiling.largest_radius},
+            {"by_t3", tiling.radius_by_t3},
+            {"by_t3_sharp", tiling.radius_by_t3_sharp}}},
+          {"cell_side_over_circumradius", side / tiling.largest_radius},
+          {"inserted_before", tiling.vertices_before},
+          {"handed_on",
+           {{"to_other_cells", sum.to_other_cells},
+            {"beyond_box", sum.beyond_box},
+            {"out_of_numbers", sum.out_of_numbers}}}};
+}
+
+nlohmann::ordered_json sweeps_json(const Tiling& tiling) {
+  nlohmann::ordered_json sweeps = nlohmann::ordered_json::array();
+  for (const Sweep& sweep : tiling.sweeps)
+    sweeps.push_back({{"columns", sweep.columns},
+                      {"rows", sweep.rows},
+                      {"inserted", sweep.inserted},
+                      {"handed_on", sweep.handed_on()},
+                      {"seconds", sweep.seconds}});
+  return sweeps;
+}
+
 nlohmann::ordered_json refine_json(const Report& report) {
   nlohmann::ordered_json exempt = nlohmann::ordered_json::object();
   for (int i = 0; i < exempt_reasons; ++i) {
@@ -71,6 +120,7 @@ nlohmann::ordered_json refine_json(const Report& report) {
   return {{"inserted", report.inserted},
           {"segment_splits", report.segment_splits},
           {"refused", report.refused},
+          {"sweeps", sweeps_json(report.tiling)},
           {"exempt", exempt},
           {"exemptions", exemptions}};
 }
@@ -87,7 +137,7 @@ std::string to_json(const MeshRun& run) {
       {"input", {{"points", run.points}, {"segments", run.segments}, {"holes", run.holes}, {"regions", run.regions}}},
       {"goal", goal_json(run)},
       {"threads", run.options.threads},
-      {"decomposition", {{"kind", name(run.options.decomposition)}}},
+      {"decomposition", decomposition_json(run)},
       {"seconds",
        {{"read", s.read},
         {"validate", s.validate},

@@ -24,6 +24,9 @@ struct Measure {
     const double low = std::min(squared[0], squared[1]), high = std::max(squared[0], squared[1]);
     return std::max(low, std::min(high, squared[2]));
   }
+  [[nodiscard]] double squared_circumradius() const {
+    return squared[0] * (squared[1] / twice_area) * (squared[2] / twice_area) / 4;
+  }
   /// The shortest side; the smallest angle lies at the corner of the same number.
   [[nodiscard]] unsigned shortest_side() const {
     const unsigned side = squared[0] <= squared[1] ? 0 : 1;

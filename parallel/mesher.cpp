@@ -60,11 +60,12 @@ double least_min_edge(std::span<const Point> points) {
 Status refine_domain(Assembled& domain, const Criteria& criteria, Options options, Report& report) {
   Triangulation& t = domain.triangulation;
   options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
-  const Result<RefineCounts> counts = refine(t, domain.lines, criteria, options);
+  Result<RefineCounts> counts = refine(t, domain.lines, criteria, options);
   if (!counts) return counts.error();
   report.inserted = counts->inserted;
   report.segment_splits = counts->segment_splits;
   report.refused = counts->refused;
+  report.tiling = std::move(counts->tiling);
   if (counts->left_alone) report.exempt = exemptions(t, domain.lines, criteria, options, counts->budget_reached);
   for (Exemption& e : report.exempt)
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];

@@ -25,6 +25,7 @@ enum class Placement : std::uint8_t {
 /// How the plane is cut into tasks.
 enum class Decomposition : std::uint8_t {
   automatic,  ///< tiles sized by work: the triangles of one fit a core's cache
+  paper,      ///< cells of at least 4 r̄ and points in a task's own cell only (THEORY, Lattice)
   none,       ///< one tile over everything
 };
 
@@ -37,6 +38,9 @@ struct Options {
   Placement placement = Placement::off_centre;
   int threads = 1;  ///< does not change the result
   Decomposition decomposition = Decomposition::automatic;
+  /// Columns and rows of the finest lattice; 0: chosen by work. With Decomposition::paper there may be fewer, since r̄
+  /// bounds how many there can be.
+  std::array<Index, 2> cells{0, 0};
   std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
   /// No point is inserted where it would make an edge shorter than this, nor than what double precision can
   /// hold, 2^-42 times the largest coordinate.
@@ -70,11 +74,36 @@ struct Exemption {
   double angle_deg = 0;   ///< the small input angle there
 };
 
+/// One pass over the four colours of a lattice.
+struct Sweep {
+  Index columns = 1, rows = 1;
+  std::uint64_t inserted = 0;  ///< vertices
+  /// Triangles handed on, by reason.
+  std::uint64_t to_other_cells = 0;  ///< the point that they ask for lies in another cell
+  std::uint64_t beyond_box = 0;      ///< the cavity leaves the box of the point's own cell: a larger box is needed
+  std::uint64_t out_of_numbers = 0;  ///< the task had no numbers left for new vertices or triangles
+  double seconds = 0;
+
+  [[nodiscard]] std::uint64_t handed_on() const { return to_other_cells + beyond_box + out_of_numbers; }
+};
+
+/// How the plane was cut, beside what the theory says of it.
+struct Tiling {
+  Index columns = 1, rows = 1;                ///< of the finest lattice
+  double cell_width = 0, cell_height = 0;
+  std::uint64_t vertices_before = 0;          ///< inserted on coarser lattices before the finest was laid
+  double largest_radius = 0;                  ///< r̄ as measured when the finest lattice was laid
+  double radius_by_t3 = 0;                    ///< bound from the largest ratio and area then (THEORY, T3)
+  double radius_by_t3_sharp = 0;              ///< the same by T3-sharp
+  std::vector<Sweep> sweeps;                  ///< in order, coarse lattices included
+};
+
 struct Report {
   std::uint64_t inserted = 0;        ///< vertices added inside faces
   std::uint64_t segment_splits = 0;  ///< vertices added on segments
   std::uint64_t refused = 0;         ///< insertions that exact orientation or the floor refused
   std::vector<Exemption> exempt;     ///< triangles of the result that break the goal, ascending
+  Tiling tiling;
   double validate_seconds = 0, triangulate_seconds = 0, refine_seconds = 0;
 
   [[nodiscard]] std::uint64_t count(ExemptReason reason) const;

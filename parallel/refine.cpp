@@ -4,27 +4,26 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <memory>
-#include <numeric>
 #include <utility>
 
+#include "close_ranks.hpp"
+#include "lattices.hpp"
 #include "parallel_for.hpp"
-#include "task.hpp"
+#include "phase.hpp"
+#include "radii.hpp"
 
 namespace pardel {
 namespace {
 
-/// The final triangles of one tile fit the second-level cache together with their vertices.
-constexpr double triangles_per_tile = 16'000;
 /// What quality alone makes of a triangle of the input, at the very least.
 constexpr double triangles_per_input_triangle = 1.7;
 /// A vertex makes two triangles; a fifth to spare.
 constexpr double insertions_per_triangle = 0.6;
-/// From one lattice to the next finer one, the side of a cell shrinks by this factor.
-constexpr Index levels_apart = 4;
 /// A level splits what is longer than this part of the next finer level's cell: shorter triangles have
 /// cavities that fit that level's boxes.
 constexpr double long_in_finer_cells = 0.25;
+/// The paper's lattice: a cell's side in circumradii, at least (THEORY, T1 and Lattice).
+constexpr double radii_per_side = 4;
 
 Box bounds_of(std::span<const Point> points) {
   Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
@@ -37,75 +36,44 @@ Box bounds_of(std::span<const Point> points) {
   return box;
 }
 
-/// The lattices from one cell to the finest, coarse to fine.
-std::vector<Lattice> lattices(Box bounds, double estimate) {
-  const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
-  const double tiles = std::max(1.0, estimate / triangles_per_tile);
-  const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
-  constexpr double most_along = 4096;
-  auto along = static_cast<Index>(std::clamp(std::sqrt(tiles * longer / shorter), 1.0, most_along));
-  std::vector<Lattice> result;
-  while (along > 1) {
-    result.push_back(Lattice::over(bounds, along));
-    along = (along + levels_apart - 1) / levels_apart;
-  }
-  result.push_back(Lattice::over(bounds, 1));
-  std::reverse(result.begin(), result.end());
-  return result;
-}
-
-/// A task to be: a cell with what waits for it.
-struct Job {
-  Index cell = 0;
-  std::vector<Queued> seeds;
-  std::vector<Queued> outsiders;  ///< seeds whose triangles do not lie in the box
-  double insertions = 0;          ///< expected
-  Supply supply;
-  TaskResult result;
-};
-
 class Refinement {
  public:
-  Refinement(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options)
+  Refinement(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
+             const Schedule& schedule)
       : t_(t),
         criteria_(criteria),
         options_(options),
         judge_(t, lines, criteria, options),
-        threads_(std::max(1, options.threads)),
-        vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
-        triangles_(static_cast<Index>(t.slots.size()), max_triangles) {
-    for (int i = 0; i < threads_; ++i) tasks_.push_back(std::make_unique<Task>(t, judge_, criteria, options.min_edge));
-  }
+        crew_(t, judge_, criteria, options, schedule),
+        threads_(crew_.threads()) {}
 
   void run() {
     Pending pending = everything_bad();
     const Box bounds = bounds_of(t_.points.span());
-    const std::vector<Lattice> levels =
-        lattices(bounds, options_.decomposition == Decomposition::none ? 1 : pending.estimate);
+    std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, pending.estimate, options_));
     estimate_ = pending.estimate;
-    triangles_before_ = triangles_.in_use();
+    triangles_before_ = crew_.triangles().in_use();
     deferred_ = std::move(pending.triangles);
 
     // Down: what is long at a level is split there; what gets short enough waits for a finer one.
-    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
-      const double longest = long_in_finer_cells * levels[level + 1].side();
-      sweep_to_fixpoint(levels[level], std::exchange(deferred_, {}), {longest * longest});
-    }
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level)
+      sweep_to_fixpoint(levels[level], std::exchange(deferred_, {}), short_enough_for(levels[level + 1]));
+    lay_finest(bounds, levels);
     // At the finest, everywhere the shorter half of the work comes before the longer: points put in for long
     // triangles would only be in the way of those that short ones need anyway. Tiles that finish one by one cannot
     // have this order by themselves, and neither has one queue over everything: it makes larger meshes.
-    const Deferral longer_half{0, median_key(deferred_)};
+    const Deferral longer_half{.last_key = median_key(deferred_)};
     sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), longer_half);
     sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
-    close_ranks();
+    close_ranks(t_, crew_.vertices(), crew_.triangles(), threads_);
     counts_.left_alone = counts_.left_alone || !stuck_.empty();  // with a point that is nowhere
   }
 
   [[nodiscard]] bool cancelled() const { return cancelled_.load(); }
-  [[nodiscard]] bool out_of_triangles() const { return triangles_.available() < 2; }
+  [[nodiscard]] bool out_of_triangles() const { return crew_.triangles().available() < 2; }
   [[nodiscard]] RefineCounts counts() && { return std::move(counts_); }
 
  private:
@@ -114,11 +82,29 @@ class Refinement {
     double estimate = 0;
   };
 
-  static Index most_vertices(const Triangulation& t, const Options& options) {
-    const auto present = static_cast<std::uint64_t>(t.points.size());
-    if (options.max_vertices == 0) return max_triangles;
-    return static_cast<Index>(
-        std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_triangles)));
+  [[nodiscard]] Deferral short_enough_for(const Lattice& finer) const {
+    if (options_.decomposition == Decomposition::paper) {
+      const double largest = finer.side() / radii_per_side;
+      return {.squared_radius = largest * largest};
+    }
+    const double longest = long_in_finer_cells * finer.side();
+    return {.longest_squared = longest * longest};
+  }
+
+  /// Measures, and for the paper's decomposition widens the cells to what the measure allows.
+  void lay_finest(const Box& bounds, std::vector<Lattice>& levels) {
+    const Radii largest = largest_radii(t_, threads_);
+    if (options_.decomposition == Decomposition::paper)
+      levels.back() = with_sides_of(bounds, levels.back(), radii_per_side * largest.radius);
+    Tiling& tiling = counts_.tiling;
+    tiling.columns = levels.back().columns();
+    tiling.rows = levels.back().rows();
+    tiling.cell_width = levels.back().width();
+    tiling.cell_height = levels.back().height();
+    tiling.vertices_before = counts_.inserted + counts_.segment_splits;
+    tiling.largest_radius = largest.radius;
+    tiling.radius_by_t3 = radius_bound(largest.ratio, largest.area);
+    tiling.radius_by_t3_sharp = sharp_radius_bound(largest.ratio, largest.area);
   }
 
   /// All triangles that ask for something, and how many triangles the result may have.
@@ -179,7 +165,7 @@ class Refinement {
         const TriangleId id = pending[i].id;
         const Assessment a = judge_.assess(id);
         if (a.need != Assessment::Need::nothing)
-          cell[i] = later.applies_to(a) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
+          cell[i] = later.applies_to(a, Shape(t_, t_.slots[id])) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
       }
     });
     std::vector<std::vector<Queued>> inbox(lattice.cells());
@@ -199,68 +185,37 @@ class Refinement {
   /// Four phases, one per colour. Returns the number of vertices inserted.
   std::uint64_t sweep(const Lattice& lattice, std::vector<std::vector<Queued>>& inbox, const Deferral& later) {
     const auto start = std::chrono::steady_clock::now();
-    Sweep done{lattice.cells(), 0, 0, 0};
+    Sweep done{lattice.columns(), lattice.rows()};
     for (unsigned colour = 0; colour < Lattice::colours && go_on(); ++colour) {
-      const std::vector<double> wanted = wanted_in_cells(inbox);
-      std::vector<Job> jobs;
-      for (Index cell = 0; cell < lattice.cells(); ++cell)
-        if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
-          jobs.emplace_back();
-          jobs.back().cell = cell;
-          jobs.back().seeds = std::exchange(inbox[cell], {});
-          jobs.back().insertions = insertions_per_triangle * lattice.sum_over_box(cell, wanted);
-        }
-      phase(lattice, jobs, later);
-      for (Job& job : jobs) {
-        done.inserted += job.result.inserted + job.result.segment_splits;
-        done.handed_on += job.result.handed_on.size();
+      std::vector<Job> jobs = jobs_of(lattice, colour, inbox);
+      crew_.run(lattice, jobs, later, [this](int thread, std::uint64_t made) { return report(thread, made); });
+      for (const Job& job : jobs) {
         for (const HandedOn& h : job.result.handed_on) inbox[h.cell].push_back(h.triangle);
-        collect(job);
+        collect(job, done);
       }
-      vertices_.settle();
-      triangles_.settle();
-      triangles_before_ = triangles_.in_use();
+      triangles_before_ = crew_.triangles().in_use();
       made_ = 0;
     }
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    counts_.sweeps.push_back(done);
-    if (vertices_.available() == 0) counts_.budget_reached = counts_.left_alone = true;
+    counts_.tiling.sweeps.push_back(done);
+    if (crew_.vertices().available() == 0) counts_.budget_reached = counts_.left_alone = true;
     if (out_of_triangles()) cancelled_ = true;
     return done.inserted;
   }
 
-  /// Cells of one colour have disjoint boxes: their tasks run in any order, at the same time.
-  void phase(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later) {
-    parallel_for(threads_, jobs.size(), [&](std::size_t i, int) { admit(jobs[i], lattice.box_of(jobs[i].cell)); });
-    supply(jobs);
-    t_.points.resize_uninitialised(vertices_.end());
-    t_.origin.resize_uninitialised(vertices_.end());
-    t_.slots.resize_uninitialised(triangles_.end());
-    if (!t_.region.empty()) t_.region.resize_uninitialised(triangles_.end());
-
-    std::vector<std::size_t> largest_first(jobs.size());
-    std::iota(largest_first.begin(), largest_first.end(), std::size_t{0});
-    std::stable_sort(largest_first.begin(), largest_first.end(),
-                     [&](std::size_t a, std::size_t b) { return jobs[a].insertions > jobs[b].insertions; });
-    parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
-      Job& job = jobs[largest_first[i]];
-      job.result = tasks_[static_cast<std::size_t>(thread)]->run(
-          lattice, job.cell, job.seeds, later, job.supply, [&](std::uint64_t made) { return report(thread, made); });
-    });
-  }
-
-  /// Numbers for each job: as many as it is expected to need, and as many again above all of these. What is not used
-  /// comes back, so the second helping costs memory only where it is needed.
-  void supply(std::vector<Job>& jobs) {
-    std::vector<std::vector<NumberRange>> vertices(jobs.size()), triangles(jobs.size());
-    for (int helping = 0; helping < 2; ++helping)
-      for (std::size_t i = 0; i < jobs.size(); ++i) {
-        const auto insertions = static_cast<std::size_t>(std::min(jobs[i].insertions, 1e9));
-        vertices_.assign(insertions, vertices[i]);
-        triangles_.assign(2 * insertions, triangles[i]);
+  /// A job for each cell of the colour in which something waits.
+  [[nodiscard]] std::vector<Job> jobs_of(const Lattice& lattice, unsigned colour,
+                                         std::vector<std::vector<Queued>>& inbox) const {
+    const std::vector<double> wanted = wanted_in_cells(inbox);
+    std::vector<Job> jobs;
+    for (Index cell = 0; cell < lattice.cells(); ++cell)
+      if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
+        jobs.emplace_back();
+        jobs.back().cell = cell;
+        jobs.back().seeds = std::exchange(inbox[cell], {});
+        jobs.back().insertions = insertions_per_triangle * lattice.sum_over_box(cell, wanted);
       }
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-      jobs[i].supply = {Numbers(std::move(vertices[i])), Numbers(std::move(triangles[i]))};
+    return jobs;
   }
 
   /// What the sizes ask for where the triangles lie that wait in each cell.
@@ -274,25 +229,7 @@ class Refinement {
     return wanted;
   }
 
-  /// Keeps the seeds that are still there and whose triangles lie in the box.
-  void admit(Job& job, const Box& box) const {
-    constexpr double insertions_per_seed = 2.5, spare = 32;
-    job.insertions += spare;
-    std::erase_if(job.seeds, [&](Queued q) {
-      if (!judge_.is_current(q)) return true;
-      for (const VertexId v : t_.slots[q.id].v)
-        if (!box.contains(t_.points[v])) {
-          job.outsiders.push_back(q);
-          return true;
-        }
-      job.insertions += insertions_per_seed;
-      return false;
-    });
-  }
-
-  void collect(const Job& job) {
-    vertices_.take_back(job.supply.vertices);
-    triangles_.take_back(job.supply.triangles);
+  void collect(const Job& job, Sweep& sweep) {
     const TaskResult& r = job.result;
     stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
     stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
@@ -301,44 +238,18 @@ class Refinement {
     counts_.segment_splits += r.segment_splits;
     counts_.refused += r.refused;
     counts_.left_alone = counts_.left_alone || r.left_alone;
-  }
-
-  /// Moves the last vertices and triangles into the holes that unused numbers left.
-  void close_ranks() {
-    const std::vector<NumberMove> triangle_moves = moves_into_holes(triangles_);
-    for (const NumberMove move : triangle_moves) {
-      t_.move_triangle(move.from, move.to);
-      if (!t_.region.empty()) t_.region[move.to] = t_.region[move.from];
-    }
-    const std::size_t triangles = triangles_.in_use();
-    t_.slots.resize(triangles);
-    if (!t_.region.empty()) t_.region.resize(triangles);
-
-    const std::vector<NumberMove> vertex_moves = moves_into_holes(vertices_);
-    const VertexId vertices = vertices_.in_use();
-    std::vector<VertexId> moved_to(t_.points.size() - vertices, no_index);
-    for (const NumberMove move : vertex_moves) {
-      t_.points[move.to] = t_.points[move.from];
-      t_.origin[move.to] = t_.origin[move.from];
-      moved_to[move.from - vertices] = move.to;
-    }
-    if (!vertex_moves.empty())
-      parallel_blocks(threads_, triangles, [&](std::size_t first, std::size_t last, std::size_t) {
-        for (std::size_t id = first; id < last; ++id)
-          for (VertexId& v : t_.slots[id].v)
-            if (v >= vertices) v = moved_to[v - vertices];
-      });
-    t_.points.resize(vertices);
-    t_.origin.resize(vertices);
+    sweep.inserted += r.inserted + r.segment_splits;
+    sweep.to_other_cells += r.handed_on.size() - r.out_of_numbers;
+    sweep.beyond_box += job.outsiders.size() + r.stuck.size();
+    sweep.out_of_numbers += r.out_of_numbers;
   }
 
   Triangulation& t_;
   const Criteria& criteria_;
   const Options& options_;
   Judge judge_;
+  Crew crew_;
   int threads_;
-  std::vector<std::unique_ptr<Task>> tasks_;
-  NumberLedger vertices_, triangles_;
   std::vector<Queued> stuck_, deferred_;
   RefineCounts counts_;
   double estimate_ = 0;
@@ -349,8 +260,9 @@ class Refinement {
 
 }  // namespace
 
-Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options) {
-  Refinement refinement(t, lines, criteria, options);
+Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
+                            const Schedule& schedule) {
+  Refinement refinement(t, lines, criteria, options, schedule);
   refinement.run();
   if (refinement.out_of_triangles())
     return Error{ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};

@@ -13,25 +13,27 @@
 
 namespace pardel {
 
-/// One pass over all tiles of one lattice.
-struct Sweep {
-  Index cells = 0;
-  std::uint64_t inserted = 0;   ///< vertices
-  std::uint64_t handed_on = 0;  ///< triangles left to the task of another cell
-  double seconds = 0;
-};
-
 struct RefineCounts {
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   bool budget_reached = false;
   bool left_alone = false;  ///< there may be exemptions; otherwise there are none
-  std::vector<Sweep> sweeps;
+  Tiling tiling;
+};
+
+/// How the tasks of a phase take turns. None of it shows in the result, which is what it is there to prove.
+struct Schedule {
+  /// Permutes the order in which the tasks are started (it comes largest first).
+  std::function<void(std::vector<std::size_t>&)> order{};
+  /// Called by the thread that is about to start a task.
+  std::function<void(std::size_t task)> before_task{};
+  /// If set, one thread runs all tasks of a phase at once, one insertion at a time: which of n unfinished ones goes on.
+  std::function<std::size_t(std::size_t n)> next{};
 };
 
 /// Refines in place. The triangulation is a constrained Delaunay triangulation without ghosts, whose
 /// boundary edges are all constrained. Deterministic. Fails only with `cancelled` or `resources`.
 [[nodiscard]] Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria,
-                                          const Options& options);
+                                          const Options& options, const Schedule& schedule = {});
 
 /// The triangles that break the criteria and why each was left alone, ascending.
 [[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Criteria& criteria,

@@ -66,32 +66,49 @@ Point Judge::point_for(TriangleId id, const Assessment& a) const {
   return a.need == Assessment::Need::split_edge ? point_on(EdgeRef(id, a.side)) : point_in(id);
 }
 
-TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
-                     Supply& supply, const std::function<bool(std::uint64_t)>& go_on) {
+void Task::start(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
+                 Supply& supply) {
   lattice_ = &lattice;
   cell_ = cell;
   box_ = lattice.box_of(cell);
   later_ = later;
+  supply_ = &supply;
   insertion_.start(supply);
   result_ = {};
   for (const Queued seed : seeds) consider(seed.id);
+}
 
-  constexpr std::uint64_t steps_between_questions = 4096;
-  bool stopped = false;
-  std::uint64_t told = 0;
-  for (std::uint64_t step = 1; !queue_.empty(); ++step) {
-    if (step % steps_between_questions == 0 && !stopped) {
-      const std::uint64_t made = result_.inserted + result_.segment_splits;
-      stopped = !go_on(made - std::exchange(told, made));
-    }
+bool Task::step() {
+  while (!queue_.empty()) {
     const Queued next = queue_.pop();
     if (!judge_.is_current(next)) continue;  // replaced; if what replaced it is bad, it was queued too
-    if (stopped || !supply.suffices())
-      result_.handed_on.push_back({next, cell});
-    else
+    if (supply_->suffices())
       process(next);
+    else
+      give_up(next);
+    return true;
   }
-  return std::move(result_);
+  return false;
+}
+
+TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
+                     Supply& supply, const std::function<bool(std::uint64_t)>& go_on) {
+  start(lattice, cell, seeds, later, supply);
+  constexpr std::uint64_t steps_between_questions = 4096;
+  std::uint64_t told = 0;
+  for (std::uint64_t steps = 1; step(); ++steps) {
+    if (steps % steps_between_questions != 0) continue;
+    const std::uint64_t made = result_.inserted + result_.segment_splits;
+    if (!go_on(made - std::exchange(told, made))) break;
+  }
+  while (!queue_.empty()) give_up(queue_.pop());
+  return finish();
+}
+
+/// Left to another run of its own cell.
+void Task::give_up(Queued triangle) {
+  result_.handed_on.push_back({triangle, cell_});
+  ++result_.out_of_numbers;
 }
 
 void Task::consider_changed() {
@@ -101,7 +118,8 @@ void Task::consider_changed() {
     for (const TriangleId id : changed) consider(id);
     return;
   }
-  for (std::size_t i = 0; i < changed.size(); ++i) queue_if_bad(changed[i], judge_.assess(changed[i], measures[i]));
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    queue_if_bad(changed[i], judge_.assess(changed[i], measures[i]), measures[i]);
 }
 
 void Task::process(Queued triangle) {
@@ -119,6 +137,7 @@ void Task::process(Queued triangle) {
     }
   }
   const Point p = judge_.point_in(id);
+  if (is_foreign(p)) return hand_on(triangle, p);
   switch (insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:
       ++result_.inserted;
@@ -148,7 +167,9 @@ void Task::process(Queued triangle) {
 
 Outcome Task::split_edge(EdgeRef e) {
   const Index line = judge_.line_of(e);
-  const Outcome outcome = insertion_.split_edge(judge_.point_on(e), e, line, box_);
+  const Point p = judge_.point_on(e);
+  if (is_foreign(p)) return Outcome::leaves_box;
+  const Outcome outcome = insertion_.split_edge(p, e, line, box_);
   if (outcome == Outcome::inserted) {
     ++result_.segment_splits;
     consider_changed();

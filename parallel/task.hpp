@@ -79,13 +79,15 @@ class Judge {
   double squared_floor_;
 };
 
-/// What a pass leaves for a later one: triangles no longer than `longest_squared` wait for a finer lattice,
-/// those whose key is above `last_key` for the next round.
+/// What a pass leaves for a later one: triangles no longer than `longest_squared`, or whose circumradius is at most
+/// this, wait for a finer lattice, those whose key is above `last_key` for the next round.
 struct Deferral {
   double longest_squared = 0;
+  double squared_radius = 0;
   unsigned last_key = BucketQueue::last;
-  [[nodiscard]] bool applies_to(const Assessment& a) const {
-    return a.longest_squared <= longest_squared || a.key > last_key;
+  [[nodiscard]] bool applies_to(const Assessment& a, const Measure& m) const {
+    return a.longest_squared <= longest_squared || a.key > last_key ||
+           (squared_radius > 0 && m.squared_circumradius() <= squared_radius);
   }
 };
 
@@ -101,6 +103,7 @@ struct TaskResult {
   std::vector<Queued> stuck;        ///< the box of their own cell is too small
   std::vector<Queued> deferred;     ///< for a finer lattice or the next round
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
+  std::uint64_t out_of_numbers = 0;  ///< how many of handed_on went to its own cell
   bool left_alone = false;  ///< some triangle that breaks the goal was not split; it may be gone by now
 };
 
@@ -108,32 +111,45 @@ struct TaskResult {
 /// allocated memory.
 class Task {
  public:
-  Task(Triangulation& t, const Judge& judge, const Criteria& criteria, double min_edge)
-      : t_(t), judge_(judge), insertion_(t, criteria, min_edge) {}
+  /// own_cell_only: a point in another cell is handed on even where the box has room for its cavity.
+  Task(Triangulation& t, const Judge& judge, const Criteria& criteria, double min_edge, bool own_cell_only)
+      : t_(t), judge_(judge), insertion_(t, criteria, min_edge), own_cell_only_(own_cell_only) {}
 
   /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on(n) is asked now and
   /// then, n being the number of vertices inserted since it was asked last; when it says no, the run ends early.
   TaskResult run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
                  Supply& supply, const std::function<bool(std::uint64_t)>& go_on);
 
+  /// The same, one insertion at a time: start, step while it says that there is more to do, finish.
+  void start(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later, Supply& supply);
+  [[nodiscard]] bool step();
+  [[nodiscard]] TaskResult finish() { return std::move(result_); }
+
  private:
-  void consider(TriangleId id) { queue_if_bad(id, judge_.assess(id)); }
+  void consider(TriangleId id) {
+    const Shape shape(t_, t_.slots[id]);
+    queue_if_bad(id, judge_.assess(id, shape), shape);
+  }
   void consider_changed();
-  void queue_if_bad(TriangleId id, const Assessment& a) {
+  void queue_if_bad(TriangleId id, const Assessment& a, const Measure& m) {
     if (a.need == Assessment::Need::nothing)
       result_.left_alone = result_.left_alone || a.left_alone;
-    else if (later_.applies_to(a))
+    else if (later_.applies_to(a, m))
       result_.deferred.push_back({id, t_.slots[id].v[0]});
     else
       queue_.push({id, t_.slots[id].v[0]}, a.key);
   }
   void process(Queued triangle);
+  [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && lattice_->cell_of(p) != cell_; }
+  void give_up(Queued triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   void hand_on(Queued triangle, Point p);
 
   Triangulation& t_;
   const Judge& judge_;
   Insertion insertion_;
+  bool own_cell_only_;
+  Supply* supply_ = nullptr;
   BucketQueue queue_;
   TaskResult result_;
   const Lattice* lattice_ = nullptr;

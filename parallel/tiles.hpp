@@ -18,40 +18,51 @@ struct Box {
   [[nodiscard]] bool contains(Point p) const { return p.x >= min_x && p.x < max_x && p.y >= min_y && p.y < max_y; }
 };
 
-/// A uniform lattice of square cells over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2); the
-/// task of a cell owns its cell and half a cell around it, so that the boxes of one colour are disjoint.
+/// A uniform lattice over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2); the task of a cell owns its
+/// cell and half a cell around it, so that the boxes of one colour are disjoint.
 class Lattice {
  public:
   static constexpr unsigned colours = 4;
 
-  Lattice(Box bounds, Index columns, Index rows, double side)
-      : bounds_(bounds), columns_(columns), rows_(rows), side_(side) {}
-  /// Covers the bounds with square cells whose longer row has `along` of them.
+  Lattice(Box bounds, Index columns, Index rows)
+      : bounds_(bounds),
+        columns_(columns),
+        rows_(rows),
+        width_((bounds.max_x - bounds.min_x) / columns),
+        height_((bounds.max_y - bounds.min_y) / rows) {}
+  /// Nearly square cells, `along` of them in the direction in which the bounds are longer.
   static Lattice over(Box bounds, Index along) {
     const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
     const double side = std::max(width, height) / along;
-    const auto count = [&](double extent) { return std::max(Index{1}, static_cast<Index>(std::ceil(extent / side))); };
-    return {bounds, std::min(along, count(width)), std::min(along, count(height)), side};
+    const auto count = [&](double extent) { return std::max(Index{1}, static_cast<Index>(std::round(extent / side))); };
+    return {bounds, std::min(along, count(width)), std::min(along, count(height))};
   }
 
   [[nodiscard]] Index cells() const { return columns_ * rows_; }
   [[nodiscard]] Index columns() const { return columns_; }
   [[nodiscard]] Index rows() const { return rows_; }
-  [[nodiscard]] double side() const { return side_; }
+  [[nodiscard]] double width() const { return width_; }    ///< of a cell
+  [[nodiscard]] double height() const { return height_; }  ///< of a cell
+  /// The shorter side of a cell. Where there is but one column or row, nothing lies beside it, and
+  /// its width or height does not count; INFINITY for a single cell.
+  [[nodiscard]] double side() const {
+    return std::min(columns_ > 1 ? width_ : INFINITY, rows_ > 1 ? height_ : INFINITY);
+  }
   /// The cell of a point; points beyond the bounds belong to the nearest cell
   /// (and those that are not a number, from needles, to the first).
   [[nodiscard]] Index cell_of(Point p) const {
-    return clamped(p.y - bounds_.min_y, rows_) * columns_ + clamped(p.x - bounds_.min_x, columns_);
+    return clamped((p.y - bounds_.min_y) / height_, rows_) * columns_ +
+           clamped((p.x - bounds_.min_x) / width_, columns_);
   }
   [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
   /// What the task of a cell may touch. Boxes at the rim extend to infinity.
   [[nodiscard]] Box box_of(Index cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     Box box;
-    if (i > 0) box.min_x = bounds_.min_x + (i - 0.5) * side_;
-    if (j > 0) box.min_y = bounds_.min_y + (j - 0.5) * side_;
-    if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * side_;
-    if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * side_;
+    if (i > 0) box.min_x = bounds_.min_x + (i - 0.5) * width_;
+    if (j > 0) box.min_y = bounds_.min_y + (j - 0.5) * height_;
+    if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * width_;
+    if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * height_;
     return box;
   }
 
@@ -67,14 +78,14 @@ class Lattice {
   }
 
  private:
-  [[nodiscard]] Index clamped(double offset, Index count) const {
-    const double index = std::floor(offset / side_);
+  [[nodiscard]] static Index clamped(double offset, Index count) {
+    const double index = std::floor(offset);
     return !(index > 0) ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
   }
 
   Box bounds_;
   Index columns_, rows_;
-  double side_;
+  double width_, height_;
 };
 
 }  // namespace pardel

@@ -19,6 +19,8 @@ const std::vector<Lattice>& lattices() {
       Lattice::over({654321, 4987654, 654400, 4987754}, 6),
       Lattice::over({0, 0, 0x1p-60, 0x1p-61}, 5),
       Lattice::over({0, 0, 3, 1}, 3),
+      Lattice({0, 0, 3, 1}, 2, 5),
+      Lattice({-1, 2, 1, 3}, 1, 4),
   };
   return all;
 }
@@ -43,7 +45,7 @@ TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
     const Point corner = lattice.cells() == 1 ? Point{0, 0} : Point{last.min_x, last.min_y};
     for (int round = 0; round < 2000; ++round) {
       const double reach = round % 4 == 0 ? 100 : 3;
-      Point p{random.uniform(-reach, reach) * lattice.side(), random.uniform(-reach, reach) * lattice.side()};
+      Point p{random.uniform(-reach, reach) * lattice.width(), random.uniform(-reach, reach) * lattice.height()};
       if (std::isfinite(corner.x)) p.x += corner.x;
       if (std::isfinite(corner.y)) p.y += corner.y;
       const Index cell = lattice.cell_of(p);

@@ -1,0 +1,13 @@
+// Numbers without holes: what tasks did not use of theirs is filled from the end.
+#pragma once
+
+#include "numbers.hpp"
+#include "triangulation.hpp"
+
+namespace pardel {
+
+/// Moves the last vertices and triangles into the holes that unused numbers left, and cuts the arrays to length.
+/// Precondition: both ledgers are settled. Linear in the number of triangles.
+void close_ranks(Triangulation& t, const NumberLedger& vertices, const NumberLedger& triangles, int threads);
+
+}  // namespace pardel

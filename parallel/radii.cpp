@@ -1,0 +1,38 @@
+#include "radii.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "criteria.hpp"
+#include "parallel_for.hpp"
+
+namespace pardel {
+
+double radius_bound(double ratio, double area) { return 2 * ratio * std::sqrt(ratio * area); }
+
+double sharp_radius_bound(double ratio, double area) {
+  return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(4 * ratio * ratio - 1));
+}
+
+Radii largest_radii(const Triangulation& t, int threads) {
+  std::vector<Radii> largest(block_count(t.slots.size()));
+  parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    Radii squared;
+    double twice_area = 0;
+    for (std::size_t id = first; id < last; ++id) {
+      const Shape s(t, t.slots[id]);
+      const double radius = s.squared_circumradius();
+      squared.radius = std::max(squared.radius, radius);
+      squared.ratio = std::max(squared.ratio, radius / s.shortest_squared());
+      twice_area = std::max(twice_area, s.twice_area);
+    }
+    largest[block] = {std::sqrt(squared.radius), std::sqrt(squared.ratio), twice_area / 2};
+  });
+  Radii all;
+  for (const Radii& block : largest)
+    all = {std::max(all.radius, block.radius), std::max(all.ratio, block.ratio), std::max(all.area, block.area)};
+  return all;
+}
+
+}  // namespace pardel
