@@ -15,12 +15,18 @@ double sharp_radius_bound(double ratio, double area) {
   return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(4 * ratio * ratio - 1));
 }
 
-Radii largest_radii(const Triangulation& t, int threads) {
-  std::vector<Radii> largest(block_count(t.slots.size()));
-  parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int threads) {
+  const std::vector<NumberRange>& holes = triangles.holes();
+  std::vector<Radii> largest(block_count(triangles.end()));
+  parallel_blocks(threads, triangles.end(), [&](std::size_t first, std::size_t last, std::size_t block) {
     Radii squared;
     double twice_area = 0;
+    auto hole = std::partition_point(holes.begin(), holes.end(), [&](NumberRange h) { return h.end <= first; });
     for (std::size_t id = first; id < last; ++id) {
+      if (hole != holes.end() && id >= hole->begin) {
+        id = (hole++)->end - 1U;
+        continue;
+      }
       const Shape s(t, t.slots[id]);
       const double radius = s.squared_circumradius();
       squared.radius = std::max(squared.radius, radius);

@@ -1,6 +1,7 @@
 // Bounds on circumradii: what ratio and area promise, and what a mesh has.
 #pragma once
 
+#include "numbers.hpp"
 #include "triangulation.hpp"
 
 namespace pardel {
@@ -14,7 +15,7 @@ namespace pardel {
 struct Radii {
   double radius = 0, ratio = 0, area = 0;
 };
-/// O(n).
-[[nodiscard]] Radii largest_radii(const Triangulation& t, int threads);
+/// Of the triangles whose numbers are in use. O(n).
+[[nodiscard]] Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int threads);
 
 }  // namespace pardel

@@ -93,7 +93,7 @@ class Refinement {
 
   /// Measures, and for the paper's decomposition widens the cells to what the measure allows.
   void lay_finest(const Box& bounds, std::vector<Lattice>& levels) {
-    const Radii largest = largest_radii(t_, threads_);
+    const Radii largest = largest_radii(t_, crew_.triangles(), threads_);
     if (options_.decomposition == Decomposition::paper)
       levels.back() = with_sides_of(bounds, levels.back(), radii_per_side * largest.radius);
     Tiling& tiling = counts_.tiling;
