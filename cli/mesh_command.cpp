@@ -17,6 +17,7 @@
 #include "command.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
+#include "memory.hpp"
 #include "output.hpp"
 #include "report.hpp"
 #include "supervise.hpp"
@@ -35,6 +36,7 @@ struct Arguments {
   Options options;
   std::optional<int> threads;
   std::vector<Index> cells;
+  std::optional<double> max_memory_gib;
   bool refine = false;
   bool repair = false;
   bool check = false;
@@ -90,6 +92,8 @@ Result<ExitCode> run(Arguments& arguments) {
     arguments.options.threads = *arguments.threads;
     omp_set_num_threads(*arguments.threads);  // what reads, writes and checks keeps to the number, too
   }
+  arguments.options.max_memory =
+      arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
   if (!arguments.cells.empty()) {
     if (arguments.options.decomposition == Decomposition::none)
       return Error{ErrorKind::usage, "--cells has no meaning with --decomposition none"};
@@ -184,6 +188,11 @@ Command add_mesh(CLI::App& program) {
       ->check(positive_number("a length"))
       ->type_name("LENGTH")
       ->group("Limits");
+  app->add_option("--max-memory", arguments->max_memory_gib,
+                  "Refuse a mesh that needs more than this, in GiB (default: what is available)")
+      ->check(positive_number("an amount of memory"))
+      ->type_name("GIB")
+      ->group("Limits");
   app->add_option("--threads", arguments->threads, "Threads (default 1); the mesh does not depend on their number")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""))
@@ -201,7 +210,8 @@ Command add_mesh(CLI::App& program) {
                   "four circumradii) or none (one task)")
       ->transform(CLI::CheckedTransformer(decompositions).description(""))
       ->type_name("HOW");
-  app->add_option("--cells", arguments->cells, "Columns and rows of tiles (default: by work); changes the mesh a little")
+  app->add_option("--cells", arguments->cells,
+                  "Columns and rows of tiles (default: by work); changes the mesh a little")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1U, most_cells_along).description(""))

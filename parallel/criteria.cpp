@@ -67,11 +67,16 @@ Point Criteria::split_point(const Shape& s) const {
   return {snapped(q.x + dx), snapped(q.y + dy)};
 }
 
+double Criteria::triangles_needed(const Shape& s, Index region) const {
+  double cap = twice_max_area_;
+  if (region < twice_region_cap_.size()) cap = std::min(cap, twice_region_cap_[region]);
+  return s.twice_area / cap;
+}
+
 double Criteria::triangles_wanted(const Shape& s, Index region) const {
   // A good mesh fills about 62 % of each triangle's cap.
   constexpr double fill = 0.62;
-  double cap = twice_max_area_;
-  if (region < twice_region_cap_.size()) cap = std::min(cap, twice_region_cap_[region]);
+  double cap = s.twice_area / triangles_needed(s, region);
   double edge2 = squared_max_edge_;
   if (size_) edge2 = std::min(edge2, squared(size_(s.centroid())));
   if (area_cap_) cap = std::min(cap, 2 * area_cap_(s.centroid()));

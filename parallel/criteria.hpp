@@ -87,6 +87,8 @@ class Criteria {
 
   /// The estimated number of triangles that the sizes ask for where this one lies.
   [[nodiscard]] double triangles_wanted(const Shape& s, Index region) const;
+  /// The least number of triangles that bounds on area allow where this one lies: area over cap.
+  [[nodiscard]] double triangles_needed(const Shape& s, Index region) const;
 
  private:
   double squared_sine_;  ///< of the smallest angle allowed

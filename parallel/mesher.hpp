@@ -42,6 +42,9 @@ struct Options {
   /// bounds how many there can be.
   std::array<Index, 2> cells{0, 0};
   std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
+  /// In bytes; where the mesh that sizes and areas ask for cannot fit, mesh() says so at once (`resources`). 0: no
+  /// limit.
+  std::uint64_t max_memory = 0;
   /// No point is inserted where it would make an edge shorter than this, nor than what double precision can
   /// hold, 2^-42 times the largest coordinate.
   double min_edge = 0;
@@ -89,13 +92,13 @@ struct Sweep {
 
 /// How the plane was cut, beside what the theory says of it.
 struct Tiling {
-  Index columns = 1, rows = 1;                ///< of the finest lattice
+  Index columns = 1, rows = 1;  ///< of the finest lattice
   double cell_width = 0, cell_height = 0;
-  std::uint64_t vertices_before = 0;          ///< inserted on coarser lattices before the finest was laid
-  double largest_radius = 0;                  ///< r̄ as measured when the finest lattice was laid
-  double radius_by_t3 = 0;                    ///< bound from the largest ratio and area then (THEORY, T3)
-  double radius_by_t3_sharp = 0;              ///< the same by T3-sharp
-  std::vector<Sweep> sweeps;                  ///< in order, coarse lattices included
+  std::uint64_t vertices_before = 0;  ///< inserted on coarser lattices before the finest was laid
+  double largest_radius = 0;          ///< r̄ as measured when the finest lattice was laid
+  double radius_by_t3 = 0;            ///< bound from the largest ratio and area then (THEORY, T3)
+  double radius_by_t3_sharp = 0;      ///< the same by T3-sharp
+  std::vector<Sweep> sweeps;          ///< in order, coarse lattices included
 };
 
 struct Report {

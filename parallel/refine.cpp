@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../core/shortest.hpp"
 #include "close_ranks.hpp"
 #include "lattices.hpp"
 #include "parallel_for.hpp"
@@ -36,6 +37,9 @@ Box bounds_of(std::span<const Point> points) {
   return box;
 }
 
+/// What the arrays take for one triangle and its half of a vertex; more is needed, but not less.
+constexpr double bytes_per_triangle = sizeof(Slot) + 0.5 * (sizeof(Point) + sizeof(Index));
+
 class Refinement {
  public:
   Refinement(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
@@ -47,8 +51,9 @@ class Refinement {
         crew_(t, judge_, criteria, options, schedule),
         threads_(crew_.threads()) {}
 
-  void run() {
+  Status run() {
     Pending pending = everything_bad();
+    if (Status fits = check_size(pending.needed); !fits) return fits;
     const Box bounds = bounds_of(t_.points.span());
     std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, pending.estimate, options_));
     estimate_ = pending.estimate;
@@ -70,17 +75,39 @@ class Refinement {
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
     close_ranks(t_, crew_.vertices(), crew_.triangles(), threads_);
     counts_.left_alone = counts_.left_alone || !stuck_.empty();  // with a point that is nowhere
+    if (out_of_triangles()) return too_many_triangles();
+    if (cancelled_.load()) return Error{ErrorKind::cancelled, "the caller asked to stop"};
+    return Done{};
   }
 
-  [[nodiscard]] bool cancelled() const { return cancelled_.load(); }
-  [[nodiscard]] bool out_of_triangles() const { return crew_.triangles().available() < 2; }
   [[nodiscard]] RefineCounts counts() && { return std::move(counts_); }
 
  private:
   struct Pending {
     std::vector<Queued> triangles;
-    double estimate = 0;
+    double estimate = 0;  ///< of the final number of triangles
+    double needed = 0;    ///< no mesh with fewer has the areas asked for
   };
+
+  [[nodiscard]] bool out_of_triangles() const { return crew_.triangles().available() < 2; }
+  static Error too_many_triangles() {
+    return {ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
+  }
+
+  /// Better no mesh at once than none after an hour.
+  [[nodiscard]] Status check_size(double needed) const {
+    constexpr double made_per_needed = 1.4;  // 1.5 to 1.6 in every mesh measured that had a bound on area
+    double estimate = made_per_needed * needed;
+    if (options_.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options_.max_vertices));
+    if (estimate > max_triangles) return too_many_triangles();
+    const double bytes = estimate * bytes_per_triangle;
+    if (options_.max_memory == 0 || bytes <= static_cast<double>(options_.max_memory)) return Done{};
+    const auto gibibytes = [](double n) { return shortest(std::round(n * 0x1p-30 * 100) / 100) + " GiB"; };
+    return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(estimate / 1e4) / 100) +
+                                           " million triangles, which take at least " + gibibytes(bytes) +
+                                           " of memory, and there are " +
+                                           gibibytes(static_cast<double>(options_.max_memory))};
+  }
 
   [[nodiscard]] Deferral short_enough_for(const Lattice& finer) const {
     if (options_.decomposition == Decomposition::paper) {
@@ -115,6 +142,7 @@ class Refinement {
       for (std::size_t id = first; id < last; ++id) {
         const auto triangle = static_cast<TriangleId>(id);
         found[block].estimate += std::max(triangles_per_input_triangle, wanted_by(triangle));
+        found[block].needed += criteria_.triangles_needed(Shape(t_, t_.slots[triangle]), judge_.region_of(triangle));
         const Assessment a = judge_.assess(triangle);
         if (a.need != Assessment::Need::nothing) found[block].triangles.push_back({triangle, t_.slots[triangle].v[0]});
         if (a.left_alone) left_alone[block] = 1;
@@ -123,6 +151,7 @@ class Refinement {
     Pending all;
     for (const Pending& block : found) {
       all.estimate += block.estimate;
+      all.needed += block.needed;
       all.triangles.insert(all.triangles.end(), block.triangles.begin(), block.triangles.end());
     }
     counts_.left_alone = std::any_of(left_alone.begin(), left_alone.end(), [](char c) { return c != 0; });
@@ -165,7 +194,8 @@ class Refinement {
         const TriangleId id = pending[i].id;
         const Assessment a = judge_.assess(id);
         if (a.need != Assessment::Need::nothing)
-          cell[i] = later.applies_to(a, Shape(t_, t_.slots[id])) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
+          cell[i] =
+              later.applies_to(a, Shape(t_, t_.slots[id])) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
       }
     });
     std::vector<std::vector<Queued>> inbox(lattice.cells());
@@ -263,10 +293,7 @@ class Refinement {
 Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
                             const Schedule& schedule) {
   Refinement refinement(t, lines, criteria, options, schedule);
-  refinement.run();
-  if (refinement.out_of_triangles())
-    return Error{ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
-  if (refinement.cancelled()) return Error{ErrorKind::cancelled, "the caller asked to stop"};
+  if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 }
 

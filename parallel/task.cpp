@@ -94,7 +94,7 @@ bool Task::step() {
 TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
                      Supply& supply, const std::function<bool(std::uint64_t)>& go_on) {
   start(lattice, cell, seeds, later, supply);
-  constexpr std::uint64_t steps_between_questions = 4096;
+  constexpr std::uint64_t steps_between_questions = 1024;
   std::uint64_t told = 0;
   for (std::uint64_t steps = 1; step(); ++steps) {
     if (steps % steps_between_questions != 0) continue;

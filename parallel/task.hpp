@@ -104,7 +104,7 @@ struct TaskResult {
   std::vector<Queued> deferred;     ///< for a finer lattice or the next round
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   std::uint64_t out_of_numbers = 0;  ///< how many of handed_on went to its own cell
-  bool left_alone = false;  ///< some triangle that breaks the goal was not split; it may be gone by now
+  bool left_alone = false;           ///< some triangle that breaks the goal was not split; it may be gone by now
 };
 
 /// Works on one cell at a time; a thread has one of its own. Nothing of one run is left for the next but

@@ -351,5 +351,34 @@ TEST_F(MeshCommand, a_terminal_sees_progress_of_long_work_and_Ctrl_C_ends_it) {
   EXPECT_FALSE(exists("m.off"));
 }
 
+TEST_F(MeshCommand, refuses_a_mesh_that_memory_cannot_hold) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-8", "--max-memory", "0.5"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"million triangles", "GiB", "0.5 GiB"}));
+  EXPECT_FALSE(files().contains("out.vtu"));
+}
+
+TEST_F(MeshCommand, cuts_the_plane_as_asked_and_reports_it) {
+  for (const std::string kind : {"auto", "paper"}) {
+    const json r = report({"square.poly", "-o", "out.vtu", "--max-area", "1e-4", "--cells", "3,2", "--decomposition",
+                           kind, "--check", "-q"});
+    const json& cut = r["decomposition"];
+    EXPECT_EQ(cut["kind"], kind);
+    EXPECT_EQ(cut["columns"], 3);
+    EXPECT_EQ(cut["rows"], 2);
+    EXPECT_LT(cut["circumradius"]["measured"], cut["circumradius"]["by_t3_sharp"]);
+    EXPECT_LT(cut["circumradius"]["by_t3_sharp"], cut["circumradius"]["by_t3"]);
+    EXPECT_GE(cut["cell_side_over_circumradius"], 4.0);
+    EXPECT_EQ(cut["handed_on"]["beyond_box"], 0);
+    EXPECT_GE(r["refine"]["sweeps"].size(), 2U);
+  }
+}
+
+TEST_F(MeshCommand, refuses_cells_where_there_is_nothing_to_cut) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--cells", "3,2", "--decomposition", "none"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"--cells", "--decomposition none"}));
+}
+
 }  // namespace
 }  // namespace pardel::testing

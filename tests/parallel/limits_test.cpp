@@ -48,6 +48,24 @@ TEST(Budget, ends_the_run_and_the_report_says_which_triangles_it_left) {
   }
 }
 
+TEST(Memory, that_will_not_suffice_is_said_before_the_work) {
+  const Pslg pslg = domains::square();
+  const Result<Meshed> refused = mesh(pslg, {.max_area = 1e-8}, {.max_memory = std::uint64_t{1} << 30U});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::resources);
+  for (const char* words : {"140 million triangles", "4.43 GiB", "there are 1 GiB"})
+    EXPECT_NE(refused.error().message.find(words), std::string::npos) << refused.error().message;
+  const Result<Meshed> numbers = mesh(pslg, {.max_area = 1e-12});
+  ASSERT_FALSE(numbers);
+  EXPECT_EQ(numbers.error().kind, ErrorKind::resources);
+}
+
+TEST(Memory, that_suffices_is_not_refused) {
+  // 153 thousand triangles, 48 bytes each.
+  EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-5}, {.max_memory = 7'400'000}));
+  EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100, .max_memory = 10'000}));
+}
+
 TEST(Budget, that_is_not_needed_changes_nothing) {
   const Pslg pslg = domains::key();
   const Result<Meshed> free = mesh(pslg), capped = mesh(pslg, {}, {.max_vertices = 1'000'000});
