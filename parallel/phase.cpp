@@ -48,6 +48,7 @@ void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& l
     run_by_turns(lattice, jobs, later);
   else
     run_on_threads(lattice, jobs, later, go_on);
+  if (schedule_.after_phase) schedule_.after_phase();
 
   for (const Job& job : jobs) {
     vertices_.take_back(job.supply.vertices);

@@ -26,6 +26,7 @@ struct Schedule {
   std::function<void(std::vector<std::size_t>&)> order{};
   /// Called by the thread that is about to start a task.
   std::function<void(std::size_t task)> before_task{};
+  std::function<void()> after_phase{};
   /// If set, one thread runs all tasks of a phase at once, one insertion at a time: which of n unfinished ones goes on.
   std::function<std::size_t(std::size_t n)> next{};
 };

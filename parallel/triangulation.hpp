@@ -6,6 +6,7 @@
 
 #include "../core/array.hpp"
 #include "../core/mesh.hpp"
+#include "touches.hpp"
 
 namespace pardel {
 
@@ -58,7 +59,7 @@ static_assert(sizeof(Slot) == sizeof(Triangle), "the result reuses the engine's 
 
 struct Triangulation {
   Array<Point> points;
-  Array<Slot> slots;
+  WatchedArray<Slot> slots;
   Array<Index> origin;  ///< per vertex: input_vertex, interior_vertex, or the constraint it lies on
   Array<Index> region;  ///< per triangle, or empty when there is one region only
 

@@ -6,62 +6,16 @@
 #include <thread>
 
 #include "../../core/digest.hpp"
-#include "../../parallel/assemble.hpp"
-#include "../../parallel/refine.hpp"
-#include "../../properties/domains.hpp"
+#include "many_tasks.hpp"
 #include "samples.hpp"
 
 namespace pardel {
 namespace {
 
-struct Case {
-  std::string name;
-  Pslg pslg;
-  Goal goal;
-  std::array<Index, 2> cells;
-};
-
-/// Small meshes cut into many tiles, so that tasks meet often.
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = [] {
-    std::vector<Case> list{
-        {"square", domains::square(), {.max_area = 0.0004}, {5, 5}},
-        {"pipe", domains::pipe(), {.min_angle_deg = 25}, {7, 8}},
-        {"cracks", domains::cracks(), {.min_angle_deg = 30, .max_area = 0.005, .conforming = true}, {3, 3}},
-        {"wedge", domains::wedge(12, 7), {.min_angle_deg = 28, .max_area = 0.005}, {3, 4}},
-        {"points", domains::random_points(300, 3), {.min_angle_deg = 30}, {8, 8}},
-        {"lattice", domains::grid_points(9), {.max_area = 0.03}, {4, 4}},
-        {"far", domains::moved(domains::cracks(), 654321, 4987654), {.min_angle_deg = 25, .max_area = 0.005}, {3, 3}},
-    };
-    return list;
-  }();
-  return all;
-}
-
-/// The engine's part of mesh(), with a schedule.
-struct Refined {
-  Mesh mesh;
-  RefineCounts counts;
-};
-Refined refined(const Case& c, const Options& options, const Schedule& schedule) {
-  Result<Assembled> domain = assemble(c.pslg, c.goal.convex_hull);
-  EXPECT_TRUE(domain);
-  std::vector<double> attributes, caps;
-  for (const Region& region : c.pslg.regions) {
-    attributes.push_back(region.attribute);
-    caps.push_back(region.max_area);
-  }
-  const Criteria criteria(c.goal, options.placement, caps);
-  auto counts = refine(domain->triangulation, domain->lines, criteria, options, schedule);
-  EXPECT_TRUE(counts);
-  return {disassemble(std::move(domain).value(), attributes, {}, {}), std::move(counts).value()};
-}
-
-Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {
-  Options options{.threads = threads, .decomposition = decomposition, .min_edge = 1e-6};
-  options.cells = c.cells;
-  return options;
-}
+using samples::Case;
+using samples::cases;
+using samples::options_for;
+using samples::refined;
 
 /// Without several tasks that meet at their borders a schedule would have nothing to choose.
 void expect_tasks_that_meet(const RefineCounts& counts) {
