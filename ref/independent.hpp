@@ -21,4 +21,10 @@ namespace pardel::ref {
 /// and Guoy).
 [[nodiscard]] bool closures_are_disjoint(const PlainMesh& mesh, const ExactPoint& p, const ExactPoint& q);
 
+/// Exactly when p and q may be inserted independently: the cavities have no triangle in common, and for every
+/// edge mn on the boundaries of both, p is not inside the circumcircle of q, m and n (which then q is not for p, m
+/// and n). A constrained mn needs no such test, as neither point sees past it. Both points lie in the mesh and are
+/// distinct and none of its vertices. Not in [CC], which uses sufficient conditions only.
+[[nodiscard]] bool are_independent(const PlainMesh& mesh, const ExactPoint& p, const ExactPoint& q);
+
 }  // namespace pardel::ref
