@@ -16,7 +16,9 @@ PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoi
     const std::vector<Index> hole = cavity(mesh, points[i]);
     PlainMesh alone = mesh;
     alone.points = result.points;
-    const auto fan = retriangulation(alone, hole, static_cast<Index>(mesh.points.size() + i));
+    const auto vertex = static_cast<Index>(mesh.points.size() + i);
+    const auto fan = retriangulation(alone, hole, vertex);
+    if (const auto split = constraint_through(mesh, points[i])) split_constraint(result, *split, vertex);
     deleted.insert(hole.begin(), hole.end());
     added.insert(added.end(), fan.begin(), fan.end());
   }

@@ -8,9 +8,9 @@
 namespace pardel::ref {
 
 /// Independent insertion [CC]: every cavity is found in M and retriangulated against M, as by tasks that
-/// know nothing of each other, and the results are united. The points lie in the mesh, on no constrained
-/// edge, and are none of its vertices. Where the points are not independent the outcome is no mesh; it is
-/// returned as it is. The points are appended in order.
+/// know nothing of each other, and the results are united. The points lie in the mesh and are none of its vertices;
+/// a constrained edge that one lies on is split there, at most one point on each. Where the points are not independent
+/// the outcome is no mesh; it is returned as it is. The points are appended in order.
 [[nodiscard]] PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoint>& points);
 
 /// The triangles as a set that depends neither on their order nor on the numbers of vertices: the corners
