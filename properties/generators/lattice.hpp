@@ -25,7 +25,16 @@ namespace pardel::generators {
   const auto opposite = [](std::int64_t s, std::int64_t t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
   return opposite(turn(a, b, c), turn(a, b, d)) && opposite(turn(c, d, a), turn(c, d, b));
 }
-/// The seed, in quarters, of the triangle abc.
-[[nodiscard]] constexpr LatticePoint seed_of(LatticePoint a, LatticePoint b, LatticePoint c) { return a + a + b + c; }
+
+__extension__ using Wide = __int128;
+
+/// Positive where d lies inside the circle through a, b, c, given in counter-clockwise order; zero on it.
+[[nodiscard]] constexpr Wide in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
+  const LatticePoint u = a - d, v = b - d, w = c - d;
+  return Wide{dot(u, u)} * cross(v, w) + Wide{dot(v, v)} * cross(w, u) + Wide{dot(w, w)} * cross(u, v);
+}
+
+/// The longer side of the bounding box.
+[[nodiscard]] std::int64_t width(const std::vector<LatticePoint>& points);
 
 }  // namespace pardel::generators

@@ -1,9 +1,12 @@
 #include "lattice_domain.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
+
+#include "lattice.hpp"
 
 namespace pardel::generators {
 namespace {
@@ -62,6 +65,12 @@ Pslg to_pslg(const LatticeDomain& domain) {
   for (const LatticeRegion& r : domain.regions)
     pslg.regions.push_back({place_seed(r.seed), r.attribute, std::ldexp(r.max_area, 2 * scale)});
   return pslg;
+}
+
+std::int64_t width(const std::vector<LatticePoint>& points) {
+  const auto [left, right] = std::ranges::minmax(points, {}, &LatticePoint::x);
+  const auto [low, high] = std::ranges::minmax(points, {}, &LatticePoint::y);
+  return std::max(right.x - left.x, high.y - low.y);
 }
 
 Weight weight(const LatticeDomain& domain) {
