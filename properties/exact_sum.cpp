@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "../core/mutants.hpp"
+
 namespace pardel {
 namespace {
 
@@ -36,6 +38,7 @@ void ExactSum::accumulate(double x, double y, bool subtract) {
   const int position = a.exponent + b.exponent - lowest_exponent;
   auto limb = static_cast<std::size_t>(position / bits_per_limb);
   const int shift = position % bits_per_limb;
+  if (mutated("exact_sum_drops_high_bits")) high = 0;
   const bool negative = (std::signbit(x) != std::signbit(y)) != subtract;
   // 106 bits shifted by up to 31 need 137: the low half and the high half are shifted apart.
   Wide low = (product & ~std::uint64_t{0}) << shift;
