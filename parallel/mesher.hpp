@@ -37,6 +37,9 @@ struct Options {
   Placement placement = Placement::off_centre;
   int threads = 1;  ///< does not change the result
   Decomposition decomposition = Decomposition::automatic;
+  /// What automatic decomposition aims at, positive: by default what a core's second-level cache holds with its
+  /// vertices. Another number gives another mesh.
+  std::uint32_t triangles_per_tile = 16'000;
   std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
   /// No point is inserted where it would make an edge shorter than this, nor than what double precision can
   /// hold, 2^-42 times the largest coordinate.

@@ -14,8 +14,6 @@
 namespace pardel {
 namespace {
 
-/// The final triangles of one tile fit the second-level cache together with their vertices.
-constexpr double triangles_per_tile = 16'000;
 /// What quality alone makes of a triangle of the input, at the very least.
 constexpr double triangles_per_input_triangle = 1.7;
 /// A vertex makes two triangles; a fifth to spare.
@@ -37,13 +35,12 @@ Box bounds_of(std::span<const Point> points) {
   return box;
 }
 
-/// The lattices from one cell to the finest, coarse to fine.
-std::vector<Lattice> lattices(Box bounds, double estimate) {
+/// The lattices from one cell to the finest, which has about this many, coarse to fine.
+std::vector<Lattice> lattices(Box bounds, double tiles) {
   const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
-  const double tiles = std::max(1.0, estimate / triangles_per_tile);
   const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
   constexpr double most_along = 4096;
-  auto along = static_cast<Index>(std::clamp(std::sqrt(tiles * longer / shorter), 1.0, most_along));
+  auto along = static_cast<Index>(std::clamp(std::sqrt(std::max(tiles, 1.0) * longer / shorter), 1.0, most_along));
   std::vector<Lattice> result;
   while (along > 1) {
     result.push_back(Lattice::over(bounds, along));
@@ -80,8 +77,8 @@ class Refinement {
   void run() {
     Pending pending = everything_bad();
     const Box bounds = bounds_of(t_.points.span());
-    const std::vector<Lattice> levels =
-        lattices(bounds, options_.decomposition == Decomposition::none ? 1 : pending.estimate);
+    const std::vector<Lattice> levels = lattices(
+        bounds, options_.decomposition == Decomposition::none ? 1 : pending.estimate / options_.triangles_per_tile);
     estimate_ = pending.estimate;
     triangles_before_ = triangles_.in_use();
     deferred_ = std::move(pending.triangles);
