@@ -38,11 +38,10 @@ void ExactSum::accumulate(double x, double y, bool subtract) {
   const int position = a.exponent + b.exponent - lowest_exponent;
   auto limb = static_cast<std::size_t>(position / bits_per_limb);
   const int shift = position % bits_per_limb;
-  if (mutated("exact_sum_drops_high_bits")) high = 0;
   const bool negative = (std::signbit(x) != std::signbit(y)) != subtract;
   // 106 bits shifted by up to 31 need 137: the low half and the high half are shifted apart.
   Wide low = (product & ~std::uint64_t{0}) << shift;
-  Wide high = (product >> 64) << shift;
+  Wide high = mutated("exact_sum_drops_high_bits") ? 0 : (product >> 64) << shift;
   const auto put = [&](std::size_t at, std::uint64_t value) {
     const auto piece = static_cast<std::int64_t>(value & 0xffffffffu);
     limb_[at] += negative ? -piece : piece;
