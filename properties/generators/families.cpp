@@ -44,10 +44,13 @@ void join_some_points(Drawing& d, int segments) {
   }
 }
 
+/// Not even nearly on a line with two of the points: slivers ask for as many triangles as they are thin.
 bool is_in_general_position(const Contour& points, LatticePoint p) {
+  constexpr std::int64_t least_height = 4;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if (turn(points[i], points[j], p) == 0) return false;
+      const std::int64_t longest = width({points[i], points[j], p}) * least_height;
+      if (std::abs(turn(points[i], points[j], p)) <= longest) return false;
       for (std::size_t k = 0; k < j; ++k)
         if (in_circle(points[i], points[j], points[k], p) == 0) return false;
     }
@@ -58,8 +61,8 @@ void draw_general_position(Drawing& d) {
   // A fat triangle first, because a hull that is thin for no reason asks for very many triangles.
   const auto near = [&](int x, int y) { return LatticePoint{x, y} + anywhere(d.random, -150, 150); };
   for (const LatticePoint p : {near(0, 0), near(1000, 0), near(500, 1000)}) d.draft.point(p);
-  // Few of so many places are spoilt by so few points.
-  const auto n = static_cast<std::size_t>(d.some(4, 30));
+  // One place in eight or so is still good in the end.
+  const auto n = static_cast<std::size_t>(d.some(4, 24));
   while (d.draft.points().size() < n) {
     const LatticePoint p = anywhere(d.random, 0, 1000);
     if (is_in_general_position(d.draft.points(), p)) d.draft.point(p);
@@ -278,7 +281,7 @@ void draw_touching_holes(Drawing& d) {
 }
 
 void draw_cracks(Drawing& d) {
-  const int side = d.random.between(16, 64), margin = side / 3;
+  const int side = d.random.between(12, 36), margin = side / 3;
   d.draft.polygon(d.chance(2) ? box({0, 0}, side, side) : cut_box(d.random, {0, 0}, side, side));
   const auto is_free = [&](LatticePoint place) {
     Draft tried = d.draft;

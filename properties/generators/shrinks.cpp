@@ -24,7 +24,7 @@ class Shrinker {
     drop_holes();
     drop_regions();
     drop_segments();
-    drop_points();
+    if (!mutated("shrinker_keeps_all_points")) drop_points();
     coarsen();
     use_plain_numbers();
     if (mutated("shrinker_returns_the_original")) simpler_.push_back(domain_);
@@ -154,10 +154,10 @@ class Shrinker {
       if (image.keeps_segment[s] && a != no_index && b != no_index && a != b && known.insert(std::minmax(a, b)).second)
         result.segments.push_back({a, b, segment.marker});
     }
-    const bool sound = is_valid(result) || (mutated("shrinker_opens_the_outline") && !result.segments.empty());
-    if (!sound) return;
-    put_seeds(image, image_of, result);
-    if (is_valid(result) && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
+    const bool asks = !mutated("shrinker_asks_not_what_is_valid");
+    if (asks && !is_valid(result)) return;
+    if (asks) put_seeds(image, image_of, result);
+    if ((!asks || is_valid(result)) && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
   }
 
   /// Into the faces beside those half-edges that are left of the seeds' faces; a seed of which none is left goes.
