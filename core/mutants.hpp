@@ -15,19 +15,27 @@ namespace pardel {
 
 inline constexpr bool mutants_are_compiled_in = true;
 
-/// Is this the mutant that the environment variable PARDEL_MUTANT asks for?
-[[nodiscard]] inline bool mutated(std::string_view mutant) {
+/// The mutant that the environment variable PARDEL_MUTANT asks for; empty where it asks for none.
+[[nodiscard]] inline std::string_view wanted_mutant() {
   static const std::string_view wanted = [] {
     const char* name = std::getenv("PARDEL_MUTANT");
     return name == nullptr ? std::string_view() : std::string_view(name);
   }();
-  return mutant == wanted;
+  return wanted;
+}
+
+[[nodiscard]] inline bool mutated(std::string_view mutant) { return mutant == wanted_mutant(); }
+/// Of a family of mutants, named by a common prefix and what it varies over.
+[[nodiscard]] inline bool mutated(std::string_view prefix, std::string_view member) {
+  const std::string_view wanted = wanted_mutant();
+  return wanted.starts_with(prefix) && wanted.substr(prefix.size()) == member;
 }
 
 #else
 
 inline constexpr bool mutants_are_compiled_in = false;
 [[nodiscard]] constexpr bool mutated(std::string_view /*mutant*/) { return false; }
+[[nodiscard]] constexpr bool mutated(std::string_view /*prefix*/, std::string_view /*member*/) { return false; }
 
 #endif
 

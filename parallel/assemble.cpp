@@ -3,6 +3,7 @@
 #include <bit>
 #include <string>
 
+#include "../core/mutants.hpp"
 #include "background.hpp"
 #include "delaunay.hpp"
 #include "flips.hpp"
@@ -95,7 +96,7 @@ void mark_vertices(Mesh& mesh, const PointData& data) {
       if (e.marker != 0 && (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1)))
         mesh.point_markers[v] = e.marker;
   for (std::size_t v = 0; v < data.markers.size(); ++v)
-    if (data.markers[v] != 0) mesh.point_markers[v] = data.markers[v];
+    if (data.markers[v] != 0 && !mutated("vertex_marker_lost")) mesh.point_markers[v] = data.markers[v];
 }
 
 void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::array<Index, 3>> background) {
@@ -208,12 +209,13 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
     for (unsigned side = 0; side < 3; ++side) {
       const EdgeRef across = slot.n[side];
       if (across.constrained() && (across.none() || across.triangle() > id)) {
-        const Index line = domain.lines.line_of(t, slot.from(side), slot.to(side));
-        const int marker = domain.marker_of_line[line];
+        const Index line =
+            mutated("wrong_segment_on_an_edge") ? 0 : domain.lines.line_of(t, slot.from(side), slot.to(side));
+        const int marker = mutated("segment_marker_lost") ? 0 : domain.marker_of_line[line];
         mesh.constrained_edges.push_back({number(slot.from(side)), number(slot.to(side)), domain.segment_of_line[line],
-                                          marker != 0     ? marker
-                                          : across.none() ? 1
-                                                          : 0});
+                                          marker != 0                                         ? marker
+                                          : across.none() && !mutated("boundary_marker_lost") ? 1
+                                                                                              : 0});
       }
       triangle.v[side] = number(slot.v[side]);
       triangle.n[side] = triangle_of(across);
@@ -224,7 +226,7 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   for (std::size_t v = 0; v < t.origin.size(); ++v)
     if (t.origin[v] < domain.lines.size()) {
       const Index segment = domain.segment_of_line[t.origin[v]];
-      t.origin[v] = segment == no_index ? hull_vertex : segment;
+      t.origin[v] = segment == no_index || mutated("origin_forgotten") ? hull_vertex : segment;
     }
 
   mesh.points = std::move(t.points);

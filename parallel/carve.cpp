@@ -1,3 +1,4 @@
+#include "../core/mutants.hpp"
 #include "constrain.hpp"
 #include "delaunay.hpp"
 
@@ -11,6 +12,7 @@ void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>&
     stack.pop_back();
     if (label[id] == value) continue;
     label[id] = value;
+    if (value < t.slots.size() && mutated("region_does_not_spread")) continue;
     for (const EdgeRef out : t.slots[id].n)
       if (!out.constrained() && label[out.triangle()] != value) stack.push_back(out.triangle());
   }
@@ -22,7 +24,7 @@ std::vector<Constraint> constrain_hull(Triangulation& t) {
     const Slot slot = t.slots[id];
     if (!slot.is_ghost()) continue;
     const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
-    if (slot.n[corner].constrained()) continue;
+    if (slot.n[corner].constrained() || (fresh.size() == 1 && mutated("hull_edge_not_constrained"))) continue;
     t.constrain(EdgeRef(id, corner));
     fresh.push_back({slot.to(corner), slot.from(corner)});
   }
@@ -68,7 +70,8 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules) {
     else
       inside = id;
   }
-  for (const Point hole : rules.holes) stack.push_back(locate(t, hole, inside));
+  for (const Point hole : rules.holes)
+    if (!mutated("hole_not_carved")) stack.push_back(locate(t, hole, inside));
   flood(t, stack, label, removed);
   for (std::size_t r = 0; r < rules.region_seeds.size(); ++r) {
     const TriangleId seed = locate(t, rules.region_seeds[r], inside);

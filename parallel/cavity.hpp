@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "triangulation.hpp"
 
 namespace pardel {
@@ -108,8 +109,9 @@ class Cavity {
       const Slot& slot = t.slots[inner.triangle()];
       const EdgeRef outer = slot.n[inner.side()];
       touches_constraint_ = touches_constraint_ || outer.constrained();
-      const Reach r = outer.constrained() ? Reach::outside : reach(outer.triangle(), outer.side());
-      if (r == Reach::outside) {
+      const bool stops = outer.constrained() && (outer.none() || !mutated("cavity_crosses_constraints"));
+      const Reach r = stops ? Reach::outside : reach(outer.triangle(), outer.side());
+      if (r == Reach::outside || (triangle_count_ == 4 && mutated("cavity_cut_short"))) {
         boundary_[boundary_count_++] = {slot.from(inner.side()), inner, outer};
       } else if (r == Reach::inside) {
         add(outer.triangle());
@@ -156,20 +158,21 @@ void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const All
     const auto [from, inner, outer] = boundary[i];
     const TriangleId here = fan[i], before = fan[i > 0 ? i - 1 : n - 1];
     t.slots[here] = {{p, from, to}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
-    if (!outer.none()) t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
+    if (!outer.none() && !mutated("neighbour_link_dropped"))
+      t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
     after = here;
     to = from;
   }
   if (cavity.open()) {
     t.slots[fan[0]].n[2] = EdgeRef();
     t.slots[fan[n - 1]].n[1] = EdgeRef();
-  } else if (cavity.splits_edge()) {
+  } else if (cavity.splits_edge() && !mutated("halves_of_a_split_not_constrained")) {
     t.constrain(EdgeRef(fan[0], 2));
     t.constrain(EdgeRef(fan[cavity.left_count()], 2));
   }
   if (!t.region.empty()) {
     const Index left = t.region[cavity.triangles().front()], right = t.region[cavity.triangles().back()];
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n && !mutated("new_triangles_in_stale_regions"); ++i)
       t.region[fan[i]] = !cavity.splits_edge() || i < cavity.left_count() ? left : right;
   }
 }

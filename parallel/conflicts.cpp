@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 
+#include "../core/mutants.hpp"
 #include "expansion.hpp"
 #include "lexicographic.hpp"
 #include "predicates.hpp"
@@ -58,7 +59,8 @@ class Search {
     bool go_on = true;
     if (c_side == 0 && d_side == 0) {
       const Stretch common = common_stretch(points_[a], points_[b], points_[c], points_[d]);
-      if (before(common.begin, common.end)) go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
+      if (before(common.begin, common.end) && !mutated("overlaps_overlooked"))
+        go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
     }
     if (c_side == 0) go_on &= put_on(c, s);
     if (d_side == 0) go_on &= put_on(d, s);

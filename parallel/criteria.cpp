@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../core/mutants.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -20,9 +21,10 @@ double squared(double x) { return x * x; }
 Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
                    std::function<double(Point)> area_cap)
     : squared_sine_(squared(std::sin(radians(goal.min_angle_deg))) / stricter),
-      squared_lens_cosine_(
-          goal.conforming ? 0 : squared(std::cos(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
-      twice_max_area_(2 * goal.max_area * stricter),
+      squared_lens_cosine_(goal.conforming && !mutated("conforming_ignored")
+                               ? 0
+                               : squared(std::cos(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
+      twice_max_area_(2 * goal.max_area * (mutated("area_bound_loosened") ? 1.01 : stricter)),
       squared_max_edge_(squared(goal.max_edge) * stricter),
       off_centre_height_(0),
       twice_region_cap_(std::move(region_caps)),
@@ -37,14 +39,16 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
     // The hair to spare is for rounding alone: at 0.95, Triangle's choice, meshes at 30 degrees get 2 % larger.
     constexpr double to_spare = 0.999;
     off_centre_height_ = to_spare * 0.5 * std::sqrt((1 + c) / (1 - c));
+    if (mutated("off_centre_too_far")) off_centre_height_ *= 1.25;
   }
 }
 
 bool Criteria::too_large_locally(const Shape& s, Index region) const {
-  if (region < twice_region_cap_.size() && s.twice_area > twice_region_cap_[region]) return true;
+  if (region < twice_region_cap_.size() && s.twice_area > twice_region_cap_[region] && !mutated("region_cap_ignored"))
+    return true;
   const double longest = s.longest_squared();
-  if (longest > squared_max_edge_) return true;
-  if (size_ && longest > squared(size_(s.centroid())) * stricter) return true;
+  if (longest > squared_max_edge_ && !mutated("max_edge_ignored")) return true;
+  if (size_ && longest > squared(size_(s.centroid())) * stricter && !mutated("sizing_function_ignored")) return true;
   return area_cap_ && s.twice_area > 2 * area_cap_(s.centroid()) * stricter;
 }
 
@@ -59,11 +63,12 @@ Point Criteria::split_point(const Shape& s) const {
   if (off_centre_height_ > 0) {
     const double offx = 0.5 * rx - off_centre_height_ * ry;
     const double offy = 0.5 * ry + off_centre_height_ * rx;
-    if (offx * offx + offy * offy < dx * dx + dy * dy) {
+    if (offx * offx + offy * offy < dx * dx + dy * dy || mutated("off_centre_beyond_the_circumcentre")) {
       dx = offx;
       dy = offy;
     }
   }
+  if (mutated("split_point_on_the_wrong_side")) return {snapped(q.x - dx), snapped(q.y - dy)};
   return {snapped(q.x + dx), snapped(q.y + dy)};
 }
 

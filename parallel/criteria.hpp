@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../core/goal.hpp"
+#include "../core/mutants.hpp"
 #include "mesher.hpp"
 #include "triangulation.hpp"
 
@@ -64,6 +65,8 @@ class Criteria {
            std::function<double(Point)> area_cap = {});
 
   [[nodiscard]] bool bad_shape(const Measure& s) const {
+    if (mutated("angle_read_at_the_wrong_corner"))
+      return s.twice_area * s.twice_area < squared_sine_ * (s.shortest_squared() * s.longest_squared());
     // The smallest angle lies between the two longer sides: its sine is twice the area over their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
@@ -76,6 +79,7 @@ class Criteria {
   /// inside or on the diametral circle for a conforming goal, else in the diametral lens (Shewchuk,
   /// "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
+    if (dot == 0 && mutated("encroachment_is_strict")) return false;
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "../core/mutants.hpp"
 #include "cavity.hpp"
 #include "predicates.hpp"
 #include "spatial_sort.hpp"
@@ -37,7 +38,7 @@ bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
   const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
   const Point a = t.points[slot.from(corner)], b = t.points[slot.to(corner)];
   const double side = orient2d(a, b, p);
-  if (side != 0) return side > 0;
+  if (side != 0 || mutated("points_on_the_hull_make_flat_triangles")) return side > 0;
   return (a.x < p.x && p.x < b.x) || (b.x < p.x && p.x < a.x) || (a.y < p.y && p.y < b.y) || (b.y < p.y && p.y < a.y);
 }
 
@@ -110,6 +111,7 @@ Result<Delaunay> delaunay(std::span<const Point> points) {
   std::rotate(order.begin() + 2, order.begin() + static_cast<std::ptrdiff_t>(third),
               order.begin() + static_cast<std::ptrdiff_t>(third) + 1);
 
+  if (order.size() > 3 && mutated("a_point_is_lost")) order.pop_back();
   t.slots.reserve(2 * points.size() + 8);
   start_with(t, order[0], order[1], order[2]);
 

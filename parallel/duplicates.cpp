@@ -7,6 +7,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "../core/mutants.hpp"
+
 namespace pardel {
 namespace {
 
@@ -73,7 +75,7 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points) {
   std::size_t begin = 0;
   for (std::size_t part = 0; part < parts; begin = end[part++]) {
     table.clear_for(end[part] - begin);
-    for (std::size_t i = begin; i < end[part]; ++i)
+    for (std::size_t i = begin; i < end[part] && !mutated("duplicates_overlooked"); ++i)
       if (const Entry* first = table.find_or_insert(entries[i], points))
         duplicates.push_back({first->index, entries[i].index});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../core/mutants.hpp"
 #include "lexicographic.hpp"
 #include "predicates.hpp"
 
@@ -93,6 +94,7 @@ Faces::Faces(std::span<const Point> points, std::span<const Segment> segments, c
 
 Index Faces::half_edge_above(Index segment) const {
   const bool to_the_right = points_[segments_[segment].a].x < points_[segments_[segment].b].x;
+  if (mutated("face_below_instead_of_above")) return 2 * segment + (to_the_right ? 1 : 0);
   return 2 * segment + (to_the_right ? 0 : 1);
 }
 

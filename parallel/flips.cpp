@@ -1,5 +1,6 @@
 #include "flips.hpp"
 
+#include "../core/mutants.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -42,8 +43,9 @@ void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vect
     if (t.slot(across).is_ghost() || locally_delaunay(t, e)) continue;
     flip(t, e);
     const TriangleId l = e.triangle(), r = across.triangle();
-    suspects.insert(suspects.end(), {EdgeRef(l, 0), EdgeRef(l, 2), EdgeRef(r, 0), EdgeRef(r, 2)});
     changed.insert(changed.end(), {l, r});
+    if (mutated("flips_do_not_spread")) continue;
+    suspects.insert(suspects.end(), {EdgeRef(l, 0), EdgeRef(l, 2), EdgeRef(r, 0), EdgeRef(r, 2)});
   }
 }
 

@@ -6,8 +6,6 @@
 namespace pardel {
 namespace {
 
-/// The final triangles of one tile fit the second-level cache together with their vertices.
-constexpr double triangles_per_tile = 16'000;
 /// From one lattice to the next finer one, the side of a cell shrinks by this factor.
 constexpr Index levels_apart = 4;
 
@@ -17,7 +15,7 @@ Lattice finest_lattice(const Box& bounds, double estimate, const Options& option
   if (options.decomposition == Decomposition::none) return {bounds, 1, 1};
   if (options.cells[0] > 0 && options.cells[1] > 0) return {bounds, options.cells[0], options.cells[1]};
   const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
-  const double tiles = std::max(1.0, estimate / triangles_per_tile);
+  const double tiles = std::max(1.0, estimate / options.triangles_per_tile);
   const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
   constexpr double most_along = 4096;
   return Lattice::over(bounds, static_cast<Index>(std::clamp(std::sqrt(tiles * longer / shorter), 1.0, most_along)));

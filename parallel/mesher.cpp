@@ -39,6 +39,7 @@ Status check_goal(const Goal& goal, const Options& options) {
   if (!(goal.max_edge > 0)) return refuse("the longest edge must be positive", goal.max_edge);
   if (!(options.min_edge >= 0 && options.min_edge < INFINITY))
     return refuse("the shortest edge must be zero or positive", options.min_edge);
+  if (options.triangles_per_tile == 0) return refuse("the triangles of a tile must be positive", 0);
   return Done{};
 }
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "../core/mutants.hpp"
 #include "../core/pslg.hpp"
 
 namespace pardel {
@@ -36,6 +37,7 @@ namespace exact {
   // 3 + 16 eps of Shewchuk's ccwerrboundA, on |left| + |right| whatever their signs.
   constexpr double bound = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
   if (std::abs(det) > bound * (std::abs(left) + std::abs(right))) return det;
+  if (mutated("orient2d_trusts_its_filter")) return det;
   return exact::orient2d(a, b, c);
 }
 
@@ -56,7 +58,9 @@ namespace exact {
   // By Cauchy and Schwarz |bc1| + |bc2| <= (blift + clift) / 2, so this sum is no smaller, and cheaper.
   const double permanent = alift * blift + blift * clift + clift * alift;
   constexpr double bound = 11.0 * 0x1p-53;
+  if (mutated("incircle_sign_flipped")) return -det;
   if (std::abs(det) > bound * permanent) return det;
+  if (mutated("incircle_trusts_its_filter")) return det;
   return exact::incircle(a, b, c, d);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "../core/mutants.hpp"
+
 namespace pardel {
 namespace {
 
@@ -65,6 +67,7 @@ void radix_sort_by_key(std::vector<std::uint64_t>& words) {
 void order_along_curve(std::span<const Point> points, std::span<Index> ids) {
   const Box box = bounding_square(points, ids);
   if (ids.size() <= 16 || !(box.side > 0)) {
+    if (mutated("order_of_the_input_decides")) return;
     std::sort(ids.begin(), ids.end(), [&](Index a, Index b) {
       return points[a].x < points[b].x || (points[a].x == points[b].x && points[a].y < points[b].y);
     });

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "../core/mutants.hpp"
 #include "flips.hpp"
 
 namespace pardel {
@@ -31,7 +32,7 @@ unsigned Judge::encroached_side(TriangleId id, const Slot& slot, const Measure& 
 
 Assessment Judge::assess_beside_constraint(TriangleId id, const Measure& m) const {
   const unsigned side = encroached_side(id, t_.slots[id], m);
-  if (side < 3)
+  if (side < 3 && !mutated("encroached_segments_not_split"))
     return {Assessment::Need::split_edge, side, BucketQueue::urgent, m.longest_squared(), /*left_alone=*/false};
   Assessment result = assess_inside(id, m);
   result.left_alone = result.left_alone || non_delaunay_side(id) < 3;
@@ -166,7 +167,7 @@ void Task::process(Queued triangle) {
 }
 
 Outcome Task::split_edge(EdgeRef e) {
-  const Index line = judge_.line_of(e);
+  const Index line = mutated("split_names_the_wrong_segment") ? 0 : judge_.line_of(e);
   const Point p = judge_.point_on(e);
   if (is_foreign(p)) return Outcome::leaves_box;
   const Outcome outcome = insertion_.split_edge(p, e, line, box_);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "bucket_queue.hpp"
 #include "constraints.hpp"
 #include "criteria.hpp"
@@ -47,7 +48,9 @@ class Judge {
     const bool large = too_large(id, m);
     if (!large && !criteria_.bad_shape(m)) return {};
     const double shortest = m.shortest_squared();
-    if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, t_.slots[id], m))) return {.left_alone = true};
+    const bool by_shape_alone = !large || mutated("exemption_before_size");
+    if (shortest < squared_floor_ || (by_shape_alone && small_angle(t_, lines_, t_.slots[id], m)))
+      return {.left_alone = true};
     return {Assessment::Need::split_triangle, 0, BucketQueue::key(shortest), m.longest_squared(), false};
   }
   /// Breaks the criteria, justified or not.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "../core/pslg.hpp"
 
 namespace pardel {
@@ -54,7 +55,10 @@ class Lattice {
     return clamped((p.y - bounds_.min_y) / height_, rows_) * columns_ +
            clamped((p.x - bounds_.min_x) / width_, columns_);
   }
-  [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
+  [[nodiscard]] unsigned colour_of(Index cell) const {
+    if (mutated("colours_by_row_only")) return cell / columns_ % 2 * 2;
+    return (cell / columns_ % 2) * 2 + cell % columns_ % 2;
+  }
   /// What the task of a cell may touch. Boxes at the rim extend to infinity.
   [[nodiscard]] Box box_of(Index cell) const {
     const Index i = cell % columns_, j = cell / columns_;
@@ -63,6 +67,8 @@ class Lattice {
     if (j > 0) box.min_y = bounds_.min_y + (j - 0.5) * height_;
     if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * width_;
     if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * height_;
+    if (mutated("margin_halved") && j + 1 < rows_) box.max_y -= 0.25 * height_;
+    if (mutated("boxes_overlap") && i + 1 < columns_) box.max_x += 0.25 * width_;
     return box;
   }
 

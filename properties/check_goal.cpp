@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../core/mutants.hpp"
 #include "exact.hpp"
 #include "justified.hpp"
 #include "measure.hpp"
@@ -51,7 +52,7 @@ class GoalJudge {
       justified.push_back(*reason);
       return;
     }
-    if (!found.wants(ViolationKind::small_angle)) return;
+    if (mutated("checker_justifies_everything") || !found.wants(ViolationKind::small_angle)) return;
     const Point a = p[next(sharp)], b = p[previous(sharp)];
     found.keep({ViolationKind::small_angle,
                 ids(t),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "../core/mutants.hpp"
 #include "check.hpp"
 #include "exact.hpp"
 
@@ -77,7 +78,7 @@ Domain::Domain(const Pslg& pslg, bool convex_hull)
   double largest = 0;
   for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   ulp_ = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-  tolerance_ = chain_ulps * ulp_;
+  tolerance_ = (mutated("chain_tolerance_a_thousand_times_too_large") ? 1000 : 1) * chain_ulps * ulp_;
 }
 
 bool Domain::has_point(Index point) const {

@@ -6,6 +6,7 @@
 
 #include <sstream>
 
+#include "../core/mutants.hpp"
 #include "text.hpp"
 
 namespace pardel::exactly {
@@ -89,8 +90,11 @@ bool cosine_exceeds(Point corner, Point a, Point b, double bound) {
   return decide([=](auto number) {
     const auto product = dot(corner, a, corner, b, number);
     const auto c = number(bound);
+    const auto limit = c * c * squared_length(corner, a, number) * squared_length(corner, b, number);
+    if (mutated("angles_compared_the_wrong_way")) return product * CGAL::abs(product) < limit;
+    if (mutated("obtuse_angles_squared_away")) return product * product > limit;
     // With both sides positive squares may be compared; product * |product| keeps the sign of an obtuse angle.
-    return product * CGAL::abs(product) > c * c * squared_length(corner, a, number) * squared_length(corner, b, number);
+    return product * CGAL::abs(product) > limit;
   });
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "check.hpp"
 
 namespace pardel {
@@ -21,7 +22,10 @@ class Findings {
   explicit Findings(std::size_t limit) : limit_(limit) {}
 
   /// Counts a violation and says whether its story is still wanted; then keep() follows.
-  [[nodiscard]] bool wants(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
+  [[nodiscard]] bool wants(ViolationKind kind) {
+    if (mutants_are_compiled_in && mutated("checker_overlooks_", name(kind))) return false;
+    return counts_[index(kind)]++ < limit_;
+  }
   void keep(Violation violation) { kept_.push_back(std::move(violation)); }
 
   /// For rare violations: counts, and keeps within the limit.

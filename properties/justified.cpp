@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../core/mutants.hpp"
 #include "exact.hpp"
 #include "measure.hpp"
 
@@ -26,7 +27,8 @@ class Judge {
   /// Corner k is an input vertex with pieces of segments on both its edges.
   [[nodiscard]] std::optional<Justified> nestled(int k) const {
     const Index apex = inputs_.input(triangle_.v[k]);
-    if (apex == no_index || !chains_.has(t_, next(k)) || !chains_.has(t_, previous(k))) return std::nullopt;
+    const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
+    if (apex == no_index || !(between_segments || mutated("nestled_at_any_input_vertex"))) return std::nullopt;
     // The edges along corner k: edge previous(k) runs to v[next(k)], edge next(k) to v[previous(k)].
     return justified(apex, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
   }
@@ -66,10 +68,14 @@ class Judge {
       const Point far_s = subject_.pslg.points[other_end(first, apex)];
       const Point far_r = subject_.pslg.points[other_end(second, apex)];
       constexpr double cosine_of_60_degrees = 0.5;
-      if (!exactly::cosine_exceeds(centre, far_s, far_r, cosine_of_60_degrees)) continue;
+      if (!exactly::cosine_exceeds(centre, far_s, far_r, cosine_of_60_degrees) &&
+          !mutated("checker_excuses_large_angles"))
+        continue;
       const double to_p = distance(centre, subject_.mesh.points[p]);
       const double to_q = distance(centre, subject_.mesh.points[q]);
-      if (std::abs(to_p - to_q) > shell_tolerance * std::max(to_p, to_q) + shell_ulps * domain_.ulp()) continue;
+      if (std::abs(to_p - to_q) > shell_tolerance * std::max(to_p, to_q) + shell_ulps * domain_.ulp() &&
+          !mutated("checker_excuses_unlike_shells"))
+        continue;
       return justified(apex, angle_deg(centre, far_s, far_r));
     }
     return std::nullopt;

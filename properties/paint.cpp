@@ -1,5 +1,7 @@
 #include "paint.hpp"
 
+#include "../core/mutants.hpp"
+
 namespace pardel {
 
 std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains) {
@@ -20,7 +22,7 @@ std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency,
     stack.pop_back();
     for (int i = 0; i < 3; ++i) {
       const Index n = triangles[t].n[i];
-      if (n != no_index && !chains.has(t, i)) paint(n, face[t]);
+      if (n != no_index && (!chains.has(t, i) || mutated("regions_painted_across_segments"))) paint(n, face[t]);
     }
   }
   return face;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../core/mutants.hpp"
 #include "exact.hpp"
 
 namespace pardel {
@@ -34,7 +35,7 @@ PlanarFaces::PlanarFaces(std::span<const Point> points, std::span<const Segment>
     : points_(points), segments_(segments), below_(points, segments) {
   sort_around_vertices();
   walk_cycles();
-  nest_components();
+  if (!mutated("islands_not_nested")) nest_components();
 }
 
 void PlanarFaces::sort_around_vertices() {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "exact.hpp"
 
 namespace pardel {
@@ -52,7 +53,7 @@ Index SegmentsBelow::directly_below(Point p) const {
   tree_.visit(spans, [&](Index segment) {
     const Ends line = ends(segment);
     if (exactly::orientation(line.left, line.right, p) <= 0) return;
-    if (best != no_index && !is_above(segment, best)) return;
+    if (best != no_index && is_above(segment, best) == mutated("lowest_segment_instead_of_highest")) return;
     best = segment;
     floor = tree_.box(segment).min_y;
   });

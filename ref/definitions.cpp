@@ -23,6 +23,47 @@ bool blocks(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p, const
   return true;  // a common piece
 }
 
+/// Does the wall's line have points on both its sides?
+bool separates(const Kernel::Segment_2& wall, const std::array<ExactPoint, 4>& points) {
+  bool left = false, right = false;
+  for (const ExactPoint& p : points) {
+    const auto side = CGAL::orientation(wall.source(), wall.target(), p);
+    left |= side == CGAL::LEFT_TURN;
+    right |= side == CGAL::RIGHT_TURN;
+  }
+  return left && right;
+}
+
+/// Do two triangles without a common vertex, with one, or with two meet in nothing, that vertex or that edge only?
+/// Each is positively oriented.
+bool meet_as_in_a_mesh(const PlainMesh& mesh, const Corners& t, const Corners& u) {
+  const auto shape = [&](const Corners& c) {
+    return Kernel::Triangle_2(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+  };
+  std::vector<int> common;  // corners of t
+  for (int i = 0; i < 3; ++i)
+    if (is_corner(u, t[i])) common.push_back(i);
+  if (common.empty()) return !CGAL::do_intersect(shape(t), shape(u));
+  if (common.size() == 3) return false;
+  // With one: were there a second common point, then the ray to it from the common vertex would leave one of the
+  // triangles first, by the edge opposite that vertex and still within the other triangle.
+  const auto opposite_edge_meets = [&](const Corners& of, const Corners& other) {
+    for (int i = 0; i < 3; ++i)
+      if (of[i] == t[common[0]]) {
+        const Kernel::Segment_2 opposite(corner(mesh, of, i + 1), corner(mesh, of, i + 2));
+        return CGAL::do_intersect(opposite, shape(other));
+      }
+    return false;
+  };
+  if (common.size() == 1) return !opposite_edge_meets(t, u) && !opposite_edge_meets(u, t);
+  // With two: they run through the common edge in opposite directions, and so lie on opposite sides.
+  const int apex = 3 - common[0] - common[1];
+  const Index a = t[(apex + 1) % 3], b = t[(apex + 2) % 3];
+  for (int i = 0; i < 3; ++i)
+    if (u[i] == b && u[(i + 1) % 3] == a) return true;
+  return false;
+}
+
 }  // namespace
 
 Edge edge(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
@@ -54,12 +95,12 @@ bool circumdisk_contains(const PlainMesh& mesh, const Corners& t, const ExactPoi
 
 bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t) {
   const ExactPoint a = corner(mesh, t, 0), b = corner(mesh, t, 1), c = corner(mesh, t, 2);
-  // Only a constraint that meets the convex hull of p and t can be in the way.
+  // Only a constraint that meets the convex hull of p and t can be in the way, and that has some of it on either side.
   const CGAL::Bbox_2 around = p.bbox() + a.bbox() + b.bbox() + c.bbox();
   std::vector<Kernel::Segment_2> walls;
   for (const Edge& e : mesh.constraints) {
     const Kernel::Segment_2 wall(mesh.points[e[0]], mesh.points[e[1]]);
-    if (CGAL::do_overlap(wall.bbox(), around)) walls.push_back(wall);
+    if (CGAL::do_overlap(wall.bbox(), around) && separates(wall, {p, a, b, c})) walls.push_back(wall);
   }
   if (walls.empty()) return true;
   // What p sees changes only where a ray from p passes an end of a wall, so t's edges are cut by all those
@@ -110,29 +151,12 @@ bool is_constrained_delaunay(const PlainMesh& mesh) {
 }
 
 bool is_conformal(const PlainMesh& mesh) {
-  const auto shape = [&](const Corners& t) {
-    return Kernel::Triangle_2(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
-  };
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Corners& t = mesh.triangles[i];
-    if (shape(t).orientation() != CGAL::COUNTERCLOCKWISE) return false;
-    for (std::size_t j = 0; j < i; ++j) {
-      const Corners& u = mesh.triangles[j];
-      const auto common = CGAL::intersection(shape(t), shape(u));
-      if (!common) continue;
-      const auto shared = std::count_if(t.begin(), t.end(), [&](Index v) { return is_corner(u, v); });
-      if (boost::get<ExactPoint>(&*common)) {
-        if (shared != 1) return false;
-      } else if (const auto* piece = boost::get<Kernel::Segment_2>(&*common)) {
-        if (shared != 2) return false;
-        std::vector<ExactPoint> ends;
-        for (Index v : t)
-          if (is_corner(u, v)) ends.push_back(mesh.points[v]);
-        if (CGAL::squared_distance(ends[0], ends[1]) != piece->squared_length()) return false;
-      } else {
-        return false;  // they overlap
-      }
-    }
+  std::vector<CGAL::Bbox_2> boxes;
+  for (const Corners& t : mesh.triangles) {
+    if (!CGAL::left_turn(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2))) return false;
+    boxes.push_back(corner(mesh, t, 0).bbox() + corner(mesh, t, 1).bbox() + corner(mesh, t, 2).bbox());
+    for (std::size_t j = 0; j + 1 < boxes.size(); ++j)
+      if (CGAL::do_overlap(boxes[j], boxes.back()) && !meet_as_in_a_mesh(mesh, t, mesh.triangles[j])) return false;
   }
   return true;
 }

@@ -16,7 +16,9 @@ PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoi
     const std::vector<Index> hole = cavity(mesh, points[i]);
     PlainMesh alone = mesh;
     alone.points = result.points;
-    const auto fan = retriangulation(alone, hole, static_cast<Index>(mesh.points.size() + i));
+    const auto vertex = static_cast<Index>(mesh.points.size() + i);
+    const auto fan = retriangulation(alone, hole, vertex);
+    if (const auto split = constraint_through(mesh, points[i])) split_constraint(result, *split, vertex);
     deleted.insert(hole.begin(), hole.end());
     added.insert(added.end(), fan.begin(), fan.end());
   }
@@ -40,6 +42,20 @@ std::set<std::array<ExactPoint, 3>> triangles_as_points(const PlainMesh& mesh) {
 bool closures_are_disjoint(const PlainMesh& mesh, const ExactPoint& p, const ExactPoint& q) {
   const std::set<Index> of_p = closure(mesh, cavity(mesh, p)), of_q = closure(mesh, cavity(mesh, q));
   return std::none_of(of_p.begin(), of_p.end(), [&](Index v) { return of_q.contains(v); });
+}
+
+bool are_independent(const PlainMesh& mesh, const ExactPoint& p, const ExactPoint& q) {
+  const std::vector<Index> of_p = cavity(mesh, p), of_q = cavity(mesh, q);
+  if (std::ranges::any_of(of_p, [&](Index t) { return std::ranges::count(of_q, t) != 0; })) return false;
+
+  const std::vector<Edge> around_q = boundary(mesh, of_q);
+  return std::ranges::none_of(boundary(mesh, of_p), [&](const Edge& e) {
+    const bool is_common = std::ranges::count(around_q, Edge{e[1], e[0]}) != 0;
+    if (!is_common || mesh.constraints.contains(edge(e[0], e[1]))) return false;
+    const ExactPoint &m = mesh.points[e[0]], &n = mesh.points[e[1]];
+    // On the line through m and n, q makes no triangle of them, and p's touches none.
+    return !CGAL::collinear(q, m, n) && CGAL::side_of_bounded_circle(q, m, n, p) == CGAL::ON_BOUNDED_SIDE;
+  });
 }
 
 }  // namespace pardel::ref

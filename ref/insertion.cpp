@@ -23,6 +23,17 @@ std::vector<Corners> retriangulation(const PlainMesh& mesh, const std::vector<In
   return fan;
 }
 
+std::optional<Edge> constraint_through(const PlainMesh& mesh, const ExactPoint& p) {
+  for (const Edge& e : mesh.constraints)
+    if (CGAL::are_strictly_ordered_along_line(mesh.points[e[0]], p, mesh.points[e[1]])) return e;
+  return std::nullopt;
+}
+
+void split_constraint(PlainMesh& mesh, const Edge& e, Index vertex) {
+  mesh.constraints.insert({edge(e[0], vertex), edge(e[1], vertex)});
+  mesh.constraints.erase(Edge(e));
+}
+
 Index insert(PlainMesh& mesh, const ExactPoint& p) {
   const std::vector<Index> hole = cavity(mesh, p);
   const auto vertex = static_cast<Index>(mesh.points.size());
@@ -32,14 +43,7 @@ Index insert(PlainMesh& mesh, const ExactPoint& p) {
   for (auto t = hole.rbegin(); t != hole.rend(); ++t) mesh.triangles.erase(mesh.triangles.begin() + *t);
   mesh.triangles.insert(mesh.triangles.end(), fan.begin(), fan.end());
 
-  const auto split = std::find_if(mesh.constraints.begin(), mesh.constraints.end(), [&](const Edge& e) {
-    return CGAL::are_strictly_ordered_along_line(mesh.points[e[0]], p, mesh.points[e[1]]);
-  });
-  if (split != mesh.constraints.end()) {
-    const Edge old = *split;
-    mesh.constraints.erase(split);
-    mesh.constraints.insert({edge(old[0], vertex), edge(old[1], vertex)});
-  }
+  if (const auto split = constraint_through(mesh, p)) split_constraint(mesh, *split, vertex);
   return vertex;
 }
 

@@ -2,6 +2,7 @@
 // find the cavity, delete its triangles, and connect the point to the cavity's boundary.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "definitions.hpp"
@@ -16,6 +17,12 @@ namespace pardel::ref {
 /// index. An edge that p lies on is skipped: p splits an edge of the hull there.
 [[nodiscard]] std::vector<Corners> retriangulation(const PlainMesh& mesh, const std::vector<Index>& cavity,
                                                    Index vertex);
+
+/// The constrained edge that p lies on, other than at an end.
+[[nodiscard]] std::optional<Edge> constraint_through(const PlainMesh& mesh, const ExactPoint& p);
+
+/// Replaces the constrained edge e by its halves, from its ends to the vertex.
+void split_constraint(PlainMesh& mesh, const Edge& e, Index vertex);
 
 /// Appends p and inserts it; returns its index. p must lie in the mesh and be none of its vertices. A
 /// constrained edge that p lies on is split in two.

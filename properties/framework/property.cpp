@@ -1,5 +1,7 @@
 #include "property.hpp"
 
+#include <rapidcheck/detail/TestListenerAdapter.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int usual_cases = 2'000;
+constexpr std::uint64_t usual_seed = 20040626;
 
 std::string environment(const char* name, std::string otherwise = {}) {
   const char* value = std::getenv(name);
@@ -27,10 +30,12 @@ std::string test_name() {
   return std::string(test->test_suite_name()) + "." + test->name();
 }
 
-rc::detail::TestParams params() {
-  rc::detail::TestParams result = rc::detail::configuration().testParams;
-  if (environment("RC_PARAMS").find("max_success") == std::string::npos) result.maxSuccess = usual_cases;
-  return result;
+/// What RC_PARAMS says; what it leaves open is not as RapidCheck has it (100 cases, another seed each time).
+rc::detail::Configuration configuration() {
+  rc::detail::Configuration usual;
+  usual.testParams.maxSuccess = usual_cases;
+  usual.testParams.seed = usual_seed;
+  return rc::detail::configFromString(environment("RC_PARAMS"), usual);
 }
 
 std::string replay_line(const rc::detail::TestParams& params) {
@@ -46,13 +51,14 @@ void record(const Statement& statement, std::uint64_t cases, const std::map<std:
   const std::string folder = environment("PARDEL_RECORDS");
   if (folder.empty()) return;
   fs::create_directories(folder);
-  std::ofstream(fs::path(folder) / (test_name() + ".json"))
-      << nlohmann::json{{"property", test_name()},      {"statement", statement.statement},
-                        {"source", statement.source},   {"families", statement.families},
-                        {"cases", cases},               {"shares", shares},
-                        {"notes", notes}}
-             .dump(1)
-      << '\n';
+  const nlohmann::json row{{"property", test_name()},
+                           {"statement", statement.statement},
+                           {"source", statement.source},
+                           {"families", statement.families},
+                           {"cases", cases},
+                           {"shares", shares},
+                           {"notes", notes}};
+  std::ofstream(fs::path(folder) / (test_name() + ".json")) << row.dump(1) << '\n';
 }
 
 std::map<std::string, std::uint64_t> shares_of(const rc::detail::Distribution& distribution) {
@@ -103,8 +109,10 @@ void check_property(const Statement& statement, void (*body)(Exhibit&)) {
       throw;
     }
   };
-  const rc::detail::TestParams wanted = params();
-  const rc::detail::TestResult result = rc::detail::checkTestable(one_case, metadata, wanted);
+  const rc::detail::Configuration wanted = configuration();
+  rc::detail::TestListenerAdapter silent;
+  const rc::detail::TestResult result =
+      rc::detail::checkTestable(one_case, metadata, wanted.testParams, silent, wanted.reproduce);
 
   if (result.is<rc::detail::SuccessResult>()) {
     const auto& success = result.get<rc::detail::SuccessResult>();
@@ -120,7 +128,7 @@ void check_property(const Statement& statement, void (*body)(Exhibit&)) {
     story << '\n' << smallest.write((folder / test_name()).string());
   }
   FAIL() << statement.statement << "\n  (" << statement.source << ")\n\n"
-         << story.str() << "\nReplay: " << replay_line(wanted) << '\n';
+         << story.str() << "\nReplay: " << replay_line(wanted.testParams) << '\n';
 }
 
 void check_fact(const Statement& statement, void (*body)(Facts&)) {

@@ -10,8 +10,8 @@
 //     RC_ASSERT(...);
 //   }
 //
-// 2,000 cases, or what RC_PARAMS says (max_success=100000 seed=7). A failure prints the seed and the line that
-// replays it and writes the shrunk case as SUITE.NAME.poly and .svg to the folder PARDEL_FAILURES (default:
+// 2,000 cases from a fixed seed, or what RC_PARAMS says (max_success=100000 seed=7). A failure prints the seed and the
+// line that replays it and writes the shrunk case as SUITE.NAME.poly and .svg to the folder PARDEL_FAILURES (default:
 // property-failures). With PARDEL_RECORDS set, every property leaves SUITE.NAME.json there, for the catalogue.
 #pragma once
 

@@ -21,9 +21,7 @@ class Random {
   /// In [0, n); n > 0.
   std::size_t below(std::size_t n) { return next() % n; }
   /// In [low, high].
-  int between(int low, int high) {
-    return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1));
-  }
+  int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1)); }
   bool chance(int one_in) { return below(static_cast<std::size_t>(one_in)) == 0; }
   template <class T>
   const T& one_of(const std::vector<T>& values) {

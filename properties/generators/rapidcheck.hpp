@@ -3,6 +3,8 @@
 
 #include <rapidcheck.h>
 
+#include "goals.hpp"
+#include "lattice_domain.hpp"
 #include "random.hpp"
 
 namespace pardel::generators {
@@ -15,9 +17,20 @@ template <class Make, class Shrinks>
   return rc::Gen<Value>([make, shrinks](const rc::Random& random, int size) {
     rc::Random source = random;
     Random mine(source.next());
-    return rc::shrinkable::shrinkRecur(make(mine, size),
-                                       [shrinks](const Value& value) { return rc::seq::fromContainer(shrinks(value)); });
+    return rc::shrinkable::shrinkRecur(
+        make(mine, size), [shrinks](const Value& value) { return rc::seq::fromContainer(shrinks(value)); });
   });
 }
+
+inline constexpr auto shrinks_of = [](const auto& value) { return shrinks(value); };
+
+/// Valid domains of all families, evenly.
+[[nodiscard]] inline auto domains() { return generator(any_domain, shrinks_of); }
+/// Valid domains with this family's trait; shrinking may lose it.
+[[nodiscard]] inline auto domains(Family family) {
+  return generator([family](Random& random, int size) { return generate(family, random, size); }, shrinks_of);
+}
+/// Domains of all families with goals.
+[[nodiscard]] inline auto cases() { return generator(any_case, shrinks_of); }
 
 }  // namespace pardel::generators

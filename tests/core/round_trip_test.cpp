@@ -1,7 +1,4 @@
 // What is written reads back as the same value, for values of every shape.
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +8,7 @@
 #include "../../core/formats.hpp"
 #include "../../core/mesh_readers.hpp"
 #include "../../core/neighbours.hpp"
+#include "../../properties/framework/property.hpp"
 #include "folder.hpp"
 
 namespace pardel {
@@ -91,7 +89,10 @@ Mesh read_back(const Folder& folder, const char* name) {
   return *read;
 }
 
-RC_GTEST_PROP(RoundTrip, of_a_pslg_through_a_poly_changes_nothing, ()) {
+PARDEL_PROPERTY(RoundTrip, of_a_pslg_through_a_poly_changes_nothing,
+                {.statement = "a domain written as .poly reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
   const Folder folder;
   const Pslg pslg = any_pslg();
   RC_ASSERT(write_poly(pslg, folder / "p.poly", either() ? 1 : 0).ok());
@@ -100,7 +101,10 @@ RC_GTEST_PROP(RoundTrip, of_a_pslg_through_a_poly_changes_nothing, ()) {
   RC_ASSERT(*read == pslg);
 }
 
-RC_GTEST_PROP(RoundTrip, of_a_mesh_through_triangles_files_changes_nothing, ()) {
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_triangles_files_changes_nothing,
+                {.statement = "a mesh written as .node, .ele, .edge, .neigh reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
   const Folder folder;
   const Mesh mesh = any_mesh();
   TriangleFiles files;
@@ -111,14 +115,20 @@ RC_GTEST_PROP(RoundTrip, of_a_mesh_through_triangles_files_changes_nothing, ()) 
   RC_ASSERT(read_back(folder, "m.ele") == mesh);
 }
 
-RC_GTEST_PROP(RoundTrip, of_a_mesh_through_vtu_changes_nothing, ()) {
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_vtu_changes_nothing,
+                {.statement = "a mesh written as .vtu reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
   const Folder folder;
   const Mesh mesh = any_mesh();
   RC_ASSERT(write_vtu(mesh, folder / "m.vtu").ok());
   RC_ASSERT(read_back(folder, "m.vtu") == mesh);
 }
 
-RC_GTEST_PROP(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest, ()) {
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest,
+                {.statement = "a mesh written as .msh reads back with the same points, regions and digest",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
   const Folder folder;
   const Mesh mesh = any_mesh();
   RC_ASSERT(write_msh(mesh, folder / "m.msh", either() ? MshEncoding::ascii : MshEncoding::binary).ok());
@@ -129,7 +139,10 @@ RC_GTEST_PROP(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest, 
   RC_ASSERT(digest(read) == digest(mesh));
 }
 
-RC_GTEST_PROP(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles, ()) {
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles,
+                {.statement = "a mesh written as .off reads back with the same points and triangles",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
   const Folder folder;
   const Mesh mesh = any_mesh();
   RC_ASSERT(write_off(mesh, folder / "m.off").ok());
@@ -139,7 +152,10 @@ RC_GTEST_PROP(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles, (
 }
 
 /// Bytes of a good file with a few of them changed: reading them ends with a value or an error, never otherwise.
-RC_GTEST_PROP(Readers, never_fail_but_by_an_error, ()) {
+PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
+                {.statement = "a file with some bytes changed reads as a value or gives an error with a message",
+                 .source = "core/formats.hpp",
+                 .families = "files of four formats"}) {
   const Folder folder;
   const Mesh mesh = any_mesh();
   const char* names[] = {"m.vtu", "m.off", "m.ele", "m.msh"};

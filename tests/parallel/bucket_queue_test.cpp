@@ -1,10 +1,9 @@
 #include "../../parallel/bucket_queue.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck.h>
-
 #include <cmath>
 #include <map>
+
+#include "../../properties/framework/property.hpp"
 
 namespace pardel {
 namespace {
@@ -26,26 +25,28 @@ class Model {
   std::map<unsigned, std::vector<TriangleId>> stacks_;
 };
 
-TEST(BucketQueue, behaves_like_a_map_of_stacks) {
-  EXPECT_TRUE(rc::check([](const std::vector<bool>& pops) {
-    BucketQueue queue;
-    Model model;
-    TriangleId id = 0;
-    const auto any_key = rc::gen::oneOf(rc::gen::inRange(0U, 4U), rc::gen::inRange(4000U, 4200U),
-                                        rc::gen::inRange(0U, BucketQueue::last + 1));
-    for (const bool pop : pops) {
-      RC_ASSERT(queue.empty() == model.empty());
-      if (pop && !model.empty()) {
-        RC_ASSERT(queue.pop().id == model.pop());
-      } else {
-        const unsigned key = *any_key;
-        queue.push({++id, 0}, key);
-        model.push(id, key);
-      }
+PARDEL_PROPERTY(BucketQueue, behaves_like_a_map_of_stacks,
+                {.statement = "the least key comes first; among equal keys, what was pushed last",
+                 .source = "parallel/bucket_queue.hpp",
+                 .families = "few keys, near keys, all keys"}) {
+  const auto pops = *rc::gen::arbitrary<std::vector<bool>>();
+  BucketQueue queue;
+  Model model;
+  TriangleId id = 0;
+  const auto any_key = rc::gen::oneOf(rc::gen::inRange(0U, 4U), rc::gen::inRange(4000U, 4200U),
+                                      rc::gen::inRange(0U, BucketQueue::last + 1));
+  for (const bool pop : pops) {
+    RC_ASSERT(queue.empty() == model.empty());
+    if (pop && !model.empty()) {
+      RC_ASSERT(queue.pop().id == model.pop());
+    } else {
+      const unsigned key = *any_key;
+      queue.push({++id, 0}, key);
+      model.push(id, key);
     }
-    while (!model.empty()) RC_ASSERT(queue.pop().id == model.pop());
-    RC_ASSERT(queue.empty());
-  }));
+  }
+  while (!model.empty()) RC_ASSERT(queue.pop().id == model.pop());
+  RC_ASSERT(queue.empty());
 }
 
 TEST(BucketQueue, takes_the_first_and_the_last_key) {

@@ -1,12 +1,10 @@
 // Expansions are exact sums: compared with rational arithmetic, term by term in order, none of them zero.
 #include "../../parallel/expansion.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 #include <cstdint>
 
+#include "../../properties/framework/property.hpp"
 #include "predicate_inputs.hpp"
 
 namespace pardel::exact {
@@ -47,7 +45,10 @@ bool is_well_formed(const Expansion<N>& e) {
   return true;
 }
 
-RC_GTEST_PROP(Two, a_sum_loses_nothing, ()) {
+PARDEL_PROPERTY(Two, a_sum_loses_nothing,
+                {.statement = "head + tail = a + b, and head is a + b rounded; the fast sum gives the same",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const double a = *number(), b = *number();
   const Two sum = two_sum(a, b);
   RC_ASSERT(sum.head == a + b);
@@ -57,14 +58,20 @@ RC_GTEST_PROP(Two, a_sum_loses_nothing, ()) {
   RC_ASSERT(fast.tail == sum.tail);
 }
 
-RC_GTEST_PROP(Two, a_difference_loses_nothing, ()) {
+PARDEL_PROPERTY(Two, a_difference_loses_nothing,
+                {.statement = "head + tail = a - b, and head is a - b rounded",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const double a = *number(), b = *number();
   const Two difference = two_difference(a, b);
   RC_ASSERT(difference.head == a - b);
   RC_ASSERT(Gmpq(difference.head) + Gmpq(difference.tail) == Gmpq(a) - Gmpq(b));
 }
 
-RC_GTEST_PROP(Two, a_product_loses_nothing_and_both_ways_to_it_agree, ()) {
+PARDEL_PROPERTY(Two, a_product_loses_nothing_and_both_ways_to_it_agree,
+                {.statement = "head + tail = a b, by splitting and by fused multiplication",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const double a = *number(), b = *number();
   const Two split = two_product_by_splitting(a, b), fused = two_product_by_fma(a, b);
   RC_ASSERT(Gmpq(split.head) + Gmpq(split.tail) == Gmpq(a) * Gmpq(b));
@@ -72,7 +79,11 @@ RC_GTEST_PROP(Two, a_product_loses_nothing_and_both_ways_to_it_agree, ()) {
   RC_ASSERT(split.tail == fused.tail);
 }
 
-RC_GTEST_PROP(Expansion, sums_and_differences_are_exact_and_well_formed, ()) {
+PARDEL_PROPERTY(
+    Expansion, sums_and_differences_are_exact_and_well_formed,
+    {.statement = "the terms of e + f and e - f sum to the exact value; none is zero, none overlaps the next",
+     .source = "parallel/expansion.hpp",
+     .families = "doubles of 120 octaves"}) {
   const auto e = *difference() * *difference(), f = *difference() * *difference();
   const auto sum = e + f, difference_of_both = e - f;
   RC_ASSERT(value(sum) == value(e) + value(f));
@@ -81,28 +92,40 @@ RC_GTEST_PROP(Expansion, sums_and_differences_are_exact_and_well_formed, ()) {
   RC_ASSERT(is_well_formed(difference_of_both));
 }
 
-RC_GTEST_PROP(Expansion, scaling_is_exact_and_well_formed, ()) {
+PARDEL_PROPERTY(Expansion, scaling_is_exact_and_well_formed,
+                {.statement = "the terms of e b sum to the exact value; none is zero, none overlaps the next",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const auto e = *difference() + *difference();
   const double b = *number();
   RC_ASSERT(value(e * b) == value(e) * Gmpq(b));
   RC_ASSERT(is_well_formed(e * b));
 }
 
-RC_GTEST_PROP(Expansion, products_are_exact_and_well_formed, ()) {
+PARDEL_PROPERTY(Expansion, products_are_exact_and_well_formed,
+                {.statement = "the terms of e f sum to the exact value; none is zero, none overlaps the next",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const auto e = *difference() + *difference() * *difference();
   const auto f = *difference() * *difference() - *difference();
   RC_ASSERT(value(e * f) == value(e) * value(f));
   RC_ASSERT(is_well_formed(e * f));
 }
 
-RC_GTEST_PROP(Expansion, the_estimate_has_the_sign_and_is_near, ()) {
+PARDEL_PROPERTY(Expansion, the_estimate_has_the_sign_and_is_near,
+                {.statement = "the estimate of an expansion has its sign and is off by at most 1e-15 of it",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const auto e = *difference() * *difference() - *difference() * *difference();
   const Gmpq exact = value(e);
   RC_ASSERT(Gmpq(e.estimate()).sign() == exact.sign());
   RC_ASSERT(CGAL::abs(Gmpq(e.estimate()) - exact) <= CGAL::abs(exact) * Gmpq(1e-15));
 }
 
-RC_GTEST_PROP(Expansion, what_cancels_leaves_no_term, ()) {
+PARDEL_PROPERTY(Expansion, what_cancels_leaves_no_term,
+                {.statement = "e - e has no term, nor has any multiple of it",
+                 .source = "parallel/expansion.hpp",
+                 .families = "doubles of 120 octaves"}) {
   const auto e = *difference() * *difference();
   RC_ASSERT((e - e).size() == 0);
   RC_ASSERT((e - e).estimate() == 0);

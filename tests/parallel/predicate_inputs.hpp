@@ -106,6 +106,8 @@ inline rc::Gen<Four> nudged(const rc::Gen<Four>& generator) {
       generator, rc::gen::inRange<std::size_t>(0, 4), rc::gen::arbitrary<bool>());
 }
 
+inline constexpr const char* hard_families =
+    "lattices, tenths, far offsets, extreme exponents, circles, rectangles, lines, and each nudged by one rounding";
 inline rc::Gen<Four> hard_points() {
   return rc::gen::oneOf(uniform(), small_lattice(), large_lattice(), tenths(), far_offset(), extreme_exponents(),
                         on_a_circle(), rectangle(), on_a_line(), nudged(rectangle()), nudged(on_a_line()),

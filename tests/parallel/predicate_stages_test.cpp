@@ -1,9 +1,7 @@
 // Which stage decides: every stage has an input that it and no earlier one can settle, and is right there.
 #include "../../parallel/predicate_stages.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
+#include "../../properties/framework/property.hpp"
 #include "predicate_inputs.hpp"
 
 namespace pardel::exact {
@@ -49,7 +47,10 @@ TEST(IncircleStages, doubles_settle_a_small_lattice_wherever_it_lies) {
   EXPECT_EQ(decide_incircle({0, 0}, {4096, 0}, {4097, 4096}, {0, 4096}).stage, Stage::exact_differences);
 }
 
-RC_GTEST_PROP(IncircleStages, up_to_4095_units_doubles_make_no_error_at_all, ()) {
+PARDEL_PROPERTY(IncircleStages, up_to_4095_units_doubles_make_no_error_at_all,
+                {.statement = "for differences of at most 4095 units, doubles give the in-circle determinant exactly",
+                 .source = "parallel/predicate_stages.hpp",
+                 .families = "lattice points"}) {
   const auto [p, q, r, unused] = *testing::four(testing::multiple_of(1, 4095), testing::multiple_of(1, 4095));
   const auto lift = [](Point u) { return CGAL::Gmpq(u.x) * CGAL::Gmpq(u.x) + CGAL::Gmpq(u.y) * CGAL::Gmpq(u.y); };
   const auto determinant = CGAL::determinant<CGAL::Gmpq>(p.x, p.y, lift(p), q.x, q.y, lift(q), r.x, r.y, lift(r));
@@ -83,7 +84,11 @@ TEST(IncircleStages, expansions_settle_the_rest) {
   EXPECT_EQ(rectangle.stage, Stage::expansions);
 }
 
-RC_GTEST_PROP(Stages, exact_differences_are_told_from_rounded_ones, ()) {
+PARDEL_PROPERTY(
+    Stages, exact_differences_are_told_from_rounded_ones,
+    {.statement = "a stage for exact differences decides if and only if all coordinate differences are doubles",
+     .source = "parallel/predicate_stages.hpp",
+     .families = testing::hard_families}) {
   const auto [p, q, r, s] = *testing::hard_points();
   const auto is_exact = [](double x, double y) { return CGAL::Gmpq(x) - CGAL::Gmpq(y) == CGAL::Gmpq(x - y); };
   bool exact = true;
@@ -92,7 +97,10 @@ RC_GTEST_PROP(Stages, exact_differences_are_told_from_rounded_ones, ()) {
   RC_ASSERT(exact == (stage == Stage::lattice || stage == Stage::exact_differences));
 }
 
-RC_GTEST_PROP(Stages, the_value_is_near_the_determinant, ()) {
+PARDEL_PROPERTY(Stages, the_value_is_near_the_determinant,
+                {.statement = "the value of orient2d is the determinant up to 1e-15 of it, on a lattice",
+                 .source = "parallel/predicate_stages.hpp",
+                 .families = "a large lattice"}) {
   // Of a lattice, to a rounding; so that it may serve as a magnitude.
   const auto [p, q, r, s] = *testing::large_lattice();
   const CGAL::Gmpq det =

@@ -1,11 +1,9 @@
 // The laws that predicates.hpp states, one test per law.
 #include "../../parallel/predicates.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <limits>
 
+#include "../../properties/framework/property.hpp"
 #include "predicate_inputs.hpp"
 
 namespace pardel {
@@ -15,13 +13,20 @@ using testing::Four;
 using testing::hard_points;
 using testing::sign;
 
-RC_GTEST_PROP(Orient2d, has_the_sign_that_rational_arithmetic_gives, ()) {
+PARDEL_PROPERTY(Orient2d, has_the_sign_that_rational_arithmetic_gives,
+                {.statement = "the sign of orient2d is that of the determinant in rational arithmetic, by the filtered "
+                              "and by the exact path",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, unused] = *hard_points();
   RC_ASSERT(sign(orient2d(a, b, c)) == testing::true_orientation(a, b, c));
   RC_ASSERT(sign(exact::orient2d(a, b, c)) == testing::true_orientation(a, b, c));
 }
 
-RC_GTEST_PROP(Orient2d, flips_its_sign_when_two_points_are_swapped, ()) {
+PARDEL_PROPERTY(Orient2d, flips_its_sign_when_two_points_are_swapped,
+                {.statement = "swapping two points flips the sign of orient2d",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, unused] = *hard_points();
   const int s = sign(orient2d(a, b, c));
   RC_ASSERT(sign(orient2d(b, a, c)) == -s);
@@ -29,18 +34,27 @@ RC_GTEST_PROP(Orient2d, flips_its_sign_when_two_points_are_swapped, ()) {
   RC_ASSERT(sign(orient2d(c, b, a)) == -s);
 }
 
-RC_GTEST_PROP(Orient2d, is_the_same_from_every_corner, ()) {
+PARDEL_PROPERTY(Orient2d, is_the_same_from_every_corner,
+                {.statement = "rotating the three points keeps the sign of orient2d",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, unused] = *hard_points();
   RC_ASSERT(sign(orient2d(a, b, c)) == sign(orient2d(b, c, a)));
   RC_ASSERT(sign(orient2d(a, b, c)) == sign(orient2d(c, a, b)));
 }
 
-RC_GTEST_PROP(Orient2d, is_zero_for_points_on_a_line, ()) {
+PARDEL_PROPERTY(Orient2d, is_zero_for_points_on_a_line,
+                {.statement = "orient2d of three points on a line is exactly zero",
+                 .source = "parallel/predicates.hpp",
+                 .families = "collinear points"}) {
   const auto [a, b, c, unused] = *testing::on_a_line();
   RC_ASSERT(orient2d(a, b, c) == 0);
 }
 
-RC_GTEST_PROP(Orient2d, is_zero_when_two_points_are_equal, ()) {
+PARDEL_PROPERTY(Orient2d, is_zero_when_two_points_are_equal,
+                {.statement = "orient2d is exactly zero when two of its points are equal",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, unused] = *hard_points();
   RC_ASSERT(orient2d(a, a, b) == 0);
   RC_ASSERT(orient2d(a, b, a) == 0);
@@ -60,14 +74,20 @@ TEST(Orient2d, is_positive_for_a_left_turn_and_about_twice_the_area) {
   EXPECT_DOUBLE_EQ(orient2d({0, 0}, {0, 2}, {3, 0}), -6);
 }
 
-RC_GTEST_PROP(Orient2d, does_not_change_when_everything_is_scaled_by_a_power_of_two, ()) {
+PARDEL_PROPERTY(Orient2d, does_not_change_when_everything_is_scaled_by_a_power_of_two,
+                {.statement = "scaling by a power of two keeps the sign of orient2d",
+                 .source = "parallel/predicates.hpp",
+                 .families = "uniform points"}) {
   const auto [a, b, c, unused] = *testing::uniform();
   const int exponent = *rc::gen::inRange(-80, 190);
   const auto scaled_up = [&](Point p) { return Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)}; };
   RC_ASSERT(sign(orient2d(scaled_up(a), scaled_up(b), scaled_up(c))) == sign(orient2d(a, b, c)));
 }
 
-RC_GTEST_PROP(Orient2d, does_not_change_when_a_lattice_is_moved, ()) {
+PARDEL_PROPERTY(Orient2d, does_not_change_when_a_lattice_is_moved,
+                {.statement = "moving lattice points by a lattice vector keeps the value of orient2d",
+                 .source = "parallel/predicates.hpp",
+                 .families = "a small lattice"}) {
   const auto [a, b, c, unused] = *testing::small_lattice();
   const double dx = *testing::multiple_of(1024, 1 << 30);
   const double dy = *testing::multiple_of(1024, 1 << 30);
@@ -75,13 +95,20 @@ RC_GTEST_PROP(Orient2d, does_not_change_when_a_lattice_is_moved, ()) {
   RC_ASSERT(orient2d(moved(a), moved(b), moved(c)) == orient2d(a, b, c));
 }
 
-RC_GTEST_PROP(Incircle, has_the_sign_that_rational_arithmetic_gives, ()) {
+PARDEL_PROPERTY(Incircle, has_the_sign_that_rational_arithmetic_gives,
+                {.statement = "the sign of incircle is that of the determinant in rational arithmetic, by the filtered "
+                              "and by the exact path",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, d] = *hard_points();
   RC_ASSERT(sign(incircle(a, b, c, d)) == testing::true_incircle(a, b, c, d));
   RC_ASSERT(sign(exact::incircle(a, b, c, d)) == testing::true_incircle(a, b, c, d));
 }
 
-RC_GTEST_PROP(Incircle, flips_its_sign_when_two_points_are_swapped, ()) {
+PARDEL_PROPERTY(Incircle, flips_its_sign_when_two_points_are_swapped,
+                {.statement = "swapping any two points flips the sign of incircle",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, d] = *hard_points();
   const int s = sign(incircle(a, b, c, d));
   RC_ASSERT(sign(incircle(b, a, c, d)) == -s);
@@ -92,24 +119,37 @@ RC_GTEST_PROP(Incircle, flips_its_sign_when_two_points_are_swapped, ()) {
   RC_ASSERT(sign(incircle(a, b, d, c)) == -s);
 }
 
-RC_GTEST_PROP(Incircle, is_the_same_from_every_corner, ()) {
+PARDEL_PROPERTY(Incircle, is_the_same_from_every_corner,
+                {.statement = "rotating the first three points keeps the sign of incircle",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, d] = *hard_points();
   RC_ASSERT(sign(incircle(a, b, c, d)) == sign(incircle(b, c, a, d)));
   RC_ASSERT(sign(incircle(a, b, c, d)) == sign(incircle(c, a, b, d)));
 }
 
-RC_GTEST_PROP(Incircle, is_zero_for_the_corners_of_a_rectangle, ()) {
+PARDEL_PROPERTY(Incircle, is_zero_for_the_corners_of_a_rectangle,
+                {.statement = "incircle of the four corners of a rectangle is exactly zero",
+                 .source = "parallel/predicates.hpp",
+                 .families = "rectangles"}) {
   const auto [a, b, c, d] = *testing::rectangle();
   RC_ASSERT(incircle(a, b, c, d) == 0);
 }
 
-RC_GTEST_PROP(Incircle, is_zero_for_points_on_a_line, ()) {
+PARDEL_PROPERTY(
+    Incircle, is_zero_for_points_on_a_line,
+    {.statement = "incircle of four points on a line is exactly zero: a line is the circle through its points",
+     .source = "parallel/predicates.hpp",
+     .families = "collinear points"}) {
   // A line is the circle through all of its points.
   const auto [a, b, c, d] = *testing::on_a_line();
   RC_ASSERT(incircle(a, b, c, d) == 0);
 }
 
-RC_GTEST_PROP(Incircle, is_zero_when_two_points_are_equal, ()) {
+PARDEL_PROPERTY(Incircle, is_zero_when_two_points_are_equal,
+                {.statement = "incircle is exactly zero when two of its points are equal",
+                 .source = "parallel/predicates.hpp",
+                 .families = testing::hard_families}) {
   const auto [a, b, c, d] = *hard_points();
   RC_ASSERT(incircle(a, b, c, a) == 0);
   RC_ASSERT(incircle(a, b, c, b) == 0);
@@ -132,14 +172,20 @@ TEST(Incircle, is_positive_inside_and_negative_outside) {
   EXPECT_LT(incircle(a, b, c, {2.1, 2}), 0);
 }
 
-RC_GTEST_PROP(Incircle, does_not_change_when_everything_is_scaled_by_a_power_of_two, ()) {
+PARDEL_PROPERTY(Incircle, does_not_change_when_everything_is_scaled_by_a_power_of_two,
+                {.statement = "scaling by a power of two keeps the sign of incircle",
+                 .source = "parallel/predicates.hpp",
+                 .families = "uniform points"}) {
   const auto [a, b, c, d] = *testing::uniform();
   const int exponent = *rc::gen::inRange(-80, 190);
   const auto scaled_up = [&](Point p) { return Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)}; };
   RC_ASSERT(sign(incircle(scaled_up(a), scaled_up(b), scaled_up(c), scaled_up(d))) == sign(incircle(a, b, c, d)));
 }
 
-RC_GTEST_PROP(Incircle, does_not_change_when_a_lattice_is_moved, ()) {
+PARDEL_PROPERTY(Incircle, does_not_change_when_a_lattice_is_moved,
+                {.statement = "moving lattice points by a lattice vector keeps the value of incircle",
+                 .source = "parallel/predicates.hpp",
+                 .families = "a small lattice"}) {
   const auto [a, b, c, d] = *testing::small_lattice();
   const double dx = *testing::multiple_of(1024, 1 << 30);
   const double dy = *testing::multiple_of(1024, 1 << 30);

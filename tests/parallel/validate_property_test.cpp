@@ -1,9 +1,6 @@
 // Conflicts, faces and repair on random messes of segments, against exact constructions and against their own laws.
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/intersections.h>
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +13,16 @@
 #include "../../parallel/faces.hpp"
 #include "../../parallel/segment_index.hpp"
 #include "../../parallel/validate.hpp"
+#include "../../properties/framework/property.hpp"
 #include "messes.hpp"
 
 namespace pardel {
 namespace {
 
-using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
+using properties::Exhibit;
+using K = CGAL::Exact_predicates_exact_constructions_kernel;
 
-K::Point_2 exact(Point p) { return {CGAL::Gmpq(p.x), CGAL::Gmpq(p.y)}; }
+K::Point_2 exact(Point p) { return {p.x, p.y}; }
 K::Segment_2 exact(const Pslg& pslg, Index s) {
   return {exact(pslg.points[pslg.segments[s].a]), exact(pslg.points[pslg.segments[s].b])};
 }
@@ -52,6 +51,14 @@ std::vector<Conflict> conflicts_by_definition(const Pslg& pslg) {
   return conflicts;
 }
 
+constexpr const char* messes = "segments that cross, overlap and touch, on four lattices";
+
+Pslg some_mess(Exhibit& exhibit) {
+  Pslg pslg = *testing::mess();
+  exhibit.show(pslg);
+  return pslg;
+}
+
 std::vector<Index> points_of_no_segment(const Pslg& pslg) {
   std::set<Index> ends;
   for (const Segment& s : pslg.segments) ends.insert({s.a, s.b});
@@ -61,31 +68,37 @@ std::vector<Index> points_of_no_segment(const Pslg& pslg) {
   return loose;
 }
 
-RC_GTEST_PROP(Conflicts, are_those_of_the_definition, ()) {
-  const Pslg pslg = *testing::mess();
+PARDEL_PROPERTY(Conflicts, are_those_of_the_definition,
+                {.statement = "the conflicts found are those that pairwise intersection in rational arithmetic finds",
+                 .source = "parallel/conflicts.hpp",
+                 .families = messes}) {
+  const Pslg pslg = some_mess(exhibit);
   const SegmentIndex index(pslg.points, pslg.segments);
   RC_ASSERT(find_conflicts(pslg.points, pslg.segments, points_of_no_segment(pslg), index) ==
             conflicts_by_definition(pslg));
 }
 
-RC_GTEST_PROP(Conflicts, have_their_crossing_where_rational_arithmetic_has_it, ()) {
-  const Pslg pslg = *testing::mess();
+PARDEL_PROPERTY(Conflicts, have_their_crossing_where_rational_arithmetic_has_it,
+                {.statement = "the place of a crossing is the exact intersection up to rounding of each coordinate",
+                 .source = "parallel/conflicts.hpp",
+                 .families = messes}) {
+  const Pslg pslg = some_mess(exhibit);
   const SegmentIndex index(pslg.points, pslg.segments);
   for (const Conflict& c : find_conflicts(pslg.points, pslg.segments, {}, index)) {
     if (c.kind != ConflictKind::crossing) continue;
     const auto common = CGAL::intersection(exact(pslg, c.first), exact(pslg, c.second));
     const K::Point_2 truth = *boost::get<K::Point_2>(&*common);
     const Point place = place_of(c, pslg.points, pslg.segments);
-    const auto is_near = [](double x, const CGAL::Gmpq& exact_x) {
-      return CGAL::abs(CGAL::Gmpq(x) - exact_x) <= CGAL::Gmpq(0x1p-51) * CGAL::abs(exact_x);
+    const auto is_near = [](double x, const K::FT& exact_x) {
+      return CGAL::abs(K::FT(x) - exact_x) <= K::FT(0x1p-51) * CGAL::abs(exact_x);
     };
     RC_ASSERT(is_near(place.x, truth.x()) && is_near(place.y, truth.y()));
   }
 }
 
 /// A mess after repair: faces of all shapes, with islands and dangling ends.
-Pslg some_planar_graph() {
-  const Pslg pslg = *testing::mess();
+Pslg some_planar_graph(Exhibit& exhibit) {
+  const Pslg pslg = some_mess(exhibit);
   Result<Repaired> result = repair(pslg);
   RC_ASSERT(result.ok());
   return std::move(result->pslg);
@@ -107,16 +120,23 @@ Index number_of_components(const Pslg& pslg, Index& vertices) {
   return static_cast<Index>(std::ranges::count_if(ends, [&](Index i) { return parent[i] == i; }));
 }
 
-RC_GTEST_PROP(Faces, are_as_many_as_eulers_formula_says, ()) {
-  const Pslg pslg = some_planar_graph();
+PARDEL_PROPERTY(Faces, are_as_many_as_eulers_formula_says,
+                {.statement = "faces + vertices = segments + 1 + components",
+                 .source = "parallel/faces.hpp",
+                 .families = messes}) {
+  const Pslg pslg = some_planar_graph(exhibit);
   const SegmentIndex index(pslg.points, pslg.segments);
   Index vertices = 0;
   const Index components = number_of_components(pslg, vertices);
   RC_ASSERT(Faces(pslg.points, pslg.segments, index).count() + vertices == pslg.segments.size() + 1 + components);
 }
 
-RC_GTEST_PROP(Faces, change_across_a_segment_and_nowhere_else, ()) {
-  const Pslg pslg = some_planar_graph();
+PARDEL_PROPERTY(Faces, change_across_a_segment_and_nowhere_else,
+                {.statement = "along a straight walk, the face changes at the segments that are crossed, from one of "
+                              "their sides to the other",
+                 .source = "parallel/faces.hpp",
+                 .families = messes}) {
+  const Pslg pslg = some_planar_graph(exhibit);
   const SegmentIndex index(pslg.points, pslg.segments);
   const Faces faces(pslg.points, pslg.segments, index);
   const double extent = pslg.points.back().y;
@@ -126,7 +146,7 @@ RC_GTEST_PROP(Faces, change_across_a_segment_and_nowhere_else, ()) {
 
   // Walk from p to q over the segments between them; not over their ends.
   const K::Segment_2 walk(exact(p), exact(q));
-  std::vector<std::pair<CGAL::Gmpq, Index>> crossed;
+  std::vector<std::pair<K::FT, Index>> crossed;
   for (Index s = 0; s < pslg.segments.size(); ++s) {
     const K::Segment_2 segment = exact(pslg, s);
     const auto common = CGAL::intersection(walk, segment);
@@ -154,30 +174,40 @@ double distance_to(const Pslg& pslg, Index s, Point p) {
   return std::hypot(wx - t * ux, wy - t * uy);
 }
 
-RC_GTEST_PROP(Repair, leaves_no_problem, ()) {
-  const Result<Repaired> result = repair(*testing::mess());
+PARDEL_PROPERTY(Repair, leaves_no_problem,
+                {.statement = "the repaired domain is valid", .source = "parallel/validate.hpp", .families = messes}) {
+  const Result<Repaired> result = repair(some_mess(exhibit));
   RC_ASSERT(result.ok());
   RC_ASSERT(validate(result->pslg).empty());
 }
 
-RC_GTEST_PROP(Repair, done_twice_is_done_once, ()) {
-  const Pslg once = some_planar_graph();
+PARDEL_PROPERTY(Repair, done_twice_is_done_once,
+                {.statement = "repairing what is repaired changes nothing",
+                 .source = "parallel/validate.hpp",
+                 .families = messes}) {
+  const Pslg once = some_planar_graph(exhibit);
   const Result<Repaired> twice = repair(once);
   RC_ASSERT(twice.ok());
   RC_ASSERT(twice->pslg == once);
   RC_ASSERT(twice->log.empty());
 }
 
-RC_GTEST_PROP(Repair, moves_no_point, ()) {
-  const Pslg mess = *testing::mess();
+PARDEL_PROPERTY(Repair, moves_no_point,
+                {.statement = "without a snapping distance no point moves",
+                 .source = "parallel/validate.hpp",
+                 .families = messes}) {
+  const Pslg mess = some_mess(exhibit);
   const Result<Repaired> result = repair(mess);
   RC_ASSERT(result.ok());
   for (std::size_t i = 0; i < mess.points.size(); ++i)
     RC_ASSERT(result->pslg.points[result->point_map[i]] == mess.points[i]);
 }
 
-RC_GTEST_PROP(Repair, keeps_every_segment_as_a_chain_within_rounding, ()) {
-  const Pslg mess = *testing::mess();
+PARDEL_PROPERTY(Repair, keeps_every_segment_as_a_chain_within_rounding,
+                {.statement = "the ends of a segment are joined by new segments on the old one, up to rounding",
+                 .source = "parallel/validate.hpp",
+                 .families = messes}) {
+  const Pslg mess = some_mess(exhibit);
   const Result<Repaired> result = repair(mess);
   RC_ASSERT(result.ok());
   const double rounding = 1e-14 * mess.points.back().y;
@@ -197,8 +227,12 @@ RC_GTEST_PROP(Repair, keeps_every_segment_as_a_chain_within_rounding, ()) {
   }
 }
 
-RC_GTEST_PROP(Repair, maps_every_piece_to_a_segment_that_it_lies_on_and_carries_its_marker, ()) {
-  const Pslg mess = *testing::mess();
+PARDEL_PROPERTY(
+    Repair, maps_every_piece_to_a_segment_that_it_lies_on_and_carries_its_marker,
+    {.statement = "every new segment lies on the old one that it is mapped to, up to rounding, and has its marker",
+     .source = "parallel/validate.hpp",
+     .families = messes}) {
+  const Pslg mess = some_mess(exhibit);
   const Result<Repaired> result = repair(mess);
   RC_ASSERT(result.ok());
   const double rounding = 1e-14 * mess.points.back().y;
@@ -212,8 +246,11 @@ RC_GTEST_PROP(Repair, maps_every_piece_to_a_segment_that_it_lies_on_and_carries_
   }
 }
 
-RC_GTEST_PROP(Repair, with_a_snapping_distance_leaves_no_two_points_closer, ()) {
-  const Pslg mess = *testing::mess();
+PARDEL_PROPERTY(Repair, with_a_snapping_distance_leaves_no_two_points_closer,
+                {.statement = "after snapping, no two points are closer than the distance, and none moved further",
+                 .source = "parallel/validate.hpp",
+                 .families = messes}) {
+  const Pslg mess = some_mess(exhibit);
   const double snap = 0.003 * mess.points.back().y;
   const Result<Repaired> result = repair(mess, snap);
   RC_ASSERT(result.ok());

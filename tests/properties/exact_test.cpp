@@ -3,12 +3,9 @@
 
 #include <CGAL/Gmpq.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <random>
-#include <vector>
 
 #include "../../properties/exact_sum.hpp"
 
@@ -83,30 +80,6 @@ TEST(Witnesses, are_fractions_where_these_can_be_read) {
   EXPECT_EQ(exactly::squared_circumradius_text({0, 0}, {3, 0}, {0, 4}), "25/4");
   EXPECT_EQ(exactly::squared_cosine_text({0, 0}, {1, 1}, {1, 0}), "1/2");
   EXPECT_EQ(exactly::in_circle_text({0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}), "1/2");
-}
-
-RC_GTEST_PROP(ExactSum, agrees_with_rational_arithmetic_at_all_magnitudes, ()) {
-  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  std::mt19937_64 random(seed);
-  ExactSum sum;
-  CGAL::Gmpq expected(0);
-  for (int i = 0; i < 20; ++i) {
-    const auto number = [&] {
-      const auto mantissa = static_cast<double>(static_cast<std::int64_t>(random()));
-      return std::ldexp(mantissa, static_cast<int>(random() % 600) - 300);
-    };
-    const double x = number(), y = number();
-    if (random() % 2 == 0) {
-      sum.add_product(x, y);
-      expected += CGAL::Gmpq(x) * CGAL::Gmpq(y);
-    } else {
-      sum.subtract_product(x, y);
-      expected -= CGAL::Gmpq(x) * CGAL::Gmpq(y);
-    }
-  }
-  RC_ASSERT(sum.sign() == static_cast<int>(CGAL::sign(expected)));
-  const double rounded = CGAL::to_double(expected);
-  RC_ASSERT(std::abs(sum.rounded() - rounded) <= 0x1p-50 * std::abs(rounded));
 }
 
 TEST(ExactSum, keeps_the_product_of_the_least_doubles_beside_that_of_the_largest) {

@@ -1,13 +1,8 @@
 // Faces and domains by definition.
 #include "../../properties/planar_faces.hpp"
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include <map>
-#include <random>
 #include <set>
 
 #include "../../properties/domain.hpp"
@@ -77,32 +72,6 @@ TEST(PlanarFaces, of_squares_that_touch_at_a_corner_are_apart) {
   EXPECT_EQ(faces.count(), 3u);
   EXPECT_NE(faces.face_at({0, 0}), faces.face_at({2, 2}));
   EXPECT_EQ(faces.face_at({2, 0}), PlanarFaces::exterior());
-}
-
-RC_GTEST_PROP(PlanarFaces, of_a_triangulation_are_its_triangles, ()) {
-  using Delaunay = CGAL::Delaunay_triangulation_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
-  std::mt19937_64 random(*rc::gen::arbitrary<std::uint32_t>());
-  Delaunay delaunay;
-  const int range = 1 + static_cast<int>(random() % 40);  // small ranges: many collinear and vertical edges
-  for (int i = 0; i < 100; ++i)
-    delaunay.insert({static_cast<double>(random() % range), static_cast<double>(random() % range)});
-  RC_PRE(delaunay.dimension() == 2);
-  std::map<Delaunay::Vertex_handle, Index> number;
-  std::vector<Point> points;
-  for (const auto v : delaunay.finite_vertex_handles()) {
-    number[v] = static_cast<Index>(points.size());
-    points.push_back({v->point().x(), v->point().y()});
-  }
-  std::vector<Segment> segments;
-  for (const auto& [face, i] : delaunay.finite_edges())
-    segments.push_back({number[face->vertex(face->cw(i))], number[face->vertex(face->ccw(i))], 0});
-  const PlanarFaces faces(points, segments);
-  RC_ASSERT(faces.count() == delaunay.number_of_faces() + 1);
-  std::set<Index> met{PlanarFaces::exterior()};
-  for (const auto face : delaunay.finite_face_handles()) {
-    const auto p = face->vertex(0)->point(), q = face->vertex(1)->point(), r = face->vertex(2)->point();
-    RC_ASSERT(met.insert(faces.face_at({(p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3})).second);
-  }
 }
 
 TEST(Domain, is_what_neither_the_exterior_nor_a_hole_reaches) {

@@ -112,6 +112,33 @@ TEST(Independence, of_two_distant_points_gives_a_delaunay_mesh_by_definition) {
   EXPECT_TRUE(is_delaunay(insert_independently(square_mesh(), {p, q})));
 }
 
+/// Two triangles on either side of the edge from (0, 0) to (4, 0), far enough apart that each is the cavity of the
+/// points near its own apex; optionally a wall between them.
+PlainMesh two_triangles(bool wall) {
+  PlainMesh mesh;
+  mesh.points = {{0, 0}, {4, 0}, {2, -8}, {2, 8}};
+  mesh.triangles = {{0, 1, 3}, {1, 0, 2}};
+  if (wall) mesh.constraints.insert(edge(0, 1));
+  return mesh;
+}
+
+TEST(Independence, of_points_with_a_common_boundary_edge_is_settled_by_one_circle) {
+  // The circle through (0, 0), (4, 0) and (2, 2) has its centre on the edge and the radius 2.
+  EXPECT_TRUE(are_independent(two_triangles(false), {2, 2}, {2, -3}));
+  EXPECT_TRUE(are_independent(two_triangles(false), {2, 2}, {2, -2}));  // cocircular: not inside
+  EXPECT_FALSE(are_independent(two_triangles(false), {2, 2}, {2, -1.75}));
+  EXPECT_FALSE(closures_are_disjoint(two_triangles(false), {2, 2}, {2, -3}));
+}
+
+TEST(Independence, is_given_where_a_wall_is_between_two_points) {
+  EXPECT_TRUE(are_independent(two_triangles(true), {2, 2}, {2, -1.75}));
+}
+
+TEST(Independence, is_not_given_within_one_cavity) {
+  EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 3}));
+  EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 0}));  // on the wall, of both its triangles
+}
+
 TEST(Independence, of_one_point_is_sequential_insertion) {
   PlainMesh mesh = square_mesh();
   const ExactPoint p(0.3125, 0.40625);

@@ -1,0 +1,56 @@
+#include "campaign.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+namespace pardel::harness {
+
+namespace fs = std::filesystem;
+
+Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex guard;
+  std::optional<Error> first;  // under guard
+  const auto run = [&] {
+    omp_set_num_threads(1);  // of this thread: the checker's loops must not fight over the cores
+    for (std::size_t i; (i = next++) < count;) {
+      const Status status = work(i);
+      if (status) continue;
+      next = count;
+      const std::lock_guard<std::mutex> lock(guard);
+      if (!first) first = status.error();
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (int k = 0; k < jobs; ++k) threads.emplace_back(run);
+  threads.clear();  // joins
+  if (first) return *first;
+  return Done{};
+}
+
+Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int jobs,
+                                       const fs::path& work, bool keep, const std::function<void(std::size_t)>& done) {
+  std::vector<Outcome> outcomes(cases.size());
+  std::atomic<std::size_t> finished = 0;
+  const Status status = run_jobs(cases.size(), jobs, [&](std::size_t i) -> Status {
+    const CaseId& id = cases[i];
+    const fs::path folder = work / fmt::format("{}-{}-{}", id.seed, name(id.family), id.index);
+    Result<Outcome> outcome = try_mesher(trials, make_case(id), folder);
+    std::error_code ignored;
+    if (!keep) fs::remove_all(folder, ignored);
+    if (!outcome) return outcome.error();
+    outcomes[i] = std::move(*outcome);
+    done(++finished);
+    return Done{};
+  });
+  if (!status) return status.error();
+  return outcomes;
+}
+
+}  // namespace pardel::harness

@@ -1,0 +1,64 @@
+// The card for people.
+#include <fmt/format.h>
+
+#include "card.hpp"
+#include "words.hpp"
+
+namespace pardel::harness {
+namespace {
+
+/// Inside a table, a bar would end the cell.
+std::string cell(const std::string& text) { return replaced(text, "|", "\\|"); }
+
+std::string row(const std::string& title, const Counts& counts) {
+  std::uint64_t all = 0;
+  std::string cells;
+  for (const std::uint64_t n : counts) {
+    all += n;
+    cells += fmt::format(" {} |", n);
+  }
+  return fmt::format("| {} | {} |{}\n", title, all, cells);
+}
+
+std::string families_table(const Card& card) {
+  std::string head = "| family | cases |", rule = "|---|---:|";
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    head += fmt::format(" {} |", name(static_cast<Verdict>(v)));
+    rule += "---:|";
+  }
+  std::string table = head + '\n' + rule + '\n';
+  for (const FamilyRow& family : card.families) table += row(name(family.family), family.counts);
+  return table + row("**all**", card.counts);
+}
+
+std::string smallest_text(const FailureKind& kind) {
+  if (!kind.smallest) return {};
+  const SmallestFailure& s = *kind.smallest;
+  const std::string holes = s.holes == 0 ? "" : fmt::format(", {} hole{}", s.holes, s.holes == 1 ? "" : "s");
+  return fmt::format("; at its smallest {} points, {} segments{}: `{}`", s.points, s.segments, holes, s.poly.string());
+}
+
+std::string kinds_table(const Card& card) {
+  std::string table = "| verdict | kind | cases | first | there |\n|---|---|---:|---|---|\n";
+  for (const FailureKind& kind : card.kinds) {
+    table +=
+        fmt::format("| {} | {} | {} | {} | {}{} |\n", name(kind.verdict), kind.kind, kind.cases,
+                    to_string(card.cases[kind.first]), cell(card.outcomes[kind.first].message), smallest_text(kind));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string to_markdown(const Card& card) {
+  std::string text = fmt::format("# {} of {} valid\n\n`{}`\n\n{}. {}. Seed {}.\n\n{}",
+                                 card.counts[static_cast<std::size_t>(Verdict::valid)], card.outcomes.size(),
+                                 card.mesher, card.goal, card.limits, card.seed, families_table(card));
+  if (all_valid(card)) return text;
+  return text + fmt::format(
+                    "\nmissed: a right mesh, but a bound does not hold, and no small input angle excuses it; wrong: "
+                    "no right mesh of the domain.\n\n{}\nA case again: `{} --replay CASE --keep FOLDER`\n",
+                    kinds_table(card), card.replay);
+}
+
+}  // namespace pardel::harness

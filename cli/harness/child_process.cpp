@@ -1,0 +1,86 @@
+#include "child_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+
+namespace pardel::harness {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void limit(__rlimit_resource resource, std::uint64_t value) {
+  const rlimit both = {value, value};
+  setrlimit(resource, &both);
+}
+
+/// The child's side of the fork: nothing but system calls, since other threads may have held locks.
+[[noreturn]] void become(char* const* argv, const char* log, const Limits& limits) {
+  setpgid(0, 0);
+  const int in = open("/dev/null", O_RDONLY);
+  const int out = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
+  if (in < 0 || out < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(out, 2) < 0) _exit(126);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, limits.file_bytes);
+  if (limits.memory_bytes > 0) limit(RLIMIT_AS, limits.memory_bytes);
+  execv(argv[0], argv);
+  constexpr char reason[] = "error: it cannot be run: ";
+  const char* why = strerrordesc_np(errno);
+  if (write(2, reason, sizeof reason - 1) > 0 && why != nullptr && write(2, why, std::strlen(why)) > 0) _exit(126);
+  _exit(126);
+}
+
+/// Waits until the child has ended; says what ended the waiting otherwise.
+Ending wait_for(int handle, const Limits& limits, const std::function<bool()>& stop) {
+  const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
+  while (true) {
+    const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
+    if (left <= 0) return Ending::timed_out;
+    if (stop()) return Ending::interrupted;
+    pollfd end = {handle, POLLIN, 0};
+    if (poll(&end, 1, static_cast<int>(std::clamp(left, 1.0, 100.0))) > 0) return Ending::exited;
+  }
+}
+
+}  // namespace
+
+ChildRun run_child(const std::vector<std::string>& words, const std::filesystem::path& log, const Limits& limits,
+                   const std::function<bool()>& stop) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+
+  const pid_t child = fork();
+  if (child < 0) return {Ending::not_started, errno};
+  if (child == 0) become(argv.data(), log.c_str(), limits);
+  setpgid(child, child);  // whoever comes first, the group exists before anybody kills it
+  // glibc 2.36 declares pidfd_open() without extern "C".
+  const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
+  const int no_handle = errno;
+  const Ending ending = handle < 0 ? Ending::not_started : wait_for(handle, limits, stop);
+  if (handle >= 0) close(handle);
+  kill(-child, SIGKILL);  // before the child is reaped, while its id is still its own
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (ending == Ending::not_started) return {ending, no_handle};
+  if (ending != Ending::exited) return {ending, 0};
+  if (WIFSIGNALED(status)) return {Ending::signalled, WTERMSIG(status)};
+  return {Ending::exited, WEXITSTATUS(status)};
+}
+
+std::string signal_name(int signal) {
+  const char* abbreviation = sigabbrev_np(signal);
+  return abbreviation != nullptr ? std::string("SIG") + abbreviation : "signal " + std::to_string(signal);
+}
+
+}  // namespace pardel::harness

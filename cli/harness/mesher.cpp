@@ -1,0 +1,148 @@
+#include "mesher.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <system_error>
+
+#include "words.hpp"
+
+namespace pardel::harness {
+namespace fs = std::filesystem;
+namespace {
+
+struct Adaptor {
+  const char* name;
+  const char* command;
+  const char* area_words;  ///< what asks for an area bound
+  const char* suffix;
+  std::vector<int> success_codes;
+  const char* needs;     ///< a program on the PATH, or ""
+  const char* obtained;  ///< how to get what is missing
+};
+
+const std::vector<Adaptor>& adaptors() {
+  static const std::vector<Adaptor> all = {
+      // With 4 pardel says that it missed a bound, and writes the mesh: the checker is to judge it.
+      {"pardel",
+       "pardel mesh {poly} -o {out} --quiet --min-angle {min-angle}",
+       " --max-area {max-area}",
+       "ele",
+       {0, 4},
+       "",
+       "build the target pardel"},
+      {"cgal",
+       "pardel-cgal {poly} {out} {min-angle}",
+       " {max-area}",
+       "off",
+       {0},
+       "",
+       "it is built with the benchmarks (cmake --preset bench), since CGAL's Mesh_2 is under the GPL"},
+      {"gmsh", "pardel-gmsh {poly} {out}", " {max-area}", "msh", {0}, "gmsh", "scripts/install-packages test"},
+      {"triangle",
+       "pardel-triangle {poly} {min-angle}",
+       " {max-area}",
+       "ele",
+       {0},
+       "triangle",
+       "Debian has it in non-free, as triangle-bin"},
+  };
+  return all;
+}
+
+bool is_program(const fs::path& file) {
+  std::error_code ignored;
+  return access(file.c_str(), X_OK) == 0 && !fs::is_directory(file, ignored);
+}
+
+/// Empty where there is none.
+fs::path on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  const std::string folders = path != nullptr ? path : "";
+  for (std::size_t start = 0; start <= folders.size();) {
+    const std::size_t end = std::min(folders.find(':', start), folders.size());
+    const fs::path candidate = fs::path(folders.substr(start, end - start)) / program;
+    if (is_program(candidate)) return fs::absolute(candidate);
+    start = end + 1;
+  }
+  return {};
+}
+
+/// Programs of ours: installed or built together, in one folder; the benchmarks' are in the next one.
+fs::path beside_this_program(const std::string& program) {
+  std::error_code ignored;
+  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& candidate : {here / program, here.parent_path() / "bench" / program}) {
+    if (is_program(candidate)) return candidate;
+  }
+  return {};
+}
+
+Result<Mesher> adapted(const Adaptor& adaptor, bool with_area) {
+  const std::string line = std::string(adaptor.command) + (with_area ? adaptor.area_words : "");
+  Mesher mesher{*split_words(line), adaptor.suffix, adaptor.success_codes, line};
+  const fs::path program = beside_this_program(mesher.words[0]);
+  const bool lacks = *adaptor.needs != '\0' && on_path(adaptor.needs).empty();
+  if (program.empty() || lacks) {
+    return Error{ErrorKind::io, fmt::format("--mesher {}: there is no program '{}' {}; {}", adaptor.name,
+                                            lacks ? adaptor.needs : mesher.words[0],
+                                            lacks ? "on the PATH" : "beside this one", adaptor.obtained)};
+  }
+  mesher.words[0] = program;
+  return mesher;
+}
+
+std::string fixed(double value) {
+  std::array<char, 1100> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
+  return {digits.data(), end.ptr};
+}
+
+}  // namespace
+
+Result<Mesher> find_mesher(const std::string& command, const std::string& suffix, bool with_area) {
+  for (const Adaptor& adaptor : adaptors()) {
+    if (command == adaptor.name) return adapted(adaptor, with_area);
+  }
+  const Result<std::vector<std::string>> words = split_words(command);
+  if (!words) return Error{ErrorKind::usage, "--mesher: " + words.error().message};
+  if (command.find("{poly}") == std::string::npos || words->front().find("{poly}") != std::string::npos) {
+    return Error{ErrorKind::usage,
+                 fmt::format("--mesher: '{}' is no adaptor, and as a command it has no argument {{poly}}, where the "
+                             "name of the input belongs",
+                             command)};
+  }
+  Mesher mesher{*words, suffix, {0}, command};
+  std::string& program = mesher.words[0];
+  const bool is_name = program.find('/') == std::string::npos;
+  const fs::path found = is_name ? on_path(program) : fs::absolute(program);
+  if (!is_program(found)) {
+    return Error{ErrorKind::io,
+                 fmt::format("--mesher: {}", is_name ? "there is no program '" + program + "' on the PATH"
+                                                     : program + " is no program")};
+  }
+  program = found;
+  return mesher;
+}
+
+std::string adaptors_text() {
+  std::string text;
+  for (const Adaptor& adaptor : adaptors()) text += fmt::format("  {:<10}{}\n", adaptor.name, adaptor.command);
+  return text;
+}
+
+std::vector<std::string> command(const Mesher& mesher, const fs::path& poly, const fs::path& out, const Goal& goal) {
+  std::vector<std::string> words = mesher.words;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    words[i] = replaced(words[i], "{poly}", poly.string());
+    words[i] = replaced(words[i], "{out}", out.string());
+    words[i] = replaced(words[i], "{min-angle}", fixed(goal.min_angle_deg));
+    words[i] = replaced(words[i], "{max-area}", fixed(goal.max_area));
+  }
+  return words;
+}
+
+}  // namespace pardel::harness

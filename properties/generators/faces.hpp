@@ -1,0 +1,69 @@
+// The faces into which segments cut the plane, walked half-edge by half-edge in exact integers.
+#pragma once
+
+#include <vector>
+
+#include "lattice.hpp"
+#include "lattice_domain.hpp"
+
+namespace pardel::generators {
+
+/// From point `a` to point `b`, along a segment.
+struct HalfEdge {
+  Index a = 0;
+  Index b = 0;
+  friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
+};
+
+/// Half-edge 2s runs along segment s from its a to its b, half-edge 2s + 1 back. Without segments the sides of the
+/// convex hull take their place.
+class LatticeFaces {
+ public:
+  static constexpr Index exterior = 0;
+
+  /// Points distinct, not all on a line; segments meet at most in common ends and run through no point. Seeds are
+  /// not looked at. O(points * segments).
+  LatticeFaces(const std::vector<LatticePoint>& points, const std::vector<Segment>& segments);
+  /// Holes as in the domain. Precondition: no hole on a segment.
+  explicit LatticeFaces(const LatticeDomain& domain);
+
+  [[nodiscard]] Index count() const { return count_; }
+  [[nodiscard]] Index half_edges() const { return static_cast<Index>(ends_.size()); }
+  [[nodiscard]] HalfEdge ends(Index half_edge) const { return ends_[half_edge]; }
+  [[nodiscard]] static Index twin(Index half_edge) { return half_edge ^ 1U; }
+  [[nodiscard]] Index left_of(Index half_edge) const { return face_of_[contour_of_[half_edge]]; }
+  /// The contour left of a half-edge runs around its face, rather than around something inside the face.
+  [[nodiscard]] bool on_outer_contour(Index half_edge) const { return is_outer_[contour_of_[half_edge]]; }
+  /// Half-edges from a point, counter-clockwise.
+  [[nodiscard]] const std::vector<Index>& around(Index point) const { return around_[point]; }
+
+  /// Seeds are in quarters.
+  [[nodiscard]] bool on_a_segment(LatticePoint seed) const;
+  /// Precondition: !on_a_segment(seed).
+  [[nodiscard]] Index containing(LatticePoint seed) const;
+  /// A seed of the bounded face left of a half-edge, in a triangle upon it that no segment crosses.
+  [[nodiscard]] LatticePoint seed_left_of(Index half_edge) const;
+
+  void make_hole(Index face) { is_domain_[face] = false; }
+  [[nodiscard]] bool is_domain(Index face) const { return is_domain_[face]; }
+  [[nodiscard]] Index domain_faces() const;
+
+ private:
+  void link();
+  void trace_contours();
+  /// The half-edge that runs left to right directly below a place, just right of it; no_index: none.
+  [[nodiscard]] Index directly_below(LatticePoint place) const;
+  [[nodiscard]] bool is_above(Index half_edge, Index other) const;
+  [[nodiscard]] LatticePoint at(Index point) const { return quarters_[point]; }
+
+  std::vector<LatticePoint> quarters_;  ///< the points, in quarters
+  std::vector<HalfEdge> ends_;
+  std::vector<std::vector<Index>> around_;
+  std::vector<Index> contour_of_;  ///< per half-edge
+  std::vector<char> is_outer_;     ///< per contour
+  std::vector<Index> face_of_;     ///< per contour
+  std::vector<char> is_domain_;    ///< per face
+  Index count_ = 1;
+};
+
+}  // namespace pardel::generators

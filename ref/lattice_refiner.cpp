@@ -1,0 +1,172 @@
+#include "lattice_refiner.hpp"
+
+#include <algorithm>
+
+#include "../core/mutants.hpp"
+#include "independent.hpp"
+#include "insertion.hpp"
+#include "ruppert.hpp"
+
+namespace pardel::ref {
+namespace {
+
+/// What the phases of a sweep work on.
+struct Work {
+  Refinement& state;
+  Criteria& criteria;
+  const Lattice& lattice;
+};
+
+/// Only the cells of the phase's colour are at work [CC].
+bool is_at_work(const Cell& cell, const Phase& phase) {
+  if (mutated("ref_no_colour_barrier")) return colour_of(cell)[0] == phase.colour[0];
+  return colour_of(cell) == phase.colour;
+}
+
+void touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
+  const std::vector<Index> hole = cavity(mesh, p);
+  touched.vertices.merge(closure(mesh, hole));
+  std::set<Edge> rim;
+  for (const Edge& e : boundary(mesh, hole)) rim.insert(edge(e[0], e[1]));
+  for (Index t : hole) touched.triangles.insert(mesh.triangles[t]);
+  for (const Corners& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      if (rim.contains(edge_of(t, i))) touched.triangles.insert(t);
+}
+
+/// The subsegment e has to be split because of something that the cell `from` did: a task for the cell in which the
+/// midpoint lies.
+void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
+  if (work.state.waiting.contains(e)) return;
+  demand_split(work.state, e);
+  const ExactPoint middle = work.state.waiting.at(e);
+  const Cell to = cell_of(work.lattice, middle);
+  if (to == from) return;
+  if (mutated("ref_handed_on_dropped"))
+    work.state.waiting.erase(e);
+  else
+    phase.handed_on.push_back({from, to, middle});
+}
+
+/// In which cell's phase a poor triangle is split: the one in which its circumcentre lies.
+Cell cell_of_candidate(const Work& work, const Corners& t, const ExactPoint& centre) {
+  if (mutated("ref_candidate_filed_by_triangle")) {
+    const auto& points = work.state.mesh.points;
+    return cell_of(work.lattice, CGAL::centroid(points[t[0]], points[t[1]], points[t[2]]));
+  }
+  return cell_of(work.lattice, centre);
+}
+
+/// For each cell at work the point that it inserts next, if it has one left: the midpoint of a subsegment that waits,
+/// or else the circumcentre of a poor triangle that encroaches on no subsegment. All are found in the same mesh.
+std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
+  const PlainMesh& mesh = work.state.mesh;
+  std::map<Cell, ExactPoint> found;
+  const auto offer = [&](const ExactPoint& middle) {
+    const Cell cell = cell_of(work.lattice, middle);
+    if (is_at_work(cell, phase)) found.try_emplace(cell, middle);
+  };
+  for (const auto& [e, middle] : work.state.waiting) offer(middle);
+
+  for (const Corners& t : mesh.triangles) {
+    const std::optional<ExactPoint>& centre = work.criteria.split_point(mesh, t);
+    if (!centre) continue;
+    const Cell cell = cell_of_candidate(work, t, *centre);
+    if (!is_at_work(cell, phase) || found.contains(cell)) continue;
+    // Where a subsegment hides the circumcentre from its triangle, some subsegment is encroached and waits.
+    if (!circumdisk_contains(mesh, t, *centre) || !sees(mesh, *centre, t)) continue;
+    const std::vector<Edge> upon = encroached_by(mesh, *centre);
+    if (upon.empty() || mutated("ref_encroachment_skipped")) {
+      found.emplace(cell, *centre);
+      continue;
+    }
+    const auto waits = [&](const Edge& e) { return work.state.waiting.contains(e); };
+    if (!std::ranges::all_of(upon, waits)) touch(phase.touched[cell], mesh, *centre);
+    for (const Edge& e : upon) hand_on(work, phase, cell, e);
+    for (const Edge& e : upon)
+      if (waits(e)) offer(work.state.waiting.at(e));
+  }
+  return found;
+}
+
+enum class Round : std::uint8_t {
+  nothing_left,  ///< no cell at work has a candidate
+  inserted,
+  outgrown,  ///< inserted, and now there is a circumradius for which the cells are too small
+};
+
+/// Every cell at work inserts one point, independently of each other.
+Round insert_round(const Work& work, Phase& phase) {
+  Refinement& state = work.state;
+  const std::map<Cell, ExactPoint> found = candidates(work, phase);
+  if (found.empty() || state.failure) return Round::nothing_left;
+
+  std::vector<ExactPoint> points;
+  std::vector<std::optional<Edge>> splits;
+  for (const auto& [cell, p] : found) {
+    points.push_back(p);
+    splits.push_back(constraint_through(state.mesh, p));
+    phase.insertions.push_back({cell, p});
+    touch(phase.touched[cell], state.mesh, p);
+  }
+  const auto first = static_cast<Index>(state.mesh.points.size());
+  state.mesh = insert_independently(state.mesh, points);
+
+  for (Index k = 0; k < points.size(); ++k) account_for(state, first + k, splits[k]);
+  for (Index k = 0; k < points.size(); ++k) {
+    if (!splits[k]) continue;  // a circumcentre that encroached was not inserted
+    for (const Edge& e : encroached_since(state, first + k)) hand_on(work, phase, cell_of(work.lattice, points[k]), e);
+  }
+
+  const auto fits = [&](const Corners& t) { return allows(work.lattice, squared_circumradius(state.mesh, t)); };
+  const auto is_new = [&](const Corners& t) { return std::ranges::any_of(t, [&](Index v) { return v >= first; }); };
+  const bool all_fit =
+      mutated("ref_bound_not_measured_again") ||
+      std::ranges::all_of(state.mesh.triangles, [&](const Corners& t) { return !is_new(t) || fits(t); });
+  return all_fit ? Round::inserted : Round::outgrown;
+}
+
+Sweep run_sweep(Refinement& state, Criteria& criteria) {
+  Sweep sweep{lattice_over(state.mesh), {}};
+  const Work work{state, criteria, sweep.lattice};
+  for (const Colour& colour : all_colours) {
+    Phase phase{colour, {}, {}, {}, {}};
+    Round round = Round::inserted;
+    while (round == Round::inserted) round = insert_round(work, phase);
+    phase.after = state.mesh;
+    sweep.phases.push_back(std::move(phase));
+    if (round == Round::outgrown) break;
+  }
+  return sweep;
+}
+
+bool did_nothing(const Sweep& sweep) {
+  return std::ranges::all_of(sweep.phases, [](const Phase& phase) { return phase.insertions.empty(); });
+}
+
+}  // namespace
+
+Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse) {
+  for (const Goal& asked : {goal, coarse})
+    if (auto error = refused(pslg, asked)) return *error;
+  Refinement state = conforming_delaunay(pslg);
+  Criteria coarse_criteria(pslg, coarse, state.mesh), criteria(pslg, goal, state.mesh);
+  refine_sequentially(state, coarse_criteria);
+  if (state.failure) return *state.failure;
+
+  LatticeRefinement result;
+  result.preprocessed = state.mesh;
+  do {
+    result.sweeps.push_back(run_sweep(state, criteria));
+    if (state.failure) return *state.failure;
+    if (mutated("ref_one_sweep_only")) break;
+  } while (!did_nothing(result.sweeps.back()) || !state.waiting.empty());
+
+  if (std::ranges::any_of(state.mesh.triangles,
+                          [&](const Corners& t) { return criteria.split_point(state.mesh, t).has_value(); }))
+    return Error{ErrorKind::invalid_input, "A circumcentre is not representable inside the domain."};
+  result.mesh = to_mesh(state.mesh, state.provenance, pslg);
+  return result;
+}
+
+}  // namespace pardel::ref

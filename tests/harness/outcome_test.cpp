@@ -1,0 +1,61 @@
+#include "../../cli/harness/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pardel::harness {
+namespace {
+
+/// A flat rhombus cut along its longer diagonal, and along its shorter one.
+const Pslg rhombus = [] {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {4, -1}, {8, 0}, {4, 1}};
+  pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
+  return pslg;
+}();
+
+Mesh mesh_of(std::vector<Triangle> triangles) {
+  Mesh mesh;
+  for (const Point& p : rhombus.points) mesh.points.push_back(p);
+  for (const Triangle& t : triangles) mesh.triangles.push_back(t);
+  return mesh;
+}
+const Mesh along = mesh_of({{{0, 1, 2}, {}}, {{0, 2, 3}, {}}});
+const Mesh across = mesh_of({{{0, 1, 3}, {}}, {{1, 2, 3}, {}}});
+
+using Kinds = std::vector<std::string>;
+
+TEST(AMesh, IsValidWithPointsAndTrianglesAlone) {
+  EXPECT_EQ(judge(rhombus, across, {.min_angle_deg = 0}, true).verdict, Verdict::valid);
+}
+
+TEST(AMesh, ThatIsNotDelaunayIsWrongUnlessAnyTriangulationWillDo) {
+  const Outcome strict = judge(rhombus, along, {.min_angle_deg = 0}, true);
+  EXPECT_EQ(strict.verdict, Verdict::wrong);
+  EXPECT_EQ(strict.kinds, Kinds{"not_delaunay"});
+  EXPECT_NE(strict.message, "");
+  EXPECT_EQ(judge(rhombus, along, {.min_angle_deg = 0}, false).verdict, Verdict::valid);
+}
+
+TEST(AMesh, ThatMissesABoundIsToldFromAWrongOne) {
+  const Goal small = {.min_angle_deg = 0, .max_area = 1};
+  const Outcome missed = judge(rhombus, across, small, true);
+  EXPECT_EQ(missed.verdict, Verdict::missed);
+  EXPECT_EQ(missed.kinds, Kinds{"large_area"});
+  const Outcome wrong = judge(rhombus, along, small, true);
+  EXPECT_EQ(wrong.verdict, Verdict::wrong);
+  EXPECT_EQ(wrong.kinds, Kinds{"not_delaunay"});
+  EXPECT_EQ(judge(rhombus, along, small, false).verdict, Verdict::missed);
+}
+
+TEST(AMesh, IsExcusedASmallInputAngle) {
+  EXPECT_EQ(judge(rhombus, across, {.min_angle_deg = 30}, true).verdict, Verdict::valid);
+}
+
+TEST(AMesh, WithoutATriangleIsWrong) {
+  const Outcome outcome = judge(rhombus, mesh_of({{{0, 1, 3}, {}}}), {}, true);
+  EXPECT_EQ(outcome.verdict, Verdict::wrong);
+  EXPECT_NE(outcome.kinds, Kinds{});
+}
+
+}  // namespace
+}  // namespace pardel::harness
