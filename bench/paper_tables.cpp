@@ -1,0 +1,108 @@
+// paper_tables: the form of Tables 1 and 2 of [CC] with our figures: the area bound is inversely proportional to the
+// number of threads, so that every thread has the same work, and ideal scaling keeps the time constant. See --help.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <vector>
+
+#include "../parallel/mesher.hpp"
+#include "../properties/domains.hpp"
+#include "run_in_child.hpp"
+#include "stopwatch.hpp"
+
+namespace pardel::bench {
+namespace {
+
+/// Area of the domain over area of a triangle, on average, where the bound on area decides.
+constexpr double triangles_per_cap = 1.55;
+
+struct Table {
+  const char* title;
+  const char* domain;
+  double area;
+  const char* theirs;  ///< what [CC] reports of this domain on the largest number of processors
+};
+constexpr Table tables[] = {
+    {"Table 1: the pipe cross-section", "pipe", 2.486, "121 processors (MPI): 441.1 million triangles, 212.7 s"},
+    {"Table 2: the unit square", "square", 1, "121 processors (MPI): 873.5 million triangles, 293.7 s"},
+};
+
+struct Run {
+  double seconds = 0;  ///< validation, triangulation and refinement
+  std::uint64_t triangles = 0;
+  std::uint64_t peak_rss_bytes = 0;
+  std::uint32_t cells = 0;
+};
+
+struct Settings {
+  std::vector<int> threads = {1, 2};
+  double per_thread = 5e6;
+  int runs = 3;
+  Decomposition decomposition = Decomposition::automatic;
+};
+
+std::optional<Run> run(const Table& table, const Settings& settings, int threads) {
+  return run_in_child<Run>([&] {
+    const Pslg pslg = *domains::generate(table.domain, 0, 1);
+    const Goal goal{.max_area = triangles_per_cap * table.area / (settings.per_thread * threads)};
+    const Stopwatch watch;
+    const Result<Meshed> meshed = mesh(pslg, goal, {.threads = threads, .decomposition = settings.decomposition});
+    if (!meshed) return Run{};
+    const Tiling& tiling = meshed->report.tiling;
+    return Run{watch.seconds(), meshed->mesh.triangles.size(), peak_rss_bytes(), tiling.columns * tiling.rows};
+  });
+}
+
+/// The run with the median time; nothing where one failed.
+std::optional<Run> median_run(const Table& table, const Settings& settings, int threads) {
+  std::vector<Run> all;
+  for (int i = 0; i < settings.runs; ++i) {
+    const std::optional<Run> one = run(table, settings, threads);
+    if (!one || one->triangles == 0) return std::nullopt;
+    all.push_back(*one);
+  }
+  std::sort(all.begin(), all.end(), [](const Run& a, const Run& b) { return a.seconds < b.seconds; });
+  return all[all.size() / 2];
+}
+
+void print(const Table& table, const Settings& settings) {
+  fmt::print("### {}\n\n", table.title);
+  fmt::print("| threads | cells | triangles, millions | seconds | millions/s | millions/s/thread | bytes/triangle |\n");
+  fmt::print("|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (const int threads : settings.threads) {
+    const std::optional<Run> one = median_run(table, settings, threads);
+    if (!one) {
+      fmt::print("| {} | | | failed | | | |\n", threads);
+      continue;
+    }
+    const double millions = static_cast<double>(one->triangles) / 1e6;
+    fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.1f} |\n", threads, one->cells, millions,
+               one->seconds, millions / one->seconds, millions / one->seconds / threads,
+               static_cast<double>(one->peak_rss_bytes) / static_cast<double>(one->triangles));
+    std::fflush(stdout);
+  }
+  fmt::print("\nThe paper, 2004, {}; 4 processors: 14.6 million triangles in 214.1 s (OpenMP) and 220.3 s (MPI).\n\n",
+             table.theirs);
+}
+
+}  // namespace
+}  // namespace pardel::bench
+
+int main(int argc, char** argv) {
+  using namespace pardel;
+  bench::Settings settings;
+  CLI::App app("The scaled workload of the paper's Tables 1 and 2: work in proportion to the number of threads");
+  app.add_option("--threads", settings.threads, "Numbers of threads, a row each")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_option("--per-thread", settings.per_thread, "Triangles for each thread")->capture_default_str();
+  app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
+  const std::map<std::string, Decomposition> decompositions = {{"auto", Decomposition::automatic},
+                                                               {"paper", Decomposition::paper}};
+  app.add_option("--decomposition", settings.decomposition, "auto or paper")
+      ->transform(CLI::CheckedTransformer(decompositions));
+  CLI11_PARSE(app, argc, argv);
+  for (const bench::Table& table : bench::tables) bench::print(table, settings);
+  return 0;
+}
