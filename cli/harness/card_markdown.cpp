@@ -41,9 +41,8 @@ std::string smallest_text(const FailureKind& kind) {
 std::string kinds_table(const Card& card) {
   std::string table = "| verdict | kind | cases | first | there |\n|---|---|---:|---|---|\n";
   for (const FailureKind& kind : card.kinds) {
-    table +=
-        fmt::format("| {} | {} | {} | {} | {}{} |\n", name(kind.verdict), kind.kind, kind.cases,
-                    to_string(card.cases[kind.first]), cell(card.outcomes[kind.first].message), smallest_text(kind));
+    table += fmt::format("| {} | {} | {} | {} | {}{} |\n", name(kind.verdict), kind.kind, kind.cases,
+                         to_string(card.cases[kind.first]), cell(kind.message), smallest_text(kind));
   }
   return table;
 }

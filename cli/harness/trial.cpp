@@ -39,7 +39,7 @@ std::string last_words(const fs::path& log, const fs::path& folder) {
 }
 
 Outcome failed(Verdict verdict, std::string kind, std::string message) {
-  return {verdict, {std::move(kind)}, std::move(message), {}, {}};
+  return {verdict, {{std::move(kind), std::move(message)}}, {}, {}};
 }
 
 Outcome judge_file(const Trials& trials, const Pslg& pslg, const Goal& goal, const fs::path& folder,
