@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <ostream>
 #include <vector>
 
@@ -16,9 +15,10 @@
 namespace pardel::properties {
 
 enum class Shape : std::uint8_t {
-  bar,   ///< straight
-  bend,  ///< an L
-  ring,  ///< around a square hole
+  bar,    ///< straight
+  bend,   ///< an L
+  ring,   ///< around a square hole
+  slant,  ///< a short parallelogram with corners of 63 degrees, at which a split may raise the largest circumradius
 };
 
 struct Channel {
@@ -33,7 +33,7 @@ struct Channel {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Channel& c) {
-  constexpr std::array names = {"bar", "bend", "ring"};
+  constexpr std::array names = {"bar", "bend", "ring", "slant"};
   return out << names.at(static_cast<std::size_t>(c.shape)) << " of " << c.length << " widths of " << c.width
              << (c.has_wall ? ", a wall" : "") << (c.has_crack ? ", a crack" : "") << ", areas up to " << c.max_area
              << ", first up to " << c.coarse_area;
@@ -58,6 +58,8 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
     add_polygon(pslg, {{0, 0}, {l, 0}, {l, l}, {0, l}}, channel);
     add_polygon(pslg, {{w, w}, {l - w, w}, {l - w, l - w}, {w, l - w}}, channel);
     pslg.holes.push_back({l / 2, l / 2});
+  } else if (channel.shape == Shape::slant) {
+    add_polygon(pslg, {{0, 0}, {l, 0}, {l + w / 2, w}, {w / 2, w}}, channel);
   } else if (channel.has_wall) {
     add_polygon(pslg, {{0, 0}, {l / 2, 0}, {l, 0}, {l, w}, {l / 2, w}, {0, w}}, channel);
     pslg.segments.push_back({1, 4});
@@ -88,14 +90,28 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
 
 [[nodiscard]] inline Channel random_channel(generators::Random& random, int /*size*/) {
   Channel channel;
-  channel.shape = random.chance(8) ? Shape::ring : random.chance(3) ? Shape::bend : Shape::bar;
+  channel.shape = random.one_of<Shape>({Shape::bar, Shape::bar, Shape::bar, Shape::bar, Shape::bar, Shape::bar,
+                                        Shape::bend, Shape::bend, Shape::ring, Shape::slant, Shape::slant});
   channel.width = 6 + 2 * random.between(0, 1);
-  channel.length = channel.shape == Shape::bar ? random.between(8, 14) : random.between(6, 8);
-  channel.has_wall = channel.shape == Shape::bar && random.chance(2);
-  channel.has_crack = random.chance(4);
   const double square = channel.width * channel.width;
-  channel.coarse_area = square / random.between(1, 3);
-  channel.max_area = channel.coarse_area / random.between(2, 3);
+  switch (channel.shape) {
+    case Shape::bar:
+      channel.length = random.between(8, 14);
+      break;
+    case Shape::bend:
+      channel.length = random.between(6, 8);
+      break;
+    case Shape::ring:
+      channel.length = random.between(6, 7);
+      break;
+    case Shape::slant:
+      channel.length = random.between(1, 3);
+      break;
+  }
+  channel.has_wall = channel.shape == Shape::bar && random.chance(2);
+  channel.has_crack = channel.shape != Shape::slant && random.chance(4);
+  channel.coarse_area = channel.shape == Shape::slant ? 2 * square : square / random.between(1, 3);
+  channel.max_area = channel.coarse_area / random.between(2, channel.shape == Shape::slant ? 16 : 3);
   const Channel straight = channel;
   if (random.chance(4)) return straight;
   for (Point& nudge : channel.nudges)
@@ -111,12 +127,12 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
     change(changed);
     if (!ref::refused(to_pslg(changed), goal_of(changed))) all.push_back(changed);
   };
-  if (channel.shape != Shape::bar) offer([](Channel& c) { c.shape = Shape::bar; });
+  if (channel.shape == Shape::bend || channel.shape == Shape::ring) offer([](Channel& c) { c.shape = Shape::bar; });
   if (channel.has_wall) offer([](Channel& c) { c.has_wall = false; });
   if (channel.has_crack) offer([](Channel& c) { c.has_crack = false; });
   for (std::size_t k = 0; k < channel.nudges.size(); ++k)
     if (channel.nudges[k] != Point{}) offer([k](Channel& c) { c.nudges[k] = {}; });
-  if (channel.length > 4) offer([](Channel& c) { --c.length; });
+  if (channel.length > (channel.shape == Shape::slant ? 1 : 5)) offer([](Channel& c) { --c.length; });
   if (channel.max_area < channel.coarse_area / 2) offer([](Channel& c) { c.max_area *= 1.5; });
   return all;
 }

@@ -20,7 +20,7 @@ using ref::Kernel;
 using ref::Number;
 using ref::PlainMesh;
 
-constexpr const char* families = "bars, bends and rings, with walls, cracks, area caps and uneven corners";
+constexpr const char* families = "bars, bends, rings and slants, with walls, cracks, area caps and uneven corners";
 
 /// A random channel, refined on a lattice.
 struct Refined {
@@ -121,7 +121,7 @@ PARDEL_PROPERTY(
       RC_ASSERT((phase.colour == ref::Colour{static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}));
     }
   });
-  RC_CLASSIFY(was_outgrown, "r̄ grew, and a new lattice was laid");
+  RC_CLASSIFY(was_outgrown, "circumradii grew, and a new lattice was laid");
 }
 
 PARDEL_PROPERTY(
