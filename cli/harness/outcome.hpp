@@ -27,7 +27,7 @@ inline constexpr std::size_t verdict_count = 6;
 /// "time limit", "exit code 3", "no output". Each kind belongs to one verdict.
 struct Finding {
   std::string kind;
-  std::string message;  ///< one line: the first such violation, the mesher's last words, ...
+  std::string message;  ///< one line: the first such violation, what the mesher said, ...
 };
 
 struct Outcome {

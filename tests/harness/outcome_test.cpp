@@ -59,6 +59,17 @@ TEST(AMesh, IsExcusedASmallInputAngle) {
   EXPECT_EQ(judge(rhombus, across, {.min_angle_deg = 30}, true).verdict, Verdict::valid);
 }
 
+TEST(AMesh, MayMarkAVertexAsASegmentOutsideTheDomainDoes) {
+  Pslg with_tail = rhombus;
+  with_tail.points.push_back({4, -3});
+  with_tail.segments.push_back({1, 4, 7});
+  Mesh mesh = across;
+  for (const int marker : {1, 7, 1, 1}) mesh.point_markers.push_back(marker);
+  EXPECT_EQ(judge(with_tail, mesh, {.min_angle_deg = 0}, true).verdict, Verdict::valid);
+  mesh.point_markers[1] = 8;
+  EXPECT_EQ(kinds(judge(with_tail, mesh, {.min_angle_deg = 0}, true)), Kinds{"wrong_vertex_marker"});
+}
+
 TEST(AMesh, WithoutATriangleIsWrong) {
   const Outcome outcome = judge(rhombus, mesh_of({{0, 1, 3}}), {}, true);
   EXPECT_EQ(outcome.verdict, Verdict::wrong);
