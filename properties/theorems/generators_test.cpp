@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/validate.hpp"
