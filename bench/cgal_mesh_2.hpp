@@ -72,17 +72,21 @@ class ShapeAndArea {
   double area_bound_;
 };
 
-/// Points and triangles as plain values; `takes` says which faces are of the domain.
+/// Triangles and their vertices as plain values; `takes` says which faces are of the domain.
 template <class Cgal, class Takes>
 [[nodiscard]] Mesh plain(const Cgal& triangulation, const Takes& takes) {
   Mesh mesh;
-  CGAL::Unique_hash_map<typename Cgal::Vertex_handle, Index> index;
-  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
-    index[v] = static_cast<Index>(mesh.points.size());
-    mesh.points.push_back({v->point().x(), v->point().y()});
-  }
+  CGAL::Unique_hash_map<typename Cgal::Vertex_handle, Index> index(no_index);
+  const auto vertex = [&](typename Cgal::Vertex_handle v) {
+    Index& known = index[v];
+    if (known == no_index) {
+      known = static_cast<Index>(mesh.points.size());
+      mesh.points.push_back({v->point().x(), v->point().y()});
+    }
+    return known;
+  };
   for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
-    if (takes(f)) mesh.triangles.push_back({{index[f->vertex(0)], index[f->vertex(1)], index[f->vertex(2)]}, {}});
+    if (takes(f)) mesh.triangles.push_back({{vertex(f->vertex(0)), vertex(f->vertex(1)), vertex(f->vertex(2))}, {}});
   rebuild_neighbours(mesh.triangles, mesh.points.size());
   return mesh;
 }

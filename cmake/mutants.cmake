@@ -11,6 +11,8 @@ function(pardel_mutated_twin target)
     add_library(${target}_mutated STATIC ${sources})
     target_compile_definitions(${target}_mutated PUBLIC PARDEL_MUTANTS)
   endif()
+  # The compiler has a right to wonder about mistakes; and these programs run shorter than they take to optimise.
+  target_compile_options(${target}_mutated PRIVATE -w -O1)
   foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS LINK_LIBRARIES INTERFACE_LINK_LIBRARIES INTERFACE_COMPILE_OPTIONS)
     get_target_property(value ${target} ${property})
     if(value)

@@ -4,8 +4,6 @@
 #include <array>
 #include <bit>
 
-#include "mutants.hpp"
-
 namespace pardel {
 namespace {
 
@@ -55,7 +53,7 @@ Digest hash_triangle(const Mesh& mesh, std::size_t t) {
   Hash hash(triangle_kind);
   for (std::size_t i = 0; i < 3; ++i) hash.add(p[(first + i) % 3]);
   const Index region = mesh.region.empty() ? no_index : mesh.region[t];
-  hash.add(region == no_index || mutated("digest_forgets_regions") ? 0.0 : mesh.region_attributes[region]);
+  hash.add(region == no_index ? 0.0 : mesh.region_attributes[region]);
   return hash.value();
 }
 

@@ -172,8 +172,10 @@ void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const All
   }
   if (!t.region.empty()) {
     const Index left = t.region[cavity.triangles().front()], right = t.region[cavity.triangles().back()];
-    for (std::size_t i = 0; i < n && !mutated("new_triangles_in_stale_regions"); ++i)
-      t.region[fan[i]] = !cavity.splits_edge() || i < cavity.left_count() ? left : right;
+    for (std::size_t i = 0; i < n; ++i)
+      t.region[fan[i]] =
+          !cavity.splits_edge() || i < cavity.left_count() || mutated("both_sides_of_a_split_in_one_region") ? left
+                                                                                                             : right;
   }
 }
 

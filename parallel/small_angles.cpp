@@ -66,7 +66,7 @@ std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines
   const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
   if (slot.n[next_corner[corner]].constrained() && slot.n[previous_corner[corner]].constrained()) {
     const Index first = lines.line_of(t, o, u), second = lines.line_of(t, o, v);
-    if (first != second && first != no_index && second != no_index && !mutated("nestled_rule_off"))
+    if (first != second && first != no_index && second != no_index)
       return SmallAngle{ExemptReason::nestled, o, degrees(lines.cosine_at(t.points, o, first, second))};
   }
   const Index line_u = t.origin[u], line_v = t.origin[v];
@@ -74,9 +74,7 @@ std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines
   const VertexId apex = lines.shared_end(line_u, line_v);
   if (apex == no_index || mutated("seditious_rule_off")) return {};
   const double cosine = lines.cosine_at(t.points, apex, line_u, line_v);
-  if ((cosine <= 0.5 * (1 + 1e-9) && !mutated("seditious_at_large_angles")) ||
-      !same_shell(t.points[apex], t.points[u], t.points[v]))
-    return {};
+  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
   return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
 }
 

@@ -97,7 +97,7 @@ void check_constrained_edges(const Subject& subject, const Domain& domain, const
 }
 
 /// A vertex's own non-zero marker, else a non-zero marker of one of the constrained edges at it, else 0.
-/// (The edges carry 1 on the boundary already.)
+/// (The edges carry 1 on the boundary already.) In a foreign mesh segments outside the domain count, too.
 void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
                           const Adjacency& adjacency, const InputVertices& inputs, Findings& found) {
   const Mesh& mesh = subject.mesh;
@@ -108,6 +108,14 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
     if (marker == 0) continue;
     markers.emplace_back(edge.from, marker);
     markers.emplace_back(edge.to, marker);
+  }
+  // Triangle marks the ends of segments before it removes those outside the domain.
+  for (Index s = 0; subject.options.foreign && s < subject.pslg.segments.size(); ++s) {
+    const Segment& segment = subject.pslg.segments[s];
+    if (domain.has(s) || segment.marker == 0) continue;
+    for (const Index end : {segment.a, segment.b}) {
+      if (inputs.vertex(end) != no_index) markers.emplace_back(inputs.vertex(end), segment.marker);
+    }
   }
   std::sort(markers.begin(), markers.end());
   markers.erase(std::unique(markers.begin(), markers.end()), markers.end());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "../core/mutants.hpp"
+
 namespace pardel::ref {
 namespace {
 
@@ -23,11 +25,11 @@ bool blocks(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p, const
   return true;  // a common piece
 }
 
-/// Does the wall's line have points on both its sides?
-bool separates(const Kernel::Segment_2& wall, const std::array<ExactPoint, 4>& points) {
+/// Does the line through m and n have points on both its sides?
+bool separates(const ExactPoint& m, const ExactPoint& n, const std::array<ExactPoint, 4>& points) {
   bool left = false, right = false;
   for (const ExactPoint& p : points) {
-    const auto side = CGAL::orientation(wall.source(), wall.target(), p);
+    const auto side = CGAL::orientation(m, n, p);
     left |= side == CGAL::LEFT_TURN;
     right |= side == CGAL::RIGHT_TURN;
   }
@@ -99,8 +101,8 @@ bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t) {
   const CGAL::Bbox_2 around = p.bbox() + a.bbox() + b.bbox() + c.bbox();
   std::vector<Kernel::Segment_2> walls;
   for (const Edge& e : mesh.constraints) {
-    const Kernel::Segment_2 wall(mesh.points[e[0]], mesh.points[e[1]]);
-    if (CGAL::do_overlap(wall.bbox(), around) && separates(wall, {p, a, b, c})) walls.push_back(wall);
+    const ExactPoint &m = mesh.points[e[0]], &n = mesh.points[e[1]];
+    if (CGAL::do_overlap(m.bbox() + n.bbox(), around) && separates(m, n, {p, a, b, c})) walls.emplace_back(m, n);
   }
   if (walls.empty()) return true;
   // What p sees changes only where a ray from p passes an end of a wall, so t's edges are cut by all those
@@ -162,9 +164,17 @@ bool is_conformal(const PlainMesh& mesh) {
 }
 
 std::vector<Index> cavity(const PlainMesh& mesh, const ExactPoint& p) {
+  const auto disk_contains_p = [&](const Corners& t) {
+    if (mutated("ref_cavity_of_closed_disks"))
+      return CGAL::side_of_bounded_circle(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2), p) !=
+             CGAL::ON_UNBOUNDED_SIDE;
+    return circumdisk_contains(mesh, t, p);
+  };
   std::vector<Index> triangles;
-  for (Index i = 0; i < mesh.triangles.size(); ++i)
-    if (circumdisk_contains(mesh, mesh.triangles[i], p) && sees(mesh, p, mesh.triangles[i])) triangles.push_back(i);
+  for (Index i = 0; i < mesh.triangles.size(); ++i) {
+    const Corners& t = mesh.triangles[i];
+    if (disk_contains_p(t) && (mutated("ref_cavity_through_walls") || sees(mesh, p, t))) triangles.push_back(i);
+  }
   return triangles;
 }
 

@@ -10,14 +10,13 @@ PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoi
   PlainMesh result{mesh.points, {}, mesh.constraints};
   result.points.insert(result.points.end(), points.begin(), points.end());
 
+  const PlainMesh numbered{result.points, mesh.triangles, mesh.constraints};
   std::set<Index> deleted;
   std::vector<Corners> added;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::vector<Index> hole = cavity(mesh, points[i]);
-    PlainMesh alone = mesh;
-    alone.points = result.points;
     const auto vertex = static_cast<Index>(mesh.points.size() + i);
-    const auto fan = retriangulation(alone, hole, vertex);
+    const auto fan = retriangulation(numbered, hole, vertex);
     if (const auto split = constraint_through(mesh, points[i])) split_constraint(result, *split, vertex);
     deleted.insert(hole.begin(), hole.end());
     added.insert(added.end(), fan.begin(), fan.end());

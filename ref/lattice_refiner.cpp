@@ -126,14 +126,14 @@ Round insert_round(const Work& work, Phase& phase) {
   return all_fit ? Round::inserted : Round::outgrown;
 }
 
-Sweep run_sweep(Refinement& state, Criteria& criteria) {
-  Sweep sweep{lattice_over(state.mesh), {}};
-  const Work work{state, criteria, sweep.lattice};
+/// Phase by phase, until all colours had their turn or the lattice is outgrown.
+Sweep run_sweep(const Work& work) {
+  Sweep sweep{work.lattice, {}};
   for (const Colour& colour : all_colours) {
     Phase phase{colour, {}, {}, {}, {}};
     Round round = Round::inserted;
     while (round == Round::inserted) round = insert_round(work, phase);
-    phase.after = state.mesh;
+    phase.after = work.state.mesh;
     sweep.phases.push_back(std::move(phase));
     if (round == Round::outgrown) break;
   }
@@ -156,10 +156,12 @@ Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, 
 
   LatticeRefinement result;
   result.preprocessed = state.mesh;
+  Lattice lattice = lattice_over(state.mesh);
   do {
-    result.sweeps.push_back(run_sweep(state, criteria));
+    result.sweeps.push_back(run_sweep({state, criteria, lattice}));
     if (state.failure) return *state.failure;
     if (mutated("ref_one_sweep_only")) break;
+    if (!allows(lattice, squared_circumradius_bound(state.mesh))) lattice = lattice_over(state.mesh);
   } while (!did_nothing(result.sweeps.back()) || !state.waiting.empty());
 
   if (std::ranges::any_of(state.mesh.triangles,

@@ -23,10 +23,10 @@ void count(Card& card) {
     ++row_of(
           card.families, [&](const FamilyRow& row) { return row.family == family; }, FamilyRow{family, {}})
           .counts[verdict];
-    for (const std::string& kind : outcome.kinds) {
+    for (const Finding& finding : outcome.findings) {
       ++row_of(
-            card.kinds, [&](const FailureKind& row) { return row.kind == kind; },
-            FailureKind{outcome.verdict, kind, 0, i, {}})
+            card.kinds, [&](const FailureKind& row) { return row.kind == finding.kind; },
+            FailureKind{outcome.verdict, finding.kind, 0, i, finding.message, {}})
             .cases;
     }
   }

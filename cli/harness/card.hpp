@@ -26,6 +26,7 @@ struct FailureKind {
   std::string kind;
   std::uint64_t cases = 0;
   std::size_t first = 0;  ///< index of a case
+  std::string message;    ///< of that case
   std::optional<SmallestFailure> smallest;
 };
 

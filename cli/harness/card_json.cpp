@@ -18,7 +18,8 @@ Json kind_json(const Card& card, const FailureKind& kind) {
   Json json = {{"verdict", name(kind.verdict)},
                {"kind", kind.kind},
                {"cases", kind.cases},
-               {"first", to_string(card.cases[kind.first])}};
+               {"first", to_string(card.cases[kind.first])},
+               {"message", kind.message}};
   if (kind.smallest) {
     json["smallest"] = {{"points", kind.smallest->points},
                         {"segments", kind.smallest->segments},
@@ -47,10 +48,12 @@ std::string to_json(const Card& card) {
   for (std::size_t i = 0; i < card.cases.size(); ++i) {
     const Outcome& outcome = card.outcomes[i];
     if (outcome.verdict == Verdict::valid) continue;
+    Json findings = Json::array();
+    for (const Finding& finding : outcome.findings)
+      findings.push_back({{"kind", finding.kind}, {"message", finding.message}});
     json["failures"].push_back({{"case", to_string(card.cases[i])},
                                 {"verdict", name(outcome.verdict)},
-                                {"kinds", outcome.kinds},
-                                {"message", outcome.message},
+                                {"findings", findings},
                                 {"replay", card.replay + " --replay " + to_string(card.cases[i])}});
   }
   // What a mesher says need not be UTF-8.

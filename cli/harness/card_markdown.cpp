@@ -7,8 +7,15 @@
 namespace pardel::harness {
 namespace {
 
-/// Inside a table, a bar would end the cell.
-std::string cell(const std::string& text) { return replaced(text, "|", "\\|"); }
+constexpr std::size_t longest_cell = 140;
+
+/// Inside a table, a bar would end the cell. What is cut off is in the JSON.
+std::string cell(const FailureKind& kind) {
+  std::string text = kind.message;
+  if (text.starts_with(kind.kind + ": ")) text.erase(0, kind.kind.size() + 2);
+  if (text.size() > longest_cell) text = text.substr(0, longest_cell) + "...";
+  return replaced(text, "|", "\\|");
+}
 
 std::string row(const std::string& title, const Counts& counts) {
   std::uint64_t all = 0;
@@ -41,9 +48,8 @@ std::string smallest_text(const FailureKind& kind) {
 std::string kinds_table(const Card& card) {
   std::string table = "| verdict | kind | cases | first | there |\n|---|---|---:|---|---|\n";
   for (const FailureKind& kind : card.kinds) {
-    table +=
-        fmt::format("| {} | {} | {} | {} | {}{} |\n", name(kind.verdict), kind.kind, kind.cases,
-                    to_string(card.cases[kind.first]), cell(card.outcomes[kind.first].message), smallest_text(kind));
+    table += fmt::format("| {} | {} | {} | {} | {}{} |\n", name(kind.verdict), kind.kind, kind.cases,
+                         to_string(card.cases[kind.first]), cell(kind), smallest_text(kind));
   }
   return table;
 }
@@ -51,7 +57,7 @@ std::string kinds_table(const Card& card) {
 }  // namespace
 
 std::string to_markdown(const Card& card) {
-  std::string text = fmt::format("# {} of {} valid\n\n`{}`\n\n{}. {}. Seed {}.\n\n{}",
+  std::string text = fmt::format("### {} of {} valid\n\n`{}`\n\n{}. {}. Seed {}.\n\n{}",
                                  card.counts[static_cast<std::size_t>(Verdict::valid)], card.outcomes.size(),
                                  card.mesher, card.goal, card.limits, card.seed, families_table(card));
   if (all_valid(card)) return text;

@@ -37,7 +37,7 @@ Status write_failure(const Card& card, FailureKind& kind, const Trials& trials, 
   const auto fails = [&](const LatticeDomain& domain) -> Result<bool> {
     const Result<Outcome> outcome = try_mesher(trials, domain, work);
     if (!outcome) return outcome.error();
-    return std::find(outcome->kinds.begin(), outcome->kinds.end(), kind.kind) != outcome->kinds.end();
+    return outcome->has(kind.kind);
   };
   const std::size_t runs = kind.verdict == Verdict::hung ? max_runs / 10 : max_runs;
   const Result<Shrunk> shrunk = shrink(make_case(card.cases[kind.first]), runs, fails);

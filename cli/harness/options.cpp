@@ -11,6 +11,7 @@
 namespace pardel::harness {
 namespace {
 
+constexpr int most_words = 100'000;
 constexpr const char* description =
     "pardel-harness: tries any mesher on generated domains, and has an independent checker judge its meshes.";
 
@@ -71,10 +72,12 @@ void add_case_options(CLI::App& app, Options& options) {
       ->group(group);
   app.add_option("--families", into<Family>(options.families, family_named), "These only, with commas between them")
       ->delimiter(',')
+      ->expected(1, most_words)
       ->type_name("NAMES")
       ->group(group);
   app.add_option("--replay", into<CaseId>(options.replay, parse_case), "These cases only, as the report names them")
       ->delimiter(',')
+      ->expected(1, most_words)
       ->type_name("SEED:FAMILY:INDEX")
       ->group(group);
   app.add_flag_callback(

@@ -1,5 +1,7 @@
 #include "outcome.hpp"
 
+#include <algorithm>
+
 #include "../../properties/check.hpp"
 #include "../verdict.hpp"
 
@@ -30,23 +32,20 @@ Outcome judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, bool delauna
   Certificate certificate = check(pslg, mesh, goal, {.max_violations = most_listed, .foreign = true});
   if (!delaunay) certificate.violation_counts[static_cast<std::size_t>(ViolationKind::not_delaunay)] = 0;
   const bool only_bounds = cli::only_bounds_missed(certificate);
-  Outcome outcome{only_bounds ? Verdict::missed : Verdict::wrong, {}, {}, {}, {}};
-  const auto counts = [&](ViolationKind kind) {
-    return certificate.violation_counts[static_cast<std::size_t>(kind)] > 0 &&
-           cli::is_missed_bound(kind) == only_bounds;
-  };
-  for (std::size_t k = 0; k < certificate.violation_counts.size(); ++k) {
-    const auto kind = static_cast<ViolationKind>(k);
-    if (counts(kind)) outcome.kinds.emplace_back(name(kind));
-  }
-  if (outcome.kinds.empty()) return {};
+  Outcome outcome{only_bounds ? Verdict::missed : Verdict::wrong, {}, {}, {}};
   for (const Violation& violation : certificate.violations) {
-    if (!counts(violation.kind)) continue;
+    const auto count = certificate.violation_counts[static_cast<std::size_t>(violation.kind)];
+    if (count == 0 || cli::is_missed_bound(violation.kind) != only_bounds) continue;
+    const std::string kind = name(violation.kind);
     outcome.details.push_back(violation.message());
     outcome.where.insert(outcome.where.end(), violation.where.begin(), violation.where.end());
+    if (!outcome.has(kind)) outcome.findings.push_back({kind, outcome.details.back()});
   }
-  if (!outcome.details.empty()) outcome.message = outcome.details.front();
-  return outcome;
+  return outcome.findings.empty() ? Outcome{} : outcome;
+}
+
+bool Outcome::has(const std::string& kind) const {
+  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.kind == kind; });
 }
 
 }  // namespace pardel::harness

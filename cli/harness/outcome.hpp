@@ -23,19 +23,25 @@ enum class Verdict : std::uint8_t {
 inline constexpr std::size_t verdict_count = 6;
 [[nodiscard]] const char* name(Verdict verdict);
 
+/// One kind of what was wrong, for counting: a kind of violation by the checker's name, "unreadable", "SIGSEGV",
+/// "time limit", "exit code 3", "no output". Each kind belongs to one verdict.
+struct Finding {
+  std::string kind;
+  std::string message;  ///< one line: the first such violation, what the mesher said, ...
+};
+
 struct Outcome {
   Verdict verdict = Verdict::valid;
-  /// What was wrong, for counting: the checker's kinds of violations, "unreadable", "SIGSEGV", "time limit",
-  /// "exit code 3", "no output". Empty exactly where the case is valid. Each kind belongs to one verdict: of a
-  /// wrong mesh, missed bounds are passed over.
-  std::vector<std::string> kinds;
-  std::string message;               ///< one line: the first violation, the mesher's last words, ...
-  std::vector<std::string> details;  ///< of a wrong mesh: the first violations, a line each
+  std::vector<Finding> findings;     ///< one per kind; none exactly where the case is valid
+  std::vector<std::string> details;  ///< of a mesh: the first violations of each kind, a line each
   std::vector<Point> where;          ///< their places
+
+  [[nodiscard]] bool has(const std::string& kind) const;
 };
 
 /// The independent checker's word on a mesh of another program: what it does not carry is not judged.
-/// `delaunay`: edges that are not locally Delaunay are wrong; else they are passed over.
+/// Of a wrong mesh, missed bounds are passed over. `delaunay`: edges that are not locally Delaunay are wrong; else they
+/// are passed over.
 [[nodiscard]] Outcome judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, bool delaunay);
 
 }  // namespace pardel::harness

@@ -16,30 +16,26 @@ namespace pardel::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t longest_message = 160;
 /// Shells report a child that a signal ended with an exit code of this plus the signal.
 constexpr int shell_signal_base = 128;
 
 /// Signals that mean a crash, and not that somebody stopped the program.
 constexpr int crash_signals[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGKILL};
 
-/// The mesher's last line with "error" in it, or else its last line; the folder's name left out.
-std::string last_words(const fs::path& log, const fs::path& folder) {
+/// The mesher's first line with "error" in it, or else its last line; the folder's name left out.
+std::string telling_line(const fs::path& log, const fs::path& folder) {
   std::ifstream in(log);
-  std::string last, error;
+  std::string telling;
   for (std::string line; std::getline(in, line);) {
     std::erase_if(line, [](unsigned char c) { return std::iscntrl(c) != 0; });
-    if (line.find_first_not_of(' ') == std::string::npos) continue;
-    last = line;
-    if (line.find("rror") != std::string::npos) error = line;
+    if (line.find_first_not_of(' ') != std::string::npos) telling = line;
+    if (line.find("rror") != std::string::npos) break;
   }
-  std::string words = replaced(error.empty() ? last : error, folder.string() + '/', "");
-  if (words.size() > longest_message) words = words.substr(0, longest_message) + "...";
-  return words;
+  return replaced(telling, folder.string() + '/', "");
 }
 
 Outcome failed(Verdict verdict, std::string kind, std::string message) {
-  return {verdict, {std::move(kind)}, std::move(message), {}, {}};
+  return {verdict, {{std::move(kind), std::move(message)}}, {}, {}};
 }
 
 Outcome judge_file(const Trials& trials, const Pslg& pslg, const Goal& goal, const fs::path& folder,
@@ -47,7 +43,7 @@ Outcome judge_file(const Trials& trials, const Pslg& pslg, const Goal& goal, con
   const fs::path out = output_in(folder, trials.mesher);
   std::error_code ignored;
   if (!fs::exists(out, ignored)) {
-    const std::string said = last_words(log, folder);
+    const std::string said = telling_line(log, folder);
     return failed(Verdict::refused, "no output",
                   fmt::format("it did not write {}{}", out.filename().string(), said.empty() ? "" : ", but: " + said));
   }
@@ -66,7 +62,7 @@ Result<Outcome> outcome_of(const ChildRun& run, const Trials& trials, const Pslg
     case Ending::timed_out:
       return failed(Verdict::hung, "time limit", fmt::format("not done within {} s", trials.limits.seconds));
     case Ending::signalled:
-      return failed(Verdict::crashed, signal_name(run.number), last_words(log, folder));
+      return failed(Verdict::crashed, signal_name(run.number), telling_line(log, folder));
     case Ending::exited:
       break;
   }
@@ -76,10 +72,10 @@ Result<Outcome> outcome_of(const ChildRun& run, const Trials& trials, const Pslg
   }
   for (const int signal : crash_signals) {
     if (run.number == shell_signal_base + signal) {
-      return failed(Verdict::crashed, signal_name(signal), last_words(log, folder));
+      return failed(Verdict::crashed, signal_name(signal), telling_line(log, folder));
     }
   }
-  return failed(Verdict::refused, fmt::format("exit code {}", run.number), last_words(log, folder));
+  return failed(Verdict::refused, fmt::format("exit code {}", run.number), telling_line(log, folder));
 }
 
 }  // namespace

@@ -15,12 +15,6 @@ using generators::Random;
 
 Point on_halves(double x, double y) { return {std::round(2 * x) / 2, std::round(2 * y) / 2}; }
 
-std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh) {
-  std::vector<Index> all(mesh.triangles.size());
-  for (Index t = 0; t < all.size(); ++t) all[t] = t;
-  return ref::boundary(mesh, all);
-}
-
 /// Chooses positions for one scene; its points, relative to its lower left corner, are small integers or halves.
 class Positions {
  public:
@@ -188,6 +182,12 @@ bool add_insertion(Random& random, MeshedScene& meshed, const SceneWish& wish, P
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed) { return out << meshed.scene; }
+
+std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh) {
+  std::vector<Index> all(mesh.triangles.size());
+  for (Index t = 0; t < all.size(); ++t) all[t] = t;
+  return ref::boundary(mesh, all);
+}
 
 MeshedScene meshed(Scene scene, Families families) {
   MeshedScene result{std::move(scene), {}, 0, std::move(families)};

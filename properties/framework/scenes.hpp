@@ -45,6 +45,9 @@ std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed);
 /// The generator as a plain function; with fewer insertions than wished for where none was found.
 [[nodiscard]] MeshedScene random_scene(generators::Random& random, const SceneWish& wish);
 
+/// The edges around the mesh's convex hull, counter-clockwise, in no order.
+[[nodiscard]] std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh);
+
 /// Do the insertions lie in the mesh, on no vertex and on no wall, and as far from each other and from encroaching as
 /// the wish says?
 [[nodiscard]] bool grants(const MeshedScene& meshed, const SceneWish& wish);

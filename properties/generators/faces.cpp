@@ -1,6 +1,7 @@
 #include "faces.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pardel::generators {
 namespace {
@@ -27,8 +28,7 @@ bool comes_before(LatticePoint u, LatticePoint v) {
 
 }  // namespace
 
-LatticeFaces::LatticeFaces(const std::vector<LatticePoint>& points, const std::vector<Segment>& segments)
-    : around_(points.size()) {
+LatticeFaces::LatticeFaces(const std::vector<LatticePoint>& points, const std::vector<Segment>& segments) {
   for (const LatticePoint p : points) quarters_.push_back(4 * p);
   for (const Segment& s : segments.empty() ? sides_of_hull(points) : segments) {
     ends_.push_back({s.a, s.b});
@@ -45,11 +45,16 @@ LatticeFaces::LatticeFaces(const LatticeDomain& domain) : LatticeFaces(domain.po
 }
 
 void LatticeFaces::link() {
-  for (Index h = 0; h < ends_.size(); ++h) around_[ends_[h].a].push_back(h);
-  for (std::vector<Index>& star : around_)
-    std::ranges::sort(star, [&](Index g, Index h) {
-      return comes_before(at(ends_[g].b) - at(ends_[g].a), at(ends_[h].b) - at(ends_[h].a));
-    });
+  by_origin_.resize(ends_.size());
+  std::iota(by_origin_.begin(), by_origin_.end(), Index{0});
+  std::ranges::sort(by_origin_, [&](Index g, Index h) {
+    const auto [a, b] = ends_[g];
+    const auto [c, d] = ends_[h];
+    return a != c ? a < c : comes_before(at(b) - at(a), at(d) - at(c));
+  });
+  first_.assign(quarters_.size() + 1, 0);
+  for (const HalfEdge e : ends_) ++first_[e.a + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
 void LatticeFaces::trace_contours() {
@@ -67,7 +72,7 @@ void LatticeFaces::trace_contours() {
       twice_area += cross(at(a) - at(ends_[start].a), at(b) - at(ends_[start].a));
       if (at(b) < at(lowest.back())) lowest.back() = b;
       // Sharpest left: the half-edge that comes clockwise next to the way back.
-      const std::vector<Index>& star = around_[b];
+      const std::span<const Index> star = around(b);
       const auto back = std::ranges::find(star, twin(h));
       h = back == star.begin() ? star.back() : *(back - 1);
     } while (h != start);

@@ -1,6 +1,7 @@
 // The faces into which segments cut the plane, walked half-edge by half-edge in exact integers.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lattice.hpp"
@@ -35,7 +36,9 @@ class LatticeFaces {
   /// The contour left of a half-edge runs around its face, rather than around something inside the face.
   [[nodiscard]] bool on_outer_contour(Index half_edge) const { return is_outer_[contour_of_[half_edge]]; }
   /// Half-edges from a point, counter-clockwise.
-  [[nodiscard]] const std::vector<Index>& around(Index point) const { return around_[point]; }
+  [[nodiscard]] std::span<const Index> around(Index point) const {
+    return std::span(by_origin_).subspan(first_[point], first_[point + 1] - first_[point]);
+  }
 
   /// Seeds are in quarters.
   [[nodiscard]] bool on_a_segment(LatticePoint seed) const;
@@ -58,7 +61,8 @@ class LatticeFaces {
 
   std::vector<LatticePoint> quarters_;  ///< the points, in quarters
   std::vector<HalfEdge> ends_;
-  std::vector<std::vector<Index>> around_;
+  std::vector<Index> by_origin_;   ///< half-edges by the point they start at, then by angle
+  std::vector<Index> first_;       ///< per point, and one past the last: its first in by_origin_
   std::vector<Index> contour_of_;  ///< per half-edge
   std::vector<char> is_outer_;     ///< per contour
   std::vector<Index> face_of_;     ///< per contour

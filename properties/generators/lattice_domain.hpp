@@ -79,7 +79,7 @@ std::ostream& operator<<(std::ostream& out, const LatticeDomain& domain);
 /// See Family. Precondition: is_valid(domain).
 [[nodiscard]] bool has_trait(Family family, const LatticeDomain& domain);
 
-/// A valid domain with the family's trait: 4 points or a few more at size 0, about 60 at most at size 100.
+/// A valid domain with the family's trait: 3 to 45 points, of which more come with the size, 0 to 100.
 [[nodiscard]] LatticeDomain generate(Family family, Random& random, int size);
 /// The families evenly.
 [[nodiscard]] LatticeDomain any_domain(Random& random, int size);

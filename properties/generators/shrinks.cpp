@@ -154,16 +154,16 @@ class Shrinker {
       if (image.keeps_segment[s] && a != no_index && b != no_index && a != b && known.insert(std::minmax(a, b)).second)
         result.segments.push_back({a, b, segment.marker});
     }
-    const bool asks = !mutated("shrinker_asks_not_what_is_valid");
-    if (asks && !is_valid(result)) return;
-    if (asks) put_seeds(image, image_of, result);
-    if ((!asks || is_valid(result)) && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
+    if (!is_valid(result) && !mutated("shrinker_asks_not_what_is_valid")) return;
+    const bool something_remains = put_seeds(image, image_of, result);
+    if (something_remains && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
   }
 
   /// Into the faces beside those half-edges that are left of the seeds' faces; a seed of which none is left goes.
+  /// False where holes would eat every face.
   template <class ImageOf>
-  void put_seeds(const Image& image, const ImageOf& image_of, LatticeDomain& result) const {
-    if (domain_.holes.empty() && domain_.regions.empty()) return;
+  bool put_seeds(const Image& image, const ImageOf& image_of, LatticeDomain& result) const {
+    if (domain_.holes.empty() && domain_.regions.empty()) return true;
     LatticeFaces faces(result.points, result.segments);
     const auto beside = [&](Index old_face) {
       for (Index h = 0; h < faces_.half_edges(); ++h) {
@@ -186,6 +186,7 @@ class Shrinker {
       LatticeRegion& region = result.regions.emplace_back(domain_.regions[r]);
       region.seed = faces.seed_left_of(at);
     }
+    return result.holes.size() + 1 < faces.count();  // one hole a face, none in the exterior
   }
 
   const LatticeDomain& domain_;

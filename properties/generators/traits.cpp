@@ -65,7 +65,7 @@ bool has_collinear_run(const Points& points, const LatticeFaces& faces) {
 
 bool has_small_angle(const Points& points, const LatticeFaces& faces) {
   for (Index apex = 0; apex < points.size(); ++apex) {
-    const std::vector<Index>& star = faces.around(apex);
+    const std::span<const Index> star = faces.around(apex);
     for (std::size_t i = 0; i < star.size(); ++i) {
       const LatticePoint u = points[faces.ends(star[i]).b] - points[apex];
       const LatticePoint v = points[faces.ends(star[(i + 1) % star.size()]).b] - points[apex];
@@ -109,7 +109,7 @@ bool has_island(const LatticeFaces& faces) {
 bool has_touching_holes(const Points& points, const LatticeFaces& faces) {
   for (Index p = 0; p < points.size(); ++p) {
     std::set<Index> entered;  // faces outside the domain that follow upon the domain
-    const std::vector<Index>& star = faces.around(p);
+    const std::span<const Index> star = faces.around(p);
     for (std::size_t i = 0; i < star.size(); ++i) {
       const Index face = faces.left_of(star[i]), next = faces.left_of(star[(i + 1) % star.size()]);
       if (faces.is_domain(face) && !faces.is_domain(next)) entered.insert(next);

@@ -32,10 +32,13 @@ bool all_on_a_line(const std::vector<LatticePoint>& points) {
 
 /// Between two different points, each pair once.
 bool segments_have_ends(const LatticeDomain& d) {
-  std::set<std::pair<Index, Index>> known;
-  return std::ranges::all_of(d.segments, [&](const Segment& s) {
-    return s.a < d.points.size() && s.b < d.points.size() && s.a != s.b && known.insert(std::minmax(s.a, s.b)).second;
-  });
+  std::vector<std::pair<Index, Index>> ends;
+  for (const Segment& s : d.segments) {
+    if (s.a >= d.points.size() || s.b >= d.points.size() || s.a == s.b) return false;
+    ends.push_back(std::minmax(s.a, s.b));
+  }
+  std::ranges::sort(ends);
+  return std::ranges::adjacent_find(ends) == ends.end();
 }
 
 bool a_segment_runs_through_a_point(const LatticeDomain& d) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/validate.hpp"
@@ -233,7 +232,7 @@ PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_hole,
                  .families = "nested and touching holes"}) {
   const Family family = *rc::gen::element(Family::nested_holes, Family::touching_holes);
   const LatticeDomain domain =
-      *unshrunk([family](Random& random, int size) { return generate(family, random, size / 3); });
+      *unshrunk([family](Random& random, int size) { return generate(family, random, size / 6); });
   exhibit.show(to_pslg(domain));
   const LatticeDomain least = shrunk(domain, [](const LatticeDomain& d) { return !d.holes.empty(); });
   exhibit.show(to_pslg(least));

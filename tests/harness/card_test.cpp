@@ -13,9 +13,9 @@ Card sample() {
   card.replay = "pardel-harness --mesher m";
   card.cases = {{1, Family::cracks, 0}, {1, Family::far_offset, 0}, {1, Family::cracks, 1}, {1, Family::far_offset, 1}};
   card.outcomes = {{},
-                   {Verdict::wrong, {"overlap"}, "a|b", {}, {}},
-                   {Verdict::crashed, {"SIGSEGV"}, "\xff", {}, {}},
-                   {Verdict::wrong, {"area_mismatch", "overlap"}, "", {}, {}}};
+                   {Verdict::wrong, {{"overlap", "a|b"}}, {}, {}},
+                   {Verdict::crashed, {{"SIGSEGV", "\xff"}}, {}, {}},
+                   {Verdict::wrong, {{"area_mismatch", ""}, {"overlap", ""}}, {}, {}}};
   count(card);
   return card;
 }

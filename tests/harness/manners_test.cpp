@@ -58,12 +58,12 @@ TEST_F(AMesher, ThatNeverEndsHangsThoughItWroteAMesh) {
 
 TEST_F(AMesher, ThatExitsWithAnErrorRefuses) {
   EXPECT_EQ(verdict("mesh $1 $2; echo 'Error: too hard' >&2; exit 3"), "refused: exit code 3");
-  EXPECT_EQ(card()["failures"][0]["message"], "Error: too hard");
+  EXPECT_EQ(card()["failures"][0]["findings"][0]["message"], "Error: too hard");
 }
 
 TEST_F(AMesher, ThatWritesNothingRefuses) {
   EXPECT_EQ(verdict("echo done"), "refused: no output");
-  EXPECT_EQ(card()["failures"][0]["message"], "it did not write domain.1.ele, but: done");
+  EXPECT_EQ(card()["failures"][0]["findings"][0]["message"], "it did not write domain.1.ele, but: done");
 }
 
 TEST_F(AMesher, ThatWritesGarbageIsWrong) {
@@ -116,7 +116,7 @@ constexpr const char* afraid =
     "0) mesh $1 $2 ;;\n*) kill -SEGV $$ ;;\nesac";
 
 TEST_F(AMesher, IsReportedAlikeWhateverTheNumberOfJobs) {
-  const std::vector<std::string> options = {"--cases", "44", "--seed", "5", "--failures", "failures"};
+  const std::vector<std::string> options = {"--cases", "44", "--seed", "5", "--failures", "failures", "--shrink-runs", "40"};
   std::vector<std::string> more = options;
   more.insert(more.end(), {"--jobs", "1"});
   const Ran one = try_script(afraid, more);
@@ -143,12 +143,12 @@ TEST_F(AMesher, ThatFearsHolesIsShownTheSmallestDomainWithOne) {
 
 TEST_F(AMesher, FailsAgainOnTheReplayOfACase) {
   try_script(afraid, {"--cases", "44"});
-  const std::string id = card()["failures"][0]["case"], kind = card()["failures"][0]["kinds"][0];
+  const std::string id = card()["failures"][0]["case"], kind = card()["failures"][0]["findings"][0]["kind"];
   const Ran again = try_script(afraid, {"--replay", id, "--keep", "kept"});
   EXPECT_EQ(again.exit_code, 1) << again;
   EXPECT_EQ(card()["cases"], 1);
   EXPECT_EQ(card()["failures"][0]["case"], id);
-  EXPECT_EQ(card()["failures"][0]["kinds"][0], kind);
+  EXPECT_EQ(card()["failures"][0]["findings"][0]["kind"], kind);
   std::string folder = id;
   std::replace(folder.begin(), folder.end(), ':', '-');
   EXPECT_TRUE(exists("kept/" + folder + "/domain.poly"));

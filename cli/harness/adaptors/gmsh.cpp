@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -23,70 +23,75 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of one face, by index of the segment. Lines of loops are signed and count from 1, as in the .geo.
+/// A segment in one direction, with its number in the .geo: 1 + its index, negative where it is walked backwards.
+struct Line {
+  int number = 0;
+  Index from = 0, to = 0;
+};
+using Loop = std::vector<Line>;
+
+/// One face of the domain.
 struct Surface {
-  std::vector<std::vector<int>> loops;
-  std::vector<Index> cracks;  ///< with the face on both sides
+  std::vector<Loop> loops;    ///< with the face on the left; the outer one first, as Gmsh orients triangles by it
+  std::vector<Index> cracks;  ///< segments with the face on both sides
   std::vector<Index> points;  ///< at the end of no segment
 };
 
-/// Splits the boundary of a face, where every vertex has an even number of lines, into simple loops: walks along it
-/// and cuts a loop off wherever a vertex is met again.
-std::vector<std::vector<int>> simple_loops(std::span<const Segment> segments, const std::vector<Index>& boundary) {
-  std::multimap<Index, Index> at;  // vertex -> segment that was not walked yet
-  for (const Index s : boundary) {
-    at.emplace(segments[s].a, s);
-    at.emplace(segments[s].b, s);
-  }
-  const auto take = [&](Index vertex, Index segment) {
-    const auto [begin, end] = at.equal_range(vertex);
-    for (auto it = begin; it != end; ++it) {
-      if (it->second != segment) continue;
-      at.erase(it);
-      return;
-    }
-  };
-  std::vector<std::vector<int>> loops;
-  while (!at.empty()) {
-    std::vector<Index> vertices = {at.begin()->first};  // of the path; one more than lines
-    std::vector<int> lines;
-    for (auto next = at.find(vertices.back()); next != at.end(); next = at.find(vertices.back())) {
-      const Index s = next->second;
-      const bool forwards = segments[s].a == vertices.back();
-      const Index to = forwards ? segments[s].b : segments[s].a;
-      take(vertices.back(), s);
-      take(to, s);
-      lines.push_back(forwards ? static_cast<int>(s) + 1 : -static_cast<int>(s) - 1);
-      const auto met = std::find(vertices.begin(), vertices.end(), to);
-      const auto kept = met - vertices.begin();
-      if (met == vertices.end()) {
-        vertices.push_back(to);
-      } else {
-        loops.emplace_back(lines.begin() + kept, lines.end());
-        lines.resize(static_cast<std::size_t>(kept));
-        vertices.resize(static_cast<std::size_t>(kept) + 1);
-      }
+/// Splits the boundary of a face into simple loops: walks along it, and cuts a loop off wherever a vertex is met
+/// again.
+std::vector<Loop> simple_loops(const std::vector<Line>& boundary) {
+  std::multimap<Index, Line> from;
+  for (const Line& line : boundary) from.emplace(line.from, line);
+  std::vector<Loop> loops;
+  while (!from.empty()) {
+    Loop path;
+    for (auto next = from.begin(); next != from.end(); next = from.find(path.empty() ? no_index : path.back().to)) {
+      path.push_back(next->second);
+      from.erase(next);
+      const Index met = path.back().to;
+      const auto start = std::find_if(path.begin(), path.end(), [&](const Line& line) { return line.from == met; });
+      if (start == path.end()) continue;
+      loops.emplace_back(start, path.end());
+      path.erase(start, path.end());
     }
   }
   return loops;
 }
 
+/// Twice the area that a loop runs around counter-clockwise.
+double doubled_area(const Loop& loop, const std::vector<Point>& points) {
+  const Point origin = points[loop.front().from];  // far from 0, differences keep their digits
+  double sum = 0;
+  for (const Line& line : loop) {
+    const Point p = points[line.from], q = points[line.to];
+    sum += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
+  }
+  return sum;
+}
+
 /// By face; those outside the domain are left out.
 std::map<Index, Surface> surfaces_of(const Pslg& pslg, const Domain& domain) {
   std::map<Index, Surface> surfaces;
-  std::map<Index, std::vector<Index>> boundaries;
+  std::map<Index, std::vector<Line>> boundaries;
   const auto segments = domain.segments();
   for (Index s = 0; s < segments.size(); ++s) {
     const Index left = domain.faces().face(s, Side::left), right = domain.faces().face(s, Side::right);
+    const auto [a, b, marker] = segments[s];
+    const int number = static_cast<int>(s) + 1;
     if (left == right) {
       if (domain.inside(left)) surfaces[left].cracks.push_back(s);
       continue;
     }
-    for (const Index face : {left, right}) {
-      if (domain.inside(face)) boundaries[face].push_back(s);
-    }
+    if (domain.inside(left)) boundaries[left].push_back({number, a, b});
+    if (domain.inside(right)) boundaries[right].push_back({-number, b, a});
   }
-  for (const auto& [face, boundary] : boundaries) surfaces[face].loops = simple_loops(segments, boundary);
+  for (const auto& [face, boundary] : boundaries) {
+    std::vector<Loop>& loops = surfaces[face].loops = simple_loops(boundary);
+    const auto outer = std::max_element(loops.begin(), loops.end(), [&](const Loop& l, const Loop& m) {
+      return doubled_area(l, pslg.points) < doubled_area(m, pslg.points);
+    });
+    std::iter_swap(loops.begin(), outer);
+  }
   for (Index p = 0; p < pslg.points.size(); ++p) {
     if (!domain.faces().incident(p).empty()) continue;
     const Index face = domain.faces().face_at(pslg.points[p]);
@@ -113,8 +118,10 @@ std::string geometry(const Pslg& pslg, double edge) {
   int loop_count = 0;
   for (const auto& [face, surface] : surfaces_of(pslg, domain)) {
     std::string loops;
-    for (const std::vector<int>& loop : surface.loops) {
-      text += fmt::format("Curve Loop({}) = {{{}}};\n", ++loop_count, fmt::join(loop, ", "));
+    for (const Loop& loop : surface.loops) {
+      std::string lines;
+      for (const Line& line : loop) lines += fmt::format("{}{}", lines.empty() ? "" : ", ", line.number);
+      text += fmt::format("Curve Loop({}) = {{{}}};\n", ++loop_count, lines);
       loops += fmt::format("{}{}", loops.empty() ? "" : ", ", loop_count);
     }
     text += fmt::format("Plane Surface({}) = {{{}}};\n", face, loops);

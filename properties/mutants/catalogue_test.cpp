@@ -1,0 +1,86 @@
+// The catalogue is up to date: it has a row for every property in the sources and every statement of the theory.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "../check.hpp"
+#include "../findings.hpp"
+
+namespace pardel::mutants {
+namespace {
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The first group of every match, or the first two with a dot between.
+std::set<std::string> found(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::set<std::string> result;
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), regex); at != std::sregex_iterator(); ++at)
+    result.insert(at->size() > 2 ? (*at)[1].str() + "." + (*at)[2].str() : (*at)[1].str());
+  return result;
+}
+
+std::set<std::string> properties_in_the_sources() {
+  std::set<std::string> properties;
+  for (const char* folder : {"properties/theorems", "tests"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(PARDEL_SOURCE) / folder))
+      if (entry.path().extension() == ".cpp")
+        properties.merge(found(contents(entry.path()), R"(PARDEL_(?:PROPERTY|FACT)\(\s*(\w+),\s*(\w+),)"));
+  for (std::size_t kind = 0; kind < violation_kinds; ++kind)
+    properties.insert(std::string("Checker.reports_") + name(static_cast<ViolationKind>(kind)));
+  return properties;
+}
+
+/// The first of "### LABEL: what about it" over every statement that is tested.
+std::set<std::string> statements_of_the_theory() {
+  const std::string theory = contents(fs::path(PARDEL_SOURCE) / "properties/THEORY.md");
+  std::set<std::string> labels;
+  constexpr std::string_view heading = "\n### ", untested = "\nTested by: nothing";
+  for (std::size_t at = theory.find(heading), next; at != std::string::npos; at = next) {
+    next = theory.find(heading, at + heading.size());
+    const std::string section = theory.substr(at + heading.size(), next - at - heading.size());
+    if (section.find(untested) == std::string::npos) labels.insert(section.substr(0, section.find_first_of(":\n")));
+  }
+  return labels;
+}
+
+/// T1-sharp is tested by the suite T1Sharp.
+std::string suite_of(const std::string& label) {
+  if (label == "T1-closures") return "EdelsbrunnerGuoy";
+  std::string suite;
+  for (std::size_t i = 0; i < label.size(); ++i)
+    if (label[i] != '-') suite += i > 0 && label[i - 1] == '-' ? static_cast<char>(std::toupper(label[i])) : label[i];
+  return suite;
+}
+
+std::set<std::string> rows_of_the_catalogue() {
+  return found(contents(fs::path(PARDEL_SOURCE) / "properties/CATALOGUE.md"), R"(\n\| `(\w+\.\w+)` \|)");
+}
+
+TEST(Catalogue, has_a_row_for_every_statement_of_the_theory) {
+  std::set<std::string> suites;
+  for (const std::string& row : rows_of_the_catalogue()) suites.insert(row.substr(0, row.find('.')));
+  EXPECT_GE(statements_of_the_theory().size(), 10U);
+  for (const std::string& label : statements_of_the_theory())
+    EXPECT_TRUE(suites.contains(suite_of(label))) << label << " has no row";
+}
+
+TEST(Catalogue, has_a_row_for_every_property_and_no_other) {
+  const std::set<std::string> rows = rows_of_the_catalogue();
+  const std::set<std::string> properties = properties_in_the_sources();
+  for (const std::string& property : properties) EXPECT_TRUE(rows.contains(property)) << property << " has no row";
+  for (const std::string& row : rows) EXPECT_TRUE(properties.contains(row)) << row << " is no property any more";
+}
+
+}  // namespace
+}  // namespace pardel::mutants
