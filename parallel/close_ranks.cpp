@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "parallel_for.hpp"
 
 namespace pardel {
@@ -10,7 +11,7 @@ namespace {
 void close_triangles(Triangulation& t, const NumberLedger& numbers) {
   for (const NumberMove move : moves_into_holes(numbers)) {
     t.move_triangle(move.from, move.to);
-    if (!t.region.empty()) t.region[move.to] = t.region[move.from];
+    if (!t.region.empty()) t.region[move.to] = mutated("region_left_behind") ? 0 : t.region[move.from];
   }
   t.slots.resize(numbers.in_use());
   if (!t.region.empty()) t.region.resize(numbers.in_use());

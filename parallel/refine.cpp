@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../core/mutants.hpp"
 #include "../core/shortest.hpp"
 #include "close_ranks.hpp"
 #include "lattices.hpp"
@@ -69,7 +70,7 @@ class Refinement {
     // have this order by themselves, and neither has one queue over everything: it makes larger meshes.
     const Deferral longer_half{.last_key = median_key(deferred_)};
     sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), longer_half);
-    sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
+    if (!mutated("longer_half_forgotten")) sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
@@ -208,7 +209,10 @@ class Refinement {
     };
     // A triangle may ask now for a point in one cell, now for one in another, and be sent to and fro for ever: what
     // two sweeps without an insertion have tried wherever it asked to be needs a larger box.
-    for (int idle = 0; idle < 2 && waiting() && go_on();) idle = sweep(lattice, inbox, later) > 0 ? 0 : idle + 1;
+    for (int idle = 0; idle < 2 && waiting() && go_on();) {
+      idle = sweep(lattice, inbox, later) > 0 ? 0 : idle + 1;
+      if (mutated("sweeps_after_the_first_skipped")) return;
+    }
     for (const std::vector<Queued>& waits : inbox) stuck_.insert(stuck_.end(), waits.begin(), waits.end());
   }
 
@@ -220,7 +224,8 @@ class Refinement {
       std::vector<Job> jobs = jobs_of(lattice, colour, inbox);
       crew_.run(lattice, jobs, later, [this](int thread, std::uint64_t made) { return report(thread, made); });
       for (const Job& job : jobs) {
-        for (const HandedOn& h : job.result.handed_on) inbox[h.cell].push_back(h.triangle);
+        for (const HandedOn& h : job.result.handed_on)
+          if (!mutated("hand_on_dropped")) inbox[h.cell].push_back(h.triangle);
         collect(job, done);
       }
       triangles_before_ = crew_.triangles().in_use();
@@ -239,7 +244,7 @@ class Refinement {
     const std::vector<double> wanted = wanted_in_cells(inbox);
     std::vector<Job> jobs;
     for (Index cell = 0; cell < lattice.cells(); ++cell)
-      if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
+      if ((lattice.colour_of(cell) == colour || mutated("barrier_between_colours_removed")) && !inbox[cell].empty()) {
         jobs.emplace_back();
         jobs.back().cell = cell;
         jobs.back().seeds = std::exchange(inbox[cell], {});
@@ -262,7 +267,7 @@ class Refinement {
   void collect(const Job& job, Sweep& sweep) {
     const TaskResult& r = job.result;
     stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
-    stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
+    if (!mutated("stuck_triangles_forgotten")) stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
     deferred_.insert(deferred_.end(), r.deferred.begin(), r.deferred.end());
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
