@@ -175,7 +175,6 @@ std::vector<Index> cavity(const PlainMesh& mesh, const ExactPoint& p) {
     const Corners& t = mesh.triangles[i];
     if (disk_contains_p(t) && (mutated("ref_cavity_through_walls") || sees(mesh, p, t))) triangles.push_back(i);
   }
-  if (triangles.size() > 3 && mutated("ref_cavity_cut_short")) triangles.pop_back();
   return triangles;
 }
 

@@ -15,7 +15,8 @@ PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoi
   std::set<Index> deleted;
   std::vector<Corners> added;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::vector<Index> hole = cavity(mesh, points[i]);
+    std::vector<Index> hole = cavity(mesh, points[i]);
+    if (hole.size() > 3 && mutated("ref_cavity_cut_short")) hole.pop_back();
     const auto vertex = static_cast<Index>(mesh.points.size() + i);
     const auto fan = retriangulation(numbered, hole, vertex);
     if (const auto split = constraint_through(mesh, points[i])) split_constraint(result, *split, vertex);
