@@ -109,9 +109,10 @@ class Cavity {
       const Slot& slot = t.slots[inner.triangle()];
       const EdgeRef outer = slot.n[inner.side()];
       touches_constraint_ = touches_constraint_ || outer.constrained();
-      const bool stops = outer.constrained() && (outer.none() || !mutated("cavity_crosses_constraints"));
-      const Reach r = stops ? Reach::outside : reach(outer.triangle(), outer.side());
-      if (r == Reach::outside || (triangle_count_ == 4 && mutated("cavity_cut_short"))) {
+      const Reach r = outer.constrained() && !(mutated("cavity_crosses_constraints") && !outer.none())
+                          ? Reach::outside
+                          : reach(outer.triangle(), outer.side());
+      if (r == Reach::outside || (mutated("cavity_cut_short") && triangle_count_ == 4)) {
         boundary_[boundary_count_++] = {slot.from(inner.side()), inner, outer};
       } else if (r == Reach::inside) {
         add(outer.triangle());
@@ -158,7 +159,7 @@ void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const All
     const auto [from, inner, outer] = boundary[i];
     const TriangleId here = fan[i], before = fan[i > 0 ? i - 1 : n - 1];
     t.slots[here] = {{p, from, to}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
-    if (!outer.none() && !mutated("neighbour_link_dropped"))
+    if (!mutated("neighbour_link_dropped") && !outer.none())
       t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
     after = here;
     to = from;

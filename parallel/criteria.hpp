@@ -79,7 +79,7 @@ class Criteria {
   /// inside or on the diametral circle for a conforming goal, else in the diametral lens (Shewchuk,
   /// "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
-    if (dot == 0 && mutated("encroachment_is_strict")) return false;
+    if (mutated("encroachment_is_strict") && dot == 0) return false;
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 

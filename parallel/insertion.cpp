@@ -23,7 +23,7 @@ bool Insertion::measure_fan(Point p) {
     const Point b = t_.points[cavity_.to(i)];
     const double squared_b = (b.x - p.x) * (b.x - p.x) + (b.y - p.y) * (b.y - p.y);
     const double area = orient2d(a, b, p);
-    visible = visible && (area > 0 || mutated("orientation_of_the_fan_not_checked"));
+    visible = visible && (mutated("orientation_of_the_fan_not_checked") || area > 0);
     squared_closest_ = std::min(squared_closest_, squared_b);
     measures_[i] = {{(b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), squared_b, squared_a}, area};
     a = b;
@@ -91,7 +91,7 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
 Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
   const Outcome outcome = try_on_edge(p, e, box);
   if (outcome != Outcome::inserted) return outcome;
-  const bool flips = !is_star_ || (!spokes_delaunay(p) && !mutated("flips_after_a_rounded_split_skipped"));
+  const bool flips = !is_star_ || (!mutated("flips_after_a_rounded_split_skipped") && !spokes_delaunay(p));
   if (flips && !box.is_everything()) return Outcome::leaves_box;
   if (!is_star_) return edge_by_flips(p, e, line);
   commit(p, line);

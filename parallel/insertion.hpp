@@ -74,14 +74,14 @@ class Insertion {
     return [this, p, &box](TriangleId id, unsigned side) {
       const Slot& slot = t_.slots[id];
       if (!disk_contains(slot, p)) return Reach::outside;
-      return box.contains(t_.points[slot.v[side]]) || mutated("box_not_checked") ? Reach::inside : Reach::foreign;
+      return mutated("box_not_checked") || box.contains(t_.points[slot.v[side]]) ? Reach::inside : Reach::foreign;
     };
   }
   /// Measures the fan that would be made; false where p does not see every edge of the boundary from its left.
   bool measure_fan(Point p);
   /// Of the constrained edges of the boundary that the point encroaches on or lies beyond; none() if there is none.
   [[nodiscard]] EdgeRef longest_encroached() const;
-  [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_ && !mutated("floor_ignored"); }
+  [[nodiscard]] bool too_close() const { return !mutated("floor_ignored") && squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);

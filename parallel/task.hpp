@@ -48,7 +48,7 @@ class Judge {
     const bool large = too_large(id, m);
     if (!large && !criteria_.bad_shape(m)) return {};
     const double shortest = m.shortest_squared();
-    const bool by_shape_alone = !large || mutated("exemption_before_size");
+    const bool by_shape_alone = mutated("exemption_before_size") || !large;
     if (shortest < squared_floor_ || (by_shape_alone && small_angle(t_, lines_, t_.slots[id], m)))
       return {.left_alone = true};
     return {Assessment::Need::split_triangle, 0, BucketQueue::key(shortest), m.longest_squared(), false};

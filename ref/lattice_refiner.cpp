@@ -23,7 +23,8 @@ bool is_at_work(const Cell& cell, const Phase& phase) {
   return colour_of(cell) == phase.colour;
 }
 
-void touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
+/// Notes what p has to do with; returns its cavity.
+std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
   const std::vector<Index> hole = cavity(mesh, p);
   touched.vertices.merge(closure(mesh, hole));
   std::set<Edge> rim;
@@ -32,6 +33,7 @@ void touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
   for (const Corners& t : mesh.triangles)
     for (int i = 0; i < 3; ++i)
       if (rim.contains(edge_of(t, i))) touched.triangles.insert(t);
+  return hole;
 }
 
 /// The subsegment e has to be split because of something that the cell `from` did: a task for the cell in which the
@@ -103,12 +105,15 @@ Round insert_round(const Work& work, Phase& phase) {
 
   std::vector<ExactPoint> points;
   std::vector<std::optional<Edge>> splits;
+  std::set<Index> deleted;
   for (const auto& [cell, p] : found) {
     points.push_back(p);
     splits.push_back(constraint_through(state.mesh, p));
     phase.insertions.push_back({cell, p});
-    touch(phase.touched[cell], state.mesh, p);
+    for (Index t : touch(phase.touched[cell], state.mesh, p))
+      if (!deleted.insert(t).second) state.failure = Error{ErrorKind::invalid_input, "Two cells met in one triangle."};
   }
+  if (state.failure) return Round::nothing_left;  // what would come out is no mesh
   const auto first = static_cast<Index>(state.mesh.points.size());
   state.mesh = insert_independently(state.mesh, points);
 

@@ -64,7 +64,10 @@ void record(const Statement& statement, std::uint64_t cases, const std::map<std:
 std::map<std::string, std::uint64_t> shares_of(const rc::detail::Distribution& distribution) {
   std::map<std::string, std::uint64_t> shares;
   for (const auto& [tags, count] : distribution)
-    for (const std::string& tag : tags) shares[tag] += static_cast<std::uint64_t>(count);
+    for (std::string tag : tags) {
+      std::erase(tag, '"');  // RapidCheck shows strings with quotes
+      shares[tag] += static_cast<std::uint64_t>(count);
+    }
   return shares;
 }
 

@@ -15,6 +15,39 @@ using generators::Random;
 
 Point on_halves(double x, double y) { return {std::round(2 * x) / 2, std::round(2 * y) / 2}; }
 
+enum class Kind : std::uint8_t {
+  anywhere,
+  on_an_edge,
+  on_a_circumcircle,
+  above_a_vertex,
+  next_to_a_vertex,
+  facing_a_former_one,
+  beside_a_wall,
+  on_a_wall
+};
+
+const char* name(Kind kind) {
+  switch (kind) {
+    case Kind::anywhere:
+      return "inserted: anywhere";
+    case Kind::on_an_edge:
+      return "inserted: on an edge";
+    case Kind::on_a_circumcircle:
+      return "inserted: on a circumcircle";
+    case Kind::above_a_vertex:
+      return "inserted: above a vertex";
+    case Kind::next_to_a_vertex:
+      return "inserted: next to a vertex";
+    case Kind::facing_a_former_one:
+      return "inserted: on a circle through an edge and a former one";
+    case Kind::beside_a_wall:
+      return "inserted: beside a wall";
+    case Kind::on_a_wall:
+      return "inserted: on a wall";
+  }
+  return "";
+}
+
 /// Chooses positions for one scene; its points, relative to its lower left corner, are small integers or halves.
 class Positions {
  public:
@@ -28,35 +61,42 @@ class Positions {
   }
 
   /// In the hull's box; its family is given back, too. `former` is one of the insertions so far, if any.
-  Point any(const Point* former, std::string& family) {
-    switch (random_.below(former == nullptr ? 5 : 7)) {
-      case 0:
-        family = "inserted: on an edge";
-        return middle_of_an_edge();
-      case 1:
-        family = "inserted: on a circumcircle";
-        return on_a_circle(corners(random_.one_of(scene_.mesh.triangles)));
-      case 2:
-        family = "inserted: above a vertex";
-        return {random_.one_of(points_).x, anywhere().y};
-      case 3:
-        family = "inserted: next to a vertex";
-        return next_to_a_vertex();
-      case 5:
-        family = "inserted: on a circle through an edge and a former one";
-        return on_a_circle(facing(*former));
-      default:
-        family = "inserted: anywhere";
+  Point any(const SceneWish& wish, const Point* former, std::string& family) {
+    std::vector<Kind> kinds = {Kind::anywhere,          Kind::anywhere,       Kind::on_an_edge,
+                               Kind::on_a_circumcircle, Kind::above_a_vertex, Kind::next_to_a_vertex};
+    if (former != nullptr) kinds.push_back(Kind::facing_a_former_one);
+    if (!scene_.scene.walls.empty()) kinds.push_back(Kind::beside_a_wall);
+    if (!scene_.scene.walls.empty() && wish.on_walls) kinds.push_back(Kind::on_a_wall);
+    const Kind kind = random_.one_of(kinds);
+    family = name(kind);
+    switch (kind) {
+      case Kind::anywhere:
         return anywhere();
+      case Kind::on_an_edge:
+        return middle_of_an_edge();
+      case Kind::on_a_circumcircle:
+        return on_a_circle(corners(random_.one_of(scene_.mesh.triangles)));
+      case Kind::above_a_vertex:
+        return {random_.one_of(points_).x, anywhere().y};
+      case Kind::next_to_a_vertex:
+        return moved(random_.one_of(points_), 1);
+      case Kind::facing_a_former_one:
+        return on_a_circle(facing(*former));
+      case Kind::beside_a_wall:
+        return moved(middle_of_a_wall(), 6);
+      case Kind::on_a_wall:
+        return middle_of_a_wall();
     }
+    return {};
   }
 
-  /// Is p in the mesh, and is it neither a vertex nor on a wall?
-  [[nodiscard]] bool is_free(Point p) const {
+  /// Is p in the mesh, and is it neither a vertex nor, where that is not wished, on a wall?
+  [[nodiscard]] bool is_free(Point p, bool on_walls) const {
     const auto at = [&](Index v) { return points_[v]; };
     return std::ranges::all_of(hull_, [&](const ref::Edge& e) { return orientation(at(e[0]), at(e[1]), p) >= 0; }) &&
            std::ranges::count(points_, p) == 0 &&
-           std::ranges::none_of(scene_.scene.walls, [&](const ref::Edge& e) { return lies_on(p, at(e[0]), at(e[1])); });
+           (on_walls || std::ranges::none_of(scene_.scene.walls,
+                                             [&](const ref::Edge& e) { return lies_on(p, at(e[0]), at(e[1])); }));
   }
 
  private:
@@ -72,15 +112,22 @@ class Positions {
     return {x, y};
   }
 
+  static Point middle(Point a, Point b) { return on_halves((a.x + b.x) / 2, (a.y + b.y) / 2); }
+
   Point middle_of_an_edge() {
     const Three t = corners(random_.one_of(scene_.mesh.triangles));
-    return on_halves((t[0].x + t[1].x) / 2, (t[0].y + t[1].y) / 2);
+    return middle(t[0], t[1]);
   }
 
-  Point next_to_a_vertex() {
-    const Point v = random_.one_of(points_);
-    const double dx = random_.between(-1, 1) / 2.0, dy = random_.between(-1, 1) / 2.0;
-    return {v.x + dx, v.y + dy};
+  Point middle_of_a_wall() {
+    const ref::Edge wall = random_.one_of(scene_.scene.walls);
+    return middle(points_[wall[0]], points_[wall[1]]);
+  }
+
+  /// By up to so many halves in either direction.
+  Point moved(Point from, int halves) {
+    const double dx = random_.between(-halves, halves) / 2.0, dy = random_.between(-halves, halves) / 2.0;
+    return {from.x + dx, from.y + dy};
   }
 
   /// p and an edge of its cavity's boundary: who lies inside of their circle is not independent of p.
@@ -107,7 +154,7 @@ class Positions {
         const double dx = x - centre_x;
         const Point at = on_halves(x, centre_y + sign * std::sqrt(std::max(0.0, radius * radius - dx * dx)));
         const Point p{t[0].x + at.x, t[0].y + at.y};
-        if (twice * (at.x * at.x + at.y * at.y) + u * at.x + v * at.y == 0 && is_free(p)) found.push_back(p);
+        if (twice * (at.x * at.x + at.y * at.y) + u * at.x + v * at.y == 0 && is_free(p, true)) found.push_back(p);
       }
     return found.empty() ? t[0] : random_.one_of(found);
   }
@@ -168,8 +215,8 @@ bool add_insertion(Random& random, MeshedScene& meshed, const SceneWish& wish, P
   for (int trial = 0; trial < trials; ++trial) {
     std::string family;
     const Point* former = insertions.empty() ? nullptr : &random.one_of(insertions);
-    const Point p = positions.any(former, family);
-    if (positions.is_free(p) && std::ranges::count(insertions, p) == 0 &&
+    const Point p = positions.any(wish, former, family);
+    if (positions.is_free(p, wish.on_walls) && std::ranges::count(insertions, p) == 0 &&
         keeps_distance(meshed, wish, p, insertions.size()) && may_encroach(meshed, wish, p)) {
       insertions.push_back(p);
       meshed.families.push_back(std::move(family));
@@ -224,7 +271,7 @@ bool grants(const MeshedScene& meshed, const SceneWish& wish) {
   const std::vector<Point>& insertions = meshed.scene.insertions;
   if (insertions.size() < static_cast<std::size_t>(wish.insertions)) return false;
   for (std::size_t k = 0; k < insertions.size(); ++k)
-    if (!positions.is_free(insertions[k]) || !keeps_distance(meshed, wish, insertions[k], k) ||
+    if (!positions.is_free(insertions[k], wish.on_walls) || !keeps_distance(meshed, wish, insertions[k], k) ||
         !may_encroach(meshed, wish, insertions[k]))
       return false;
   return true;

@@ -22,6 +22,7 @@ struct SceneWish {
   int more = 0;                                           ///< up to so many more insertions, where there is room
   double least = 0;                                       ///< |pq| ≥ least · r̄ for every two insertions
   double most = std::numeric_limits<double>::infinity();  ///< |pq| < most · r̄ for each insertion and some former one
+  bool on_walls = false;                                  ///< may an insertion lie on a wall, which it splits?
   bool encroaching = true;  ///< may an insertion encroach upon a wall that bounds its cavity?
 };
 
@@ -48,8 +49,8 @@ std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed);
 /// The edges around the mesh's convex hull, counter-clockwise, in no order.
 [[nodiscard]] std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh);
 
-/// Do the insertions lie in the mesh, on no vertex and on no wall, and as far from each other and from encroaching as
-/// the wish says?
+/// Do the insertions lie in the mesh, on no vertex, on walls only where the wish says so, and as far from each other
+/// and from encroaching as it says?
 [[nodiscard]] bool grants(const MeshedScene& meshed, const SceneWish& wish);
 
 /// Simpler scenes that keep what Scene promises of points and walls, the simplest first: with fewer insertions (but

@@ -16,6 +16,7 @@ constexpr const char* near_and_far =
 MeshedScene at_any_distance(int insertions, int more) {
   const bool walls = *rc::gen::arbitrary<bool>(), near = *rc::gen::arbitrary<bool>();
   SceneWish wish{.walls = walls, .insertions = insertions, .more = more};
+  wish.on_walls = true;
   if (near) wish.most = 2.5;
   return *scenes(wish);
 }
@@ -52,7 +53,7 @@ void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::Exa
 
 PARDEL_PROPERTY(
     T1Iff, two_points_are_independent_iff_no_triangle_is_common_and_circles_on_common_edges_part_them,
-    {.statement = "Let p and q lie in a constrained Delaunay mesh, on no vertex and no constrained edge. These are "
+    {.statement = "Let p and q be distinct points of a constrained Delaunay mesh, and none of its vertices. These are "
                   "equivalent: (a) their cavities have no triangle in common, and p is not strictly inside the "
                   "circumcircle of q, m and n for any unconstrained edge mn on the boundaries of both; (b) "
                   "inserting them independently leaves the mesh conformal and constrained Delaunay; (c) doing so "
@@ -88,7 +89,7 @@ PARDEL_PROPERTY(T1Iff, independence_is_mutual,
 }
 
 PARDEL_PROPERTY(T1Iff, a_set_of_points_is_independent_iff_every_two_of_them_are,
-                {.statement = "Let points lie in a constrained Delaunay mesh, on no vertex and no constrained edge. "
+                {.statement = "Let points be distinct, in a constrained Delaunay mesh, and none of its vertices. "
                               "Inserting all of them independently makes a conformal and constrained Delaunay mesh, "
                               "the one that inserting one after the other makes, if and only if every two of the "
                               "points are independent.",

@@ -1,4 +1,5 @@
 // T1-sharp: as a statement about meshes, twice the largest circumradius is enough, and no less.
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -17,16 +18,17 @@ MeshedScene two_apart(const SceneWish& otherwise) {
   SceneWish wish = otherwise;
   wish.walls = *rc::gen::arbitrary<bool>();
   wish.least = 2;
+  wish.on_walls = true;
   return *scenes(wish);
 }
 
 bool encroaches_on_its_cavity(const MeshedScene& scene) {
-  return !grants(scene, {.walls = true, .encroaching = false});
+  return !grants(scene, {.walls = true, .on_walls = true, .encroaching = false});
 }
 
 PARDEL_PROPERTY(T1Sharp, from_two_circumradii_two_points_make_one_mesh_in_either_order_and_at_once,
-                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄, where "
-                              "neither point lies on a constrained edge. Inserting p and q independently makes the "
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. "
+                              "Inserting p and q independently makes the "
                               "conformal and constrained Delaunay mesh of either order; their cavities have no "
                               "triangle in common, but may touch. That a point encroaches upon a constrained edge of "
                               "its cavity does no harm.",
@@ -46,8 +48,8 @@ PARDEL_PROPERTY(T1Sharp, from_two_circumradii_two_points_make_one_mesh_in_either
 }
 
 PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inserted_independently,
-                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let points on no "
-                              "constrained edge be pairwise at least 2 r̄ apart. Inserting all of them independently "
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let points be "
+                              "pairwise at least 2 r̄ apart. Inserting all of them independently "
                               "makes the conformal and constrained Delaunay mesh of inserting one after the other.",
                  .source = "properties/THEORY.md, T1-sharp",
                  .families = "three to six points, each below 4 r̄ from another; all layouts, walls, positions"}) {
@@ -76,6 +78,33 @@ PARDEL_PROPERTY(T1Sharp, after_the_first_insertion_the_cavity_of_a_point_two_cir
   ref::PlainMesh after = scene.mesh;
   ref::insert(after, points[0]);
   RC_ASSERT(cavity_of_q(after) == cavity_of_q(scene.mesh));
+}
+
+/// The largest squared circumradius in the cavity of p.
+ref::Number squared_radius_of_cavity(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
+  ref::PlainMesh cavity{mesh.points, {}, {}};
+  for (const Index t : ref::cavity(mesh, p)) cavity.triangles.push_back(mesh.triangles[t]);
+  return ref::squared_circumradius_bound(cavity);
+}
+
+PARDEL_PROPERTY(T1Sharp, the_circumradii_of_the_two_cavities_are_all_that_counts,
+                {.statement = "Let R be the largest circumradius in the cavities of p and q in a constrained Delaunay "
+                              "mesh. If |pq| >= 2 R, then p and q are independent, however large other circumradii "
+                              "of the mesh are.",
+                 .source = "properties/THEORY.md, T1-sharp",
+                 .families = "pairs below 2 r̄; all layouts; with and without walls; degenerate positions"}) {
+  const bool walls = *rc::gen::arbitrary<bool>();
+  const MeshedScene scene = *scenes({.walls = walls, .most = 2, .on_walls = true});
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  const auto points = insertions_of(scene.scene);
+  const ref::Number bound =
+      std::max(squared_radius_of_cavity(scene.mesh, points[0]), squared_radius_of_cavity(scene.mesh, points[1]));
+  const bool far_enough = CGAL::squared_distance(points[0], points[1]) >= 4 * bound;
+  RC_CLASSIFY(far_enough, "at least 2 R apart");
+  RC_CLASSIFY(far_enough && contact(scene.mesh, points[0], points[1]) == Contact::edge,
+              "at least 2 R apart, with a common edge");
+  if (far_enough) RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
 }
 
 /// Follows one kind of pair over finer and finer lattices; the separations grow towards `limit`.

@@ -42,10 +42,11 @@
 #include <optional>
 #include <sstream>
 
-#include "../../ref/independent.hpp"
 #include "../../ref/insertion.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scenes.hpp"
+#include "region_failures.hpp"
+#include "tasks.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -53,99 +54,9 @@ using generators::Random;
 using ref::Box;
 using ref::ExactPoint;
 
-/// A task inserts its points in order, each in two steps: it finds the cavity, and later replaces it by triangles
-/// around the point.
-class Task {
- public:
-  /// With a box, hands on what would change triangles that are not the box's own.
-  explicit Task(std::vector<Point> points, std::optional<Box> box = {}) : points_(std::move(points)), box_(box) {}
-
-  [[nodiscard]] bool is_done() const { return handed_on_.size() == points_.size(); }
-
-  void step(ref::PlainMesh& mesh) {
-    const ExactPoint p = ref::exact(points_[handed_on_.size()]);
-    if (hole_) {
-      replace(mesh, p);
-      hole_.reset();
-      handed_on_.push_back(false);
-      return;
-    }
-    const std::vector<Index> cavity = ref::cavity(mesh, p);
-    if (box_ && !ref::owns(mesh, *box_, cavity)) {
-      handed_on_.push_back(true);
-      return;
-    }
-    hole_.emplace();
-    for (const Index t : cavity) hole_->push_back(mesh.triangles[t]);
-  }
-
-  /// One for each point so far.
-  [[nodiscard]] const std::vector<bool>& handed_on() const { return handed_on_; }
-  /// The corners of every triangle that it removed or made.
-  [[nodiscard]] const std::set<Index>& touched() const { return touched_; }
-
- private:
-  void replace(ref::PlainMesh& mesh, const ExactPoint& p) {
-    const auto vertex = static_cast<Index>(mesh.points.size());
-    mesh.points.push_back(p);
-    std::erase_if(mesh.triangles, [&](const ref::Corners& t) { return std::ranges::count(*hole_, t) != 0; });
-    const ref::PlainMesh hole{mesh.points, *hole_, {}};
-    std::vector<Index> all;
-    for (Index t = 0; t < hole.triangles.size(); ++t) all.push_back(t);
-    for (const ref::Corners& t : ref::retriangulation(hole, all, vertex)) mesh.triangles.push_back(t);
-    if (const auto split = ref::constraint_through(mesh, p)) ref::split_constraint(mesh, *split, vertex);
-    touched_.merge(ref::closure(hole, all));
-    touched_.insert(vertex);
-  }
-
-  std::vector<Point> points_;
-  std::optional<Box> box_;
-  std::optional<std::vector<ref::Corners>> hole_;  ///< found, not yet replaced
-  std::vector<bool> handed_on_;
-  std::set<Index> touched_;
-};
-
-using Tasks = std::array<Task, 2>;
-
-struct Outcome {
-  std::set<std::array<ExactPoint, 3>> triangles;
-  std::set<std::array<ExactPoint, 2>> constraints;
-  std::array<std::vector<bool>, 2> handed_on;
-  friend bool operator==(const Outcome&, const Outcome&) = default;
-};
-
-/// Runs both tasks on a copy of the mesh; `turn()` says which of the two takes the next step while both have some.
-template <class Turn>
-Outcome outcome(ref::PlainMesh mesh, Tasks& tasks, Turn turn) {
-  while (!tasks[0].is_done() || !tasks[1].is_done()) {
-    const int wanted = turn();
-    tasks[tasks[wanted].is_done() ? 1 - wanted : wanted].step(mesh);
-  }
-  Outcome result{ref::triangles_as_points(mesh), {}, {tasks[0].handed_on(), tasks[1].handed_on()}};
-  for (const ref::Edge& e : mesh.constraints) {
-    const ExactPoint &a = mesh.points[e[0]], &b = mesh.points[e[1]];
-    result.constraints.insert({std::min(a, b), std::max(a, b)});
-  }
-  return result;
-}
-
-Outcome one_after_the_other(const ref::PlainMesh& mesh, Tasks tasks, int first) {
-  return outcome(mesh, tasks, [first] { return first; });
-}
-
-Outcome interleaved(const ref::PlainMesh& mesh, Tasks& tasks, Random& random) {
-  return outcome(mesh, tasks, [&random] { return static_cast<int>(random.below(2)); });
-}
-
 bool is_in_hull(const ref::PlainMesh& mesh, const std::vector<ref::Edge>& hull, const ExactPoint& p) {
   return std::ranges::none_of(
       hull, [&](const ref::Edge& e) { return CGAL::right_turn(mesh.points[e[0]], mesh.points[e[1]], p); });
-}
-
-std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh) {
-  std::vector<Index> all(mesh.triangles.size());
-  for (Index t = 0; t < all.size(); ++t) all[t] = t;
-  return ref::boundary(mesh, all);
 }
 
 bool box_is_in_hull(const ref::PlainMesh& mesh, const std::vector<ref::Edge>& hull, const Box& box) {
@@ -184,25 +95,6 @@ std::vector<Point> some_points(Random& random, const Scene& scene, const Box& bo
     points.push_back(p);
   }
   return points;
-}
-
-template <class Set>
-bool are_disjoint(const Set& a, const Set& b) {
-  return std::ranges::none_of(a, [&](const auto& each) { return b.contains(each); });
-}
-
-/// The hypotheses about two regions, from the strongest to the weakest.
-enum class Apart : std::uint8_t { vertices_of_disks, vertices_in_sight, free_edges_in_sight };
-
-/// K(L), for one of the hypotheses.
-std::vector<Index> reach(const ref::PlainMesh& mesh, const Box& region, Apart how) {
-  return how == Apart::vertices_of_disks ? ref::in_reach_of(mesh, region) : ref::in_reach_and_sight_of(mesh, region);
-}
-
-bool are_apart(const ref::PlainMesh& mesh, const std::vector<Index>& k, const std::vector<Index>& l, Apart how) {
-  if (how != Apart::free_edges_in_sight) return are_disjoint(closure(mesh, k), closure(mesh, l));
-  return are_disjoint(std::set(k.begin(), k.end()), std::set(l.begin(), l.end())) &&
-         are_disjoint(ref::free_edges(mesh, k), ref::free_edges(mesh, l));
 }
 
 using Regions = std::array<Box, 2>;
@@ -433,28 +325,6 @@ PARDEL_PROPERTY(
   tasks_that_own_boxes_do_not_meet(exhibit, true);
 }
 
-/// Two tasks with a point each: both find their cavities, then both replace them. Is that what either order gives?
-bool two_points_are_independent(const MeshedScene& given) {
-  const ref::PlainMesh& mesh = given.mesh;
-  const Tasks tasks = {Task({given.scene.insertions[0]}), Task({given.scene.insertions[1]})};
-  const Outcome expected = one_after_the_other(mesh, tasks, 0);
-  Tasks at_once = tasks;
-  int turns = 0;
-  return one_after_the_other(mesh, tasks, 1) == expected &&
-         outcome(mesh, at_once, [&] { return turns++ % 2; }) == expected;
-}
-
-/// What two single points reach, as regions: their cavities.
-struct Reach {
-  std::vector<Index> p, q;
-};
-
-Reach reach_in_sight(const MeshedScene& given) {
-  const std::vector<Point>& at = given.scene.insertions;
-  return {ref::in_reach_and_sight_of(given.mesh, {at[0], at[0]}),
-          ref::in_reach_and_sight_of(given.mesh, {at[1], at[1]})};
-}
-
 /// The first random scene with two points to insert that shows something, made as small as it gets.
 template <class Shows>
 std::optional<Scene> search(Facts& facts, const SceneWish& wish, Shows shows) {
@@ -487,23 +357,16 @@ PARDEL_FACT(TRegion, fails_for_regions_that_reach_a_common_triangle,
                           "before either is replaced make something else than one after the other.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
-  EXPECT_TRUE(search(facts, {.walls = true}, [](const MeshedScene& given) {
-    const auto [p, q] = reach_in_sight(given);
-    return !are_disjoint(std::set(p.begin(), p.end()), std::set(q.begin(), q.end())) &&
-           !two_points_are_independent(given);
-  }));
+  EXPECT_TRUE(search(facts, {.walls = true}, fails_at_a_common_triangle));
 }
 
 PARDEL_FACT(TRegion, fails_for_regions_that_reach_both_sides_of_an_unconstrained_edge,
-            {.statement = "Fails when K(L) and K(L') have no triangle but an unconstrained edge in common: the mesh is "
-                          "conformal but not the one of either order.",
+            {.statement = "Fails when K(L) and K(L') have no triangle but an unconstrained edge in common: two tasks "
+                          "that find their cavities before either is replaced make something else than one after the "
+                          "other.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
-  EXPECT_TRUE(search(facts, {.walls = true}, [](const MeshedScene& given) {
-    const auto [p, q] = reach_in_sight(given);
-    return are_disjoint(std::set(p.begin(), p.end()), std::set(q.begin(), q.end())) &&
-           !two_points_are_independent(given);
-  }));
+  EXPECT_TRUE(search(facts, {.walls = true}, fails_at_a_common_edge));
 }
 
 PARDEL_FACT(TRegion, with_cocircular_points_even_whole_insertions_depend_on_their_order,
@@ -511,50 +374,27 @@ PARDEL_FACT(TRegion, with_cocircular_points_even_whole_insertions_depend_on_thei
                           "give two different Delaunay meshes.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
-  EXPECT_TRUE(search(facts, {.walls = false}, [](const MeshedScene& given) {
-    const Tasks tasks = {Task({given.scene.insertions[0]}), Task({given.scene.insertions[1]})};
-    return !(one_after_the_other(given.mesh, tasks, 0) == one_after_the_other(given.mesh, tasks, 1));
-  }));
+  EXPECT_TRUE(search(facts, {.walls = false}, depends_on_the_order));
 }
 
 PARDEL_FACT(TRegion, what_is_hidden_and_vertices_in_common_do_no_harm,
-            {.statement = "The hypothesis on vertices of whole disks is not necessary: there are regions on two sides "
-                          "of a constrained edge whose whole disks reach a common triangle though what they reach in "
-                          "sight has no vertex in common, and regions that reach a common vertex but no common edge.",
+            {.statement = "That V(L) and V(L') of whole disks are disjoint is not necessary: there are regions on two "
+                          "sides of a constrained edge whose whole disks reach a common triangle though what they "
+                          "reach in sight has no vertex in common, and regions that reach a common vertex but no "
+                          "common edge.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one of each is found"}) {
-  EXPECT_TRUE(search(facts, {.walls = true, .encroaching = false}, [](const MeshedScene& given) {
-    const std::vector<Point>& at = given.scene.insertions;
-    const auto [p, q] = reach_in_sight(given);
-    const auto whole_p = ref::in_reach_of(given.mesh, {at[0], at[0]});
-    const auto whole_q = ref::in_reach_of(given.mesh, {at[1], at[1]});
-    return are_apart(given.mesh, p, q, Apart::vertices_in_sight) &&
-           !are_disjoint(std::set(whole_p.begin(), whole_p.end()), std::set(whole_q.begin(), whole_q.end())) &&
-           two_points_are_independent(given);
-  }));
-  EXPECT_TRUE(search(facts, {.walls = false}, [](const MeshedScene& given) {
-    const auto [p, q] = reach_in_sight(given);
-    return are_apart(given.mesh, p, q, Apart::free_edges_in_sight) &&
-           !are_apart(given.mesh, p, q, Apart::vertices_in_sight) && two_points_are_independent(given);
-  }));
+  EXPECT_TRUE(search(facts, {.walls = true, .encroaching = false}, is_kept_apart_by_a_wall));
+  EXPECT_TRUE(search(facts, {.walls = false}, holds_at_a_common_vertex));
 }
 
 PARDEL_FACT(TRegion, whole_disks_grow_beyond_walls_but_not_what_they_see,
-            {.statement = "Inserting a point close to a constrained edge makes a disk that meets regions beyond which "
-                          "no disk of the task's met before. It does not see its triangle from there, so V(L) counted "
-                          "by whole disks may grow into V(L'), which T-region bears.",
+            {.statement = "Inserting a point close to a constrained edge may make a disk that meets a region beyond, "
+                          "where no disk of the task's was before. From there it does not see its triangle; so V(L) "
+                          "counted by whole disks may grow into V(L'), and T-region holds all the same.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
-  EXPECT_TRUE(search(facts, {.walls = true}, [](const MeshedScene& given) {
-    const Box beyond{given.scene.insertions[1], given.scene.insertions[1]};
-    const auto reached = [&](const ref::PlainMesh& mesh) { return ref::in_reach_of(mesh, beyond); };
-    ref::PlainMesh after = given.mesh;
-    const Box here{given.scene.insertions[0], given.scene.insertions[0]};
-    if (!are_apart(given.mesh, ref::in_reach_of(given.mesh, here), reached(given.mesh), Apart::vertices_of_disks))
-      return false;
-    const Index p = ref::insert(after, ref::exact(given.scene.insertions[0]));
-    return closure(after, reached(after)).contains(p);
-  }));
+  EXPECT_TRUE(search(facts, {.walls = true}, grows_beyond_a_wall));
 }
 
 PARDEL_FACT(TRegion, fails_for_boxes_that_overlap,
@@ -566,9 +406,7 @@ PARDEL_FACT(TRegion, fails_for_boxes_that_overlap,
     constexpr double far = 0x1p40;
     const Box everything{{-far, -far}, {far, far}};
     const Tasks tasks = {Task({given.scene.insertions[0]}, everything), Task({given.scene.insertions[1]}, everything)};
-    Tasks at_once = tasks;
-    int turns = 0;
-    return !(outcome(given.mesh, at_once, [&] { return turns++ % 2; }) == one_after_the_other(given.mesh, tasks, 0));
+    return !(in_turns(given.mesh, tasks) == one_after_the_other(given.mesh, tasks, 0));
   }));
 }
 

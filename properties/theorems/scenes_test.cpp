@@ -29,7 +29,7 @@ std::map<std::string, int> shares(const SceneWish& wish) {
 
 TEST(Scenes, of_every_family_have_their_share) {
   for (const double separation : {0.0, 2.0, 4.0}) {
-    const auto count = shares({.walls = true, .least = separation, .encroaching = false});
+    const auto count = shares({.walls = true, .least = separation, .on_walls = true});
     const auto expect_share = [&](const char* family, int least) {
       const auto found = count.find(family);
       EXPECT_GE(found == count.end() ? 0 : found->second, least) << family << " at a separation of " << separation;
@@ -39,9 +39,9 @@ TEST(Scenes, of_every_family_have_their_share) {
       expect_share(layout, 30);
     if (separation == 0) expect_share("points: scattered", 30);
     for (const char* walls : {"walls: crack", "walls: closed loop", "walls: long"}) expect_share(walls, 50);
-    for (const char* position :
-         {"inserted: on an edge", "inserted: above a vertex", "inserted: next to a vertex", "inserted: anywhere"})
-      expect_share(position, 75);
+    for (const char* position : {"inserted: on an edge", "inserted: on a wall", "inserted: beside a wall",
+                                 "inserted: above a vertex", "inserted: next to a vertex", "inserted: anywhere"})
+      expect_share(position, 40);
     expect_share("inserted: on a circumcircle", 25);
     expect_share("inserted: on a circle through an edge and a former one", separation == 0 ? 25 : 0);
     const auto refused = count.find("refused");

@@ -2,7 +2,6 @@
 #include "../../ref/independent.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 
@@ -40,26 +39,6 @@ bool is_harmless(const ExactPoint& p) {
   return encroached_by(square_mesh(), p).empty() && std::ranges::count(square_mesh().points, p) == 0;
 }
 
-/// Inside the square, no vertex, encroaching on no constrained edge, and so that `suits`. Of full size from the
-/// first case on: small coordinates would all lie in one corner.
-template <class Suits>
-ExactPoint harmless_point(const Suits& suits) {
-  const auto coordinate = rc::gen::resize(100, rc::gen::inRange(1, 2047));
-  const auto point = rc::gen::map(rc::gen::pair(coordinate, coordinate), [](const std::pair<int, int>& xy) {
-    return ExactPoint(xy.first * 0x1p-11, xy.second * 0x1p-11);
-  });
-  return *rc::gen::suchThat(point, [&](const ExactPoint& p) { return is_harmless(p) && suits(p); });
-}
-
-ExactPoint harmless_point() {
-  return harmless_point([](const ExactPoint&) { return true; });
-}
-
-/// At least `factor` r̄ from p.
-ExactPoint far_point(const ExactPoint& p, int factor) {
-  return harmless_point([&](const ExactPoint& q) { return apart(p, q, factor); });
-}
-
 PlainMesh inserted(PlainMesh mesh, const ExactPoint& first, const ExactPoint& second) {
   insert(mesh, first);
   insert(mesh, second);
@@ -70,29 +49,6 @@ bool gives_the_sequential_mesh(const ExactPoint& p, const ExactPoint& q) {
   const auto independent = triangles_as_points(insert_independently(square_mesh(), {p, q}));
   return independent == triangles_as_points(inserted(square_mesh(), p, q)) &&
          independent == triangles_as_points(inserted(square_mesh(), q, p));
-}
-
-RC_GTEST_PROP(Independence, at_four_circumradii_the_closures_of_the_cavities_are_disjoint, ()) {
-  const ExactPoint p = harmless_point(), q = far_point(p, 4);
-  RC_ASSERT(closures_are_disjoint(square_mesh(), p, q));
-}
-
-RC_GTEST_PROP(Independence, at_four_circumradii_both_orders_and_none_give_one_mesh, ()) {
-  const ExactPoint p = harmless_point(), q = far_point(p, 4);
-  RC_ASSERT(gives_the_sequential_mesh(p, q));
-}
-
-RC_GTEST_PROP(Independence, two_circumradii_suffice_for_the_same_mesh, ()) {
-  const ExactPoint p = harmless_point();
-  const ExactPoint q = harmless_point([&](const ExactPoint& at) { return apart(p, at, 2) && !apart(p, at, 4); });
-  RC_CLASSIFY(!closures_are_disjoint(square_mesh(), p, q), "the cavities touch");
-  RC_ASSERT(gives_the_sequential_mesh(p, q));
-}
-
-RC_GTEST_PROP(Independence, inserting_a_harmless_point_keeps_the_bound_on_circumradii, ()) {
-  PlainMesh mesh = square_mesh();
-  insert(mesh, harmless_point());
-  RC_ASSERT(squared_circumradius_bound(mesh) <= squared_circumradius_bound(square_mesh()));
 }
 
 TEST(Independence, fails_for_two_points_in_one_triangle) {

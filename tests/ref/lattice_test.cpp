@@ -1,0 +1,65 @@
+#include "../../ref/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../../properties/domains.hpp"
+#include "../../ref/lattice_refiner.hpp"
+
+namespace pardel::ref {
+namespace {
+
+TEST(TheLattice, has_cells_of_four_circumradii_from_the_corner_of_the_mesh_on) {
+  PlainMesh mesh;
+  mesh.points = {{1, 2}, {5, 2}, {1, 5}};  // a right angle: the circumradius is 2.5
+  mesh.triangles = {{0, 1, 2}};
+  const Lattice lattice = lattice_over(mesh);
+  EXPECT_EQ(lattice.corner, ExactPoint(1, 2));
+  EXPECT_GE(lattice.side, 10);
+  EXPECT_LT(lattice.side, 10 + 0x1p-40);
+  EXPECT_TRUE(allows(lattice, Number(6.25)));
+  EXPECT_FALSE(allows(lattice, Number(6.25 + 0x1p-30)));
+}
+
+TEST(TheLattice, gives_a_point_between_two_cells_to_the_upper_one) {
+  const Lattice lattice{{1, 2}, 10};
+  EXPECT_EQ(cell_of(lattice, {1, 2}), (Cell{0, 0}));
+  EXPECT_EQ(cell_of(lattice, {11, 12}), (Cell{1, 1}));
+  EXPECT_EQ(cell_of(lattice, {11 - 0x1p-48, 12}), (Cell{0, 1}));
+  EXPECT_EQ(cell_of(lattice, {0, -9}), (Cell{-1, -2}));
+  EXPECT_EQ(cell_of({{0, 0}, Number(1) / 3}, {1, 2.0 / 3}), (Cell{3, 1}));  // the double is below 2/3
+}
+
+TEST(TheLattice, has_four_colours_that_no_two_neighbours_share) {
+  EXPECT_EQ(colour_of({2, 5}), (Colour{0, 1}));
+  EXPECT_EQ(colour_of({-1, -2}), (Colour{1, 0}));
+  for (std::int64_t i = -1; i <= 1; ++i)
+    for (std::int64_t j = -1; j <= 1; ++j) {
+      const Cell cell{i, j}, centre{0, 0};
+      EXPECT_EQ(colour_of(cell) == colour_of(centre), cell == centre);
+    }
+}
+
+TEST(LatticeRefiner, works_in_several_cells_of_the_square_at_once) {
+  Goal coarse, fine;
+  coarse.max_area = 0.004;
+  fine.max_area = 0.002;
+  const auto refined = refine_on_lattice(domains::square(), fine, coarse);
+  ASSERT_TRUE(refined.ok()) << refined.error().message;
+  const Sweep& first = refined->sweeps.front();
+  EXPECT_EQ(first.phases.size(), 4u);
+  EXPECT_GE(first.phases.front().touched.size(), 2u);
+}
+
+TEST(LatticeRefiner, refuses_what_ruppert_does) {
+  Goal steep;
+  steep.min_angle_deg = 21;
+  for (const auto& refused :
+       {refine_on_lattice(domains::star(5, 5), {}, {}), refine_on_lattice(domains::square(), steep, {}),
+        refine_on_lattice(domains::square(), {}, steep), refine_on_lattice(domains::random_points(10, 1), {}, {})}) {
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().kind, ErrorKind::usage);
+  }
+}
+
+}  // namespace
+}  // namespace pardel::ref
