@@ -31,7 +31,7 @@ Goal to_goal(const LatticeGoal& goal, const LatticeDomain& domain) {
 
 LatticeGoal any_goal(const LatticeDomain& domain, Random& random) {
   LatticeGoal goal;
-  goal.min_angle_deg = random.one_of<double>({0, 10, 20.7, 25, 30});
+  goal.min_angle_deg = random.one_of<double>({0, 10, 20.7, 25, 28});
   if (random.chance(3)) goal.max_area = area_of_bounding_box(domain) / random.between(2, 150);
   goal.region_caps = !random.chance(4);
   goal.conforming = random.chance(3);
