@@ -99,7 +99,7 @@ void Crew::run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const 
   parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
     if (schedule_.before_task) schedule_.before_task(order[i]);
     Job& job = jobs[order[i]];
-    if (thread % 2 == 1 && mutated("order_depends_on_the_thread")) std::reverse(job.seeds.begin(), job.seeds.end());
+    if (threads_ > 1 && mutated("order_depends_on_threads")) std::reverse(job.seeds.begin(), job.seeds.end());
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
     job.result = task.run(lattice, job.cell, job.seeds, later, job.supply,
                           [&](std::uint64_t made) { return go_on(thread, made); });

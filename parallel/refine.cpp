@@ -244,7 +244,7 @@ class Refinement {
     const std::vector<double> wanted = wanted_in_cells(inbox);
     std::vector<Job> jobs;
     for (Index cell = 0; cell < lattice.cells(); ++cell)
-      if ((lattice.colour_of(cell) == colour || mutated("barrier_between_colours_removed")) && !inbox[cell].empty()) {
+      if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
         jobs.emplace_back();
         jobs.back().cell = cell;
         jobs.back().seeds = std::exchange(inbox[cell], {});
