@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "../core/mutants.hpp"
 #include "parallel_for.hpp"
 #include "task.hpp"
 
@@ -93,7 +94,7 @@ class Refinement {
     // have this order by themselves, and neither has one queue over everything: it makes larger meshes.
     const Deferral longer_half{0, median_key(deferred_)};
     sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), longer_half);
-    sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
+    if (!mutated("longer_half_forgotten")) sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
@@ -189,7 +190,10 @@ class Refinement {
     };
     // A triangle may ask now for a point in one cell, now for one in another, and be sent to and fro for ever: what
     // two sweeps without an insertion have tried wherever it asked to be needs a larger box.
-    for (int idle = 0; idle < 2 && waiting() && go_on();) idle = sweep(lattice, inbox, later) > 0 ? 0 : idle + 1;
+    for (int idle = 0; idle < 2 && waiting() && go_on();) {
+      idle = sweep(lattice, inbox, later) > 0 ? 0 : idle + 1;
+      if (mutated("sweeps_after_the_first_skipped")) return;
+    }
     for (const std::vector<Queued>& waits : inbox) stuck_.insert(stuck_.end(), waits.begin(), waits.end());
   }
 
@@ -211,7 +215,8 @@ class Refinement {
       for (Job& job : jobs) {
         done.inserted += job.result.inserted + job.result.segment_splits;
         done.handed_on += job.result.handed_on.size();
-        for (const HandedOn& h : job.result.handed_on) inbox[h.cell].push_back(h.triangle);
+        for (const HandedOn& h : job.result.handed_on)
+          if (!mutated("hand_on_dropped")) inbox[h.cell].push_back(h.triangle);
         collect(job);
       }
       vertices_.settle();
@@ -241,6 +246,7 @@ class Refinement {
                      [&](std::size_t a, std::size_t b) { return jobs[a].insertions > jobs[b].insertions; });
     parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
       Job& job = jobs[largest_first[i]];
+      if (mutated("order_depends_on_threads") && threads_ > 1) std::reverse(job.seeds.begin(), job.seeds.end());
       job.result = tasks_[static_cast<std::size_t>(thread)]->run(
           lattice, job.cell, job.seeds, later, job.supply, [&](std::uint64_t made) { return report(thread, made); });
     });
@@ -292,7 +298,7 @@ class Refinement {
     triangles_.take_back(job.supply.triangles);
     const TaskResult& r = job.result;
     stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
-    stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
+    if (!mutated("stuck_triangles_forgotten")) stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
     deferred_.insert(deferred_.end(), r.deferred.begin(), r.deferred.end());
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
@@ -305,7 +311,7 @@ class Refinement {
     const std::vector<NumberMove> triangle_moves = moves_into_holes(triangles_);
     for (const NumberMove move : triangle_moves) {
       t_.move_triangle(move.from, move.to);
-      if (!t_.region.empty()) t_.region[move.to] = t_.region[move.from];
+      if (!t_.region.empty()) t_.region[move.to] = mutated("region_left_behind") ? 0 : t_.region[move.from];
     }
     const std::size_t triangles = triangles_.in_use();
     t_.slots.resize(triangles);
