@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../core/mutants.hpp"
-
 namespace pardel {
 
 Lines::Lines(const Array<Point>& points, std::span<const Constraint> constraints) {
@@ -12,7 +10,6 @@ Lines::Lines(const Array<Point>& points, std::span<const Constraint> constraints
   start_.assign(points.size() + 1, 0);
   for (const Constraint c : constraints) {
     lines_.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
-    if (mutated("direction_of_a_segment_decides")) lines_.back() = {c.a, c.b};
     ++start_[c.a + 1U];
     ++start_[c.b + 1U];
   }

@@ -128,7 +128,7 @@ std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
     for (; step != steps.end() && step->from == face; ++step) {
       if (known[step->to] != 0) continue;
       known[step->to] = 1;
-      winding[step->to] = mutated("windings_not_counted") ? step->change > 0 : winding[face] + step->change;
+      winding[step->to] = winding[face] + step->change;
       stack.push_back(step->to);
     }
   }

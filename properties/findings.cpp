@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "../core/mutants.hpp"
 #include "text.hpp"
 
 namespace pardel {
@@ -19,8 +20,11 @@ void Findings::append(Findings other) {
   for (std::size_t kind = 0; kind < violation_kinds; ++kind) counts_[kind] += other.counts_[kind];
 }
 
-bool Findings::empty() const {
-  return std::all_of(counts_.begin(), counts_.end(), [](std::uint64_t count) { return count == 0; });
+std::vector<std::uint64_t> Findings::counts() const {
+  std::vector<std::uint64_t> counts(counts_.begin(), counts_.end());
+  for (std::size_t i = 0; mutants_are_compiled_in && i < violation_kinds; ++i)
+    if (const auto kind = static_cast<ViolationKind>(i); mutated("checker_overlooks_", name(kind))) counts[i] = 0;
+  return counts;
 }
 
 std::vector<Violation> Findings::sorted() && {

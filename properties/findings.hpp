@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "../core/mutants.hpp"
 #include "check.hpp"
 
 namespace pardel {
@@ -22,10 +21,7 @@ class Findings {
   explicit Findings(std::size_t limit) : limit_(limit) {}
 
   /// Counts a violation and says whether its story is still wanted; then keep() follows.
-  [[nodiscard]] bool wants(ViolationKind kind) {
-    if (mutants_are_compiled_in && mutated("checker_overlooks_", name(kind))) return false;
-    return counts_[index(kind)]++ < limit_;
-  }
+  [[nodiscard]] bool wants(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
   void keep(Violation violation) { kept_.push_back(std::move(violation)); }
 
   /// For rare violations: counts, and keeps within the limit.
@@ -36,9 +32,9 @@ class Findings {
   /// Appends what another has found, as if it had been found after this.
   void append(Findings other);
 
-  [[nodiscard]] bool empty() const;
   [[nodiscard]] std::uint64_t count(ViolationKind kind) const { return counts_[index(kind)]; }
-  [[nodiscard]] std::vector<std::uint64_t> counts() const { return {counts_.begin(), counts_.end()}; }
+  /// By kind.
+  [[nodiscard]] std::vector<std::uint64_t> counts() const;
   [[nodiscard]] std::size_t limit() const { return limit_; }
 
   /// The violations kept, by kind, and within a kind in the order of discovery.

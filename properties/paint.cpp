@@ -14,7 +14,9 @@ std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency,
     stack.push_back(t);
   };
   for (const ChainEdge& edge : chains.edges) {
-    if (edge.left.exists()) paint(edge.left.triangle, domain.faces().face(edge.segment, Side::left));
+    if (edge.left.exists())
+      paint(edge.left.triangle,
+            domain.faces().face(edge.segment, mutated("regions_on_the_wrong_side") ? Side::right : Side::left));
     if (edge.right.exists()) paint(edge.right.triangle, domain.faces().face(edge.segment, Side::right));
   }
   while (!stack.empty()) {
@@ -22,7 +24,7 @@ std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency,
     stack.pop_back();
     for (int i = 0; i < 3; ++i) {
       const Index n = triangles[t].n[i];
-      if (n != no_index && (!chains.has(t, i) || mutated("regions_painted_across_segments"))) paint(n, face[t]);
+      if (n != no_index && !chains.has(t, i)) paint(n, face[t]);
     }
   }
   return face;

@@ -36,9 +36,10 @@ constexpr int time_limit_seconds = 60;
 Run run(const Killer& killer, const std::string& mutant) {
   const fs::path program = fs::path(PARDEL_KILLERS) / (killer.program + "_mutated");
   const fs::path failures = fs::path(PARDEL_KILLERS) / "failures" / mutant;
-  const std::string command = "PARDEL_MUTANT='" + mutant + "' RC_PARAMS='" + parameters + "' PARDEL_FAILURES='" +
-                              failures.string() + "' timeout --signal=KILL " + std::to_string(time_limit_seconds) +
-                              " '" + program.string() + "' --gtest_filter='" + killer.property + "' 2>&1";
+  const std::string command = "OMP_WAIT_POLICY=passive PARDEL_MUTANT='" + mutant + "' RC_PARAMS='" + parameters +
+                              "' PARDEL_FAILURES='" + failures.string() + "' timeout --signal=KILL " +
+                              std::to_string(time_limit_seconds) + " '" + program.string() + "' --gtest_filter='" +
+                              killer.property + "' 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return {End::not_found, "cannot run " + command};
   std::string output;

@@ -25,19 +25,6 @@ const std::vector<Lattice>& lattices() {
   return all;
 }
 
-bool disjoint(const Box& a, const Box& b) {
-  return a.max_x <= b.min_x || b.max_x <= a.min_x || a.max_y <= b.min_y || b.max_y <= a.min_y;
-}
-
-TEST(Lattice, has_disjoint_boxes_of_one_colour) {
-  for (const Lattice& lattice : lattices())
-    for (Index a = 0; a < lattice.cells(); ++a)
-      for (Index b = 0; b < a; ++b) {
-        if (lattice.colour_of(a) != lattice.colour_of(b)) continue;
-        EXPECT_TRUE(disjoint(lattice.box_of(a), lattice.box_of(b))) << a << " and " << b;
-      }
-}
-
 TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
   samples::Random random(1);
   for (const Lattice& lattice : lattices()) {
@@ -52,19 +39,6 @@ TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
       ASSERT_LT(cell, lattice.cells());
       EXPECT_TRUE(lattice.box_of(cell).contains(p)) << p.x << ' ' << p.y;
     }
-  }
-}
-
-/// The margin: a point at least half a side from the rim of its box, as far as the plane goes on.
-TEST(Lattice, leaves_half_a_side_around_every_cell) {
-  const Lattice lattice = Lattice::over({0, 0, 1, 1}, 8);
-  samples::Random random(2);
-  for (int round = 0; round < 2000; ++round) {
-    const Point p{random.uniform(), random.uniform()};
-    const Box box = lattice.box_of(lattice.cell_of(p));
-    const double margin = 0.5 * lattice.side();
-    EXPECT_TRUE(p.x - box.min_x >= margin && box.max_x - p.x >= margin);
-    EXPECT_TRUE(p.y - box.min_y >= margin && box.max_y - p.y >= margin);
   }
 }
 

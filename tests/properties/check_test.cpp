@@ -462,11 +462,11 @@ TEST(Check, asks_the_sizing_function_at_centroids) {
 
 // Small input angles.
 
-/// A wedge of 10 degrees at the origin with legs of 2 and 2.5, both cut at distance 1.
-Case wedge_with_shell() {
-  const double angle = 10 * 3.14159265358979323846 / 180;
+/// A wedge at the origin, the second leg longer by a quarter, both legs cut at distance 1.
+Case wedge_with_shell(double degrees = 10, double leg = 2) {
+  const double angle = degrees * 3.14159265358979323846 / 180;
   Case c;
-  c.pslg.points = {{0, 0}, {2, 0}, {2.5 * std::cos(angle), 2.5 * std::sin(angle)}};
+  c.pslg.points = {{0, 0}, {leg, 0}, {1.25 * leg * std::cos(angle), 1.25 * leg * std::sin(angle)}};
   c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
   std::vector<Point> points = c.pslg.points;
   points.push_back({1, 0});
@@ -515,6 +515,9 @@ TEST(Check, excuses_nothing_beside_a_large_input_angle) {
   const Certificate certificate = check(c, goal);
   EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
   EXPECT_TRUE(certificate.justified.empty());
+  // The shortest side of 3-1-4 is on one shell, but about a right angle.
+  goal.min_angle_deg = 15;
+  EXPECT_TRUE(reports(check(wedge_with_shell(90, 8), goal), Kind::small_angle));
 }
 
 // Meshes by other programs.
