@@ -36,6 +36,10 @@ std::string replay_line(const Options& options) {
   line += fmt::format(" --min-angle {}", options.min_angle_deg);
   if (options.max_area_fraction > 0) line += fmt::format(" --max-area-fraction {}", options.max_area_fraction);
   if (options.any_triangulation) line += " --any-triangulation";
+  if (options.time_limit != Options{}.time_limit) line += fmt::format(" --time-limit {}", options.time_limit);
+  if (options.memory_limit_mib != Options{}.memory_limit_mib) {
+    line += fmt::format(" --memory-limit {}", options.memory_limit_mib);
+  }
   return line;
 }
 

@@ -21,6 +21,11 @@ enum class Shape : std::uint8_t {
   slant,  ///< a short parallelogram with corners of 63 degrees, at which a split may raise the largest circumradius
 };
 
+inline const char* name(Shape shape) {
+  constexpr std::array names = {"bar", "bend", "ring", "slant"};
+  return names.at(static_cast<std::size_t>(shape));
+}
+
 struct Channel {
   Shape shape = Shape::bar;
   int width = 6;                  ///< lattice units, even, at least 6
@@ -33,10 +38,8 @@ struct Channel {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Channel& c) {
-  constexpr std::array names = {"bar", "bend", "ring", "slant"};
-  return out << names.at(static_cast<std::size_t>(c.shape)) << " of " << c.length << " widths of " << c.width
-             << (c.has_wall ? ", a wall" : "") << (c.has_crack ? ", a crack" : "") << ", areas up to " << c.max_area
-             << ", first up to " << c.coarse_area;
+  return out << name(c.shape) << " of " << c.length << " widths of " << c.width << (c.has_wall ? ", a wall" : "")
+             << (c.has_crack ? ", a crack" : "") << ", areas up to " << c.max_area << ", first up to " << c.coarse_area;
 }
 
 /// Adds a polygon with these corners, nudged.

@@ -78,9 +78,9 @@ PARDEL_PROPERTY(
                   "whatever the distance of p and q. Then p and q are independent: inserting them "
                   "independently makes the conformal and constrained Delaunay mesh of either order.",
      .source = "H. Edelsbrunner and D. Guoy, Sink insertion for mesh improvement, 2001",
-     .families = "pairs at 2 to 4 r̄, most of which have disjoint closures; all layouts, walls, positions"}) {
+     .families = "pairs at 0 to 4 r̄, with closures that are disjoint or not; all layouts, walls, positions"}) {
   const bool walls = *rc::gen::arbitrary<bool>();
-  const MeshedScene scene = *scenes({.walls = walls, .least = 2, .most = 4});
+  const MeshedScene scene = *scenes({.walls = walls, .least = 0, .most = 4});
   exhibit.show(scene.scene);
   tag_families(scene);
   const auto points = insertions_of(scene.scene);

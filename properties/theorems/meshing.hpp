@@ -52,7 +52,7 @@ inline Options some_options() {
   constexpr auto tiny = 4U;
   Options options;
   options.placement = *rc::gen::element(Placement::off_centre, Placement::circumcentre);
-  options.decomposition = *rc::gen::element(Decomposition::automatic, Decomposition::none);
+  options.decomposition = *rc::gen::element(Decomposition::automatic, Decomposition::paper, Decomposition::none);
   options.triangles_per_tile = *rc::gen::element(options.triangles_per_tile, tiny);
   return options;
 }
