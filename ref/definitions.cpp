@@ -83,11 +83,12 @@ Number squared_shortest_edge(const PlainMesh& mesh, const Corners& t) {
   Number shortest = CGAL::squared_distance(corner(mesh, t, 0), corner(mesh, t, 1));
   for (int i = 1; i < 3; ++i)
     shortest = std::min(shortest, Number(CGAL::squared_distance(corner(mesh, t, i), corner(mesh, t, i + 1))));
-  return shortest;
+  return mutated("ref_shortest_edge_doubled") ? 4 * shortest : shortest;
 }
 
 Number area(const PlainMesh& mesh, const Corners& t) {
-  return CGAL::area(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
+  const Number area = CGAL::area(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
+  return mutated("ref_area_halved") ? area / 2 : area;
 }
 
 bool circumdisk_contains(const PlainMesh& mesh, const Corners& t, const ExactPoint& p) {
@@ -180,11 +181,14 @@ std::vector<Index> cavity(const PlainMesh& mesh, const ExactPoint& p) {
 
 std::set<Index> closure(const PlainMesh& mesh, const std::vector<Index>& triangles) {
   std::set<Index> vertices;
-  for (Index i : triangles) vertices.insert(mesh.triangles[i].begin(), mesh.triangles[i].end());
+  for (Index i : triangles)
+    vertices.insert(mesh.triangles[i].begin(),
+                    mesh.triangles[i].end() - (mutated("ref_closure_without_a_corner") ? 1 : 0));
   return vertices;
 }
 
 bool encroaches(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) {
+  if (mutated("ref_points_inside_do_not_encroach")) return CGAL::angle(a, p, b) == CGAL::RIGHT;
   return p != a && p != b && CGAL::angle(a, p, b) != CGAL::ACUTE;
 }
 
