@@ -32,7 +32,8 @@ std::ostream& operator<<(std::ostream& out, const Case& c);
 /// For to_pslg(domain): areas scaled as it scales them.
 [[nodiscard]] Goal to_goal(const LatticeGoal& goal, const LatticeDomain& domain);
 
-/// Angles 0, 10, 20.7, 25 or 28 degrees (at 30 refinement may not end by itself: one domain in some 10^5 shows it); no area bound, or one that asks for at most a few hundred triangles.
+/// Angles 0, 10, 20.7, 25 or 28 degrees (at 30 refinement may not end by itself: one domain in some 10^5 shows it); no
+/// area bound, or one that asks for at most a few hundred triangles.
 [[nodiscard]] LatticeGoal any_goal(const LatticeDomain& domain, Random& random);
 [[nodiscard]] Case any_case(Random& random, int size);
 

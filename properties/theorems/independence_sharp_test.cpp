@@ -65,7 +65,7 @@ PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inser
 PARDEL_PROPERTY(T1Sharp, after_the_first_insertion_the_cavity_of_a_point_two_circumradii_away_is_what_it_was,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. The "
                               "cavity of q after the insertion of p has the triangles that it had before.",
-                 .source = "properties/THEORY.md, T1-sharp, its lemma",
+                 .source = "properties/THEORY.md, Lemma 5",
                  .families = two_to_four}) {
   const MeshedScene scene = two_apart({.most = 4});
   exhibit.show(scene.scene);

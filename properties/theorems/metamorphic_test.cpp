@@ -25,7 +25,7 @@ namespace {
 
 using generators::Random;
 
-constexpr const char* source = "properties/THEORY.md, metamorphic laws";
+constexpr const char* source = "properties/THEORY.md, Metamorphic";
 
 /// Where every point of the plane goes.
 template <class Map>

@@ -233,8 +233,8 @@ PARDEL_FACT(T3, it_is_attained_by_the_equilateral_triangle_alone,
 }
 
 PARDEL_FACT(T3, the_reading_with_root_two_is_false_at_every_ratio,
-            {.statement = "r ≤ sqrt(2) ρ̄^(3/2) sqrt(Δ̄) is false for every ρ̄ ≥ 1/sqrt(3): the isosceles triangle with "
-                          "two angles arcsin(1/2ρ̄) exceeds it.",
+            {.statement = "r ≤ sqrt(2) ρ̄^(3/2) sqrt(Δ̄) is false for every ρ̄ ≥ 1/sqrt(3): the isosceles triangle "
+                          "with two angles arcsin(1/2ρ̄) exceeds it.",
              .source = "THEORY.md, T3",
              .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
   for (const Number& ratio : ratios()) {

@@ -68,8 +68,10 @@ PARDEL_PROPERTY(Scenes, keep_their_promises_and_grant_the_wish,
 
 PARDEL_PROPERTY(
     Scenes, shrink_to_smaller_ones_that_grant_the_wish,
-    {.statement = "What a scene shrinks to can be triangulated, grants the wish, is never the scene itself, "
-                  "and has fewer insertions, walls or points, or smaller coordinates.",
+    {.statement =
+         "What a scene with at least two insertions shrinks to has fewer insertions, walls and points in sum, "
+         "or as many and coordinates of a smaller sum of sizes; one of these, drawn at random, has at least two "
+         "insertions and a conformal, constrained Delaunay mesh.",
      .source = "properties/framework/scenes.hpp",
      .families = "all layouts, walls, positions"}) {
   const SceneWish wish{.walls = true, .insertions = 3, .least = 2};

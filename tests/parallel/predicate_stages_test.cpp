@@ -31,20 +31,30 @@ TEST(Orient2dStages, a_correction_settles_what_is_a_rounding_from_zero) {
   EXPECT_EQ(close.stage, Stage::corrected);
 }
 
-TEST(Orient2dStages, expansions_settle_the_rest) {
+PARDEL_FACT(Orient2dStages, expansions_settle_the_rest,
+            {.statement = "orient2d is exact, by expansions, where rounded differences leave the sign open",
+             .source = "parallel/predicate_stages.hpp",
+             .families = "three points on a line whose differences are no doubles"}) {
   const Decision on_the_line = decide_orient2d({0.1, 0.1}, {0.9, 0.9}, {0.3, 0.3});
   EXPECT_EQ(on_the_line.value, 0);
   EXPECT_EQ(on_the_line.stage, Stage::expansions);
+  facts.cases = 1;
 }
 
-TEST(IncircleStages, doubles_settle_a_small_lattice_wherever_it_lies) {
+PARDEL_FACT(IncircleStages, doubles_settle_a_small_lattice_wherever_it_lies,
+            {.statement = "doubles settle the in-circle test if the differences are integers of at most 4096, wherever "
+                          "the points lie; beyond 4096 they are not asked",
+             .source = "parallel/predicate_stages.hpp",
+             .families = "unit squares at three places, quadrangles of 4096 and 4097 units"}) {
   for (const double x : {0.0, 1e9, -4987654.0}) {
     const Decision square = decide_incircle({x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1});
     EXPECT_EQ(square.value, 0);
     EXPECT_EQ(square.stage, Stage::lattice);
+    ++facts.cases;
   }
   EXPECT_EQ(decide_incircle({0, 0}, {4096, 0}, {4096, 4096}, {0, 4096}).stage, Stage::lattice);
   EXPECT_EQ(decide_incircle({0, 0}, {4096, 0}, {4097, 4096}, {0, 4096}).stage, Stage::exact_differences);
+  facts.cases += 2;
 }
 
 PARDEL_PROPERTY(IncircleStages, up_to_4095_units_doubles_make_no_error_at_all,

@@ -10,12 +10,17 @@
 
 #include "../../properties/domains.hpp"
 #include "meshes.hpp"
+#include "verdicts.hpp"
 
 namespace pardel {
 namespace {
 
 using Kind = ViolationKind;
 using testing::Case;
+using testing::count;
+using testing::is_valid;
+using testing::reports;
+using testing::reports_only;
 
 Goal no_angle_bound() {
   Goal goal;
@@ -25,31 +30,6 @@ Goal no_angle_bound() {
 
 Certificate check(const Case& c, const Goal& goal = no_angle_bound(), const CheckOptions& options = {}) {
   return pardel::check(c.pslg, c.mesh, goal, options);
-}
-
-std::uint64_t count(const Certificate& certificate, Kind kind) {
-  return certificate.violation_counts.at(static_cast<std::size_t>(kind));
-}
-
-::testing::AssertionResult is_valid(const Certificate& certificate) {
-  if (certificate.valid) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << to_text(certificate);
-}
-
-/// The certificate names this kind, with a story.
-::testing::AssertionResult reports(const Certificate& certificate, Kind kind) {
-  const auto of_kind = [&](const Violation& v) { return v.kind == kind && !v.witness.empty(); };
-  if (!certificate.valid && count(certificate, kind) > 0 &&
-      std::any_of(certificate.violations.begin(), certificate.violations.end(), of_kind))
-    return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "no " << name(kind) << " in\n" << to_text(certificate);
-}
-
-/// This kind and no other.
-::testing::AssertionResult reports_only(const Certificate& certificate, Kind kind) {
-  for (const Violation& violation : certificate.violations)
-    if (violation.kind != kind) return ::testing::AssertionFailure() << violation.message();
-  return reports(certificate, kind);
 }
 
 TEST(Check, accepts_right_meshes_made_by_hand) {
@@ -458,66 +438,6 @@ TEST(Check, asks_the_sizing_function_at_centroids) {
   goal.size = [](Point p) { return p.x < 2 ? 3.0 : 2.5; };
   EXPECT_TRUE(reports_only(check(c, goal), Kind::size_exceeded));
   EXPECT_EQ(count(check(c, goal), Kind::size_exceeded), 4u);
-}
-
-// Small input angles.
-
-/// A wedge at the origin, the second leg longer by a quarter, both legs cut at distance 1.
-Case wedge_with_shell(double degrees = 10, double leg = 2) {
-  const double angle = degrees * 3.14159265358979323846 / 180;
-  Case c;
-  c.pslg.points = {{0, 0}, {leg, 0}, {1.25 * leg * std::cos(angle), 1.25 * leg * std::sin(angle)}};
-  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
-  std::vector<Point> points = c.pslg.points;
-  points.push_back({1, 0});
-  points.push_back({std::cos(angle), std::sin(angle)});
-  c.mesh = testing::mesh_of(points, {{0, 3, 4}, {3, 1, 4}, {1, 2, 4}});
-  c.mesh.origin[3] = 0;
-  c.mesh.origin[4] = 2;
-  c.mesh.constrained_edges = {{0, 3, 0, 1}, {3, 1, 0, 1}, {1, 2, 1, 1}, {2, 4, 2, 1}, {4, 0, 2, 1}};
-  return c;
-}
-
-TEST(Check, excuses_triangles_that_a_small_input_angle_explains) {
-  Goal goal;
-  goal.min_angle_deg = 9.8;
-  EXPECT_EQ(check(wedge_with_shell(), goal).justified.size(), 1u) << "3-1-4 has an angle of 9.7 degrees";
-  goal.min_angle_deg = 15;
-  const Certificate certificate = check(wedge_with_shell(), goal);
-  EXPECT_TRUE(is_valid(certificate));
-  ASSERT_EQ(certificate.justified.size(), 2u);
-  EXPECT_EQ(certificate.justified[0].triangle, 0u) << "nestled";
-  EXPECT_EQ(certificate.justified[1].triangle, 1u) << "seditious: 3-4 is on one shell";
-  for (const Justified& j : certificate.justified) {
-    EXPECT_EQ(j.apex, 0u);
-    EXPECT_NEAR(j.input_angle_deg, 10, 1e-12);
-  }
-}
-
-TEST(Check, excuses_nothing_that_is_not_on_one_shell) {
-  Case c = wedge_with_shell();
-  const double shorter = 0.9;
-  c.mesh.points[4] = {c.mesh.points[4].x * shorter, c.mesh.points[4].y * shorter};
-  Goal goal;
-  goal.min_angle_deg = 15;
-  EXPECT_TRUE(reports(check(c, goal), Kind::small_angle));
-}
-
-TEST(Check, excuses_nothing_beside_a_large_input_angle) {
-  // One sliver far from any small angle.
-  Case c;
-  c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
-  c.pslg.points.push_back({2, 0.125});
-  c.mesh = testing::triangulated_by_cgal(c.pslg);
-  Goal goal;
-  goal.min_angle_deg = 20;
-  const Certificate certificate = check(c, goal);
-  EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
-  EXPECT_TRUE(certificate.justified.empty());
-  // The shortest side of 3-1-4 is on one shell, but about a right angle.
-  goal.min_angle_deg = 15;
-  EXPECT_TRUE(reports(check(wedge_with_shell(90, 8), goal), Kind::small_angle));
 }
 
 // Meshes by other programs.

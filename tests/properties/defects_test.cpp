@@ -174,14 +174,27 @@ void reports<ViolationKind::large_circumradius>(properties::Facts& facts) {
   }
 }
 
+template <ViolationKind kind>
+properties::Statement statement_about() {
+  static const std::string text = "every seeded defect that makes a mesh wrong by " + std::string(name(kind)) +
+                                  " is reported as that, wherever it is";
+  return {text.c_str(), "properties/defects.hpp", defective_meshes};
+}
+template <>
+properties::Statement statement_about<ViolationKind::area_mismatch>() {
+  return {"a mesh in which one triangle stands in the place of another is reported as area_mismatch",
+          "properties/check.hpp", "the mesh of a square"};
+}
+template <>
+properties::Statement statement_about<ViolationKind::large_circumradius>() {
+  return {"a right mesh is reported as large_circumradius once circumradii are bounded by 1 - 2^-40 of its largest",
+          "properties/check.hpp", "the eleven meshes that the defects are put into"};
+}
+
 /// One property per kind of violation, Checker.reports_KIND.
 template <ViolationKind kind>
 class Verdict : public testing::Test {
-  void TestBody() override {
-    static const std::string statement = "every seeded defect that makes a mesh wrong by " + std::string(name(kind)) +
-                                         " is reported as that, wherever it is";
-    properties::check_fact({statement.c_str(), "properties/defects.hpp", defective_meshes}, &reports<kind>);
-  }
+  void TestBody() override { properties::check_fact(statement_about<kind>(), &reports<kind>); }
 };
 
 template <ViolationKind kind>
