@@ -206,8 +206,7 @@ Command add_mesh(CLI::App& program) {
   const std::map<std::string, Decomposition> decompositions = {
       {"auto", Decomposition::automatic}, {"paper", Decomposition::paper}, {"none", Decomposition::none}};
   app->add_option("--decomposition", options.decomposition,
-                  "How the plane is cut into tasks: auto (default; tiles sized by work), paper (cells of at least "
-                  "four circumradii) or none (one task)")
+                  "How the plane is cut: auto (by work; the default), paper (cells of four circumradii) or none")
       ->transform(CLI::CheckedTransformer(decompositions).description(""))
       ->type_name("HOW");
   app->add_option("--cells", arguments->cells,
