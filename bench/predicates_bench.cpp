@@ -7,25 +7,18 @@
 #include <vector>
 
 #include "../parallel/predicates.hpp"
+#include "../properties/generators/random.hpp"
 
 namespace pardel {
 namespace {
 
 using Four = std::array<Point, 4>;
 
-/// SplitMix64.
-class Random {
+class Random : public generators::Random {
  public:
-  double uniform() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ z >> 27U) * 0x94d049bb133111ebULL;
-    return static_cast<double>((z ^ z >> 31U) >> 11U) * 0x1p-53;
-  }
+  Random() : generators::Random(2004) {}
+  double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
   int below(int n) { return static_cast<int>(uniform() * n); }
-
- private:
-  std::uint64_t state_ = 2004;
 };
 
 Four cell(double x0, double x1, double y0, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}; }

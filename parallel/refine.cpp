@@ -142,9 +142,10 @@ class Refinement {
     parallel_blocks(threads_, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
       for (std::size_t id = first; id < last; ++id) {
         const auto triangle = static_cast<TriangleId>(id);
-        found[block].estimate += std::max(triangles_per_input_triangle, wanted_by(triangle));
-        found[block].needed += criteria_.triangles_needed(Shape(t_, t_.slots[triangle]), judge_.region_of(triangle));
-        const Assessment a = judge_.assess(triangle);
+        const Shape shape(t_, t_.slots[triangle]);
+        found[block].estimate += std::max(triangles_per_input_triangle, wanted_by(triangle, shape));
+        found[block].needed += criteria_.triangles_needed(shape, judge_.region_of(triangle));
+        const Assessment a = judge_.assess(triangle, shape);
         if (a.need != Assessment::Need::nothing) found[block].triangles.push_back({triangle, t_.slots[triangle].v[0]});
         if (a.left_alone) left_alone[block] = 1;
       }
@@ -159,8 +160,8 @@ class Refinement {
     return all;
   }
 
-  [[nodiscard]] double wanted_by(TriangleId id) const {
-    return criteria_.triangles_wanted(Shape(t_, t_.slots[id]), judge_.region_of(id));
+  [[nodiscard]] double wanted_by(TriangleId id, const Shape& shape) const {
+    return criteria_.triangles_wanted(shape, judge_.region_of(id));
   }
 
   [[nodiscard]] bool go_on() const { return !cancelled_.load(std::memory_order_relaxed) && !counts_.budget_reached; }
@@ -193,10 +194,10 @@ class Refinement {
         cell[i] = nowhere;
         if (!judge_.is_current(pending[i])) continue;
         const TriangleId id = pending[i].id;
-        const Assessment a = judge_.assess(id);
+        const Shape shape(t_, t_.slots[id]);
+        const Assessment a = judge_.assess(id, shape);
         if (a.need != Assessment::Need::nothing)
-          cell[i] =
-              later.applies_to(a, Shape(t_, t_.slots[id])) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
+          cell[i] = later.applies_to(a, shape) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
       }
     });
     std::vector<std::vector<Queued>> inbox(lattice.cells());
@@ -259,7 +260,7 @@ class Refinement {
     if (!criteria_.has_size()) return wanted;
     parallel_for(threads_, inbox.size(), [&](std::size_t cell, int) {
       for (const Queued q : inbox[cell])
-        if (judge_.is_current(q)) wanted[cell] += wanted_by(q.id);
+        if (judge_.is_current(q)) wanted[cell] += wanted_by(q.id, Shape(t_, t_.slots[q.id]));
     });
     return wanted;
   }

@@ -8,26 +8,13 @@
 #include <utility>
 
 #include "drawing.hpp"
+#include "generators/random.hpp"
 
 namespace pardel::domains {
 namespace {
 
-/// Steele, Lea and Flood's SplitMix64: the same numbers everywhere.
-class SplitMix {
- public:
-  explicit SplitMix(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
-  /// In [0, 1), a multiple of 2^-40.
-  double uniform() { return static_cast<double>(next() >> 24) * 0x1p-40; }
-
- private:
-  std::uint64_t state_;
-};
+/// In [0, 1), a multiple of 2^-40.
+double uniform(generators::Random& random) { return static_cast<double>(random.next() >> 24) * 0x1p-40; }
 
 /// The key's outline, counter-clockwise from the lower root of the bow: below the shaft to the bit, around
 /// its tip, and back above the shaft around the bow. Lengths in centimetres.
@@ -103,10 +90,10 @@ Pslg key() {
 Pslg random_points(std::uint64_t n, std::uint64_t seed) {
   Pslg pslg;
   pslg.points.reserve(n);
-  SplitMix random(seed);
+  generators::Random random(seed);
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = random.uniform();
-    pslg.points.push_back({x, random.uniform()});
+    const double x = uniform(random);
+    pslg.points.push_back({x, uniform(random)});
   }
   return pslg;
 }

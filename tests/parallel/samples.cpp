@@ -85,13 +85,6 @@ bool reciprocal(const Triangulation& t, TriangleId id, unsigned side) {
 
 }  // namespace
 
-std::uint64_t Random::next() {
-  std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-  z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ z >> 27U) * 0x94d049bb133111ebU;
-  return z ^ z >> 31U;
-}
-
 std::vector<Point> uniform_points(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   std::vector<Point> points(n);

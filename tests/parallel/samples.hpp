@@ -8,26 +8,19 @@
 #include "../../core/pslg.hpp"
 #include "../../parallel/constrain.hpp"
 #include "../../parallel/triangulation.hpp"
+#include "../../properties/generators/random.hpp"
 
 namespace pardel::samples {
 
-/// SplitMix64: the same numbers on every platform.
-class Random {
+/// The generators' random numbers, and fractions of them.
+class Random : public generators::Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next();
+  using generators::Random::Random;
   /// A multiple of 2^-53 in [0, 1).
   double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// In [0, n).
-  Index below(std::size_t n) { return static_cast<Index>(next() % n); }
-  template <class T>
-  void shuffle(std::vector<T>& values) {
-    for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);
-  }
-
- private:
-  std::uint64_t state_;
+  Index below(std::size_t n) { return static_cast<Index>(generators::Random::below(n)); }
 };
 
 /// A set of distinct points that are not all collinear.
