@@ -27,17 +27,6 @@ constexpr double long_in_finer_cells = 0.25;
 /// The paper's lattice: a cell's side in circumradii, at least (THEORY, T1 and Lattice).
 constexpr double radii_per_side = 4;
 
-Box bounds_of(std::span<const Point> points) {
-  Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (const Point p : points) {
-    box.min_x = std::min(box.min_x, p.x);
-    box.min_y = std::min(box.min_y, p.y);
-    box.max_x = std::max(box.max_x, p.x);
-    box.max_y = std::max(box.max_y, p.y);
-  }
-  return box;
-}
-
 /// What the arrays take for one triangle and its half of a vertex; more is needed, but not less.
 constexpr double bytes_per_triangle = sizeof(Slot) + 0.5 * (sizeof(Point) + sizeof(Index));
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "../core/mutants.hpp"
@@ -18,6 +19,18 @@ struct Box {
   }
   [[nodiscard]] bool contains(Point p) const { return p.x >= min_x && p.x < max_x && p.y >= min_y && p.y < max_y; }
 };
+
+/// The least box with all points in it, or on its upper sides; an inverted one where there are none.
+[[nodiscard]] inline Box bounds_of(std::span<const Point> points) {
+  Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (const Point p : points) {
+    box.min_x = std::min(box.min_x, p.x);
+    box.min_y = std::min(box.min_y, p.y);
+    box.max_x = std::max(box.max_x, p.x);
+    box.max_y = std::max(box.max_y, p.y);
+  }
+  return box;
+}
 
 /// A uniform lattice over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2); the task of a cell owns its
 /// cell and half a cell around it, so that the boxes of one colour are disjoint.
