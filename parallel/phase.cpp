@@ -1,6 +1,7 @@
 #include "phase.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 #include "../core/mutants.hpp"
@@ -14,6 +15,13 @@ Index most_vertices(const Triangulation& t, const Options& options) {
   if (options.max_vertices == 0) return max_triangles;
   return static_cast<Index>(
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_triangles)));
+}
+
+/// About how many points go into an area for the sake of triangles that are not deferred: their circumradii are at
+/// least `apart`, and so are the distances between circumcentres, about which disks of half that radius are disjoint.
+double most_insertions(const Deferral& later, double area) {
+  const double squared_apart = std::max(later.longest_squared / 4, later.squared_radius);
+  return 4 / std::numbers::pi * area / squared_apart;
 }
 
 }  // namespace
@@ -38,7 +46,11 @@ std::unique_ptr<Task> Crew::new_task() {
 
 void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
                const std::function<bool(int, std::uint64_t)>& go_on) {
-  parallel_for(threads_, jobs.size(), [&](std::size_t i, int) { admit(jobs[i], lattice.box_of(jobs[i].cell)); });
+  const double most = most_insertions(later, 4 * lattice.width() * lattice.height());
+  parallel_for(threads_, jobs.size(), [&](std::size_t i, int) {
+    jobs[i].insertions = std::min(jobs[i].insertions, most);
+    admit(jobs[i], lattice.box_of(jobs[i].cell));
+  });
   supply(jobs);
   t_.points.resize_uninitialised(vertices_.end());
   t_.origin.resize_uninitialised(vertices_.end());
@@ -75,13 +87,14 @@ void Crew::admit(Job& job, const Box& box) const {
   });
 }
 
-/// Numbers for each job: as many as it is expected to need, and as many again above all of these. What is not used
-/// comes back, so the second helping costs memory only where it is needed.
+/// Numbers for each job: what it is expected to need and a quarter more; then, above all of these, up to twice of what
+/// is expected. The second helping costs memory only where it is needed, but there a huge page for each array. What is
+/// not used comes back, and the next phase fills it before it takes memory that nobody has written yet.
 void Crew::supply(std::vector<Job>& jobs) {
   std::vector<std::vector<NumberRange>> vertices(jobs.size()), triangles(jobs.size());
-  for (int helping = 0; helping < 2; ++helping)
+  for (const double helping : {1.25, 0.75})
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      const auto insertions = static_cast<std::size_t>(std::min(jobs[i].insertions, 1e9));
+      const auto insertions = static_cast<std::size_t>(helping * std::min(jobs[i].insertions, 1e9));
       vertices_.assign(insertions, vertices[i]);
       triangles_.assign(2 * insertions, triangles[i]);
     }
