@@ -41,6 +41,10 @@ void close_vertices(Triangulation& t, const NumberLedger& numbers, int threads) 
 void close_ranks(Triangulation& t, const NumberLedger& vertices, const NumberLedger& triangles, int threads) {
   close_triangles(t, triangles);
   close_vertices(t, vertices, threads);
+  t.slots.shrink_to_fit();
+  t.points.shrink_to_fit();
+  t.origin.shrink_to_fit();
+  t.region.shrink_to_fit();
 }
 
 }  // namespace pardel
