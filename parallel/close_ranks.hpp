@@ -6,7 +6,8 @@
 
 namespace pardel {
 
-/// Moves the last vertices and triangles into the holes that unused numbers left, and cuts the arrays to length.
+/// Moves the last vertices and triangles into the holes that unused numbers left, and cuts the arrays to length,
+/// giving back what is left of their memory.
 /// Precondition: both ledgers are settled. Linear in the number of triangles.
 void close_ranks(Triangulation& t, const NumberLedger& vertices, const NumberLedger& triangles, int threads);
 
