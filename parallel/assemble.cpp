@@ -119,8 +119,8 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
 
 }  // namespace
 
-Result<Assembled> assemble(const Pslg& pslg, bool convex_hull) {
-  Result<Delaunay> triangulated = delaunay(pslg.points);
+Result<Assembled> assemble(const Pslg& pslg, bool convex_hull, int threads) {
+  Result<Delaunay> triangulated = delaunay(pslg.points, threads);
   if (!triangulated) return triangulated.error();
   Assembled domain;
   Triangulation& t = domain.triangulation;

@@ -22,8 +22,9 @@ struct Assembled {
   std::vector<int> marker_of_line;
 };
 
-/// Precondition: the Pslg is valid (validate.hpp); what it would have found can give invalid_input here.
-[[nodiscard]] Result<Assembled> assemble(const Pslg& pslg, bool convex_hull);
+/// The same on any number of threads. Precondition: the Pslg is valid (validate.hpp); what it would have found can give
+/// invalid_input here.
+[[nodiscard]] Result<Assembled> assemble(const Pslg& pslg, bool convex_hull, int threads = 1);
 
 /// From an existing mesh: its constrained edges and its boundary become the lines, joined where the mesh knows the
 /// provenance of its vertices (join_pieces.hpp). It is made constrained Delaunay by flips. A mesh that is no

@@ -1,6 +1,6 @@
 #include "../core/mutants.hpp"
 #include "constrain.hpp"
-#include "delaunay.hpp"
+#include "locate.hpp"
 
 namespace pardel {
 namespace {

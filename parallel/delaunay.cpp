@@ -1,9 +1,15 @@
 #include "delaunay.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
 
 #include "../core/mutants.hpp"
-#include "cavity.hpp"
+#include "bowyer_watson.hpp"
+#include "parallel_for.hpp"
 #include "predicates.hpp"
 #include "spatial_sort.hpp"
 
@@ -16,48 +22,40 @@ std::uint64_t mixed(std::uint64_t h) {
   return h ^ h >> 32U;
 }
 
+/// The vertices in the order of their insertion; round r goes from start[r] to start[r + 1].
+struct Rounds {
+  static constexpr int count = 8;
+  std::vector<VertexId> order;
+  std::array<std::size_t, count + 1> start{};
+};
+
 /// Round r of the insertion holds about 16^-r of the points; the last rounds go first. Chance is a hash of a point's
 /// place on the curve: neither the order of the input nor its scale has a say.
-std::vector<Index> biased_random_order(std::size_t n) {
-  constexpr int rounds = 8;
+Rounds biased_random_order(std::size_t n) {
   std::vector<std::uint8_t> round(n);
-  std::array<std::size_t, rounds + 1> start{};
+  Rounds rounds;
   for (std::size_t i = 0; i < n; ++i) {
-    const int level = std::min(rounds - 1, std::countr_zero(mixed(i + 1)) / 4);
-    round[i] = static_cast<std::uint8_t>(rounds - 1 - level);
-    ++start[round[i] + 1U];
+    const int level = std::min(Rounds::count - 1, std::countr_zero(mixed(i + 1)) / 4);
+    round[i] = static_cast<std::uint8_t>(Rounds::count - 1 - level);
+    ++rounds.start[round[i] + 1U];
   }
-  for (std::size_t r = 1; r < start.size(); ++r) start[r] += start[r - 1];
-  std::vector<Index> order(n);
-  for (std::size_t i = 0; i < n; ++i) order[start[round[i]]++] = static_cast<Index>(i);
-  return order;
-}
-
-/// The open disk of a ghost is the open half-plane beyond its hull edge, and the edge's own interior.
-bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
-  const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
-  const Point a = t.points[slot.from(corner)], b = t.points[slot.to(corner)];
-  const double side = orient2d(a, b, p);
-  if (side != 0 || mutated("points_on_the_hull_make_flat_triangles")) return side > 0;
-  return (a.x < p.x && p.x < b.x) || (b.x < p.x && p.x < a.x) || (a.y < p.y && p.y < b.y) || (b.y < p.y && p.y < a.y);
-}
-
-bool disk_contains(const Triangulation& t, TriangleId id, Point p) {
-  const Slot& slot = t.slots[id];
-  if (slot.is_ghost()) return ghost_disk_contains(t, slot, p);
-  return incircle(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]], p) > 0;
+  for (std::size_t r = 1; r < rounds.start.size(); ++r) rounds.start[r] += rounds.start[r - 1];
+  std::array<std::size_t, Rounds::count + 1> next = rounds.start;
+  rounds.order.resize(n);
+  for (std::size_t i = 0; i < n; ++i) rounds.order[next[round[i]]++] = static_cast<VertexId>(i);
+  return rounds;
 }
 
 /// One triangle and its three ghosts.
 void start_with(Triangulation& t, VertexId a, VertexId b, VertexId c) {
   if (orient2d(t.points[a], t.points[b], t.points[c]) < 0) std::swap(b, c);
   const std::array<VertexId, 3> v{a, b, c};
-  t.slots.push_back({v, {EdgeRef(1, 2), EdgeRef(2, 2), EdgeRef(3, 2)}});
+  t.slots[0] = {v, {EdgeRef(1, 2), EdgeRef(2, 2), EdgeRef(3, 2)}};
   for (unsigned i = 0; i < 3; ++i) {
     // The ghost beyond side i: (to, from, ghost). Its next ghost around the hull shares `from`.
     const VertexId from = v[next_corner[i]], to = v[previous_corner[i]];
     const TriangleId before = 1 + previous_corner[i], after = 1 + next_corner[i];
-    t.slots.push_back({{to, from, ghost}, {EdgeRef(before, 1), EdgeRef(after, 0), EdgeRef(0, i)}});
+    t.slots[1 + i] = {{to, from, ghost}, {EdgeRef(before, 1), EdgeRef(after, 0), EdgeRef(0, i)}};
   }
 }
 
@@ -65,43 +63,125 @@ Error coordinates_error(const char* what, Point p) {
   return {ErrorKind::invalid_input, std::string(what) + " (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"};
 }
 
+/// n points, the ghost vertex and the edges between them, on a sphere: the number of triangles. So the point that is
+/// k-th in order makes two more than there were, and they are numbered from here.
+constexpr TriangleId triangles_of(std::size_t n) { return static_cast<TriangleId>(2 * (n + 1) - 4); }
+
+/// Inserts rounds of points. A place is an index into the order of insertion.
+class Rounder {
+ public:
+  Rounder(Triangulation& t, const std::vector<VertexId>& order, int threads, std::size_t per_tile)
+      : t_(t), order_(order), bounds_(bounds_of(t.points.span())), threads_(std::max(1, threads)), per_tile_(per_tile) {
+    for (int i = 0; i < threads_; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
+  }
+
+  /// All places before `first` are in.
+  Status insert(std::size_t first, std::size_t last) {
+    std::vector<Index> places(last - first);
+    std::iota(places.begin(), places.end(), static_cast<Index>(first));
+    const double tiles = static_cast<double>(places.size()) / static_cast<double>(per_tile_);
+    const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::max(1.0, std::sqrt(tiles))));
+    if (lattice.cells() > 1) {
+      if (Status inserted = insert_on_tiles(lattice, places, triangles_of(first)); !inserted) return inserted;
+    }
+    Tile everything{.places = std::move(places), .near = some_triangle()};
+    run(everything, Box{}, *workers_.front());
+    return everything.error ? Status(*everything.error) : Done{};
+  }
+
+ private:
+  struct Tile {
+    std::vector<Index> places;  ///< to be inserted; afterwards, what did not fit
+    TriangleId near = no_index;
+    double near_centre = INFINITY;  ///< squared distance of a corner of `near` from the centre of the cell
+    std::optional<Error> error{};
+  };
+
+  /// Afterwards `places` holds those that leave the boxes of their tiles.
+  Status insert_on_tiles(const Lattice& lattice, std::vector<Index>& places, TriangleId triangles) {
+    std::vector<Tile> tiles(lattice.cells());
+    for (const Index place : places) tiles[lattice.cell_of(t_.points[order_[place]])].places.push_back(place);
+    find_starts(lattice, tiles, triangles);
+    for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
+      std::vector<Index> cells;
+      for (Index cell = 0; cell < lattice.cells(); ++cell)
+        if (lattice.colour_of(cell) == colour && tiles[cell].near != no_index) cells.push_back(cell);
+      std::stable_sort(cells.begin(), cells.end(),
+                       [&](Index a, Index b) { return tiles[a].places.size() > tiles[b].places.size(); });
+      parallel_for(threads_, cells.size(), [&](std::size_t i, int thread) {
+        run(tiles[cells[i]], lattice.box_of(cells[i]), *workers_[static_cast<std::size_t>(thread)]);
+      });
+    }
+    places.clear();
+    for (const Tile& tile : tiles) {
+      if (tile.error) return *tile.error;
+      places.insert(places.end(), tile.places.begin(), tile.places.end());
+    }
+    std::sort(places.begin(), places.end());
+    return Done{};
+  }
+
+  /// For each tile a triangle in its box, near the centre of its cell: the tasks of other cells will leave one near
+  /// there with that number.
+  void find_starts(const Lattice& lattice, std::vector<Tile>& tiles, TriangleId triangles) const {
+    for (TriangleId id = 0; id < triangles; ++id) {
+      const Slot& slot = t_.slots[id];
+      if (slot.is_ghost()) continue;
+      const Point p = t_.points[slot.v[0]];
+      const Index cell = lattice.cell_of(p);
+      const Box box = lattice.box_of(cell);
+      const Point centre = lattice.centre_of(cell);
+      const double distance = (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
+      if (distance >= tiles[cell].near_centre) continue;
+      if (!box.contains(t_.points[slot.v[1]]) || !box.contains(t_.points[slot.v[2]])) continue;
+      tiles[cell].near = id;
+      tiles[cell].near_centre = distance;
+    }
+  }
+
+  void run(Tile& tile, const Box& box, BowyerWatson& worker) const {
+    worker.start(box, tile.near);
+    if (!worker.in_box(t_.slots[tile.near])) return;
+    std::erase_if(tile.places, [&](Index place) {
+      if (tile.error) return false;
+      const VertexId v = order_[place];
+      const Inserted inserted = worker.insert(v, triangles_of(place));
+      if (inserted == Inserted::duplicate)
+        tile.error = coordinates_error("two points share the coordinates", t_.points[v]);
+      if (inserted == Inserted::inconsistent)
+        tile.error = coordinates_error("the triangulation is inconsistent at", t_.points[v]);
+      return inserted == Inserted::yes;
+    });
+  }
+
+  [[nodiscard]] TriangleId some_triangle() const {
+    TriangleId id = 0;
+    while (t_.slots[id].is_ghost()) ++id;
+    return id;
+  }
+
+  Triangulation& t_;
+  const std::vector<VertexId>& order_;
+  Box bounds_;
+  int threads_;
+  std::size_t per_tile_;
+  std::vector<std::unique_ptr<BowyerWatson>> workers_;
+};
+
 }  // namespace
 
-TriangleId locate(const Triangulation& t, Point p, TriangleId start) {
-  EdgeRef entered;  // the side through which the walk came in
-  TriangleId at = start;
-  std::uint32_t random =
-      1;  // a fixed order of the sides could walk in circles where segments block the Delaunay property
-  for (;;) {
-    const Slot& slot = t.slots[at];
-    if (slot.is_ghost()) return at;
-    EdgeRef out;
-    random = random * 1664525U + 1013904223U;
-    unsigned side = (random >> 16U) % 3;
-    for (int tried = 0; tried < 3; ++tried, side = next_corner[side]) {
-      if (at == entered.triangle() && side == entered.side()) continue;
-      if (orient2d(t.points[slot.from(side)], t.points[slot.to(side)], p) < 0) {
-        out = slot.n[side];
-        break;
-      }
-    }
-    if (out.none()) return at;
-    entered = out;
-    at = out.triangle();
-  }
-}
-
-Result<Delaunay> delaunay(std::span<const Point> points) {
+Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_t per_tile) {
   if (points.size() < 3) return Error{ErrorKind::invalid_input, "fewer than three points span no triangle"};
   if (points.size() > max_triangles / 2 - 2)
     return Error{ErrorKind::resources, "more points than the triangulation can number"};
 
   Delaunay result;
-  result.input_of_vertex = hilbert_order(points);
+  result.input_of_vertex = hilbert_order(points, threads);
   Triangulation& t = result.triangulation;
   t.points.reserve(points.size());
   for (const Index i : result.input_of_vertex) t.points.push_back(points[i]);
-  std::vector<Index> order = biased_random_order(t.points.size());
+  Rounds rounds = biased_random_order(t.points.size());
+  std::vector<VertexId>& order = rounds.order;
 
   const Point a = t.points[order[0]], b = t.points[order[1]];
   if (a == b) return coordinates_error("two points share the coordinates", a);
@@ -111,33 +191,18 @@ Result<Delaunay> delaunay(std::span<const Point> points) {
   std::rotate(order.begin() + 2, order.begin() + static_cast<std::ptrdiff_t>(third),
               order.begin() + static_cast<std::ptrdiff_t>(third) + 1);
 
-  if (order.size() > 3 && mutated("a_point_is_lost")) order.pop_back();
-  t.slots.reserve(2 * points.size() + 8);
+  if (order.size() > 3 && mutated("a_point_is_lost")) {
+    order.pop_back();
+    --rounds.start.back();
+  }
+  t.slots.resize_uninitialised(triangles_of(order.size()));
   start_with(t, order[0], order[1], order[2]);
-
-  Cavity cavity;
-  std::vector<TriangleId> fan;
-  TriangleId hint = 0;
-  const auto allocate = [&] {
-    t.slots.push_back({});
-    return static_cast<TriangleId>(t.slots.size() - 1);
-  };
-  for (std::size_t k = 3; k < order.size(); ++k) {
-    const VertexId v = order[k];
-    const Point p = t.points[v];
-    const TriangleId first = locate(t, p, hint);
-    if (!disk_contains(t, first, p)) return coordinates_error("two points share the coordinates", p);
-    const auto reach = [&](TriangleId id, unsigned) {
-      return disk_contains(t, id, p) ? Reach::inside : Reach::outside;
-    };
-    if (cavity.find(t, first, reach) != Walk::complete)
-      return coordinates_error("the triangulation is inconsistent at", p);
-    retriangulate(t, cavity, v, allocate, fan);
-    for (std::size_t i = 0; i < fan.size(); ++i)
-      if (!t.slots[fan[i]].is_ghost()) {
-        hint = fan[i];
-        break;
-      }
+  Rounder rounder(t, order, threads, per_tile);
+  std::size_t first = 3;
+  for (const std::size_t last : rounds.start) {
+    if (last <= first) continue;
+    if (Status inserted = rounder.insert(first, last); !inserted) return inserted.error();
+    first = last;
   }
   return result;
 }

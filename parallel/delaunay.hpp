@@ -15,15 +15,17 @@ struct Delaunay {
   std::vector<Index> input_of_vertex;  ///< vertex -> index of the input point
 };
 
+/// About as many as fit a core's second-level cache with their triangles.
+inline constexpr std::size_t points_per_tile = 8'000;
+
 /// Randomized incremental insertion in biased order (Amenta, Choi and Rote, "Incremental constructions con
 /// BRIO", 2003): expected O(n log n) for any input, the randomness being a hash of the place along the curve, so
-/// the result does not depend on the order of the input. Precondition: distinct points, coordinates in range; a
-/// duplicate, or points that are all collinear, give invalid_input.
-[[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points);
-
-/// The non-ghost triangle that contains p, or a ghost triangle whose hull edge p lies beyond, found by a
-/// visibility walk that takes the sides in pseudo-random order, from the non-ghost triangle `start`. It ends in
-/// any constrained Delaunay triangulation with ghosts (with probability one; Devillers, Pion and Teillaud 2002).
-[[nodiscard]] TriangleId locate(const Triangulation& t, Point p, TriangleId start);
+/// the result does not depend on the order of the input. The many points of a round go in tile by tile, as in the
+/// refinement (tiles.hpp): the tiles of one colour at once, on up to `threads` threads, what leaves its tile's box
+/// afterwards. The number of threads does not change the result; that of points per tile may, where points are
+/// cocircular. Precondition: distinct points, coordinates in range; a duplicate, or points that are all collinear,
+/// give invalid_input.
+[[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points, int threads = 1,
+                                        std::size_t per_tile = points_per_tile);
 
 }  // namespace pardel

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "../core/mutants.hpp"
+#include "parallel_for.hpp"
 
 namespace pardel {
 namespace {
@@ -64,7 +65,7 @@ void radix_sort_by_key(std::vector<std::uint64_t>& words) {
   }
 }
 
-void order_along_curve(std::span<const Point> points, std::span<Index> ids) {
+void order_along_curve(std::span<const Point> points, std::span<Index> ids, int threads) {
   const Box box = bounding_square(points, ids);
   if (ids.size() <= 16 || !(box.side > 0)) {
     if (mutated("order_of_the_input_decides")) return;
@@ -76,28 +77,30 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids) {
   constexpr double top = (1U << levels) - 1;
   const double scale = top / box.side;
   std::vector<std::uint64_t> words(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    const Point p = points[ids[k]];
-    const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));
-    const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
-    words[k] = static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
-  }
+  parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Point p = points[ids[k]];
+      const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));
+      const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
+      words[k] = static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
+    }
+  });
   radix_sort_by_key(words);
   for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = static_cast<Index>(words[k]);
   for (std::size_t k = 0; k < words.size();) {
     std::size_t stop = k + 1;
     while (stop < words.size() && words[stop] >> 32U == words[k] >> 32U) ++stop;
-    if (stop - k > 1) order_along_curve(points, ids.subspan(k, stop - k));
+    if (stop - k > 1) order_along_curve(points, ids.subspan(k, stop - k), threads);
     k = stop;
   }
 }
 
 }  // namespace
 
-std::vector<Index> hilbert_order(std::span<const Point> points) {
+std::vector<Index> hilbert_order(std::span<const Point> points, int threads) {
   std::vector<Index> ids(points.size());
   for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<Index>(i);
-  order_along_curve(points, ids);
+  order_along_curve(points, ids, threads);
   return ids;
 }
 

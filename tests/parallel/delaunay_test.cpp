@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "../../parallel/locate.hpp"
 #include "../../parallel/predicates.hpp"
 #include "../../properties/exact.hpp"
 #include "samples.hpp"
@@ -53,8 +54,8 @@ void expect_convex_hull(const Triangulation& t) {
   }
 }
 
-void expect_delaunay(const std::vector<Point>& points) {
-  const Result<Delaunay> made = delaunay(points);
+void expect_delaunay(const std::vector<Point>& points, int threads = 1, std::size_t per_tile = points_per_tile) {
+  const Result<Delaunay> made = delaunay(points, threads, per_tile);
   ASSERT_TRUE(made) << made.error().message;
   const Triangulation& t = made->triangulation;
   ASSERT_EQ(samples::fault(t), "");
@@ -72,6 +73,31 @@ TEST(Delaunay, satisfies_the_definition_whatever_the_position) {
       SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
       expect_delaunay(family.points);
     }
+}
+
+TEST(Delaunay, satisfies_the_definition_when_tiles_are_triangulated_at_once) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    for (const samples::Family& family : samples::families(200, seed))
+      for (const std::size_t per_tile : {1U, 5U, 20U}) {
+        SCOPED_TRACE(family.name + ", seed " + std::to_string(seed) + ", per tile " + std::to_string(per_tile));
+        expect_delaunay(family.points, 3, per_tile);
+      }
+}
+
+TEST(Delaunay, is_the_same_on_any_number_of_threads_numbers_included) {
+  for (const samples::Family& family : samples::families(20'000, 10)) {
+    const Result<Delaunay> expected = delaunay(family.points, 1, 300);
+    ASSERT_TRUE(expected) << family.name;
+    for (const int threads : {2, 3, 8}) {
+      const Result<Delaunay> made = delaunay(family.points, threads, 300);
+      ASSERT_TRUE(made) << family.name;
+      EXPECT_EQ(made->input_of_vertex, expected->input_of_vertex) << family.name;
+      const auto& slots = made->triangulation.slots;
+      EXPECT_TRUE(std::equal(slots.begin(), slots.end(), expected->triangulation.slots.begin(),
+                             [](const Slot& a, const Slot& b) { return a.v == b.v && a.n == b.n; }))
+          << family.name << ", " << threads << " threads";
+    }
+  }
 }
 
 TEST(Delaunay, satisfies_the_definition_for_every_few_points) {
@@ -127,9 +153,11 @@ TEST(Delaunay, refuses_a_duplicate_among_many) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<Point> points = samples::uniform_points(50, seed);
     points.push_back(points[seed]);
-    const Result<Delaunay> made = delaunay(points);
-    ASSERT_FALSE(made);
-    EXPECT_EQ(made.error().kind, ErrorKind::invalid_input);
+    for (const std::size_t per_tile : {points_per_tile, std::size_t{4}}) {
+      const Result<Delaunay> made = delaunay(points, 2, per_tile);
+      ASSERT_FALSE(made);
+      EXPECT_EQ(made.error().kind, ErrorKind::invalid_input);
+    }
   }
 }
 

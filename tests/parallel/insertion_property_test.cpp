@@ -4,6 +4,7 @@
 
 #include "../../parallel/assemble.hpp"
 #include "../../parallel/delaunay.hpp"
+#include "../../parallel/locate.hpp"
 #include "../../parallel/insertion.hpp"
 #include "../../parallel/small_angles.hpp"
 #include "../../properties/exact.hpp"
