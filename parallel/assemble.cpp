@@ -8,6 +8,7 @@
 #include "delaunay.hpp"
 #include "flips.hpp"
 #include "join_pieces.hpp"
+#include "parallel_for.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -196,38 +197,45 @@ std::vector<std::array<Index, 3>> corners(const Assembled& domain) {
 }
 
 Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, const PointData& data,
-                 std::vector<std::array<Index, 3>> background) {
+                 std::vector<std::array<Index, 3>> background, int threads) {
   Triangulation& t = domain.triangulation;
   Mesh mesh;
   const std::size_t inputs = domain.input_of_vertex.size();
   const auto number = [&](VertexId v) { return v < inputs ? domain.input_of_vertex[v] : v; };
   const auto triangle_of = [&](EdgeRef out) { return out.none() ? no_index : out.triangle(); };
+  const auto constrained_edge = [&](const Slot& slot, unsigned side) {
+    const Index line =
+        mutated("wrong_segment_on_an_edge") ? 0 : domain.lines.line_of(t, slot.from(side), slot.to(side));
+    int marker = mutated("segment_marker_lost") ? 0 : domain.marker_of_line[line];
+    if (marker == 0 && slot.n[side].none() && !mutated("boundary_marker_lost")) marker = 1;
+    return ConstrainedEdge{number(slot.from(side)), number(slot.to(side)), domain.segment_of_line[line], marker};
+  };
   Array<Triangle> triangles = Array<Triangle>::recast(std::move(t.slots));
-  for (Triangle& triangle : triangles) {
-    const auto slot = std::bit_cast<Slot>(triangle);
-    const auto id = static_cast<TriangleId>(&triangle - triangles.begin());
-    for (unsigned side = 0; side < 3; ++side) {
-      const EdgeRef across = slot.n[side];
-      if (across.constrained() && (across.none() || across.triangle() > id)) {
-        const Index line =
-            mutated("wrong_segment_on_an_edge") ? 0 : domain.lines.line_of(t, slot.from(side), slot.to(side));
-        const int marker = mutated("segment_marker_lost") ? 0 : domain.marker_of_line[line];
-        mesh.constrained_edges.push_back({number(slot.from(side)), number(slot.to(side)), domain.segment_of_line[line],
-                                          marker != 0                                         ? marker
-                                          : across.none() && !mutated("boundary_marker_lost") ? 1
-                                                                                              : 0});
+  std::vector<std::vector<ConstrainedEdge>> edges(block_count(triangles.size()));
+  parallel_blocks(threads, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    for (std::size_t id = first; id < last; ++id) {
+      Triangle& triangle = triangles[id];
+      const auto slot = std::bit_cast<Slot>(triangle);
+      for (unsigned side = 0; side < 3; ++side) {
+        const EdgeRef across = slot.n[side];
+        if (across.constrained() && (across.none() || across.triangle() > id))
+          edges[block].push_back(constrained_edge(slot, side));
+        triangle.v[side] = number(slot.v[side]);
+        triangle.n[side] = triangle_of(across);
       }
-      triangle.v[side] = number(slot.v[side]);
-      triangle.n[side] = triangle_of(across);
     }
-  }
+  });
+  for (const auto& block : edges)
+    mesh.constrained_edges.insert(mesh.constrained_edges.end(), block.begin(), block.end());
   mesh.triangles = std::move(triangles);
   restore_order(domain.input_of_vertex, t.points);
-  for (std::size_t v = 0; v < t.origin.size(); ++v)
-    if (t.origin[v] < domain.lines.size()) {
-      const Index segment = domain.segment_of_line[t.origin[v]];
-      t.origin[v] = segment == no_index || mutated("origin_forgotten") ? hull_vertex : segment;
-    }
+  parallel_blocks(threads, t.origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v)
+      if (t.origin[v] < domain.lines.size()) {
+        const Index segment = domain.segment_of_line[t.origin[v]];
+        t.origin[v] = segment == no_index || mutated("origin_forgotten") ? hull_vertex : segment;
+      }
+  });
 
   mesh.points = std::move(t.points);
   mesh.origin = std::move(t.origin);

@@ -42,7 +42,7 @@ struct PointData {
 /// then come the new ones in the order of their insertion. `background`: the corners, in input numbers, of the
 /// triangles that attributes are interpolated on; may be empty when there are no attributes.
 [[nodiscard]] Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, const PointData& data,
-                               std::vector<std::array<Index, 3>> background);
+                               std::vector<std::array<Index, 3>> background, int threads = 1);
 
 /// The corners of the triangles in input numbers.
 [[nodiscard]] std::vector<std::array<Index, 3>> corners(const Assembled& domain);
