@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lexicographic.hpp"
+#include "predicates.hpp"
+
 namespace pardel {
 
 Lines::Lines(const Array<Point>& points, std::span<const Constraint> constraints) {
@@ -25,11 +28,12 @@ Lines::Lines(const Array<Point>& points, std::span<const Constraint> constraints
   for (VertexId v = 0; v < points.size(); ++v) {
     const auto first = incident_.begin() + start_[v], last = incident_.begin() + start_[v + 1U];
     if (last - first < 2) continue;
-    const auto direction = [&](Index l) {
-      const Point far = points[other_end(l, v)];
-      return std::atan2(far.y - points[v].y, far.x - points[v].x);
-    };
-    std::sort(first, last, [&](Index l, Index r) { return direction(l) < direction(r); });
+    const auto far = [&](Index l) { return points[other_end(l, v)]; };
+    const auto goes_left = [&](Index l) { return before(far(l), points[v]); };
+    std::sort(first, last, [&](Index l, Index r) {
+      if (goes_left(l) != goes_left(r)) return goes_left(r);
+      return orient2d(points[v], far(l), far(r)) > 0;
+    });
     for (auto it = first; it != last; ++it) {
       const Index here = *it, next_line = it + 1 == last ? *first : *(it + 1);
       if (cosine_at(points, v, here, next_line) <= 0) continue;
@@ -56,7 +60,7 @@ VertexId Lines::shared_end(Index first, Index second) const {
 double Lines::cosine_at(const Array<Point>& points, VertexId apex, Index first, Index second) const {
   const Point o = points[apex], p = points[other_end(first, apex)], q = points[other_end(second, apex)];
   const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
-  return (px * qx + py * qy) / (std::hypot(px, py) * std::hypot(qx, qy));
+  return (px * qx + py * qy) / (std::sqrt(px * px + py * py) * std::sqrt(qx * qx + qy * qy));
 }
 
 }  // namespace pardel

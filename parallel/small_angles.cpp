@@ -11,12 +11,16 @@
 namespace pardel {
 namespace {
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+/// Not std::hypot, which every library rounds in its own way: split points depend on it.
+double distance(Point a, Point b) {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
 double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
 /// The power of two in [length/3, 2 length/3] that is nearest to the middle (Triangle's choice).
 double shell(double length) {
-  double radius = std::exp2(std::floor(std::log2(length)));
+  double radius = std::ldexp(1.0, std::ilogb(length));
   while (length > 3 * radius) radius *= 2;
   while (length < 1.5 * radius) radius *= 0.5;
   return radius;
