@@ -160,8 +160,7 @@ int main_of_peers(int argc, char** argv) {
   app.add_option("--json", settings.json_file, "Write all runs to this file");
   CLI11_PARSE(app, argc, argv);
   task.check = !no_check;
-  if (task.triangles > 0)
-    task.goal.max_area = triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
+  task.goal.max_area = area_cap(task);
 
   const std::vector<Row> rows = compare(settings, chosen_tools(settings));
   print(rows, settings);

@@ -111,9 +111,7 @@ int main(int argc, char** argv) {
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
   app.add_flag("!--no-queue", settings.one_queue, "Leave out the row with one queue over everything");
   CLI11_PARSE(app, argc, argv);
-  if (settings.task.triangles > 0)
-    settings.task.goal.max_area = bench::triangles_per_cap * bench::domain_area(settings.task) /
-                                  static_cast<double>(settings.task.triangles);
+  settings.task.goal.max_area = bench::area_cap(settings.task);
   std::vector<bench::Row> rows;
   if (settings.one_queue) rows.push_back({Decomposition::none, 1, {}});
   for (const int threads : settings.threads) rows.push_back({Decomposition::automatic, threads, {}});

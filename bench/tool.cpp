@@ -34,6 +34,11 @@ double domain_area(const Task& task) {
   return 2 * largest - sum;
 }
 
+double area_cap(const Task& task) {
+  if (task.triangles == 0) return INFINITY;
+  return triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
+}
+
 std::string verdict(const Task& task, const Mesh& mesh, bool foreign) {
   if (!task.check) return "not checked";
   Goal goal = task.goal;

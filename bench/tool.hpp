@@ -35,6 +35,8 @@ struct Task {
 [[nodiscard]] bool is_point_set(const Task& task);
 /// The area of the task's domain: shoelace over its closed chains, holes subtracted.
 [[nodiscard]] double domain_area(const Task& task);
+/// The area cap that leads to about as many triangles as the task wants; infinity where it names no number.
+[[nodiscard]] double area_cap(const Task& task);
 
 /// One run. Trivially copyable: it comes out of a child process through a pipe.
 struct Run {
