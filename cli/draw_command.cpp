@@ -3,11 +3,16 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "../core/formats.hpp"
 #include "command.hpp"
 #include "output.hpp"
+#include "tile_hues.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;
@@ -16,6 +21,8 @@ namespace {
 struct Arguments {
   fs::path input;
   fs::path output;
+  std::optional<HueBy> by;
+  fs::path report;  ///< with `by`
 };
 
 /// A .node file is half a mesh where its .ele lies beside it, and a set of points otherwise.
@@ -25,22 +32,30 @@ bool is_domain(const fs::path& file) {
   return file.extension() == ".poly";
 }
 
+Status draw_mesh(const Arguments& arguments) {
+  const Result<Mesh> mesh = read_mesh(arguments.input);
+  if (!mesh) return mesh.error();
+  if (!arguments.by) return write_svg(*mesh, arguments.output);
+  const Result<std::vector<std::uint16_t>> hues = tile_hues(*mesh, arguments.report, *arguments.by);
+  if (!hues) return hues.error();
+  return write_svg(*mesh, *hues, arguments.output);
+}
+
+Status draw_domain(const Arguments& arguments) {
+  if (arguments.by)
+    return Error{ErrorKind::usage, fmt::format("{}: --by is for meshes, this is a domain", arguments.input.string())};
+  const Result<Pslg> pslg = read_pslg(arguments.input);
+  if (!pslg) return pslg.error();
+  return write_svg(*pslg, arguments.output);
+}
+
 Result<ExitCode> run(const Arguments& arguments) {
   if (arguments.output.extension() != ".svg") {
     return Error{ErrorKind::usage, fmt::format("{}: pictures are written as .svg", arguments.output.string())};
   }
   if (Status folder = check_folder(arguments.output); !folder) return folder.error();
-  Status written = Done{};
-  if (is_domain(arguments.input)) {
-    const Result<Pslg> pslg = read_pslg(arguments.input);
-    if (!pslg) return pslg.error();
-    written = write_svg(*pslg, arguments.output);
-  } else {
-    const Result<Mesh> mesh = read_mesh(arguments.input);
-    if (!mesh) return mesh.error();
-    written = write_svg(*mesh, arguments.output);
-  }
-  if (!written) return written.error();
+  const Status drawn = is_domain(arguments.input) ? draw_domain(arguments) : draw_mesh(arguments);
+  if (!drawn) return drawn.error();
   return ExitCode::done;
 }
 
@@ -53,7 +68,21 @@ Command add_draw(CLI::App& program) {
       ->required()
       ->type_name("");
   app->add_option("-o,--output", arguments->output, "The picture (required)")->required()->type_name("FILE.svg");
-  app->footer("Example:\n  pardel draw key.1.ele -o key.svg");
+  const std::map<std::string, HueBy> hues = {{"tile", HueBy::tile}, {"phase", HueBy::phase}, {"thread", HueBy::thread}};
+  CLI::Option* by =
+      app->add_option("--by", arguments->by,
+                      "Colour triangles by the lattice of a run: tile, phase (cells that work at the same "
+                      "time) or thread (that worked there first)")
+          ->transform(CLI::CheckedTransformer(hues).description(""))
+          ->type_name("WHAT");
+  CLI::Option* report = app->add_option("--report", arguments->report, "What pardel mesh --json wrote in that run")
+                            ->type_name("FILE.json");
+  by->needs(report);
+  report->needs(by);
+  app->footer(R"(Examples:
+  pardel draw key.1.ele -o key.svg
+  pardel mesh pipe.poly -o pipe.ele --max-area 1e-5 --threads 2 --json pipe.json
+  pardel draw pipe.ele -o pipe.svg --by thread --report pipe.json)");
   return {app, [arguments] { return run(*arguments); }};
 }
 

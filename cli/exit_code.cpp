@@ -17,6 +17,8 @@ ExitCode exit_code(ErrorKind kind) {
       return ExitCode::failure;
     case ErrorKind::cancelled:
       return ExitCode::interrupted;
+    case ErrorKind::internal:
+      return ExitCode::internal;
   }
   return ExitCode::failure;
 }

@@ -12,6 +12,7 @@ enum class ExitCode : int {
   invalid_input = 3,  ///< the input is not what it should be
   goal_missed = 4,    ///< a bound could not be met for another reason; the mesh is written all the same
   failure = 5,        ///< memory, or a file that cannot be opened, read or written
+  internal = 6,       ///< the program noticed that it is wrong itself; nothing is written
   interrupted = 130,  ///< SIGINT
 };
 

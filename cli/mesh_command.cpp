@@ -19,6 +19,7 @@
 #include "input.hpp"
 #include "memory.hpp"
 #include "output.hpp"
+#include "paranoid.hpp"
 #include "report.hpp"
 #include "supervise.hpp"
 #include "verdict.hpp"
@@ -40,6 +41,7 @@ struct Arguments {
   bool refine = false;
   bool repair = false;
   bool check = false;
+  bool paranoid = false;
   bool msh_ascii = false;
   std::filesystem::path json;
   ShowProgress progress = ShowProgress::automatic;
@@ -72,6 +74,15 @@ Result<Meshed> make_mesh(const Arguments& arguments, const Coarse& input, const 
 Certificate check_mesh(const Arguments& arguments, const Coarse& input, const Meshed& meshed, const Goal& goal) {
   // A refined mesh numbers regions as the coarse one did; for the domain it is a stranger.
   return check(input.domain.pslg, meshed.mesh, goal, {.foreign = arguments.refine});
+}
+
+/// Has the mesh checked after every sweep and counts the sweeps.
+void watch_sweeps(const Arguments& arguments, const Coarse& input, const Goal& goal, std::uint64_t& checked,
+                  Options& options) {
+  const SweepCheck how{.convex_hull = goal.convex_hull, .foreign = arguments.refine};
+  options.after_sweep = [&input, &checked, how](const Mesh& mesh, const Sweep& sweep) {
+    return check_sweep(input.domain.pslg, mesh, ++checked, sweep, how);
+  };
 }
 
 Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
@@ -113,7 +124,9 @@ Result<ExitCode> run(Arguments& arguments) {
   run.seconds.read = watch.lap();
   if (interrupt.requested()) return interrupted();
 
-  Result<Meshed> meshed = supervise(interrupt, arguments.progress, arguments.options, [&](const Options& options) {
+  Options how = arguments.options;
+  if (arguments.paranoid) watch_sweeps(arguments, *input, *goal, run.sweeps_checked.emplace(0), how);
+  Result<Meshed> meshed = supervise(interrupt, arguments.progress, how, [&](const Options& options) {
     return make_mesh(arguments, *input, *goal, options);
   });
   if (!meshed) return meshed.error();
@@ -219,6 +232,8 @@ Command add_mesh(CLI::App& program) {
   app->add_flag("--repair", arguments->repair, "Merge points and split segments of an invalid domain before meshing")
       ->excludes("--refine");
   app->add_flag("--check", arguments->check, "Check the mesh with exact arithmetic");
+  app->add_flag("--paranoid", arguments->paranoid,
+                "Check the mesh after every sweep, too, all but its bounds; stops where it is wrong (slow)");
   app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
   app->add_option("--json", arguments->json, "Write a report as JSON (pardel.report/1); - is standard output")
       ->type_name("FILE|-");

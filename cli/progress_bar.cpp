@@ -16,9 +16,12 @@ constexpr int width = 32;
 constexpr auto patience = 1s;
 constexpr auto pause = 100ms;
 
-std::string count(std::uint64_t triangles) {
-  return triangles < 10'000 ? fmt::format("{}", triangles)
-                            : fmt::format("{:.2f} million", static_cast<double>(triangles) * 1e-6);
+/// "3.21 of about 10.01 million"; an estimate that fell short is not repeated.
+std::string count(double triangles, double estimate) {
+  const bool small = std::max(triangles, estimate) < 10'000;
+  const auto number = [&](double n) { return small ? fmt::format("{:.0f}", n) : fmt::format("{:.2f}", n * 1e-6); };
+  const std::string unit = small ? "" : " million";
+  return number(triangles) + (estimate > triangles ? " of about " + number(estimate) : std::string()) + unit;
 }
 
 std::string bar(double fraction) {
@@ -27,6 +30,12 @@ std::string bar(double fraction) {
 }
 
 }  // namespace
+
+std::string progress_line(std::uint64_t triangles, double estimate, double seconds) {
+  const double done = static_cast<double>(triangles);
+  const std::string left = estimate > 0 ? bar(std::min(done / estimate, 0.99)) + "  " : std::string();
+  return fmt::format("{}{} triangles  {:.0f} s", left, count(done, estimate), seconds);
+}
 
 ProgressBar::ProgressBar(ShowProgress show)
     : enabled_(show == ShowProgress::always || (show == ShowProgress::automatic && isatty(STDERR_FILENO) == 1)),
@@ -42,11 +51,8 @@ void ProgressBar::update(std::uint64_t triangles, double estimate) {
   if (now < next_) return;
   next_ = now + pause;
   drawn_ = true;
-  // An estimate may fall short; the bar waits at 99 % then.
-  const double done = static_cast<double>(triangles);
-  const std::string left = estimate > 0 ? bar(std::min(done / estimate, 0.99)) + "  " : std::string();
-  fmt::print(stderr, "\r\033[K{}{} triangles  {:.0f} s", left, count(triangles),
-             std::chrono::duration<double>(now - start_).count());
+  fmt::print(stderr, "\r\033[K{}",
+             progress_line(triangles, estimate, std::chrono::duration<double>(now - start_).count()));
   std::fflush(stderr);
 }
 

@@ -3,10 +3,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace pardel::cli {
 
 enum class ShowProgress : std::uint8_t { automatic, always, never };
+
+/// What the bar shows. An estimate may fall short; the bar waits at 99 % then. 0: unknown.
+[[nodiscard]] std::string progress_line(std::uint64_t triangles, double estimate, double seconds);
 
 /// Draws one line and redraws it in place; wipes it at the end. With `automatic` it appears only on a
 /// terminal, and only once the work has lasted a second.

@@ -79,12 +79,15 @@ nlohmann::ordered_json decomposition_json(const MeshRun& run) {
     sum.to_other_cells += sweep.to_other_cells;
     sum.beyond_box += sweep.beyond_box;
     sum.out_of_numbers += sweep.out_of_numbers;
+    sum.against_promise += sweep.against_promise;
   }
   const double side = std::min(tiling.cell_width, tiling.cell_height);
   return {{"kind", name(run.options.decomposition)},
           {"columns", tiling.columns},
           {"rows", tiling.rows},
           {"cells", std::uint64_t{tiling.columns} * tiling.rows},
+          {"low", {tiling.low.x, tiling.low.y}},
+          {"high", {tiling.high.x, tiling.high.y}},
           {"cell_side", side},
           {"circumradius",
            {{"measured", tiling.largest_radius},
@@ -95,7 +98,9 @@ nlohmann::ordered_json decomposition_json(const MeshRun& run) {
           {"handed_on",
            {{"to_other_cells", sum.to_other_cells},
             {"beyond_box", sum.beyond_box},
-            {"out_of_numbers", sum.out_of_numbers}}}};
+            {"out_of_numbers", sum.out_of_numbers},
+            {"against_promise", sum.against_promise}}},
+          {"thread_of_cell", tiling.thread_of_cell}};
 }
 
 nlohmann::ordered_json sweeps_json(const Tiling& tiling) {
@@ -109,7 +114,8 @@ nlohmann::ordered_json sweeps_json(const Tiling& tiling) {
   return sweeps;
 }
 
-nlohmann::ordered_json refine_json(const Report& report) {
+nlohmann::ordered_json refine_json(const MeshRun& run) {
+  const Report& report = run.report;
   nlohmann::ordered_json exempt = nlohmann::ordered_json::object();
   for (int i = 0; i < exempt_reasons; ++i) {
     const auto reason = static_cast<ExemptReason>(i);
@@ -117,12 +123,14 @@ nlohmann::ordered_json refine_json(const Report& report) {
   }
   nlohmann::ordered_json exemptions = nlohmann::ordered_json::array();
   for (const Exemption& exemption : report.exempt) exemptions.push_back(exemption_json(exemption));
-  return {{"inserted", report.inserted},
-          {"segment_splits", report.segment_splits},
-          {"refused", report.refused},
-          {"sweeps", sweeps_json(report.tiling)},
-          {"exempt", exempt},
-          {"exemptions", exemptions}};
+  return {
+      {"inserted", report.inserted},
+      {"segment_splits", report.segment_splits},
+      {"refused", report.refused},
+      {"sweeps", sweeps_json(report.tiling)},
+      {"sweeps_checked", run.sweeps_checked ? nlohmann::ordered_json(*run.sweeps_checked) : nlohmann::ordered_json()},
+      {"exempt", exempt},
+      {"exemptions", exemptions}};
 }
 
 }  // namespace
@@ -154,7 +162,7 @@ std::string to_json(const MeshRun& run) {
         {"max_angle_deg", mesh.max_angle_deg},
         {"max_circumradius", mesh.max_circumradius},
         {"area", mesh.area}}},
-      {"refine", refine_json(run.report)},
+      {"refine", refine_json(run)},
       {"goal_met", run.report.goal_met()},
       {"peak_rss_bytes", peak_rss_bytes()},
       {"digest", to_string(run.digest)}};
@@ -174,6 +182,7 @@ std::string to_text(const MeshRun& run) {
     text += fmt::format("exempt  {}, each beside a small input angle\n", list);
   }
   if (const std::string list = reasons(run.report, false); !list.empty()) text += fmt::format("missed  {}\n", list);
+  if (run.sweeps_checked) text += fmt::format("sweeps  {}, the mesh checked after each\n", *run.sweeps_checked);
   if (run.certificate) text += fmt::format("check   {}\n", run.certificate->valid ? "valid" : "NOT VALID");
   text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
                       s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);

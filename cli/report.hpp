@@ -45,7 +45,8 @@ struct MeshRun {
   Report report;
   MeshStatistics statistics;
   Digest digest;
-  std::optional<Certificate> certificate;  ///< where a check was asked for
+  std::optional<Certificate> certificate;       ///< where a check was asked for
+  std::optional<std::uint64_t> sweeps_checked;  ///< where --paranoid was
   std::vector<std::filesystem::path> outputs;
   Seconds seconds;
 };

@@ -84,7 +84,12 @@ struct TriangleFiles {
 /// degrees), point arrays `marker` and `attributes`; constrained edges and their markers as field data.
 [[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file);
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
+/// Triangles are filled by region.
 [[nodiscard]] Status write_svg(const Mesh& mesh, const std::filesystem::path& file);
+/// Triangle i is filled with hue hues[i], in degrees below 360, or left white.
+inline constexpr std::uint16_t no_hue = 360;
+[[nodiscard]] Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues,
+                               const std::filesystem::path& file);
 [[nodiscard]] Status write_svg(const Pslg& pslg, const std::filesystem::path& file);
 
 }  // namespace pardel

@@ -16,6 +16,7 @@ enum class ErrorKind : std::uint8_t {
   io,             ///< a file could not be opened, read or written
   resources,      ///< memory or an id range does not suffice
   cancelled,      ///< the caller's own callback asked to stop
+  internal,       ///< not the input but the program is wrong: what it relies on does not hold
 };
 
 /// `message` is one complete sentence or several lines, with file and line, or ids and coordinates, inside.

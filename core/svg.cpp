@@ -1,5 +1,6 @@
 // SVG drawings: of a mesh, of a Pslg. y points up, as in the data.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -53,8 +54,15 @@ class Canvas {
   double scale_ = 1;
 };
 
-/// Light and far apart for consecutive regions: hues by the golden angle.
-void put_fill(Bytes& to, std::size_t region) { to << "fill=\"hsl(" << (210 + region * 137) % 360 << ",60%,88%)\""; }
+/// Far apart for consecutive regions: by the golden angle. 0 is what belongs to none.
+std::uint16_t hue_of_region(std::size_t region) { return static_cast<std::uint16_t>((210 + region * 137) % 360); }
+
+void put_fill(Bytes& to, std::size_t hue) {
+  if (hue == no_hue)
+    to << "fill=\"white\"";
+  else
+    to << "fill=\"hsl(" << hue << ",60%,88%)\"";
+}
 
 /// Segments or constrained edges.
 template <class Edges, class Points>
@@ -67,11 +75,11 @@ void draw_lines(OutputFile& out, const Canvas& canvas, const Edges& edges, const
   out.write("\"/>\n");
 }
 
-/// The triangles of one region as one path.
+/// The triangles of one hue as one path.
 void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std::span<const Index> triangles,
-                    std::size_t region) {
+                    std::size_t hue) {
   Bytes head;
-  put_fill(head << "<path stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" ", region);
+  put_fill(head << "<path stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" ", hue);
   out.write((head << " d=\"\n").view());
   write_records(out, triangles.size(), [&](Bytes& to, std::size_t i) {
     const auto& v = mesh.triangles[triangles[i]].v;
@@ -84,22 +92,25 @@ void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std
 
 }  // namespace
 
-Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
+Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues, const std::filesystem::path& file) {
   OutputFile out(file);
   const Canvas canvas(mesh.points);
   canvas.open(out);
-  // Region 0 is what belongs to none.
-  std::vector<std::vector<Index>> by_region(mesh.region_attributes.size() + 1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Index region = mesh.region.empty() ? no_index : mesh.region[t];
-    by_region[region == no_index ? 0 : region + 1].push_back(static_cast<Index>(t));
-  }
-  for (std::size_t r = 0; r < by_region.size(); ++r) {
-    if (!by_region[r].empty()) draw_triangles(out, canvas, mesh, by_region[r], r);
+  std::array<std::vector<Index>, no_hue + 1> by_hue;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) by_hue[hues[t]].push_back(static_cast<Index>(t));
+  for (std::size_t hue = 0; hue < by_hue.size(); ++hue) {
+    if (!by_hue[hue].empty()) draw_triangles(out, canvas, mesh, by_hue[hue], hue);
   }
   draw_lines(out, canvas, mesh.constrained_edges, mesh.points);
   out.write("</svg>\n");
   return out.commit();
+}
+
+Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
+  std::vector<std::uint16_t> hues(mesh.triangles.size(), hue_of_region(0));
+  for (std::size_t t = 0; t < mesh.region.size(); ++t)
+    if (mesh.region[t] != no_index) hues[t] = hue_of_region(std::size_t{mesh.region[t]} + 1);
+  return write_svg(mesh, hues, file);
 }
 
 Status write_svg(const Pslg& pslg, const std::filesystem::path& file) {

@@ -1,5 +1,7 @@
 #include "insertion.hpp"
 
+#include <algorithm>
+
 #include "../core/mutants.hpp"
 #include "flips.hpp"
 #include "predicates.hpp"
@@ -73,6 +75,19 @@ Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
   if (!is_star_) return box.is_everything() ? face_by_flips(p) : Outcome::leaves_box;
   commit(p, interior_vertex);
   return outcome;
+}
+
+bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradius) const {
+  const auto is_it = [&](EdgeRef across) {
+    if (across.constrained()) return false;
+    const Slot& slot = t_.slot(across);
+    return !box.contains(t_.points[slot.v[across.side()]]) && disk_contains(slot, p) &&
+           Shape(t_, slot).squared_circumradius() <= squared_circumradius;
+  };
+  return std::any_of(cavity_.triangles().begin(), cavity_.triangles().end(), [&](TriangleId id) {
+    const auto& n = t_.slots[id].n;
+    return std::any_of(n.begin(), n.end(), is_it);
+  });
 }
 
 Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {

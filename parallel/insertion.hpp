@@ -65,6 +65,9 @@ class Insertion {
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
   /// After `encroaches`: the longest of the edges encroached, seen from inside the cavity.
   [[nodiscard]] EdgeRef blocker() const { return blocker_; }
+  /// After `leaves_box` in a face: some triangle that p's cavity has beyond the box is no larger than this.
+  /// Precondition: p lies in the box.
+  [[nodiscard]] bool left_box_for(Point p, const Box& box, double squared_circumradius) const;
 
  private:
   [[nodiscard]] bool disk_contains(const Slot& slot, Point p) const {

@@ -59,10 +59,33 @@ double least_min_edge(std::span<const Point> points) {
   return largest * 0x1p-42;
 }
 
-Status refine_domain(Assembled& domain, const Criteria& criteria, Options options, Report& report) {
+/// What the result has from its input.
+struct Heritage {
+  std::vector<double> region_attributes;
+  PointData points;
+  std::vector<std::array<Index, 3>> background;
+};
+
+Mesh to_mesh(Assembled&& domain, Heritage heritage) {
+  return disassemble(std::move(domain), std::move(heritage.region_attributes), heritage.points,
+                     std::move(heritage.background));
+}
+
+/// Shows each snapshot, made a mesh, to options.after_sweep.
+Watcher watcher(const Assembled& domain, const Heritage& heritage, const Options& options) {
+  if (!options.after_sweep) return {};
+  return [&](Triangulation&& snapshot, const Sweep& sweep) {
+    Assembled copy{std::move(snapshot), domain.lines, domain.input_of_vertex, domain.segment_of_line,
+                   domain.marker_of_line};
+    return options.after_sweep(to_mesh(std::move(copy), heritage), sweep);
+  };
+}
+
+Status refine_domain(Assembled& domain, const Criteria& criteria, const Heritage& heritage, Options options,
+                     Report& report) {
   Triangulation& t = domain.triangulation;
   options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
-  Result<RefineCounts> counts = refine(t, domain.lines, criteria, options);
+  Result<RefineCounts> counts = refine(t, domain.lines, criteria, options, {}, watcher(domain, heritage, options));
   if (!counts) return counts.error();
   report.inserted = counts->inserted;
   report.segment_splits = counts->segment_splits;
@@ -81,24 +104,23 @@ Result<Meshed> mesh_pslg(const Pslg& pslg, bool convex_hull, const Goal* goal, c
   if (Status valid = check_pslg(pslg, convex_hull); !valid) return valid.error();
   result.report.validate_seconds = watch.lap();
 
-  Result<Assembled> domain = assemble(pslg, convex_hull);
+  Result<Assembled> domain = assemble(pslg, convex_hull, options.threads);
   if (!domain) return domain.error();
-  std::vector<std::array<Index, 3>> background;
-  if (pslg.attributes_per_point > 0) background = corners(*domain);
+  Heritage heritage{{}, {pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
+  if (pslg.attributes_per_point > 0) heritage.background = corners(*domain);
   result.report.triangulate_seconds = watch.lap();
 
-  std::vector<double> attributes, caps;
+  std::vector<double> caps;
   for (const Region& region : pslg.regions) {
-    attributes.push_back(region.attribute);
+    heritage.region_attributes.push_back(region.attribute);
     caps.push_back(region.max_area);
   }
   if (goal != nullptr) {
     const Criteria criteria(*goal, options.placement, std::move(caps));
-    if (Status refined = refine_domain(*domain, criteria, options, result.report); !refined) return refined.error();
+    if (Status refined = refine_domain(*domain, criteria, heritage, options, result.report); !refined)
+      return refined.error();
   }
-  result.mesh =
-      disassemble(std::move(domain).value(), std::move(attributes),
-                  {pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, std::move(background));
+  result.mesh = to_mesh(std::move(domain).value(), std::move(heritage));
   result.report.refine_seconds = watch.lap();
   return result;
 }
@@ -161,21 +183,22 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
   Meshed result;
   Result<Assembled> domain = assemble(coarse);
   if (!domain) return domain.error();
-  std::vector<std::array<Index, 3>> background;
+  Heritage heritage{coarse.region_attributes,
+                    {coarse.attributes_per_point, coarse.point_attributes.span(), coarse.point_markers.span()},
+                    {}};
   if (!max_areas.empty() || coarse.attributes_per_point > 0)
-    for (const Triangle& triangle : coarse.triangles) background.push_back(triangle.v);
+    for (const Triangle& triangle : coarse.triangles) heritage.background.push_back(triangle.v);
   std::function<double(Point)> area_cap;
   if (!max_areas.empty()) {
-    const auto on = std::make_shared<Background>(coarse.points.span(), background);
+    const auto on = std::make_shared<Background>(coarse.points.span(), heritage.background);
     area_cap = [on, max_areas](Point p) { return max_areas[on->locate(p).triangle]; };
   }
   result.report.triangulate_seconds = watch.lap();
 
   const Criteria criteria(goal, options.placement, {}, area_cap);
-  if (Status refined = refine_domain(*domain, criteria, options, result.report); !refined) return refined.error();
-  result.mesh = disassemble(std::move(domain).value(), coarse.region_attributes,
-                            {coarse.attributes_per_point, coarse.point_attributes.span(), coarse.point_markers.span()},
-                            std::move(background));
+  if (Status refined = refine_domain(*domain, criteria, heritage, options, result.report); !refined)
+    return refined.error();
+  result.mesh = to_mesh(std::move(domain).value(), std::move(heritage));
   result.report.refine_seconds = watch.lap();
   return result;
 } catch (const std::bad_alloc&) {

@@ -29,8 +29,24 @@ enum class Decomposition : std::uint8_t {
   none,       ///< one tile over everything
 };
 
+/// One pass over the four colours of a lattice.
+struct Sweep {
+  Index columns = 1, rows = 1;
+  std::uint64_t inserted = 0;  ///< vertices
+  /// Triangles handed on, by reason.
+  std::uint64_t to_other_cells = 0;  ///< the point that they ask for lies in another cell
+  std::uint64_t beyond_box = 0;      ///< the cavity leaves the box of the point's own cell: a larger box is needed
+  std::uint64_t out_of_numbers = 0;  ///< the task had no numbers left for new vertices or triangles
+  /// Of beyond_box, with Decomposition::paper: points inside faces whose cavities fit by T1. There are none: one would
+  /// end the refinement with ErrorKind::internal.
+  std::uint64_t against_promise = 0;
+  double seconds = 0;
+
+  [[nodiscard]] std::uint64_t handed_on() const { return to_other_cells + beyond_box + out_of_numbers; }
+};
+
 struct Progress {
-  std::uint64_t triangles = 0;  ///< so far, roughly: each insertion counts for two
+  std::uint64_t triangles = 0;  ///< so far, roughly: each insertion counts for two; never fewer than before
   double estimate = 0;          ///< of the final number; 0 while unknown
 };
 
@@ -55,6 +71,10 @@ struct Options {
   bool no_segment_splits = false;   ///< Triangle's -YY: do not split any segment
   /// Called now and then from the calling thread; return false to stop with ErrorKind::cancelled.
   std::function<bool(const Progress&)> progress{};
+  /// Shown, from the calling thread, the mesh as each sweep leaves it: right in all but the bounds of the goal and its
+  /// wish for a conforming mesh. An Error ends the refinement and is what mesh() then returns. Each call costs a copy
+  /// of the mesh.
+  std::function<Status(const Mesh&, const Sweep&)> after_sweep{};
 };
 
 /// Why a triangle that breaks the goal was left alone.
@@ -80,23 +100,14 @@ struct Exemption {
   double angle_deg = 0;   ///< the small input angle there
 };
 
-/// One pass over the four colours of a lattice.
-struct Sweep {
-  Index columns = 1, rows = 1;
-  std::uint64_t inserted = 0;  ///< vertices
-  /// Triangles handed on, by reason.
-  std::uint64_t to_other_cells = 0;  ///< the point that they ask for lies in another cell
-  std::uint64_t beyond_box = 0;      ///< the cavity leaves the box of the point's own cell: a larger box is needed
-  std::uint64_t out_of_numbers = 0;  ///< the task had no numbers left for new vertices or triangles
-  double seconds = 0;
-
-  [[nodiscard]] std::uint64_t handed_on() const { return to_other_cells + beyond_box + out_of_numbers; }
-};
-
 /// How the plane was cut, beside what the theory says of it.
 struct Tiling {
   Index columns = 1, rows = 1;  ///< of the finest lattice
   double cell_width = 0, cell_height = 0;
+  Point low, high;  ///< corners of the rectangle that it divides
+  /// The first thread, from 0, that worked on each cell of the finest lattice, row by row from the lowest; -1: none.
+  /// The one thing in a report, beside times, that may differ from run to run.
+  std::vector<std::int16_t> thread_of_cell;
   std::uint64_t vertices_before = 0;  ///< inserted on coarser lattices before the finest was laid
   double largest_radius = 0;          ///< r̄ as measured when the finest lattice was laid
   double radius_by_t3 = 0;            ///< bound from the largest ratio and area then (THEORY, T3)
@@ -126,7 +137,8 @@ struct Meshed {
 [[nodiscard]] Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull = false, const Options& options = {});
 
 /// The quality mesh. An invalid Pslg gives invalid_input with every problem in the message; a goal
-/// out of range (an angle over 33°, a negative cap, NaN) gives usage.
+/// out of range (an angle over 33°, a negative cap, NaN) gives usage. A hypothesis of the engine that does not hold
+/// gives internal.
 [[nodiscard]] Result<Meshed> mesh(const Pslg& pslg, const Goal& goal = {}, const Options& options = {});
 
 /// Refines an existing mesh (Triangle's -r): its constrained edges (or, where it has none, its boundary

@@ -12,7 +12,7 @@ namespace {
 
 Index most_vertices(const Triangulation& t, const Options& options) {
   const auto present = static_cast<std::uint64_t>(t.points.size());
-  if (options.max_vertices == 0) return max_triangles;
+  if (options.max_vertices == 0 || mutated("budget_ignored")) return max_triangles;
   return static_cast<Index>(
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_triangles)));
 }
@@ -64,7 +64,7 @@ void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& l
   if (schedule_.after_phase) schedule_.after_phase();
 
   for (const Job& job : jobs) {
-    vertices_.take_back(job.supply.vertices);
+    if (!mutated("unused_vertices_kept")) vertices_.take_back(job.supply.vertices);
     triangles_.take_back(job.supply.triangles);
   }
   vertices_.settle();
@@ -78,7 +78,7 @@ void Crew::admit(Job& job, const Box& box) const {
   std::erase_if(job.seeds, [&](Queued q) {
     if (!judge_.is_current(q)) return true;
     for (const VertexId v : t_.slots[q.id].v)
-      if (!box.contains(t_.points[v])) {
+      if (!mutated("triangles_outside_the_box_admitted") && !box.contains(t_.points[v])) {
         job.outsiders.push_back(q);
         return true;
       }
@@ -114,9 +114,12 @@ void Crew::run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const 
     Job& job = jobs[order[i]];
     if (threads_ > 1 && mutated("order_depends_on_threads")) std::reverse(job.seeds.begin(), job.seeds.end());
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
+    job.thread = thread;
     job.result = task.run(lattice, job.cell, job.seeds, later, job.supply,
                           [&](std::uint64_t made) { return go_on(thread, made); });
   });
+  if (mutated("merge_order_by_schedule"))
+    for (std::size_t i = 0; i < jobs.size(); ++i) std::swap(jobs[i], jobs[order[i]]);
 }
 
 void Crew::run_by_turns(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later) {

@@ -18,6 +18,7 @@ struct Job {
   std::vector<Queued> outsiders;  ///< seeds whose triangles do not lie in the box
   Supply supply;
   TaskResult result;
+  int thread = 0;  ///< that ran it
 };
 
 /// Who may use which numbers, and who works: one task per thread.

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "../core/mutants.hpp"
@@ -13,6 +15,7 @@
 #include "parallel_for.hpp"
 #include "phase.hpp"
 #include "radii.hpp"
+#include "snapshot.hpp"
 
 namespace pardel {
 namespace {
@@ -24,8 +27,6 @@ constexpr double insertions_per_triangle = 0.6;
 /// A level splits what is longer than this part of the next finer level's cell: shorter triangles have
 /// cavities that fit that level's boxes.
 constexpr double long_in_finer_cells = 0.25;
-/// The paper's lattice: a cell's side in circumradii, at least (THEORY, T1 and Lattice).
-constexpr double radii_per_side = 4;
 
 /// What the arrays take for one triangle and its half of a vertex; more is needed, but not less.
 constexpr double bytes_per_triangle = sizeof(Slot) + 0.5 * (sizeof(Point) + sizeof(Index));
@@ -33,10 +34,11 @@ constexpr double bytes_per_triangle = sizeof(Slot) + 0.5 * (sizeof(Point) + size
 class Refinement {
  public:
   Refinement(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
-             const Schedule& schedule)
+             const Schedule& schedule, const Watcher& watcher)
       : t_(t),
         criteria_(criteria),
         options_(options),
+        watcher_(watcher),
         judge_(t, lines, criteria, options),
         crew_(t, judge_, criteria, options, schedule),
         threads_(crew_.threads()) {}
@@ -65,7 +67,7 @@ class Refinement {
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
     close_ranks(t_, crew_.vertices(), crew_.triangles(), threads_);
     counts_.left_alone = counts_.left_alone || !stuck_.empty();  // with a point that is nowhere
-    if (out_of_triangles()) return too_many_triangles();
+    if (failure_) return *failure_;
     if (cancelled_.load()) return Error{ErrorKind::cancelled, "the caller asked to stop"};
     return Done{};
   }
@@ -82,6 +84,12 @@ class Refinement {
   [[nodiscard]] bool out_of_triangles() const { return crew_.triangles().available() < 2; }
   static Error too_many_triangles() {
     return {ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
+  }
+  static Error promise_broken(const Sweep& sweep) {
+    return {ErrorKind::internal, "the refinement went wrong: on a lattice of " + std::to_string(sweep.columns) + " x " +
+                                     std::to_string(sweep.rows) + " cells, " + std::to_string(sweep.against_promise) +
+                                     " points did not fit the boxes of their cells, though no circumradius there "
+                                     "exceeds a quarter of a cell's side"};
   }
 
   /// Better no mesh at once than none after an hour.
@@ -101,7 +109,7 @@ class Refinement {
 
   [[nodiscard]] Deferral short_enough_for(const Lattice& finer) const {
     if (options_.decomposition == Decomposition::paper) {
-      const double largest = finer.side() / radii_per_side;
+      const double largest = finer.side() / Lattice::radii_per_side;
       return {.squared_radius = largest * largest};
     }
     const double longest = long_in_finer_cells * finer.side();
@@ -111,13 +119,17 @@ class Refinement {
   /// Measures, and for the paper's decomposition widens the cells to what the measure allows.
   void lay_finest(const Box& bounds, std::vector<Lattice>& levels) {
     const Radii largest = largest_radii(t_, crew_.triangles(), threads_);
-    if (options_.decomposition == Decomposition::paper)
-      levels.back() = with_sides_of(bounds, levels.back(), radii_per_side * largest.radius);
+    if (options_.decomposition == Decomposition::paper && !mutated("cells_not_widened"))
+      levels.back() = with_sides_of(bounds, levels.back(), Lattice::radii_per_side * largest.radius);
     Tiling& tiling = counts_.tiling;
     tiling.columns = levels.back().columns();
     tiling.rows = levels.back().rows();
     tiling.cell_width = levels.back().width();
     tiling.cell_height = levels.back().height();
+    tiling.low = {bounds.min_x, bounds.min_y};
+    tiling.high = {bounds.max_x, bounds.max_y};
+    tiling.thread_of_cell.assign(levels.back().cells(), -1);
+    finest_ = &levels.back();
     tiling.vertices_before = counts_.inserted + counts_.segment_splits;
     tiling.largest_radius = largest.radius;
     tiling.radius_by_t3 = radius_bound(largest.ratio, largest.area);
@@ -159,8 +171,10 @@ class Refinement {
   bool report(int thread, std::uint64_t vertices_made) {
     made_ += 2 * vertices_made;
     if (cancelled_.load(std::memory_order_relaxed)) return false;
-    if (thread == 0 && options_.progress && !options_.progress({triangles_before_ + made_.load(), estimate_}))
-      cancelled_ = true;
+    if (thread == 0 && options_.progress) {
+      shown_ = std::max(shown_, triangles_before_ + made_.load());
+      if (!options_.progress({shown_, estimate_})) cancelled_ = true;
+    }
     return !cancelled_.load(std::memory_order_relaxed);
   }
 
@@ -217,15 +231,32 @@ class Refinement {
         for (const HandedOn& h : job.result.handed_on)
           if (!mutated("hand_on_dropped")) inbox[h.cell].push_back(h.triangle);
         collect(job, done);
+        if (&lattice == finest_) note_thread(job);
       }
       triangles_before_ = crew_.triangles().in_use();
       made_ = 0;
+      report(/*thread=*/0, 0);
     }
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     counts_.tiling.sweeps.push_back(done);
     if (crew_.vertices().available() == 0) counts_.budget_reached = counts_.left_alone = true;
-    if (out_of_triangles()) cancelled_ = true;
+    if (Status fine = judge_sweep(done); !fine) {
+      failure_ = fine.error();
+      cancelled_ = true;
+    }
     return done.inserted;
+  }
+
+  [[nodiscard]] Status judge_sweep(const Sweep& sweep) const {
+    if (out_of_triangles()) return too_many_triangles();
+    if (sweep.against_promise > 0) return promise_broken(sweep);
+    if (!watcher_ || cancelled_.load()) return Done{};
+    return watcher_(snapshot(t_, crew_.vertices(), crew_.triangles(), threads_), sweep);
+  }
+
+  void note_thread(const Job& job) {
+    std::int16_t& thread = counts_.tiling.thread_of_cell[job.cell];
+    if (thread < 0) thread = static_cast<std::int16_t>(job.thread);
   }
 
   /// A job for each cell of the colour in which something waits.
@@ -234,7 +265,7 @@ class Refinement {
     const std::vector<double> wanted = wanted_in_cells(inbox);
     std::vector<Job> jobs;
     for (Index cell = 0; cell < lattice.cells(); ++cell)
-      if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
+      if ((mutated("barrier_between_colours_removed") || lattice.colour_of(cell) == colour) && !inbox[cell].empty()) {
         jobs.emplace_back();
         jobs.back().cell = cell;
         jobs.back().seeds = std::exchange(inbox[cell], {});
@@ -256,9 +287,10 @@ class Refinement {
 
   void collect(const Job& job, Sweep& sweep) {
     const TaskResult& r = job.result;
-    stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
+    if (!mutated("outsiders_forgotten")) stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
     if (!mutated("stuck_triangles_forgotten")) stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
-    deferred_.insert(deferred_.end(), r.deferred.begin(), r.deferred.end());
+    if (!mutated("deferred_triangles_forgotten"))
+      deferred_.insert(deferred_.end(), r.deferred.begin(), r.deferred.end());
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
     counts_.refused += r.refused;
@@ -267,27 +299,32 @@ class Refinement {
     sweep.to_other_cells += r.handed_on.size() - r.out_of_numbers;
     sweep.beyond_box += job.outsiders.size() + r.stuck.size();
     sweep.out_of_numbers += r.out_of_numbers;
+    sweep.against_promise += r.against_promise;
   }
 
   Triangulation& t_;
   const Criteria& criteria_;
   const Options& options_;
+  const Watcher& watcher_;
   Judge judge_;
   Crew crew_;
   int threads_;
   std::vector<Queued> stuck_, deferred_;
   RefineCounts counts_;
+  const Lattice* finest_ = nullptr;  ///< once it is laid
+  std::optional<Error> failure_;
   double estimate_ = 0;
   std::uint64_t triangles_before_ = 0;  ///< when the last phase ended
   std::atomic<std::uint64_t> made_{0};  ///< since then, as far as tasks have told
+  std::uint64_t shown_ = 0;  ///< to the caller, so that it never sees fewer: a split on the rim makes but one
   std::atomic<bool> cancelled_{false};
 };
 
 }  // namespace
 
 Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
-                            const Schedule& schedule) {
-  Refinement refinement(t, lines, criteria, options, schedule);
+                            const Schedule& schedule, const Watcher& watcher) {
+  Refinement refinement(t, lines, criteria, options, schedule, watcher);
   if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 }

@@ -9,6 +9,7 @@
 #include "constraints.hpp"
 #include "criteria.hpp"
 #include "mesher.hpp"
+#include "snapshot.hpp"
 #include "triangulation.hpp"
 
 namespace pardel {
@@ -32,9 +33,11 @@ struct Schedule {
 };
 
 /// Refines in place. The triangulation is a constrained Delaunay triangulation without ghosts, whose
-/// boundary edges are all constrained. Deterministic. Fails only with `cancelled` or `resources`.
+/// boundary edges are all constrained. Deterministic. Fails only with `cancelled`, `resources` or `internal`, or with
+/// the watcher's error.
 [[nodiscard]] Result<RefineCounts> refine(Triangulation& t, const Lines& lines, const Criteria& criteria,
-                                          const Options& options, const Schedule& schedule = {});
+                                          const Options& options, const Schedule& schedule = {},
+                                          const Watcher& watcher = {});
 
 /// The triangles that break the criteria and why each was left alone, ascending.
 [[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Criteria& criteria,

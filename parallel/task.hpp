@@ -106,8 +106,9 @@ struct TaskResult {
   std::vector<Queued> stuck;        ///< the box of their own cell is too small
   std::vector<Queued> deferred;     ///< for a finer lattice or the next round
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
-  std::uint64_t out_of_numbers = 0;  ///< how many of handed_on went to its own cell
-  bool left_alone = false;           ///< some triangle that breaks the goal was not split; it may be gone by now
+  std::uint64_t out_of_numbers = 0;   ///< how many of handed_on went to its own cell
+  std::uint64_t against_promise = 0;  ///< how many of stuck should have fitted
+  bool left_alone = false;            ///< some triangle that breaks the goal was not split; it may be gone by now
 };
 
 /// Works on one cell at a time; a thread has one of its own. Nothing of one run is left for the next but
@@ -147,6 +148,7 @@ class Task {
   void give_up(Queued triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   void hand_on(Queued triangle, Point p);
+  [[nodiscard]] bool breaks_promise(Point p) const;
 
   Triangulation& t_;
   const Judge& judge_;

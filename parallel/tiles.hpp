@@ -37,6 +37,8 @@ struct Box {
 class Lattice {
  public:
   static constexpr unsigned colours = 4;
+  /// The paper's lattice: a cell's side in circumradii, at least (THEORY, T1 and Lattice).
+  static constexpr double radii_per_side = 4;
 
   Lattice(Box bounds, Index columns, Index rows)
       : bounds_(bounds),
@@ -68,6 +70,9 @@ class Lattice {
     return clamped((p.y - bounds_.min_y) / height_, rows_) * columns_ +
            clamped((p.x - bounds_.min_x) / width_, columns_);
   }
+  [[nodiscard]] Point centre_of(Index cell) const {
+    return {bounds_.min_x + (cell % columns_ + 0.5) * width_, bounds_.min_y + (cell / columns_ + 0.5) * height_};
+  }
   [[nodiscard]] unsigned colour_of(Index cell) const {
     if (mutated("colours_by_row_only")) return cell / columns_ % 2 * 2;
     return (cell / columns_ % 2) * 2 + cell % columns_ % 2;
@@ -80,17 +85,19 @@ class Lattice {
     if (j > 0) box.min_y = bounds_.min_y + (j - 0.5) * height_;
     if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * width_;
     if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * height_;
+    if (mutated("boxes_end_at_the_rim") && i == 0) box.min_x = bounds_.min_x;
+    if (mutated("margin_missing_on_the_left") && i > 0) box.min_x = bounds_.min_x + i * width_;
     if (mutated("margin_halved") && j + 1 < rows_) box.max_y -= 0.25 * height_;
     if (mutated("boxes_overlap") && i + 1 < columns_) box.max_x += 0.25 * width_;
     return box;
   }
 
   /// The part that the box of a cell has in a quantity given per cell: all of the cell, half of the cells beside
-  /// it, a quarter of those at its corners (all of them at the rim).
+  /// it, a quarter of those at its corners.
   [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     double sum = 0;
-    for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows_ - 1); ++y)
+    for (Index y = j > 0 && !mutated("sum_without_the_row_below") ? j - 1 : j; y <= std::min(j + 1, rows_ - 1); ++y)
       for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns_ - 1); ++x)
         sum += per_cell[y * columns_ + x] * (x == i ? 1 : 0.5) * (y == j ? 1 : 0.5);
     return sum;
@@ -99,6 +106,7 @@ class Lattice {
  private:
   [[nodiscard]] static Index clamped(double offset, Index count) {
     const double index = std::floor(offset);
+    if (mutated("cells_beyond_the_bounds")) return static_cast<Index>(std::clamp(index, 0.0, 4e9));
     return !(index > 0) ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
   }
 

@@ -1,0 +1,88 @@
+#include "tile_hues.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "../core/formats.hpp"
+#include "../parallel/tiles.hpp"
+
+namespace pardel::cli {
+namespace {
+
+struct Tiles {
+  Lattice lattice;
+  std::vector<int> thread_of_cell;  ///< -1: none
+};
+
+Error unfit(const std::filesystem::path& report, const std::string& why) {
+  return {ErrorKind::invalid_input, report.string() + ": " + why};
+}
+
+/// Throws nlohmann::json::exception where something is missing or of another type.
+Result<Tiles> tiles_of(const nlohmann::json& json, const Mesh& mesh, const std::filesystem::path& report) {
+  if (json.at("schema") != "pardel.report/1") return unfit(report, "the schema is not pardel.report/1");
+  if (const auto triangles = json.at("mesh").at("triangles").get<std::size_t>(); triangles != mesh.triangles.size())
+    return unfit(report, fmt::format("the report of a mesh of {} triangles, while the mesh to draw has {}", triangles,
+                                     mesh.triangles.size()));
+  const nlohmann::json& cut = json.at("decomposition");
+  const auto columns = cut.at("columns").get<Index>(), rows = cut.at("rows").get<Index>();
+  const auto low = cut.at("low").get<std::array<double, 2>>(), high = cut.at("high").get<std::array<double, 2>>();
+  auto threads = cut.at("thread_of_cell").get<std::vector<int>>();
+  if (!(low[0] < high[0] && low[1] < high[1]) || threads.empty() || threads.size() != std::uint64_t{columns} * rows)
+    return unfit(report, "the lattice described there is none");
+  return Tiles{{{low[0], low[1], high[0], high[1]}, columns, rows}, std::move(threads)};
+}
+
+Result<Tiles> read_tiles(const Mesh& mesh, const std::filesystem::path& report) {
+  std::ifstream in(report);
+  if (!in) return Error{ErrorKind::io, "cannot read " + report.string()};
+  try {
+    return tiles_of(nlohmann::json::parse(in), mesh, report);
+  } catch (const nlohmann::json::parse_error& error) {
+    return unfit(report, fmt::format("no JSON at byte {}", error.byte));
+  } catch (const nlohmann::json::exception&) {
+    return unfit(report, "not a report of pardel mesh --json, or one of an earlier version without a lattice");
+  }
+}
+
+/// By the golden angle: consecutive numbers are far apart, and so are a few together.
+std::uint16_t nth_hue(int n) { return static_cast<std::uint16_t>((210 + n % 360 * 137) % 360); }
+
+/// One of twelve; cells that share a side or a corner are at least two apart.
+std::uint16_t hue_of_tile(const Lattice& lattice, Index cell) {
+  return static_cast<std::uint16_t>((3 * (cell % lattice.columns()) + 5 * (cell / lattice.columns())) % 12 * 30);
+}
+
+std::uint16_t hue_of_cell(const Tiles& tiles, Index cell, HueBy by) {
+  switch (by) {
+    case HueBy::tile:
+      return hue_of_tile(tiles.lattice, cell);
+    case HueBy::phase:
+      return static_cast<std::uint16_t>(90 * tiles.lattice.colour_of(cell) + 30);
+    case HueBy::thread:
+      return tiles.thread_of_cell[cell] < 0 ? no_hue : nth_hue(tiles.thread_of_cell[cell]);
+  }
+  return no_hue;
+}
+
+Point centroid(const Mesh& mesh, const Triangle& t) {
+  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
+  return {a.x + ((b.x - a.x) + (c.x - a.x)) / 3, a.y + ((b.y - a.y) + (c.y - a.y)) / 3};
+}
+
+}  // namespace
+
+Result<std::vector<std::uint16_t>> tile_hues(const Mesh& mesh, const std::filesystem::path& report, HueBy by) {
+  const Result<Tiles> tiles = read_tiles(mesh, report);
+  if (!tiles) return tiles.error();
+  std::vector<std::uint16_t> hues;
+  hues.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    hues.push_back(hue_of_cell(*tiles, tiles->lattice.cell_of(centroid(mesh, t)), by));
+  return hues;
+}
+
+}  // namespace pardel::cli
