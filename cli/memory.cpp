@@ -1,47 +1,57 @@
 #include "memory.hpp"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace pardel::cli {
 namespace {
 
 constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
 
-/// The system's own estimate of what can be had without swapping (proc(5)).
-std::uint64_t of_system() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string name, unit; file >> name;) {
-    std::uint64_t kibibytes = 0;
-    if (!(file >> kibibytes)) break;
-    if (name == "MemAvailable:") return kibibytes * 1024;
-    std::getline(file, unit);
-  }
+/// The number after a name, in a file of lines that begin with one; unknown where there is none.
+std::uint64_t entry(const char* path, std::string_view wanted) {
+  std::ifstream file(path);
+  std::uint64_t value = 0;
+  for (std::string name, rest; file >> name >> value; std::getline(file, rest))
+    if (name == wanted) return value;
   return unknown;
 }
 
-/// A number in a file; unknown where there is none ("max" means no limit).
-std::uint64_t number_in(const char* name) {
+/// The number that a file begins with; unknown where there is none ("max" means no limit).
+std::uint64_t number_in(const char* path) {
   std::uint64_t value = 0;
-  return std::ifstream(name) >> value ? value : unknown;
+  return std::ifstream(path) >> value ? value : unknown;
 }
 
-/// Of the group that the process sees as its root: cgroups(7), version 2.
+std::uint64_t rest_of(std::uint64_t limit, std::uint64_t used) { return limit - std::min(limit, used); }
+
+/// The system's own estimate of what can be had without swapping: proc(5).
+std::uint64_t of_system() {
+  const std::uint64_t kibibytes = entry("/proc/meminfo", "MemAvailable:");
+  return kibibytes == unknown ? unknown : kibibytes * 1024;
+}
+
+/// Of the group that the process sees as its root: cgroups(7), version 2. What the system keeps there of files that
+/// were read counts as used, but is given up for the asking.
 std::uint64_t of_control_group() {
   const std::uint64_t limit = number_in("/sys/fs/cgroup/memory.max");
   const std::uint64_t used = number_in("/sys/fs/cgroup/memory.current");
   if (limit == unknown || used == unknown) return unknown;
-  return limit - std::min(limit, used);
+  const std::uint64_t files = entry("/sys/fs/cgroup/memory.stat", "inactive_file");
+  return rest_of(limit, files == unknown ? used : rest_of(used, files));
 }
 
 std::uint64_t of_process() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
-  return limit.rlim_cur;
+  const std::uint64_t pages = number_in("/proc/self/statm");  // of address space
+  return pages == unknown ? limit.rlim_cur : rest_of(limit.rlim_cur, pages * static_cast<std::uint64_t>(getpagesize()));
 }
 
 }  // namespace
