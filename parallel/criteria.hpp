@@ -83,6 +83,9 @@ class Criteria {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 
+  /// How many triangles the bound on angles makes of one of the Delaunay triangulation of random points, on average.
+  [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
+
   [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
 
   /// The point to insert for a bad triangle: its circumcentre, or the off-centre where that is nearer to the
@@ -99,6 +102,7 @@ class Criteria {
   double squared_lens_cosine_;
   double twice_max_area_;
   double squared_max_edge_;
+  double triangles_by_shape_;
   double off_centre_height_;  ///< over the length of the shortest side; 0: circumcentres
   std::vector<double> twice_region_cap_;
   std::function<double(Point)> size_, area_cap_;

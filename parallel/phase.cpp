@@ -49,7 +49,7 @@ void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& l
   const double most = most_insertions(later, 4 * lattice.width() * lattice.height());
   parallel_for(threads_, jobs.size(), [&](std::size_t i, int) {
     jobs[i].insertions = std::min(jobs[i].insertions, most);
-    admit(jobs[i], lattice.box_of(jobs[i].cell));
+    admit(jobs[i], lattice);
   });
   supply(jobs);
   t_.points.resize_uninitialised(vertices_.end());
@@ -71,8 +71,17 @@ void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& l
   triangles_.settle();
 }
 
+/// As for a task: a triangle that asks for a point in a face, in the cell, does not lie in the box, though T1 says so.
+bool Crew::breaks_promise(TriangleId id, Index cell, const Lattice& lattice) const {
+  const double fits = lattice.radius_that_fits();
+  return options_.decomposition == Decomposition::paper &&
+         Shape(t_, t_.slots[id]).squared_circumradius() <= fits * fits &&
+         judge_.assess(id).need == Assessment::Need::split_triangle && lattice.cell_of(judge_.point_in(id)) == cell;
+}
+
 /// Keeps the seeds that are still there and whose triangles lie in the box.
-void Crew::admit(Job& job, const Box& box) const {
+void Crew::admit(Job& job, const Lattice& lattice) const {
+  const Box box = lattice.box_of(job.cell);
   constexpr double insertions_per_seed = 2.5, spare = 32;
   job.insertions += spare;
   std::erase_if(job.seeds, [&](Queued q) {
@@ -80,6 +89,7 @@ void Crew::admit(Job& job, const Box& box) const {
     for (const VertexId v : t_.slots[q.id].v)
       if (!mutated("triangles_outside_the_box_admitted") && !box.contains(t_.points[v])) {
         job.outsiders.push_back(q);
+        if (breaks_promise(q.id, job.cell, lattice)) ++job.outsiders_against_promise;
         return true;
       }
     job.insertions += insertions_per_seed;

@@ -15,7 +15,8 @@ struct Job {
   Index cell = 0;
   double insertions = 0;  ///< expected
   std::vector<Queued> seeds;
-  std::vector<Queued> outsiders;  ///< seeds whose triangles do not lie in the box
+  std::vector<Queued> outsiders;                ///< seeds whose triangles do not lie in the box
+  std::uint64_t outsiders_against_promise = 0;  ///< how many of them should
   Supply supply;
   TaskResult result;
   int thread = 0;  ///< that ran it
@@ -37,7 +38,8 @@ class Crew {
   [[nodiscard]] int threads() const { return threads_; }
 
  private:
-  void admit(Job& job, const Box& box) const;
+  void admit(Job& job, const Lattice& lattice) const;
+  [[nodiscard]] bool breaks_promise(TriangleId id, Index cell, const Lattice& lattice) const;
   void supply(std::vector<Job>& jobs);
   void run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
                       const std::function<bool(int, std::uint64_t)>& go_on);

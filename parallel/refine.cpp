@@ -28,8 +28,10 @@ constexpr double insertions_per_triangle = 0.6;
 /// cavities that fit that level's boxes.
 constexpr double long_in_finer_cells = 0.25;
 
-/// What the arrays take for one triangle and its half of a vertex; more is needed, but not less.
-constexpr double bytes_per_triangle = sizeof(Slot) + 0.5 * (sizeof(Point) + sizeof(Index));
+/// What the mesh takes for one triangle and its half of a vertex, markers included; more is needed, but not less.
+constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index) + sizeof(int));
+/// What the process takes at its peak for a vertex and its two triangles, as measured in large meshes.
+constexpr double peak_bytes_per_vertex = 2 * 40;
 
 class Refinement {
  public:
@@ -48,8 +50,10 @@ class Refinement {
     if (Status fits = check_size(pending.needed); !fits) return fits;
     const Box bounds = bounds_of(t_.points.span());
     std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, pending.estimate, options_));
-    estimate_ = pending.estimate;
+    estimate_ = pending.expected;
+    if (options_.max_vertices > 0) estimate_ = std::min(estimate_, 2.0 * static_cast<double>(options_.max_vertices));
     triangles_before_ = crew_.triangles().in_use();
+    vertices_before_ = crew_.vertices().in_use();
     deferred_ = std::move(pending.triangles);
 
     // Down: what is long at a level is split there; what gets short enough waits for a finer one.
@@ -77,7 +81,8 @@ class Refinement {
  private:
   struct Pending {
     std::vector<Queued> triangles;
-    double estimate = 0;  ///< of the final number of triangles
+    double estimate = 0;  ///< of the final number of triangles, whatever the bound on angles: it sizes the tiles
+    double expected = 0;  ///< the same with regard to that bound
     double needed = 0;    ///< no mesh with fewer has the areas asked for
   };
 
@@ -85,6 +90,11 @@ class Refinement {
   static Error too_many_triangles() {
     return {ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
   }
+  [[nodiscard]] Error too_much_memory() const {
+    return {ErrorKind::resources, "the mesh has outgrown the memory that there is, " + gibibytes(allowed_memory())};
+  }
+  [[nodiscard]] double allowed_memory() const { return static_cast<double>(options_.max_memory); }
+  static std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30 * 100) / 100) + " GiB"; }
   static Error promise_broken(const Sweep& sweep) {
     return {ErrorKind::internal, "the refinement went wrong: on a lattice of " + std::to_string(sweep.columns) + " x " +
                                      std::to_string(sweep.rows) + " cells, " + std::to_string(sweep.against_promise) +
@@ -99,12 +109,10 @@ class Refinement {
     if (options_.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options_.max_vertices));
     if (estimate > max_triangles) return too_many_triangles();
     const double bytes = estimate * bytes_per_triangle;
-    if (options_.max_memory == 0 || bytes <= static_cast<double>(options_.max_memory)) return Done{};
-    const auto gibibytes = [](double n) { return shortest(std::round(n * 0x1p-30 * 100) / 100) + " GiB"; };
+    if (options_.max_memory == 0 || bytes <= allowed_memory()) return Done{};
     return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(estimate / 1e4) / 100) +
                                            " million triangles, which take at least " + gibibytes(bytes) +
-                                           " of memory, and there are " +
-                                           gibibytes(static_cast<double>(options_.max_memory))};
+                                           " of memory, and there are " + gibibytes(allowed_memory())};
   }
 
   [[nodiscard]] Deferral short_enough_for(const Lattice& finer) const {
@@ -144,7 +152,9 @@ class Refinement {
       for (std::size_t id = first; id < last; ++id) {
         const auto triangle = static_cast<TriangleId>(id);
         const Shape shape(t_, t_.slots[triangle]);
-        found[block].estimate += std::max(triangles_per_input_triangle, wanted_by(triangle, shape));
+        const double wanted = wanted_by(triangle, shape);
+        found[block].estimate += std::max(triangles_per_input_triangle, wanted);
+        found[block].expected += std::max(criteria_.triangles_by_shape(), wanted);
         found[block].needed += criteria_.triangles_needed(shape, judge_.region_of(triangle));
         const Assessment a = judge_.assess(triangle, shape);
         if (a.need != Assessment::Need::nothing) found[block].triangles.push_back({triangle, t_.slots[triangle].v[0]});
@@ -154,6 +164,7 @@ class Refinement {
     Pending all;
     for (const Pending& block : found) {
       all.estimate += block.estimate;
+      all.expected += block.expected;
       all.needed += block.needed;
       all.triangles.insert(all.triangles.end(), block.triangles.begin(), block.triangles.end());
     }
@@ -167,9 +178,16 @@ class Refinement {
 
   [[nodiscard]] bool go_on() const { return !cancelled_.load(std::memory_order_relaxed) && !counts_.budget_reached; }
 
+  /// Vertices only become more, and what tasks have told of is no more than there is, so that the answer in the end
+  /// depends on the mesh alone.
+  [[nodiscard]] bool outgrows_memory(std::uint64_t vertices) const {
+    return options_.max_memory > 0 && peak_bytes_per_vertex * static_cast<double>(vertices) > allowed_memory();
+  }
+
   /// Asked by tasks now and then; the caller hears of it on its own thread only.
   bool report(int thread, std::uint64_t vertices_made) {
     made_ += 2 * vertices_made;
+    if (outgrows_memory(vertices_before_ + made_.load() / 2)) cancelled_ = true;  // judge_sweep says why
     if (cancelled_.load(std::memory_order_relaxed)) return false;
     if (thread == 0 && options_.progress) {
       shown_ = std::max(shown_, triangles_before_ + made_.load());
@@ -234,6 +252,7 @@ class Refinement {
         if (&lattice == finest_) note_thread(job);
       }
       triangles_before_ = crew_.triangles().in_use();
+      vertices_before_ = crew_.vertices().in_use();
       made_ = 0;
       report(/*thread=*/0, 0);
     }
@@ -249,6 +268,7 @@ class Refinement {
 
   [[nodiscard]] Status judge_sweep(const Sweep& sweep) const {
     if (out_of_triangles()) return too_many_triangles();
+    if (outgrows_memory(vertices_before_)) return too_much_memory();
     if (sweep.against_promise > 0) return promise_broken(sweep);
     if (!watcher_ || cancelled_.load()) return Done{};
     return watcher_(snapshot(t_, crew_.vertices(), crew_.triangles(), threads_), sweep);
@@ -299,7 +319,7 @@ class Refinement {
     sweep.to_other_cells += r.handed_on.size() - r.out_of_numbers;
     sweep.beyond_box += job.outsiders.size() + r.stuck.size();
     sweep.out_of_numbers += r.out_of_numbers;
-    sweep.against_promise += r.against_promise;
+    sweep.against_promise += r.against_promise + job.outsiders_against_promise;
   }
 
   Triangulation& t_;
@@ -314,8 +334,8 @@ class Refinement {
   const Lattice* finest_ = nullptr;  ///< once it is laid
   std::optional<Error> failure_;
   double estimate_ = 0;
-  std::uint64_t triangles_before_ = 0;  ///< when the last phase ended
-  std::atomic<std::uint64_t> made_{0};  ///< since then, as far as tasks have told
+  std::uint64_t triangles_before_ = 0, vertices_before_ = 0;  ///< when the last phase ended
+  std::atomic<std::uint64_t> made_{0};                        ///< since then, as far as tasks have told
   std::uint64_t shown_ = 0;  ///< to the caller, so that it never sees fewer: a split on the rim makes but one
   std::atomic<bool> cancelled_{false};
 };

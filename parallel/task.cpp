@@ -191,12 +191,9 @@ void Task::hand_on(Queued triangle, Point p) {
     result_.handed_on.push_back({triangle, cell});
 }
 
-/// T1: where no circumradius exceeds a quarter of a cell's side, the cavity of a point in the cell lies within half a
-/// side of it (THEORY, Lattice). That holds of each triangle by itself: in a circumdisk of that radius p sees no corner
-/// further away. The one hundredth keeps rounding from passing for a mistake, far from the origin too.
 bool Task::breaks_promise(Point p) const {
-  const double largest = 0.99 * lattice_->side() / Lattice::radii_per_side;
-  return box_.contains(p) && insertion_.left_box_for(p, box_, largest * largest);
+  const double fits = lattice_->radius_that_fits();
+  return box_.contains(p) && insertion_.left_box_for(p, box_, fits * fits);
 }
 
 }  // namespace pardel

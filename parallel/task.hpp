@@ -148,6 +148,7 @@ class Task {
   void give_up(Queued triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   void hand_on(Queued triangle, Point p);
+  /// A point p in a face of its own cell did not fit the box, though T1 says that it does.
   [[nodiscard]] bool breaks_promise(Point p) const;
 
   Triangulation& t_;

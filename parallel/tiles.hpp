@@ -64,6 +64,10 @@ class Lattice {
   [[nodiscard]] double side() const {
     return std::min(columns_ > 1 ? width_ : INFINITY, rows_ > 1 ? height_ : INFINITY);
   }
+  /// T1: the cavity of a point in a cell lies in the cell's box where no circumradius exceeds this (THEORY, Lattice).
+  /// It holds of each triangle by itself: p, in the circumdisk, lies within two radii, half a side, of its corners. One
+  /// hundredth less than the theorem's keeps rounding from passing for a mistake, far from the origin too.
+  [[nodiscard]] double radius_that_fits() const { return 0.99 * side() / radii_per_side; }
   /// The cell of a point; points beyond the bounds belong to the nearest cell
   /// (and those that are not a number, from needles, to the first).
   [[nodiscard]] Index cell_of(Point p) const {
