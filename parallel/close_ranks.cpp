@@ -23,7 +23,7 @@ void close_vertices(Triangulation& t, const NumberLedger& numbers, int threads) 
   std::vector<VertexId> moved_to(t.points.size() - vertices, no_index);
   for (const NumberMove move : moves) {
     t.points[move.to] = t.points[move.from];
-    t.origin[move.to] = t.origin[move.from];
+    if (!mutated("origin_left_behind")) t.origin[move.to] = t.origin[move.from];
     moved_to[move.from - vertices] = move.to;
   }
   if (!moves.empty())

@@ -4,15 +4,19 @@
 #include <cmath>
 #include <vector>
 
+#include "../core/mutants.hpp"
 #include "criteria.hpp"
 #include "parallel_for.hpp"
 
 namespace pardel {
 
-double radius_bound(double ratio, double area) { return 2 * ratio * std::sqrt(ratio * area); }
+double radius_bound(double ratio, double area) {
+  return (mutated("t3_read_with_root_two") ? std::sqrt(2.0) : 2) * ratio * std::sqrt(ratio * area);
+}
 
 double sharp_radius_bound(double ratio, double area) {
-  return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(4 * ratio * ratio - 1));
+  const double squared_cotangent = 4 * ratio * ratio - (mutated("sharp_bound_too_small") ? 0 : 1);
+  return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(squared_cotangent));
 }
 
 Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int threads) {
@@ -22,7 +26,7 @@ Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int t
     Radii squared;
     double twice_area = 0;
     auto hole = std::partition_point(holes.begin(), holes.end(), [&](NumberRange h) { return h.end <= first; });
-    for (std::size_t id = first; id < last; ++id) {
+    for (std::size_t id = first; id < last - (mutated("last_triangle_not_measured") ? 1 : 0); ++id) {
       if (hole != holes.end() && id >= hole->begin) {
         id = (hole++)->end - 1U;
         continue;

@@ -63,6 +63,17 @@ TEST(Lattice, has_as_many_cells_along_its_longer_side_as_was_asked_for) {
   }
 }
 
+TEST(Lattice, sums_what_is_spread_evenly_to_the_part_that_a_box_covers) {
+  for (const Lattice& lattice : lattices()) {
+    const std::vector<double> one_per_cell(lattice.cells(), 1);
+    for (Index cell = 0; cell < lattice.cells(); ++cell) {
+      const auto covered = [](Index at, Index count) { return 1 + (at > 0 ? 0.5 : 0) + (at + 1 < count ? 0.5 : 0); };
+      EXPECT_EQ(lattice.sum_over_box(cell, one_per_cell), covered(cell % lattice.columns(), lattice.columns()) *
+                                                              covered(cell / lattice.columns(), lattice.rows()));
+    }
+  }
+}
+
 /// A circumcentre of a needle can be anywhere, or nowhere.
 TEST(Lattice, has_a_cell_for_points_beyond_all_bounds) {
   const Lattice lattice = Lattice::over({0, 0, 1, 1}, 4);

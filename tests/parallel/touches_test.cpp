@@ -1,8 +1,10 @@
 // What the tasks of one phase touch is disjoint: no triangle is read or written by two of them (THEORY, T-region).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
+#include "../../properties/generators/random.hpp"
 #include "many_tasks.hpp"
 
 namespace pardel {
@@ -58,6 +60,38 @@ TEST_P(Touches, of_the_tasks_of_a_phase_are_disjoint) {
 
 INSTANTIATE_TEST_SUITE_P(Every, Touches, testing::Range(std::size_t{0}, samples::cases().size()),
                          [](const auto& parameter) { return samples::cases()[parameter.param].name; });
+
+/// Points so near to a wall that the triangles between have their circumcentres beyond it, far outside the boxes that
+/// they lie in.
+samples::Case needles_along_a_wall() {
+  constexpr int pieces = 32;
+  samples::Case c{"needles", domains::square(), {.min_angle_deg = 25, .max_area = 0.002}, {6, 6}};
+  generators::Random random(3);
+  for (int i = 0; i <= pieces; ++i) {
+    const double y = (i + 0.5) / (pieces + 1);
+    c.pslg.points.push_back({0.4, y});
+    if (i == 0) continue;
+    const auto end = static_cast<Index>(c.pslg.points.size() - 1);
+    c.pslg.segments.push_back({i == 1 ? end - 1 : end - 2, end});
+    c.pslg.points.push_back({0.4 + std::ldexp(1.0, -random.between(10, 13)), y - 0.5 / (pieces + 1)});
+  }
+  return c;
+}
+
+/// A triangle is filed under the cell of the point that it asks for, whose task may own none of its corners.
+TEST(Touches, of_tasks_that_are_sent_triangles_outside_their_boxes_are_disjoint) {
+  const samples::Case c = needles_along_a_wall();
+  Watch watch;
+  const Schedule schedule = watch.schedule();
+  Options options = samples::options_for(c);
+  options.placement = Placement::circumcentre;
+  options.no_segment_splits = true;
+  const auto done = samples::refined(c, options, schedule);
+  std::uint64_t beyond_box = 0;
+  for (const Sweep& sweep : done.counts.tiling.sweeps) beyond_box += sweep.beyond_box;
+  EXPECT_GE(beyond_box, 20U);
+  EXPECT_EQ(watch.common(), 0U);
+}
 
 }  // namespace
 }  // namespace pardel
