@@ -61,8 +61,8 @@ struct Options {
   /// bounds how many there can be.
   std::array<Index, 2> cells{0, 0};
   std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
-  /// In bytes; where the mesh that sizes and areas ask for cannot fit, mesh() says so at once (`resources`). 0: no
-  /// limit.
+  /// In bytes; where the mesh that sizes and areas ask for cannot fit, mesh() says so at once (`resources`), and where
+  /// it outgrows this, with 80 bytes for a vertex and its two triangles, as soon as it does. 0: no limit.
   std::uint64_t max_memory = 0;
   /// No point is inserted where it would make an edge shorter than this, nor than what double precision can
   /// hold, 2^-42 times the largest coordinate.
