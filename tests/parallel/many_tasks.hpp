@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "../../parallel/assemble.hpp"
 #include "../../parallel/refine.hpp"
 #include "../../properties/domains.hpp"
+#include "../../properties/generators/random.hpp"
 
 namespace pardel::samples {
 
@@ -58,6 +61,17 @@ inline Options options_for(const Case& c, Decomposition decomposition = Decompos
   Options options{.threads = threads, .decomposition = decomposition, .min_edge = 1e-6};
   options.cells = c.cells;
   return options;
+}
+
+/// The tasks of a phase in random order, one in four after a delay of up to 60 microseconds.
+inline Schedule shuffled(std::uint64_t seed) {
+  return {
+      .order = [random = generators::Random(seed)](std::vector<std::size_t>& order) mutable { random.shuffle(order); },
+      .before_task =
+          [seed](std::size_t task) {
+            generators::Random random(seed + task);
+            if (random.chance(4)) std::this_thread::sleep_for(std::chrono::microseconds(random.below(60)));
+          }};
 }
 
 }  // namespace pardel::samples

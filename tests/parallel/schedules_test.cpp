@@ -2,9 +2,6 @@
 // insertions of different tasks interleaved at random.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "../../core/digest.hpp"
 #include "many_tasks.hpp"
 #include "samples.hpp"
@@ -55,13 +52,7 @@ TEST_P(Schedules, in_any_order_and_with_delays_give_one_mesh_on_any_number_of_th
   const Mesh expected = refined(case_, options_for(case_), {}).mesh;
   samples::Random random(7);
   for (const int threads : {1, 2, 3, 4, 8, 16}) {
-    const std::uint64_t salt = random.next();
-    const Schedule schedule{.order = [&](std::vector<std::size_t>& order) { random.shuffle(order); },
-                            .before_task =
-                                [salt](std::size_t task) {
-                                  samples::Random here(salt + task);
-                                  std::this_thread::sleep_for(std::chrono::microseconds(here.below(60)));
-                                }};
+    const Schedule schedule = samples::shuffled(random.next());
     const Mesh found = refined(case_, options_for(case_, Decomposition::automatic, threads), schedule).mesh;
     EXPECT_TRUE(found == expected) << threads << " threads";
   }

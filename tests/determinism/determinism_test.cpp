@@ -1,0 +1,79 @@
+// A mesh depends on nothing but its domain, goal and options: not on how many threads made it, in which order or how
+// fast, nor on compiler, optimisation or machine.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "problems.hpp"
+
+namespace pardel::determinism {
+namespace {
+
+using generators::Family;
+
+class MeshOf : public testing::TestWithParam<Family> {
+ protected:
+  template <class Test>
+  void for_each_problem(const Test& test) {
+    for (std::uint64_t number = 0; number < problems_per_family; ++number) {
+      const Problem p = problem(GetParam(), number);
+      SCOPED_TRACE(p.what.name);
+      test(p);
+    }
+  }
+};
+
+TEST_P(MeshOf, is_the_same_bit_for_bit_on_any_number_of_threads_in_any_order_with_delays) {
+  for_each_problem([](const Problem& p) {
+    const Mesh expected = samples::refined(p.what, p.options, {}).mesh;
+    Options options = p.options;
+    for (const int threads : {1, 2, 3, 4, 8, 16}) {
+      options.threads = threads;
+      const Schedule schedule = samples::shuffled(expected.points.size() + static_cast<std::size_t>(threads));
+      EXPECT_TRUE(samples::refined(p.what, options, schedule).mesh == expected) << threads << " threads";
+    }
+  });
+}
+
+/// Else threads and orders would have nothing to choose.
+TEST_P(MeshOf, is_made_by_tasks_that_run_at_once_and_hand_on_to_each_other) {
+  std::uint64_t with_such_tasks = 0;
+  for_each_problem([&](const Problem& p) {
+    std::size_t most_at_once = 0;
+    const Schedule schedule{.order = [&](const auto& tasks) { most_at_once = std::max(most_at_once, tasks.size()); }};
+    std::uint64_t handed_on = 0;
+    for (const Sweep& sweep : samples::refined(p.what, p.options, schedule).counts.tiling.sweeps)
+      handed_on += sweep.handed_on();
+    if (most_at_once >= 3 && handed_on >= 10) ++with_such_tasks;
+  });
+  EXPECT_GE(with_such_tasks, problems_per_family * 2 / 3);
+}
+
+/// The lines of the file `digests`.
+const std::set<std::string>& recorded() {
+  static const std::set<std::string> lines = [] {
+    std::ifstream file(PARDEL_DIGESTS);
+    std::set<std::string> read;
+    for (std::string line; std::getline(file, line);) read.insert(line);
+    return read;
+  }();
+  return lines;
+}
+
+TEST_P(MeshOf, has_the_digest_that_is_recorded) {
+  for_each_problem([](const Problem& p) {
+    for (const int threads : {1, 2}) {
+      const std::string found = line(p, threads);
+      EXPECT_TRUE(recorded().contains(found)) << "not in " PARDEL_DIGESTS ": " << found;
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, MeshOf, testing::ValuesIn(generators::all_families()),
+                         [](const auto& parameter) { return std::string(generators::name(parameter.param)); });
+
+}  // namespace
+}  // namespace pardel::determinism

@@ -1,0 +1,68 @@
+#include "problems.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "../../core/digest.hpp"
+#include "../../properties/generators/goals.hpp"
+
+namespace pardel::determinism {
+namespace {
+
+double area_of_bounding_box(const Pslg& pslg) {
+  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
+  return (right.x - left.x) * (high.y - low.y);
+}
+
+double largest_magnitude(const Pslg& pslg) {
+  double largest = 0;
+  for (const Point p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest;
+}
+
+}  // namespace
+
+Problem problem(generators::Family family, std::uint64_t number) {
+  generators::Random random(number * generators::all_families().size() + static_cast<std::uint64_t>(family));
+  const generators::LatticeDomain domain = generators::generate(family, random, static_cast<int>(3 * number));
+  Problem p;
+  p.what.pslg = to_pslg(domain);
+  Goal& goal = p.what.goal = to_goal(generators::any_goal(domain, random), domain);
+  // An angle whose cosine glibc rounds in one way where the processor has fused multiply-add, in another where not.
+  if (random.chance(4)) goal.min_angle_deg = 25.395;
+  std::ostringstream name;
+  name << generators::name(family) << ' ' << number << ", angles >= " << goal.min_angle_deg;
+  if (!random.chance(8)) {  // else what the goal has, which few triangles meet
+    const int parts = random.between(2000, 10'000);
+    goal.max_area = area_of_bounding_box(p.what.pslg) / parts;
+    name << ", areas <= box / " << parts;
+  }
+  if (goal.region_caps && !p.what.pslg.regions.empty()) name << ", caps";
+  if (goal.conforming) name << ", conforming";
+
+  Options& options = p.options;
+  options.min_edge = largest_magnitude(p.what.pslg) * 0x1p-40;
+  options.triangles_per_tile = static_cast<std::uint32_t>(random.between(60, 240));
+  name << ", tiles of " << options.triangles_per_tile;
+  if (random.chance(2)) {
+    options.decomposition = Decomposition::paper;
+    name << ", the paper's";
+  }
+  if (random.chance(3)) {
+    options.placement = Placement::circumcentre;
+    name << ", circumcentres";
+  }
+  p.what.name = name.str();
+  return p;
+}
+
+std::string line(const Problem& problem, int threads) {
+  Options options = problem.options;
+  options.threads = threads;
+  const Result<Meshed> meshed = mesh(problem.what.pslg, problem.what.goal, options);
+  return problem.what.name + ": " + (meshed ? to_string(digest(meshed->mesh)) : meshed.error().message);
+}
+
+}  // namespace pardel::determinism
