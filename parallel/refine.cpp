@@ -270,7 +270,7 @@ class Refinement {
     if (out_of_triangles()) return too_many_triangles();
     if (outgrows_memory(vertices_before_)) return too_much_memory();
     if (sweep.against_promise > 0) return promise_broken(sweep);
-    if (!watcher_ || cancelled_.load()) return Done{};
+    if (!watcher_ || cancelled_.load() || mutated("watcher_not_asked")) return Done{};
     return watcher_(snapshot(t_, crew_.vertices(), crew_.triangles(), threads_), sweep);
   }
 

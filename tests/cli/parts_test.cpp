@@ -1,6 +1,8 @@
 // Parts of the program by themselves, where the whole would have to be broken first.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../../cli/paranoid.hpp"
 #include "../../cli/progress_bar.hpp"
 #include "../../cli/verdict.hpp"
@@ -39,6 +41,26 @@ TEST(SweepCheck, notices_every_defect_that_is_no_missed_bound_and_names_the_swee
     ++noticed;
   }
   EXPECT_GE(noticed, 20);
+}
+
+TEST(SweepCheck, ends_a_refinement_in_the_sweep_in_which_the_mesh_goes_wrong) {
+  const auto turn = std::find_if(defects().begin(), defects().end(),
+                                 [](const Defect& d) { return d.expected == ViolationKind::not_delaunay; });
+  ASSERT_NE(turn, defects().end());
+  Pslg pslg = domains::pipe();
+  Goal goal{.max_area = 0.001};
+  std::uint64_t number = 0;
+  Options options{.threads = 2, .cells = {4, 4}};
+  options.after_sweep = [&](const Mesh& so_far, const Sweep& sweep) {
+    Mesh seen = so_far;
+    if (++number == 2 && !turn->inject(pslg, seen, goal, 1)) ADD_FAILURE() << "no place for a defect";
+    return check_sweep(pslg, seen, number, sweep, {});
+  };
+  const Result<Meshed> meshed = mesh(pslg, goal, options);
+  ASSERT_FALSE(meshed);
+  EXPECT_EQ(meshed.error().kind, ErrorKind::internal);
+  EXPECT_NE(meshed.error().message.find("after sweep 2"), std::string::npos) << meshed.error().message;
+  EXPECT_EQ(number, 2U);
 }
 
 TEST(ProgressLine, shows_triangles_done_against_the_estimate) {
