@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "../core/mutants.hpp"
-#include "../core/shortest.hpp"
 #include "close_ranks.hpp"
 #include "lattices.hpp"
 #include "parallel_for.hpp"
 #include "phase.hpp"
 #include "radii.hpp"
+#include "room.hpp"
 #include "snapshot.hpp"
 
 namespace pardel {
@@ -27,11 +27,6 @@ constexpr double insertions_per_triangle = 0.6;
 /// A level splits what is longer than this part of the next finer level's cell: shorter triangles have
 /// cavities that fit that level's boxes.
 constexpr double long_in_finer_cells = 0.25;
-
-/// What the mesh takes for one triangle and its half of a vertex, markers included; more is needed, but not less.
-constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index) + sizeof(int));
-/// What the process takes at its peak for a vertex and its two triangles, as measured in large meshes.
-constexpr double peak_bytes_per_vertex = 2 * 40;
 
 class Refinement {
  public:
@@ -47,7 +42,7 @@ class Refinement {
 
   Status run() {
     Pending pending = everything_bad();
-    if (Status fits = check_size(pending.needed); !fits) return fits;
+    if (Status fits = check_size(pending.needed, options_); !fits) return fits;
     const Box bounds = bounds_of(t_.points.span());
     std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, pending.estimate, options_));
     estimate_ = pending.expected;
@@ -87,32 +82,11 @@ class Refinement {
   };
 
   [[nodiscard]] bool out_of_triangles() const { return crew_.triangles().available() < 2; }
-  static Error too_many_triangles() {
-    return {ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
-  }
-  [[nodiscard]] Error too_much_memory() const {
-    return {ErrorKind::resources, "the mesh has outgrown the memory that there is, " + gibibytes(allowed_memory())};
-  }
-  [[nodiscard]] double allowed_memory() const { return static_cast<double>(options_.max_memory); }
-  static std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30 * 100) / 100) + " GiB"; }
   static Error promise_broken(const Sweep& sweep) {
     return {ErrorKind::internal, "the refinement went wrong: on a lattice of " + std::to_string(sweep.columns) + " x " +
                                      std::to_string(sweep.rows) + " cells, " + std::to_string(sweep.against_promise) +
                                      " points did not fit the boxes of their cells, though no circumradius there "
                                      "exceeds a quarter of a cell's side"};
-  }
-
-  /// Better no mesh at once than none after an hour.
-  [[nodiscard]] Status check_size(double needed) const {
-    constexpr double made_per_needed = 1.4;  // 1.5 to 1.6 in every mesh measured that had a bound on area
-    double estimate = made_per_needed * needed;
-    if (options_.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options_.max_vertices));
-    if (estimate > max_triangles) return too_many_triangles();
-    const double bytes = estimate * bytes_per_triangle;
-    if (options_.max_memory == 0 || bytes <= allowed_memory()) return Done{};
-    return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(estimate / 1e4) / 100) +
-                                           " million triangles, which take at least " + gibibytes(bytes) +
-                                           " of memory, and there are " + gibibytes(allowed_memory())};
   }
 
   [[nodiscard]] Deferral short_enough_for(const Lattice& finer) const {
@@ -180,14 +154,10 @@ class Refinement {
 
   /// Vertices only become more, and what tasks have told of is no more than there is, so that the answer in the end
   /// depends on the mesh alone.
-  [[nodiscard]] bool outgrows_memory(std::uint64_t vertices) const {
-    return options_.max_memory > 0 && peak_bytes_per_vertex * static_cast<double>(vertices) > allowed_memory();
-  }
-
   /// Asked by tasks now and then; the caller hears of it on its own thread only.
   bool report(int thread, std::uint64_t vertices_made) {
     made_ += 2 * vertices_made;
-    if (outgrows_memory(vertices_before_ + made_.load() / 2)) cancelled_ = true;  // judge_sweep says why
+    if (outgrows_memory(vertices_before_ + made_.load() / 2, options_)) cancelled_ = true;  // judge_sweep says why
     if (cancelled_.load(std::memory_order_relaxed)) return false;
     if (thread == 0 && options_.progress) {
       shown_ = std::max(shown_, triangles_before_ + made_.load());
@@ -268,7 +238,7 @@ class Refinement {
 
   [[nodiscard]] Status judge_sweep(const Sweep& sweep) const {
     if (out_of_triangles()) return too_many_triangles();
-    if (outgrows_memory(vertices_before_)) return too_much_memory();
+    if (outgrows_memory(vertices_before_, options_)) return too_much_memory(options_);
     if (sweep.against_promise > 0) return promise_broken(sweep);
     if (!watcher_ || cancelled_.load() || mutated("watcher_not_asked")) return Done{};
     return watcher_(snapshot(t_, crew_.vertices(), crew_.triangles(), threads_), sweep);
