@@ -81,8 +81,8 @@ Command add_draw(CLI::App& program) {
   report->needs(by);
   app->footer(R"(Examples:
   pardel draw key.1.ele -o key.svg
-  pardel mesh pipe.poly -o pipe.ele --max-area 1e-5 --threads 2 --json pipe.json
-  pardel draw pipe.ele -o pipe.svg --by thread --report pipe.json)");
+  pardel mesh pipe.poly -o mesh.ele --max-area 1e-5 --threads 2 --json report.json
+  pardel draw mesh.ele -o mesh.svg --by thread --report report.json)");
   return {app, [arguments] { return run(*arguments); }};
 }
 
