@@ -56,6 +56,7 @@ class Adjacency {
   [[nodiscard]] bool on_boundary(Index vertex) const { return on_boundary_[vertex] != 0; }
   /// How many triangles have this vertex.
   [[nodiscard]] Index corners(Index vertex) const { return corners_[vertex]; }
+  [[nodiscard]] std::span<const Index> corners() const { return corners_.span(); }  ///< the same for all vertices
 
   /// visit(triangle, corner) for the triangles around a vertex, fan by fan, counter-clockwise; returns the
   /// number of fans. Finds every open fan, and the closed one where there is no open one; where a vertex has

@@ -9,11 +9,9 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
                                    Findings& found) {
   const Mesh& mesh = subject.mesh;
   const auto& points = subject.pslg.points;
-  Array<Index> corners(mesh.points.size(), 0);
-  for (std::size_t v = 0; v < corners.size(); ++v) corners[v] = adjacency.corners(static_cast<Index>(v));
-  InputVertices inputs = subject.options.foreign
-                             ? InputVertices::by_coordinates(points, mesh.points.span(), corners.span())
-                             : InputVertices::by_index(points.size(), mesh.points.size());
+  const std::span<const Index> corners = adjacency.corners();
+  InputVertices inputs = subject.options.foreign ? InputVertices::by_coordinates(points, mesh.points.span(), corners)
+                                                 : InputVertices::by_index(points.size(), mesh.points.size());
   judge_all(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);

@@ -121,106 +121,121 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
               "triangles " + to_text(s) + " and " + to_text(t) + " have the same corners");
 }
 
-/// visit(triangle) once for each fan: the triangles at a vertex that are connected by edges at it. Every fan
-/// is found, also where a vertex has more of them than it should.
-template <class Visit>
-void count_fans(std::span<const Triangle> triangles, const Visit& visit) {
-  Array<std::uint8_t> visited(triangles.size(), 0);  // bit k: corner k
-  // Marks corners around the vertex on one side until the fan ends (false) or is complete (true).
-  const auto closes = [&](Index t, int corner, bool counter_clockwise) {
-    const Index vertex = triangles[t].v[corner];
-    for (;;) {
-      visited[t] = static_cast<std::uint8_t>(visited[t] | 1 << corner);
-      t = triangles[t].n[counter_clockwise ? next(corner) : previous(corner)];
-      if (t == no_index) return false;
-      corner = corner_at(triangles[t], vertex);
-      if ((visited[t] >> corner & 1) != 0) return true;
-    }
+/// Walks over the triangles component by component, with a byte per triangle and the front of the walk as all its
+/// memory.
+class Surface {
+ public:
+  explicit Surface(const Adjacency& adjacency)
+      : triangles_(adjacency.triangles()),
+        boundary_(adjacency.boundary()),
+        passed_(triangles_.size(), 0),
+        on_loop_(boundary_.size(), 0) {}
+
+  [[nodiscard]] bool reached(Index t) const { return (passed_[t] & reached_bit) != 0; }
+
+  struct Component {
+    std::int64_t characteristic = 0;  ///< V - E + F, where a vertex counts once for each of its fans
+    std::int64_t loops = 0;           ///< of its boundary
   };
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto t = static_cast<Index>(i);
-    for (int corner = 0; corner < 3; ++corner) {
-      if ((visited[t] >> corner & 1) != 0) continue;
-      visit(t);
-      if (closes(t, corner, true)) continue;
-      const Index before = triangles[t].n[previous(corner)];
-      if (before != no_index) closes(before, corner_at(triangles[before], triangles[t].v[corner]), false);
+
+  /// The component of a triangle that was not reached before. In the end all of it is reached.
+  Component component_of(Index start) {
+    std::int64_t faces = 0, sides = 0, fans = 0;
+    std::vector<EdgeRef> open;
+    std::vector<Index> front{start}, ahead;
+    passed_[start] |= reached_bit;
+    for (; !front.empty(); std::swap(front, ahead)) {
+      ahead.clear();
+      for (const Index t : front) {
+        ++faces;
+        for (int i = 0; i < 3; ++i) {
+          ++sides;
+          const Index n = triangles_[t].n[i];
+          if (n == no_index) {
+            open.push_back({t, i});
+          } else if (!reached(n)) {
+            passed_[n] |= reached_bit;
+            ahead.push_back(n);
+          }
+          if (!passed_corner(t, i)) {
+            ++fans;
+            pass_fan(t, i);
+          }
+        }
+      }
+    }
+    Component component{fans - (sides + static_cast<std::int64_t>(open.size())) / 2 + faces, 0};
+    for (const EdgeRef edge : open) component.loops += pass_loop(edge) ? 1 : 0;
+    return component;
+  }
+
+ private:
+  static constexpr std::uint8_t reached_bit = 8;  // bits 0 to 2 are the corners
+
+  [[nodiscard]] bool passed_corner(Index t, int corner) const { return (passed_[t] >> corner & 1) != 0; }
+
+  /// The triangles at a corner's vertex that are connected to it by edges at the vertex. (Every fan is found so, also
+  /// where a vertex has more of them than it should.)
+  void pass_fan(Index t, int corner) {
+    if (closes(t, corner, /*counter_clockwise=*/true)) return;
+    const Index before = triangles_[t].n[previous(corner)];
+    if (before != no_index) closes(before, corner_at(triangles_[before], triangles_[t].v[corner]), false);
+  }
+
+  /// Marks corners around the vertex on one side until the fan ends (false) or is complete (true).
+  bool closes(Index t, int corner, bool counter_clockwise) {
+    const Index vertex = triangles_[t].v[corner];
+    for (;;) {
+      passed_[t] = static_cast<std::uint8_t>(passed_[t] | 1 << corner);
+      t = triangles_[t].n[counter_clockwise ? next(corner) : previous(corner)];
+      if (t == no_index) return false;
+      corner = corner_at(triangles_[t], vertex);
+      if (passed_corner(t, corner)) return true;
     }
   }
-}
+
+  /// Walks the boundary loop of an edge without a neighbour; false where it was walked before.
+  bool pass_loop(EdgeRef edge) {
+    if (on_loop_[position(edge)] != 0) return false;
+    for (std::size_t at = position(edge); on_loop_[at] == 0; at = position(edge)) {
+      on_loop_[at] = 1;
+      // The next boundary edge of the same fan at `to`: turn clockwise through the triangles there.
+      const Index pivot = boundary_[at].to;
+      for (edge.edge = next(edge.edge); triangles_[edge.triangle].n[edge.edge] != no_index;) {
+        edge.triangle = triangles_[edge.triangle].n[edge.edge];
+        edge.edge = next(next(corner_at(triangles_[edge.triangle], pivot)));  // past the edge that arrives at the pivot
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::size_t position(EdgeRef edge) const {
+    const Index from = triangles_[edge.triangle].v[next(edge.edge)];
+    const Index to = triangles_[edge.triangle].v[previous(edge.edge)];
+    auto at = std::lower_bound(boundary_.begin(), boundary_.end(), std::pair(from, to),
+                               [](const BoundaryEdge& e, const auto& key) { return std::pair(e.from, e.to) < key; });
+    while (at->left.triangle != edge.triangle) ++at;
+    return static_cast<std::size_t>(at - boundary_.begin());
+  }
+
+  std::span<const Triangle> triangles_;
+  std::span<const BoundaryEdge> boundary_;
+  Array<std::uint8_t> passed_;
+  std::vector<char> on_loop_;
+};
 
 /// A connected oriented surface with L boundary loops is a disk with holes if and only if V - E + F = 2 - L,
 /// where a vertex counts once for each of its fans (a pinched surface is cut apart at the pinch).
 void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& found) {
-  const auto triangles = adjacency.triangles();
-  constexpr Index unseen = no_index;
-  Array<Index> component(triangles.size(), unseen);
-  std::vector<Index> stack;
-  std::vector<Index> representative;
-  std::vector<std::int64_t> characteristic;  // V - E + F
-  for (std::size_t start = 0; start < triangles.size(); ++start) {
-    if (component[start] != unseen) continue;
-    const auto id = static_cast<Index>(representative.size());
-    representative.push_back(static_cast<Index>(start));
-    std::int64_t faces = 0, sides = 0, open_sides = 0;
-    component[start] = id;
-    stack.push_back(static_cast<Index>(start));
-    while (!stack.empty()) {
-      const Triangle& triangle = triangles[stack.back()];
-      stack.pop_back();
-      ++faces;
-      sides += 3;
-      for (const Index n : triangle.n) {
-        if (n == no_index) {
-          ++open_sides;
-        } else if (component[n] == unseen) {
-          component[n] = id;
-          stack.push_back(n);
-        }
-      }
-    }
-    characteristic.push_back(faces - (sides + open_sides) / 2);
-  }
-
-  count_fans(triangles, [&](Index t) { ++characteristic[component[t]]; });
-
-  std::vector<std::int64_t> loops(representative.size(), 0);
-  const auto boundary = adjacency.boundary();
-  std::vector<char> walked(boundary.size(), 0);
-  const auto position = [&](EdgeRef edge) {
-    const Index from = triangles[edge.triangle].v[next(edge.edge)];
-    const Index to = triangles[edge.triangle].v[previous(edge.edge)];
-    auto at = std::lower_bound(boundary.begin(), boundary.end(), std::pair(from, to),
-                               [](const BoundaryEdge& e, const auto& key) { return std::pair(e.from, e.to) < key; });
-    while (at->left.triangle != edge.triangle) ++at;
-    return static_cast<std::size_t>(at - boundary.begin());
-  };
-  for (std::size_t start = 0; start < boundary.size(); ++start) {
-    if (walked[start] != 0) continue;
-    ++loops[component[boundary[start].left.triangle]];
-    for (std::size_t at = start; walked[at] == 0;) {
-      walked[at] = 1;
-      // The next boundary edge of the same fan at `to`: turn clockwise through the triangles there.
-      EdgeRef edge = boundary[at].left;
-      const Index pivot = boundary[at].to;
-      for (;;) {
-        edge.edge = next(edge.edge);
-        const Triangle& triangle = triangles[edge.triangle];
-        if (triangle.n[edge.edge] == no_index) break;
-        edge.triangle = triangle.n[edge.edge];
-        const Triangle& other = triangles[edge.triangle];
-        edge.edge = next(corner_at(other, pivot));  // arrives at the pivot
-      }
-      at = position(edge);
-    }
-  }
-
-  for (std::size_t id = 0; id < representative.size(); ++id) {
-    if (characteristic[id] == 2 - loops[id]) continue;
-    const Index t = representative[id];
-    found.add(ViolationKind::euler_characteristic, {t}, {subject.corner(triangles[t], 0)},
-              "the component of triangle " + to_text(t) + " has V - E + F = " + to_text(characteristic[id]) + " and " +
-                  to_text(loops[id]) + " boundary loops, which do not sum to 2");
+  Surface surface(adjacency);
+  for (std::size_t i = 0; i < adjacency.triangles().size(); ++i) {
+    const auto t = static_cast<Index>(i);
+    if (surface.reached(t)) continue;
+    const auto [characteristic, loops] = surface.component_of(t);
+    if (characteristic == 2 - loops) continue;
+    found.add(ViolationKind::euler_characteristic, {t}, {subject.corner(adjacency.triangles()[t], 0)},
+              "the component of triangle " + to_text(t) + " has V - E + F = " + to_text(characteristic) + " and " +
+                  to_text(loops) + " boundary loops, which do not sum to 2");
   }
 }
 
