@@ -66,9 +66,9 @@ struct Heritage {
   std::vector<std::array<Index, 3>> background;
 };
 
-Mesh to_mesh(Assembled&& domain, Heritage heritage) {
+Mesh to_mesh(Assembled&& domain, Heritage heritage, int threads) {
   return disassemble(std::move(domain), std::move(heritage.region_attributes), heritage.points,
-                     std::move(heritage.background));
+                     std::move(heritage.background), threads);
 }
 
 /// Shows each snapshot, made a mesh, to options.after_sweep.
@@ -77,7 +77,7 @@ Watcher watcher(const Assembled& domain, const Heritage& heritage, const Options
   return [&](Triangulation&& snapshot, const Sweep& sweep) {
     Assembled copy{std::move(snapshot), domain.lines, domain.input_of_vertex, domain.segment_of_line,
                    domain.marker_of_line};
-    return options.after_sweep(to_mesh(std::move(copy), heritage), sweep);
+    return options.after_sweep(to_mesh(std::move(copy), heritage, options.threads), sweep);
   };
 }
 
@@ -120,7 +120,7 @@ Result<Meshed> mesh_pslg(const Pslg& pslg, bool convex_hull, const Goal* goal, c
     if (Status refined = refine_domain(*domain, criteria, heritage, options, result.report); !refined)
       return refined.error();
   }
-  result.mesh = to_mesh(std::move(domain).value(), std::move(heritage));
+  result.mesh = to_mesh(std::move(domain).value(), std::move(heritage), options.threads);
   result.report.refine_seconds = watch.lap();
   return result;
 }
@@ -198,7 +198,7 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
   const Criteria criteria(goal, options.placement, {}, area_cap);
   if (Status refined = refine_domain(*domain, criteria, heritage, options, result.report); !refined)
     return refined.error();
-  result.mesh = to_mesh(std::move(domain).value(), std::move(heritage));
+  result.mesh = to_mesh(std::move(domain).value(), std::move(heritage), options.threads);
   result.report.refine_seconds = watch.lap();
   return result;
 } catch (const std::bad_alloc&) {

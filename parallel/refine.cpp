@@ -152,9 +152,8 @@ class Refinement {
 
   [[nodiscard]] bool go_on() const { return !cancelled_.load(std::memory_order_relaxed) && !counts_.budget_reached; }
 
-  /// Vertices only become more, and what tasks have told of is no more than there is, so that the answer in the end
-  /// depends on the mesh alone.
-  /// Asked by tasks now and then; the caller hears of it on its own thread only.
+  /// Asked by tasks now and then; the caller hears of it on its own thread only. Vertices only become more, and what
+  /// tasks have told of is no more than there is: so whether a mesh outgrows its memory depends on the mesh alone.
   bool report(int thread, std::uint64_t vertices_made) {
     made_ += 2 * vertices_made;
     if (outgrows_memory(vertices_before_ + made_.load() / 2, options_)) cancelled_ = true;  // judge_sweep says why
