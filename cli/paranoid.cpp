@@ -14,7 +14,7 @@ constexpr std::size_t most_listed = 10;
 
 Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, const Sweep& sweep,
                    const SweepCheck& how) {
-  const Goal due{.min_angle_deg = 0, .convex_hull = how.convex_hull};
+  const Goal due{.min_angle_deg = 0, .region_caps = false, .convex_hull = how.convex_hull};
   const Certificate certificate =
       check(pslg, mesh, due, {.max_violations = most_listed, .max_circumradius = 0, .foreign = how.foreign});
   if (certificate.valid) return Done{};

@@ -19,10 +19,12 @@ Mesh mesh_of(const Pslg& pslg, const Goal& goal) {
 }
 
 TEST(SweepCheck, asks_for_no_bounds_yet) {
-  const Pslg pslg = domains::cracks();
-  const Result<Meshed> bare = triangulate(pslg);
-  ASSERT_TRUE(bare);
-  EXPECT_TRUE(check_sweep(pslg, bare->mesh, 1, {}, {}));
+  for (const Pslg& pslg : {domains::cracks(), domains::regions()}) {
+    const Result<Meshed> bare = triangulate(pslg);
+    ASSERT_TRUE(bare);
+    const Status status = check_sweep(pslg, bare->mesh, 1, {}, {});
+    EXPECT_TRUE(status) << status.error().message;
+  }
 }
 
 TEST(SweepCheck, notices_every_defect_that_is_no_missed_bound_and_names_the_sweep) {
