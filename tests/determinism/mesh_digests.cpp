@@ -1,10 +1,10 @@
 // The digests of meshes, one a line, to be compared between builds and machines.
 //   mesh_digests                              the file `digests`
-//   mesh_digests DOMAIN TRIANGLES THREADS...  square or pipe, with about so many triangles; on each number of threads
-//                                             in a random order of tasks, with delays
+//   mesh_digests DOMAIN TRIANGLES THREADS...  square, pipe or random points, with about so many triangles, on each
+//                                             number of threads in a random order of tasks, with delays
 #include <cstdlib>
-#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,9 +16,8 @@ namespace pardel::determinism {
 namespace {
 
 constexpr const char* header =
-    "# The digests (core/digest.hpp) of the meshes of problems.hpp. They do not depend on threads, compiler, "
-    "optimisation\n"
-    "# or machine: the engine takes nothing from the mathematics library that libraries round differently. Made by\n"
+    "# The digests (core/digest.hpp) of the meshes of problems.hpp. They do not depend on threads, compiler, level of\n"
+    "# optimisation or machine: the engine takes nothing from the mathematics library that is not exact. Made by\n"
     "#   cmake --build BUILD --target digests\n"
     "# which is right when the algorithm was changed on purpose, and only then.\n";
 
@@ -29,15 +28,18 @@ void print_recorded() {
       std::cout << line(problem(family, number), 1) << '\n';
 }
 
-/// The bound on areas that gives about so many triangles.
-double area_for(const std::string& domain, double triangles) { return (domain == "pipe" ? 3.855 : 1.552) / triangles; }
+/// What makes about so many triangles: bounds on areas, or random points and the default bound on angles.
+samples::Case large(const std::string& domain, double triangles) {
+  if (domain == "square") return {domain, domains::square(), {.max_area = 1.552 / triangles}, {}};
+  if (domain == "pipe") return {domain, domains::pipe(), {.max_area = 3.855 / triangles}, {}};
+  if (domain == "points") return {domain, domains::random_points(static_cast<Index>(triangles / 3.2), 1), {}, {}};
+  throw std::invalid_argument("no domain '" + domain + "'");
+}
 
-void print_on_threads(const std::string& domain, const std::string& triangles, const std::vector<int>& threads) {
-  const Goal goal{.max_area = area_for(domain, std::stod(triangles))};
-  const samples::Case what{domain, domain == "pipe" ? domains::pipe() : domains::square(), goal, {}};
+void print_on_threads(const samples::Case& what, const std::vector<int>& threads) {
   for (const int n : threads) {
     const Mesh mesh = samples::refined(what, {.threads = n}, samples::shuffled(static_cast<std::uint64_t>(n))).mesh;
-    std::cout << domain << ' ' << mesh.triangles.size() << ' ' << to_string(digest(mesh)) << ' ' << n << std::endl;
+    std::cout << what.name << ' ' << mesh.triangles.size() << ' ' << to_string(digest(mesh)) << ' ' << n << std::endl;
   }
 }
 
@@ -52,11 +54,8 @@ int main(int argc, char** argv) try {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   std::vector<int> threads;
   for (std::size_t i = 2; i < arguments.size(); ++i) threads.push_back(std::stoi(arguments[i]));
-  if (threads.empty() || (arguments[0] != "square" && arguments[0] != "pipe")) {
-    std::cerr << "usage: mesh_digests [square|pipe TRIANGLES THREADS...]\n";
-    return 2;
-  }
-  pardel::determinism::print_on_threads(arguments[0], arguments[1], threads);
+  if (threads.empty()) throw std::invalid_argument("usage: mesh_digests [DOMAIN TRIANGLES THREADS...]");
+  pardel::determinism::print_on_threads(pardel::determinism::large(arguments[0], std::stod(arguments[1])), threads);
 } catch (const std::exception& error) {
   std::cerr << "mesh_digests: " << error.what() << '\n';
   return EXIT_FAILURE;

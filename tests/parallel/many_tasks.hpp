@@ -44,7 +44,7 @@ struct Refined {
   RefineCounts counts;
 };
 inline Refined refined(const Case& c, const Options& options, const Schedule& schedule) {
-  Result<Assembled> domain = assemble(c.pslg, c.goal.convex_hull);
+  Result<Assembled> domain = assemble(c.pslg, c.goal.convex_hull, options.threads);
   EXPECT_TRUE(domain);
   std::vector<double> attributes, caps;
   for (const Region& region : c.pslg.regions) {
@@ -54,7 +54,7 @@ inline Refined refined(const Case& c, const Options& options, const Schedule& sc
   const Criteria criteria(c.goal, options.placement, caps);
   auto counts = refine(domain->triangulation, domain->lines, criteria, options, schedule);
   EXPECT_TRUE(counts);
-  return {disassemble(std::move(domain).value(), attributes, {}, {}), std::move(counts).value()};
+  return {disassemble(std::move(domain).value(), attributes, {}, {}, options.threads), std::move(counts).value()};
 }
 
 inline Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {
