@@ -69,12 +69,9 @@ Command add_draw(CLI::App& program) {
       ->type_name("");
   app->add_option("-o,--output", arguments->output, "The picture (required)")->required()->type_name("FILE.svg");
   const std::map<std::string, HueBy> hues = {{"tile", HueBy::tile}, {"phase", HueBy::phase}, {"thread", HueBy::thread}};
-  CLI::Option* by =
-      app->add_option("--by", arguments->by,
-                      "Colour triangles by the lattice of a run: tile, phase (cells that work at the same "
-                      "time) or thread (that worked there first)")
-          ->transform(CLI::CheckedTransformer(hues).description(""))
-          ->type_name("WHAT");
+  CLI::Option* by = app->add_option("--by", arguments->by, "Colour triangles by what made them: tile, phase or thread")
+                        ->transform(CLI::CheckedTransformer(hues).description(""))
+                        ->type_name("WHAT");
   CLI::Option* report = app->add_option("--report", arguments->report, "What pardel mesh --json wrote in that run")
                             ->type_name("FILE.json");
   by->needs(report);
