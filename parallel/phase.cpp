@@ -102,9 +102,10 @@ void Crew::admit(Job& job, const Lattice& lattice) const {
 /// not used comes back, and the next phase fills it before it takes memory that nobody has written yet.
 void Crew::supply(std::vector<Job>& jobs) {
   std::vector<std::vector<NumberRange>> vertices(jobs.size()), triangles(jobs.size());
-  for (const double helping : {1.25, 0.75})
+  for (const bool first : {true, false})
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      const auto insertions = static_cast<std::size_t>(helping * std::min(jobs[i].insertions, 1e9));
+      const auto expected = static_cast<std::size_t>(std::min(jobs[i].insertions, 1e9));
+      const std::size_t insertions = first ? expected + expected / 4 : expected - expected / 4;
       vertices_.assign(insertions, vertices[i]);
       triangles_.assign(2 * insertions, triangles[i]);
     }
