@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "../../core/digest.hpp"
+#include "../../core/formats.hpp"
 #include "meshing.hpp"
+#include "thirty_degrees.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -124,30 +126,14 @@ PARDEL_PROPERTY(Refinement, does_not_depend_on_threads,
   RC_ASSERT(value_of(mesh(problem.pslg, problem.goal, options)).mesh == one);
 }
 
-/// Right triangles with an angle of 30 degrees at one vertex of the input, half of each the next. The engine's bound is
-/// stricter than the goal by a hair, hence above 30 degrees, where refinement is known to fail, as it may from 29.5 on
-/// (A. Rand, "On the non-termination of Ruppert's algorithm", 2011, arXiv 1101.1071).
 PARDEL_FACT(Refinement, at_thirty_degrees_may_halve_triangles_down_to_the_floor,
             {.statement = "fails when the bound is 30 degrees: there is a domain without a small angle in which "
                           "refinement ends by the floor on edges only; the report says so",
              .source = "properties/THEORY.md, refinement"}) {
-  Problem problem;
-  problem.pslg.points = {{0, 12}, {96, 72}, {0, 0}, {96, 0}, {48, 0}, {0, 48}, {0, 36}, {0, 24}, {0, 60}, {0, 72}};
-  problem.pslg.segments = {{9, 8}, {2, 4}, {0, 2}, {7, 6}, {3, 4}, {5, 8}, {5, 6}, {9, 1}, {7, 0}, {3, 1}};
-  problem.goal = {.min_angle_deg = 30, .max_area = 61.1681};
-  const Result<Meshed> at_thirty = mesh(problem.pslg, problem.goal);
-  ASSERT_TRUE(at_thirty);
-  EXPECT_GT(at_thirty->report.count(ExemptReason::min_edge), 1'000U);
-  EXPECT_FALSE(at_thirty->report.goal_met());
-  for (const double below : {28.0, 29.0}) {
-    problem.goal.min_angle_deg = below;
-    const Result<Meshed> good = mesh(problem.pslg, problem.goal);
-    ASSERT_TRUE(good);
-    EXPECT_LT(good->mesh.triangles.size(), 200U);
-    EXPECT_TRUE(check(problem.pslg, good->mesh, problem.goal).valid);
-  }
+  const Result<Pslg> domain = read_pslg(PARDEL_WITNESSES "/halved_down_to_the_floor_at_thirty_degrees.poly");
+  ASSERT_TRUE(domain);
+  EXPECT_TRUE(is_halved_down_to_the_floor(*domain));
   facts.cases = 3;
-  facts.notes = {std::to_string(at_thirty->mesh.triangles.size()) + " triangles at 30 degrees, fewer than 200 at 29"};
 }
 
 }  // namespace

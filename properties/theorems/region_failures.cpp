@@ -58,4 +58,12 @@ bool grows_beyond_a_wall(const MeshedScene& given) {
   return ref::closure(after, ref::in_reach_of(after, {two.q, two.q})).contains(p);
 }
 
+bool fails_for_one_box(const MeshedScene& given) {
+  constexpr double far = 0x1p40;
+  const ref::Box everything{{-far, -far}, {far, far}};
+  const Tasks tasks = {Task({given.scene.insertions.at(0)}, everything),
+                       Task({given.scene.insertions.at(1)}, everything)};
+  return !(in_turns(given.mesh, tasks) == one_after_the_other(given.mesh, tasks, 0));
+}
+
 }  // namespace pardel::properties

@@ -19,5 +19,8 @@ namespace pardel::properties {
 /// What whole disks reach shares no vertex, but once the first is inserted the disk of one of its triangles holds
 /// the second.
 [[nodiscard]] bool grows_beyond_a_wall(const MeshedScene& given);
+/// Two tasks with an insertion each, both of which own everything, do not make in turns what they make one after the
+/// other.
+[[nodiscard]] bool fails_for_one_box(const MeshedScene& given);
 
 }  // namespace pardel::properties

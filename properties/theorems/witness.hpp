@@ -29,6 +29,7 @@ inline void PrintTo(const Witness& witness, std::ostream* out) { *out << witness
 
 [[nodiscard]] std::vector<Witness> independence_witnesses();
 [[nodiscard]] std::vector<Witness> radius_witnesses();
+[[nodiscard]] std::vector<Witness> refinement_witnesses();
 
 [[nodiscard]] std::vector<Witness> all_witnesses();
 

@@ -102,6 +102,10 @@ std::vector<Witness> radius_witnesses() {
        "Whole disks that the two points reach share no vertex, but inserting the first makes a triangle on the wall "
        "whose disk holds the second, unseen.",
        shown<grows_beyond_a_wall>},
+      {"tasks_that_own_one_box",
+       "Two tasks that both own everything insert a point each; in turns they do not make what they make one after the "
+       "other.",
+       shown<fails_for_one_box>},
   };
 }
 

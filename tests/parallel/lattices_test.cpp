@@ -53,7 +53,9 @@ TEST(Lattices, are_widened_no_more_than_asked) {
       EXPECT_GE(lattice.side(), side);  // INFINITY where there is but one cell
       EXPECT_LE(lattice.columns(), wanted.columns());
       EXPECT_LE(lattice.rows(), wanted.rows());
-      if (side <= wanted.side()) EXPECT_EQ(lattice.cells(), wanted.cells());
+      if (side <= wanted.side()) {
+        EXPECT_EQ(lattice.cells(), wanted.cells());
+      }
     }
   }
 }
