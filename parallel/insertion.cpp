@@ -99,7 +99,11 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
         if (!box.contains(t_.points[v])) return Outcome::leaves_box;
   const Walk walk = cavity_.find_on_edge(t_, e, reach_within(p, box));
   if (walk == Walk::foreign) return Outcome::leaves_box;
-  is_star_ = measure_fan(p) && walk == Walk::complete;
+  // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, it may come
+  // upon that one again from behind, around a vertex that is closer to the edge than p is.
+  const bool is_cavity =
+      walk == Walk::complete && disk_contains(t_.slot(e), p) && (other.none() || disk_contains(t_.slot(other), p));
+  is_star_ = measure_fan(p) && is_cavity;
   return too_close() ? Outcome::too_close : Outcome::inserted;
 }
 

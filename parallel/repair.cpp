@@ -173,12 +173,24 @@ std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   return conflicts.size();
 }
 
-/// Rounds until nothing is left to do; false when the conflicts do not become fewer by half with every round.
+/// Rounds until nothing is left to do; false when the conflicts do not become fewer by half within some rounds, or
+/// become far more. A last conflict may need a few: its pieces cross another segment a rounding further on.
 bool untangle(Work& work, double snap, double unit) {
-  std::size_t too_many = std::numeric_limits<std::size_t>::max();
-  for (std::size_t conflicts = 0; (conflicts = resolve(work, snap, unit, too_many)) > 0; too_many = conflicts / 2 + 1)
-    if (conflicts >= too_many || mutated("repair_stops_after_one_round")) return conflicts < too_many;
-  return true;
+  constexpr int patience = 8;
+  constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+  std::size_t fewest = unbounded, too_many = unbounded;
+  int rounds = 0;  // since there were so few
+  while (true) {
+    const std::size_t conflicts = resolve(work, snap, unit, too_many);
+    if (conflicts == 0 || mutated("repair_stops_after_one_round")) return true;
+    if (conflicts <= fewest / 2) {
+      fewest = conflicts;
+      too_many = 2 * conflicts + 8;
+      rounds = 0;
+    } else if (++rounds == patience || conflicts >= too_many) {
+      return false;
+    }
+  }
 }
 
 /// What became of the points and segments, a line each.

@@ -224,6 +224,15 @@ TEST(FreeSegment, leaves_the_triangulation_right_whatever_is_inserted_beside_it)
   }
 }
 
+/// As rounding does it far from the origin: the walk would meet the sliver at the edge again, around the vertex.
+TEST(SplitEdge, refuses_a_point_beyond_a_vertex_beside_the_edge) {
+  for (const double beyond : {0.0011, 0.002, 0.01}) {
+    Scene scene({{0, 0}, {8, 0}, {4, 10}, {4, 0.001}});
+    EXPECT_EQ(scene.split({4, beyond}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::refused);
+    EXPECT_EQ(samples::fault(scene.t()), "");
+  }
+}
+
 TEST(FreeSegment, leaves_the_triangulation_right_wherever_it_is_split) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     samples::Random random(seed);

@@ -1,13 +1,15 @@
 // Each file of this folder, at each angle: meshed, certified by the independent checker, and exempt triangles
-// only beside small input angles.
+// only beside small input angles. Each file of repair/: mended, with new points within a rounding of where they belong.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include "../../core/formats.hpp"
 #include "../../parallel/mesher.hpp"
+#include "../../parallel/validate.hpp"
 #include "../../properties/check.hpp"
 
 namespace pardel {
@@ -15,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> inputs() {
+std::vector<fs::path> inputs(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(PARDEL_REGRESSIONS))
+  for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".poly") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -52,7 +54,29 @@ TEST_P(Regression, is_meshed_and_certified_as_a_conforming_mesh) {
   mesh_and_certify({.min_angle_deg = 25, .conforming = true});
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Regression, testing::ValuesIn(inputs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Files, Regression, testing::ValuesIn(inputs(PARDEL_REGRESSIONS)), test_name);
+
+class RepairRegression : public testing::TestWithParam<fs::path> {};
+
+TEST_P(RepairRegression, is_mended_within_a_rounding) {
+  const Result<Pslg> pslg = read_pslg(GetParam());
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  EXPECT_FALSE(validate(*pslg).empty());
+  const Result<Repaired> repaired = repair(*pslg);
+  ASSERT_TRUE(repaired) << repaired.error().message;
+  EXPECT_TRUE(validate(repaired->pslg).empty());
+  for (std::size_t i = 0; i < repaired->segment_map.size(); ++i) {
+    const Segment& old = pslg->segments[repaired->segment_map[i]];
+    const Point a = pslg->points[old.a], b = pslg->points[old.b];
+    for (const Index v : {repaired->pslg.segments[i].a, repaired->pslg.segments[i].b}) {
+      const Point p = repaired->pslg.points[v];
+      const double twice_area = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+      EXPECT_LE(std::abs(twice_area) / std::hypot(b.x - a.x, b.y - a.y), 1e-14);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RepairRegression, testing::ValuesIn(inputs(PARDEL_REGRESSIONS "/repair")), test_name);
 
 }  // namespace
 }  // namespace pardel
