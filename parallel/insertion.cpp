@@ -99,8 +99,10 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
         if (!box.contains(t_.points[v])) return Outcome::leaves_box;
   const Walk walk = cavity_.find_on_edge(t_, e, reach_within(p, box));
   if (walk == Walk::foreign) return Outcome::leaves_box;
-  // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, it may come
-  // upon that one again from behind, around a vertex that is closer to the edge than p is.
+  // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, the fan need
+  // not be Delaunay, and the walk may come upon that triangle again from behind, around a vertex that is closer to the
+  // edge than p is. Inside all disks of the cavity, and with p seeing all of its boundary, the fan is Delaunay wherever
+  // rounding put p: lifted to the paraboloid, p lies below every triangle of the cavity.
   const bool is_cavity =
       walk == Walk::complete && disk_contains(t_.slot(e), p) && (other.none() || disk_contains(t_.slot(other), p));
   is_star_ = measure_fan(p) && is_cavity;
@@ -110,24 +112,9 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
 Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
   const Outcome outcome = try_on_edge(p, e, box);
   if (outcome != Outcome::inserted) return outcome;
-  const bool flips = !is_star_ || (!mutated("flips_after_a_rounded_split_skipped") && !spokes_delaunay(p));
-  if (flips && !box.is_everything()) return Outcome::leaves_box;
-  if (!is_star_) return edge_by_flips(p, e, line);
+  if (!is_star_) return box.is_everything() ? edge_by_flips(p, e, line) : Outcome::leaves_box;
   commit(p, line);
-  if (flips) finish_by_flips();
   return outcome;
-}
-
-/// A point that rounding put beside its edge lies outside the triangle on the other side. Seen from a corner far
-/// away under a tiny angle, that is far enough for the fan there not to be Delaunay.
-bool Insertion::spokes_delaunay(Point p) const {
-  const std::size_t n = cavity_.boundary().size();
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    if (i + 1 == cavity_.left_count()) continue;  // the spoke to the start of the edge that is split
-    const Point a = t_.points[cavity_.boundary()[i].from], b = t_.points[cavity_.to(i)];
-    if (incircle(p, a, b, t_.points[cavity_.to(i + 1)]) > 0) return false;
-  }
-  return true;
 }
 
 void Insertion::commit(Point p, Index origin) {

@@ -88,8 +88,6 @@ class Insertion {
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);
-  /// The edges from p to the boundary that a split would make are locally Delaunay. Precondition: star-shaped.
-  [[nodiscard]] bool spokes_delaunay(Point p) const;
   void finish_by_flips();
 
   Triangulation& t_;
