@@ -10,12 +10,10 @@
 #include "../properties/domains.hpp"
 #include "run_in_child.hpp"
 #include "stopwatch.hpp"
+#include "tool.hpp"
 
 namespace pardel::bench {
 namespace {
-
-/// Area of the domain over area of a triangle, on average, where the bound on area decides.
-constexpr double triangles_per_cap = 1.55;
 
 struct Table {
   const char* title;
@@ -28,7 +26,7 @@ constexpr Table tables[] = {
     {"Table 2: the unit square", "square", 1, "121 processors (MPI): 873.5 million triangles, 293.7 s"},
 };
 
-struct Run {
+struct Timed {
   double seconds = 0;  ///< validation, triangulation and refinement
   std::uint64_t triangles = 0;
   std::uint64_t peak_rss_bytes = 0;
@@ -42,27 +40,27 @@ struct Settings {
   Decomposition decomposition = Decomposition::automatic;
 };
 
-std::optional<Run> run(const Table& table, const Settings& settings, int threads) {
-  return run_in_child<Run>([&] {
+std::optional<Timed> run(const Table& table, const Settings& settings, int threads) {
+  return run_in_child<Timed>([&] {
     const Pslg pslg = *domains::generate(table.domain, 0, 1);
     const Goal goal{.max_area = triangles_per_cap * table.area / (settings.per_thread * threads)};
     const Stopwatch watch;
     const Result<Meshed> meshed = mesh(pslg, goal, {.threads = threads, .decomposition = settings.decomposition});
-    if (!meshed) return Run{};
+    if (!meshed) return Timed{};
     const Tiling& tiling = meshed->report.tiling;
-    return Run{watch.seconds(), meshed->mesh.triangles.size(), peak_rss_bytes(), tiling.columns * tiling.rows};
+    return Timed{watch.seconds(), meshed->mesh.triangles.size(), peak_rss_bytes(), tiling.columns * tiling.rows};
   });
 }
 
 /// The run with the median time; nothing where one failed.
-std::optional<Run> median_run(const Table& table, const Settings& settings, int threads) {
-  std::vector<Run> all;
+std::optional<Timed> median_run(const Table& table, const Settings& settings, int threads) {
+  std::vector<Timed> all;
   for (int i = 0; i < settings.runs; ++i) {
-    const std::optional<Run> one = run(table, settings, threads);
+    const std::optional<Timed> one = run(table, settings, threads);
     if (!one || one->triangles == 0) return std::nullopt;
     all.push_back(*one);
   }
-  std::sort(all.begin(), all.end(), [](const Run& a, const Run& b) { return a.seconds < b.seconds; });
+  std::sort(all.begin(), all.end(), [](const Timed& a, const Timed& b) { return a.seconds < b.seconds; });
   return all[all.size() / 2];
 }
 
@@ -71,7 +69,7 @@ void print(const Table& table, const Settings& settings) {
   fmt::print("| threads | cells | triangles, millions | seconds | millions/s | millions/s/thread | bytes/triangle |\n");
   fmt::print("|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const int threads : settings.threads) {
-    const std::optional<Run> one = median_run(table, settings, threads);
+    const std::optional<Timed> one = median_run(table, settings, threads);
     if (!one) {
       fmt::print("| {} | | | failed | | | |\n", threads);
       continue;

@@ -58,6 +58,7 @@ Timed timed_run(const Task& task, Decomposition decomposition, int threads) {
 
 /// False, and a message, where a run failed or the number of threads changed the mesh.
 bool measure(const Settings& settings, std::vector<Row>& rows) {
+  std::optional<Digest> one_mesh;
   for (int i = 0; i < settings.runs; ++i)
     for (Row& row : rows) {
       const auto one = run_in_child<Timed>([&] { return timed_run(settings.task, row.decomposition, row.threads); });
@@ -66,21 +67,20 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
         return false;
       }
       row.runs.push_back(*one);
+      if (row.decomposition == Decomposition::none) continue;
+      if (!one_mesh) one_mesh = one->digest;
+      if (one->digest == one_mesh) continue;
+      fmt::print(stderr, "scaling: {}: another mesh than in an earlier run\n", row.name());
+      return false;
     }
-  std::optional<Digest> one_mesh;
-  for (Row& row : rows) {
+  for (Row& row : rows)
     std::sort(row.runs.begin(), row.runs.end(), [](const Timed& a, const Timed& b) { return a.seconds < b.seconds; });
-    if (row.decomposition == Decomposition::none) continue;
-    if (!one_mesh) one_mesh = row.median().digest;
-    if (row.median().digest == one_mesh) continue;
-    fmt::print(stderr, "scaling: {}: another mesh than with another number of threads\n", row.name());
-    return false;
-  }
   return true;
 }
 
 void print(const std::vector<Row>& rows) {
-  fmt::print("| | seconds | of these refining | millions of triangles | millions/s | times the first | bytes/triangle |\n");
+  fmt::print(
+      "| | seconds | of these refining | millions of triangles | millions/s | times the first | bytes/triangle |\n");
   fmt::print("|:---|---:|---:|---:|---:|---:|---:|\n");
   const Timed& first = rows.front().median();
   for (const Row& row : rows) {

@@ -28,7 +28,6 @@ namespace pardel::cli {
 namespace {
 
 constexpr Index most_cells_along = 4096;
-constexpr std::size_t most_listed = 10;  // triangles or violations on stderr; the counts are complete
 
 struct Arguments {
   std::filesystem::path input;

@@ -6,11 +6,6 @@
 #include "verdict.hpp"
 
 namespace pardel::cli {
-namespace {
-
-constexpr std::size_t most_listed = 10;
-
-}  // namespace
 
 Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, const Sweep& sweep,
                    const SweepCheck& how) {

@@ -27,8 +27,6 @@ namespace pardel::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_listed = 10;
-
 constexpr const char* help = R"(pardel triangle [-switches] FILE
 
 Understands Triangle's switches and file names, so that what was written for Triangle runs unchanged. Switches run

@@ -8,6 +8,9 @@
 
 namespace pardel::cli {
 
+/// Triangles or violations that are listed on stderr; the counts are complete.
+inline constexpr std::size_t most_listed = 10;
+
 /// True for the violations of a goal alone: the mesh is right but for a bound that is not met.
 [[nodiscard]] bool is_missed_bound(ViolationKind kind);
 

@@ -16,8 +16,8 @@ template <class MaySee>
 [[nodiscard]] TriangleId locate(const Triangulation& t, Point p, TriangleId start, const MaySee& may_see) {
   EdgeRef entered;  // the side through which the walk came in
   TriangleId at = start;
-  std::uint32_t random =
-      1;  // a fixed order of the sides could walk in circles where segments block the Delaunay property
+  // A fixed order of the sides could walk in circles where segments block the Delaunay property.
+  std::uint32_t random = 1;
   for (;;) {
     const Slot& slot = t.slots[at];
     if (slot.is_ghost()) return at;
