@@ -214,15 +214,15 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   std::vector<std::vector<ConstrainedEdge>> edges(block_count(triangles.size()));
   parallel_blocks(threads, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
     for (std::size_t id = first; id < last; ++id) {
-      Triangle& triangle = triangles[id];
-      const auto slot = std::bit_cast<Slot>(triangle);
-      for (unsigned side = 0; side < 3; ++side) {
-        const EdgeRef across = slot.n[side];
-        if (across.constrained() && (across.none() || across.triangle() > id))
-          edges[block].push_back(constrained_edge(slot, side));
-        triangle.v[side] = number(slot.v[side]);
-        triangle.n[side] = triangle_of(across);
-      }
+      const auto slot = std::bit_cast<Slot>(triangles[id]);
+      if (slot.any_constrained())
+        for (unsigned side = 0; side < 3; ++side) {
+          const EdgeRef across = slot.n[side];
+          if (across.constrained() && (across.none() || across.triangle() > id))
+            edges[block].push_back(constrained_edge(slot, side));
+        }
+      triangles[id] = {{number(slot.v[0]), number(slot.v[1]), number(slot.v[2])},
+                       {triangle_of(slot.n[0]), triangle_of(slot.n[1]), triangle_of(slot.n[2])}};
     }
   });
   for (const auto& block : edges)

@@ -1,6 +1,7 @@
 #include "bowyer_watson.hpp"
 
 #include "../core/mutants.hpp"
+#include "in_disk.hpp"
 #include "locate.hpp"
 #include "predicates.hpp"
 
@@ -19,8 +20,10 @@ bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
 bool disk_contains(const Triangulation& t, TriangleId id, Point p) {
   const Slot& slot = t.slots[id];
   if (slot.is_ghost()) return ghost_disk_contains(t, slot, p);
-  return incircle(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]], p) > 0;
+  return in_disk(t, slot, p);
 }
+
+constexpr auto no_corners = [](VertexId) { return Corner{}; };
 
 }  // namespace
 
@@ -29,15 +32,12 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
   const TriangleId first = locate(t_, p, near_, [this](VertexId apex) { return in_box(apex); });
   if (first == no_index) return Inserted::leaves_box;
   if (!disk_contains(t_, first, p)) return Inserted::duplicate;
-  const Walk walk = cavity_.find(t_, first, [&](TriangleId id, unsigned side) {
-    if (!disk_contains(t_, id, p)) return Reach::outside;
-    return in_box(t_.slots[id].v[side]) ? Reach::inside : Reach::foreign;
-  });
+  const auto is_hit = [&](EdgeRef e) { return disk_contains(t_, e.triangle(), p); };
+  const auto is_own = [&](VertexId apex) { return in_box(apex); };
+  const Walk walk = cavity_.find(t_, first, EachByItself(t_, is_hit, no_corners, is_own));
   if (walk == Walk::foreign) return Inserted::leaves_box;
   if (walk == Walk::tangled) return Inserted::inconsistent;
-  retriangulate(
-      t_, cavity_, v, [&] { return fresh++; }, fan_);
-  for (const TriangleId id : fan_)
+  for (const TriangleId id : retriangulate(t_, cavity_, v, [&] { return fresh++; }))
     if (!t_.slots[id].is_ghost()) {
       near_ = id;
       break;

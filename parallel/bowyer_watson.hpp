@@ -1,8 +1,6 @@
 // Incremental Delaunay triangulation: one point after the other, within a box (Bowyer 1981, Watson 1981).
 #pragma once
 
-#include <vector>
-
 #include "cavity.hpp"
 #include "tiles.hpp"
 #include "triangulation.hpp"
@@ -46,7 +44,6 @@ class BowyerWatson {
   bool holds_infinity_ = true;
   TriangleId near_ = 0;
   Cavity cavity_;
-  std::vector<TriangleId> fan_;
 };
 
 }  // namespace pardel

@@ -2,6 +2,7 @@
 // of an octave of squared length. Push and pop take constant time; within a bucket, last in, first out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -33,7 +34,7 @@ class BucketQueue {
   /// Comes after every length.
   static constexpr unsigned last = 8191;
 
-  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] bool empty() const { return lowest_ == none; }
 
   void push(Queued triangle, unsigned key) {
     if (mutated("queue_rounds_keys")) key &= ~1U;
@@ -45,28 +46,23 @@ class BucketQueue {
       free_ = nodes_[node].next;
     }
     nodes_[node] = {triangle, head_[key]};
+    if (head_[key] == no_index) {
+      words_[key / 64] |= std::uint64_t{1} << (key % 64);
+      summary_[key / 4096] |= std::uint64_t{1} << (key / 64 % 64);
+    }
     head_[key] = node;
-    words_[key / 64] |= std::uint64_t{1} << (key % 64);
-    summary_[key / 4096] |= std::uint64_t{1} << (key / 64 % 64);
-    ++size_;
+    lowest_ = std::min(lowest_, key);
   }
 
   /// Precondition: not empty.
   Queued pop() {
-    unsigned s = 0;
-    while (summary_[s] == 0) ++s;
-    const unsigned word = s * 64 + static_cast<unsigned>(std::countr_zero(summary_[s]));
-    const unsigned key = word * 64 + static_cast<unsigned>(std::countr_zero(words_[word]));
-    const Index node = head_[key];
-    head_[key] = nodes_[node].next;
-    if (head_[key] == no_index) {
-      words_[word] &= words_[word] - 1;
-      if (words_[word] == 0) summary_[s] &= summary_[s] - 1;
-    }
+    const Index node = head_[lowest_];
+    const auto [triangle, next] = nodes_[node];
+    head_[lowest_] = next;
     nodes_[node].next = free_;
     free_ = node;
-    --size_;
-    return nodes_[node].triangle;
+    if (next == no_index) remove_lowest_bucket();
+    return triangle;
   }
 
  private:
@@ -74,13 +70,31 @@ class BucketQueue {
     Queued triangle;
     Index next;
   };
+  void remove_lowest_bucket() {
+    std::uint64_t &word = words_[lowest_ / 64], &words = summary_[lowest_ / 4096];
+    word &= word - 1;
+    if (word == 0) words &= words - 1;
+    lowest_ = none;
+    for (unsigned s = 0; s < summary_.size() && lowest_ == none; ++s)
+      if (summary_[s] != 0) {
+        const unsigned w = s * 64 + static_cast<unsigned>(std::countr_zero(summary_[s]));
+        lowest_ = w * 64 + static_cast<unsigned>(std::countr_zero(words_[w]));
+      }
+    // What is free by now is strewn over memory in the order of pops; what comes next had better lie in a row.
+    if (lowest_ == none) {
+      nodes_.clear();
+      free_ = no_index;
+    }
+  }
+
   static constexpr unsigned buckets = last + 1;
+  static constexpr unsigned none = buckets;
   std::array<Index, buckets> head_;
   std::array<std::uint64_t, buckets / 64> words_{};
   std::array<std::uint64_t, buckets / 4096> summary_{};
   std::vector<Node> nodes_;
   Index free_ = no_index;
-  std::size_t size_ = 0;
+  unsigned lowest_ = none;  ///< key of what comes next
 };
 
 }  // namespace pardel

@@ -8,39 +8,100 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <span>
 #include <vector>
 
 #include "../core/mutants.hpp"
+#include "pair.hpp"
 #include "triangulation.hpp"
 
 namespace pardel {
 
+/// A vertex as the point sees it.
+struct Corner {
+  Pair at{};          ///< relative to the point
+  double square = 0;  ///< of the distance
+};
+
 /// An edge of the cavity's boundary, from `from` to the next edge's `from`.
 struct BoundaryEdge {
+  Pair at;  ///< with `square`, the corner of `from`, as the test that found the cavity gave it
+  double square;
   VertexId from;
   EdgeRef inner;  ///< seen from inside the cavity
   EdgeRef outer;  ///< seen from outside, with the constrained bit; none() on the domain's boundary
+  bool crossed;   ///< while the walk goes on: the triangle outside belongs to the cavity too
+
+  [[nodiscard]] Corner corner() const { return {at, square}; }
+  // Field by field: a processor waits where it loads as a whole what it has just stored in pieces.
+  void set(const Corner& start, VertexId v, EdgeRef from_inside, EdgeRef from_outside, bool goes_on) {
+    at = start.at;
+    square = start.square;
+    from = v;
+    inner = from_inside;
+    outer = from_outside;
+    crossed = goes_on;
+  }
 };
 
-/// What a triangle next to the cavity is to the point.
-enum class Reach : std::uint8_t { outside, inside, foreign };
+/// What a test says of the triangles behind two edges: whether the point is in their disks; and their far corners.
+struct Tested {
+  std::array<bool, 2> in_disk;
+  std::array<Corner, 2> corner;
+};
 
-/// How the walk over a cavity ended. `tangled`: in a constrained triangulation whose constrained edges are
-/// not Delaunay, the walk can run around a free segment and meet itself.
-enum class Walk : std::uint8_t { complete, foreign, tangled };
+/// A test made of three questions: in_disk(EdgeRef), asked of each triangle by itself, but not of the first, which is
+/// taken for granted; corner_of(VertexId) -> Corner; and is_own(VertexId).
+template <class InDisk, class CornerOf, class IsOwn>
+class EachByItself {
+ public:
+  EachByItself(const Triangulation& t, const InDisk& in_disk, const CornerOf& corner_of, const IsOwn& is_own)
+      : t_(t), in_disk_(in_disk), corner_of_(corner_of), is_own_(is_own) {}
+
+  [[nodiscard]] bool is_own(VertexId v) const { return is_own_(v); }
+  [[nodiscard]] Corner corner(VertexId v) const { return corner_of_(v); }
+  [[nodiscard]] std::array<bool, 2> first_and_behind(const Slot& /*first*/, const std::array<Corner, 3>& /*corners*/,
+                                                     EdgeRef behind) const {
+    return {true, in_disk_(behind)};
+  }
+  [[nodiscard]] Tested both(Corner /*u*/, Corner /*w*/, Corner /*v*/, EdgeRef right, EdgeRef left) const {
+    const auto far = [&](EdgeRef e) { return corner_of_(t_.slot(e).apex(e.side())); };
+    return {{in_disk_(right), in_disk_(left)}, {far(right), far(left)}};
+  }
+
+ private:
+  const Triangulation& t_;
+  const InDisk& in_disk_;
+  const CornerOf& corner_of_;
+  const IsOwn& is_own_;
+};
+
+/// How the walk over a cavity ended.
+enum class Walk : std::uint8_t {
+  complete,
+  elsewhere,  ///< the point is not in the disk of the first triangle
+  foreign,    ///< a triangle of the cavity may not be changed
+  tangled,    ///< the walk met itself: where constrained edges are not Delaunay it can run around a free segment
+};
 
 class Cavity {
  public:
   Cavity() { enlarge(64); }
 
   [[nodiscard]] std::span<const TriangleId> triangles() const { return {triangles_.data(), triangle_count_}; }
+  /// As many as the boundary has edges: the cavity's own, then from `allocate`.
+  template <class Allocate>
+  [[nodiscard]] std::span<const TriangleId> triangles_with(const Allocate& allocate) {
+    for (std::size_t i = triangle_count_; i < boundary_count_; ++i) triangles_[i] = allocate();
+    return {triangles_.data(), boundary_count_};
+  }
   [[nodiscard]] std::span<const BoundaryEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
   /// The end of boundary edge i.
-  [[nodiscard]] VertexId to(std::size_t i) const {
-    return i + 1 < boundary_count_ ? boundary_[i + 1].from : open_ ? end_ : boundary_[0].from;
-  }
+  [[nodiscard]] VertexId to(std::size_t i) const { return boundary_[i + 1].from; }
+  /// The corner that edge i starts from; with i the number of edges, the end of the last one.
+  [[nodiscard]] Corner corner(std::size_t i) const { return boundary_[i].corner(); }
   /// Some boundary edge is constrained.
   [[nodiscard]] bool touches_constraint() const { return touches_constraint_; }
   /// True where a constrained edge is split. The boundary then starts at the edge's end; its start comes
@@ -50,30 +111,38 @@ class Cavity {
   /// The edge that is split has nothing on its right, so the boundary is a chain and not a cycle.
   [[nodiscard]] bool open() const { return open_; }
 
-  /// The cavity of a point whose disk test is reach(TriangleId, apex corner) -> Reach, from `first`, which
-  /// is in it. A foreign triangle ends the walk.
-  template <class ReachOf>
-  [[nodiscard]] Walk find(const Triangulation& t, TriangleId first, const ReachOf& reach) {
+  /// The cavity of a point, from the triangle `first`. A Disk answers for the point:
+  ///   corner(VertexId) -> Corner
+  ///   first_and_behind(slot of first, its corners, EdgeRef) -> is the point in the disk of first, and of the triangle
+  ///     behind the edge between its first two corners?
+  ///   both(u, w, v, right, left) -> Tested, of the triangles behind two edges, from u to w and from w to v
+  ///   is_own(VertexId) -> may a triangle with this far corner be changed?
+  /// Edges are given as seen from the triangle that is asked about.
+  template <class Disk>
+  [[nodiscard]] Walk find(const Triangulation& t, TriangleId first, const Disk& disk) {
     clear();
-    add(first);
-    stack_[0] = EdgeRef(first, 2);
-    stack_[1] = EdgeRef(first, 1);
-    stack_[2] = EdgeRef(first, 0);
-    return grow(t, 3, reach);
+    const Slot& slot = t.slots[first];
+    const std::array<Corner, 3> c{disk.corner(slot.v[0]), disk.corner(slot.v[1]), disk.corner(slot.v[2])};
+    const EdgeRef third(first, 2), behind = slot.n[2];
+    touches_constraint_ = behind.constrained();
+    const auto [in_first, in_behind] = disk.first_and_behind(slot, c, is_wall(behind) ? third : behind);
+    if (!in_first) return Walk::elsewhere;
+    stack_[0].set(c[1], slot.v[1], {}, {}, false);
+    stack_[1].set(c[0], slot.v[0], third, behind, in_behind && !is_wall(behind));
+    return grow(t, third, c[1], c[2], 2, disk);
   }
 
   /// The cavity of a point on the constrained edge e.
-  template <class ReachOf>
-  [[nodiscard]] Walk find_on_edge(const Triangulation& t, EdgeRef e, const ReachOf& reach) {
+  template <class Disk>
+  [[nodiscard]] Walk find_on_edge(const Triangulation& t, EdgeRef e, const Disk& disk) {
     clear();
     splits_edge_ = true;
-    end_ = t.slot(e).from(e.side());
     const EdgeRef other = t.slot(e).n[e.side()];
     open_ = other.none();
-    Walk walk = grow_from_side(t, e, reach);
+    Walk walk = grow_from_side(t, e, disk);
     left_count_ = boundary_count_;
     if (open_ || walk != Walk::complete) return walk;
-    walk = grow_from_side(t, other, reach);
+    walk = grow_from_side(t, other, disk);
     return walk == Walk::complete && !is_tree() ? Walk::tangled : walk;
   }
 
@@ -82,48 +151,91 @@ class Cavity {
     triangle_count_ = boundary_count_ = left_count_ = 0;
     splits_edge_ = open_ = touches_constraint_ = false;
   }
-  void add(TriangleId id) {
-    // The boundary and the stack never hold more than two entries above the number of triangles.
-    if (triangle_count_ + 4 > triangles_.size()) [[unlikely]]
-      enlarge(2 * triangles_.size());
-    triangles_[triangle_count_++] = id;
-  }
   [[gnu::noinline]] void enlarge(std::size_t n) {
     triangles_.resize(n);
     boundary_.resize(n);
     stack_.resize(n);
+    capacity_ = n;
+  }
+  [[nodiscard]] static bool is_wall(EdgeRef outer) {
+    return outer.constrained() && !(mutated("cavity_crosses_constraints") && !outer.none());
   }
 
-  template <class ReachOf>
-  Walk grow_from_side(const Triangulation& t, EdgeRef e, const ReachOf& reach) {
-    add(e.triangle());
-    stack_[0] = EdgeRef(e.triangle(), previous_corner[e.side()]);
-    stack_[1] = EdgeRef(e.triangle(), next_corner[e.side()]);
-    return grow(t, 2, reach);
+  /// Of the triangles behind the two sides of a triangle, which has come up between u and v with the far corner w.
+  template <class Disk>
+  [[nodiscard]] Tested test(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left, EdgeRef within,
+                            const Disk& disk) {
+    if (!right.constrained() && !left.constrained()) [[likely]]
+      return disk.both(u, w, v, right, left);
+    touches_constraint_ = true;
+    Tested tested = disk.both(u, w, v, is_wall(right) ? within : right, is_wall(left) ? within : left);
+    tested.in_disk[0] = tested.in_disk[0] && !is_wall(right);
+    tested.in_disk[1] = tested.in_disk[1] && !is_wall(left);
+    return tested;
   }
 
-  template <class ReachOf>
-  Walk grow(const Triangulation& t, std::size_t top, const ReachOf& reach) {
-    while (top > 0) {
-      const EdgeRef inner = stack_[--top];
-      const Slot& slot = t.slots[inner.triangle()];
-      const EdgeRef outer = slot.n[inner.side()];
-      touches_constraint_ = touches_constraint_ || outer.constrained();
-      const Reach r = outer.constrained() && !(mutated("cavity_crosses_constraints") && !outer.none())
-                          ? Reach::outside
-                          : reach(outer.triangle(), outer.side());
-      if (r == Reach::outside || (mutated("cavity_cut_short") && triangle_count_ == 4)) {
-        boundary_[boundary_count_++] = {slot.from(inner.side()), inner, outer};
-      } else if (r == Reach::inside) {
-        add(outer.triangle());
-        stack_[top++] = EdgeRef(outer.triangle(), previous_corner[outer.side()]);
-        stack_[top++] = EdgeRef(outer.triangle(), next_corner[outer.side()]);
-        if (triangle_count_ >= 64 && std::has_single_bit(triangle_count_) && !is_tree()) return Walk::tangled;
-      } else {
-        return Walk::foreign;
+  template <class Disk>
+  Walk grow_from_side(const Triangulation& t, EdgeRef e, const Disk& disk) {
+    const Slot& slot = t.slot(e);
+    stack_[0].set(disk.corner(slot.from(e.side())), slot.from(e.side()), {}, {}, false);
+    return grow(t, e, disk.corner(slot.to(e.side())), disk.corner(slot.apex(e.side())), 1, disk);
+  }
+
+  /// Counter-clockwise from the triangle behind `entry`, an edge that runs, as seen from inside, from `start` to the
+  /// corner on top of the stack; `far` is the triangle's far corner. At the bottom of the stack is where the boundary
+  /// ends.
+  template <class Disk>
+  Walk grow(const Triangulation& t, EdgeRef entry, const Corner& start, const Corner& far, std::size_t top,
+            const Disk& disk) {
+    std::size_t count = triangle_count_, edges = boundary_count_;
+    Corner u = start, w = far;
+    for (;;) {
+      const TriangleId id = entry.triangle();
+      const Slot& slot = t.slots[id];
+      if (!disk.is_own(slot.apex(entry.side()))) return ended(Walk::foreign, count, edges);
+      // The boundary and the stack never hold more than two entries above the number of triangles.
+      if (count + 4 > capacity_) [[unlikely]]
+        enlarge(2 * capacity_);
+      triangles_[count++] = id;
+      if (count >= 64 && std::has_single_bit(count)) [[unlikely]] {
+        triangle_count_ = count;
+        if (!is_tree()) return ended(Walk::tangled, count, edges);
       }
+      const unsigned right = next_corner[entry.side()], left = previous_corner[entry.side()];
+      const EdgeRef on_right(id, right), across_right = slot.n[right], on_left(id, left), across_left = slot.n[left];
+      const Tested tested = test(u, w, stack_[top - 1].corner(), across_right, across_left, entry, disk);
+      const bool cut_short = mutated("cavity_cut_short") && count == 4;
+      if (tested.in_disk[0] && !cut_short) {
+        stack_[top++].set(w, slot.apex(entry.side()), on_left, across_left, tested.in_disk[1]);
+        entry = across_right;
+        w = tested.corner[0];
+        continue;
+      }
+      boundary_[edges++].set(u, slot.to(entry.side()), on_right, across_right, false);
+      if (tested.in_disk[1] && !cut_short) {
+        u = w;
+        entry = across_left;
+        w = tested.corner[1];
+        continue;
+      }
+      boundary_[edges++].set(w, slot.apex(entry.side()), on_left, across_left, false);
+      for (--top; top > 0 && !stack_[top].crossed; --top) {
+        const BoundaryEdge& e = stack_[top];
+        boundary_[edges++].set(e.corner(), e.from, e.inner, e.outer, false);
+      }
+      if (top == 0) return ended(Walk::complete, count, edges);
+      u = stack_[top].corner();
+      entry = stack_[top].outer;
+      w = disk.corner(t.slot(entry).apex(entry.side()));
     }
-    return Walk::complete;
+  }
+
+  Walk ended(Walk how, std::size_t triangles, std::size_t edges) {
+    triangle_count_ = triangles;
+    boundary_count_ = edges;
+    const BoundaryEdge& end = stack_[0];
+    boundary_[edges].set(end.corner(), end.from, {}, {}, false);
+    return how;
   }
 
   /// A walk that meets itself would go on for ever; it is caught here, at sizes that are powers of two.
@@ -135,28 +247,24 @@ class Cavity {
 
   // Scratch of one common length; the counts say how much of it is in use.
   std::vector<TriangleId> triangles_;
-  std::vector<BoundaryEdge> boundary_;
-  std::vector<EdgeRef> stack_;
-  std::size_t triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
+  std::vector<BoundaryEdge> boundary_, stack_;
+  std::size_t capacity_ = 0, triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
   bool splits_edge_ = false, open_ = false, touches_constraint_ = false;
-  VertexId end_ = no_index;
 };
 
 /// Replaces the cavity by the fan of triangles around vertex p: one per boundary edge, in their order, with
-/// corners p, from, to. `fan` receives their ids: the cavity's own, reused, then fresh ones from `allocate`.
+/// corners p, from, to. Returns their ids: the cavity's own, reused, then fresh ones from `allocate`.
 template <class Allocate>
-void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const Allocate& allocate,
-                   std::vector<TriangleId>& fan) {
+std::span<const TriangleId> retriangulate(Triangulation& t, Cavity& cavity, VertexId p, const Allocate& allocate) {
   const auto boundary = cavity.boundary();
-  const std::size_t n = boundary.size(), old = cavity.triangles().size();
-  fan.resize(n);
-  std::copy_n(cavity.triangles().begin(), std::min(n, old), fan.begin());  // never fewer new ones than old ones
-  for (std::size_t i = old; i < n; ++i) fan[i] = allocate();
+  const std::size_t n = boundary.size();
+  const std::span<const TriangleId> fan = cavity.triangles_with(allocate);
 
   TriangleId after = fan[0];
   VertexId to = cavity.to(n - 1);
   for (std::size_t i = n; i-- > 0;) {
-    const auto [from, inner, outer] = boundary[i];
+    const VertexId from = boundary[i].from;
+    const EdgeRef outer = boundary[i].outer;
     const TriangleId here = fan[i], before = fan[i > 0 ? i - 1 : n - 1];
     t.slots[here] = {{p, from, to}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
     if (!mutated("neighbour_link_dropped") && !outer.none())
@@ -178,6 +286,7 @@ void retriangulate(Triangulation& t, const Cavity& cavity, VertexId p, const All
           !cavity.splits_edge() || i < cavity.left_count() || mutated("both_sides_of_a_split_in_one_region") ? left
                                                                                                              : right;
   }
+  return fan;
 }
 
 }  // namespace pardel

@@ -10,22 +10,24 @@
 #include "../core/goal.hpp"
 #include "../core/mutants.hpp"
 #include "mesher.hpp"
+#include "pair.hpp"
 #include "triangulation.hpp"
 
 namespace pardel {
 
-/// What a triangle's quality is read from.
-struct Measure {
-  std::array<double, 3> squared{};  ///< squared length of the side opposite each corner
-  double twice_area = 0;
+/// What a triangle's quality is read from. T: double; or Pair, for two triangles at once.
+template <class T>
+struct MeasureOf {
+  std::array<T, 3> squared{};  ///< squared length of the side opposite each corner
+  T twice_area{};
 
-  [[nodiscard]] double shortest_squared() const { return std::min(std::min(squared[0], squared[1]), squared[2]); }
-  [[nodiscard]] double longest_squared() const { return std::max(std::max(squared[0], squared[1]), squared[2]); }
-  [[nodiscard]] double middle_squared() const {
-    const double low = std::min(squared[0], squared[1]), high = std::max(squared[0], squared[1]);
-    return std::max(low, std::min(high, squared[2]));
+  [[nodiscard]] T shortest_squared() const { return least(least(squared[0], squared[1]), squared[2]); }
+  [[nodiscard]] T longest_squared() const { return greatest(greatest(squared[0], squared[1]), squared[2]); }
+  [[nodiscard]] T middle_squared() const {
+    const T low = least(squared[0], squared[1]), high = greatest(squared[0], squared[1]);
+    return greatest(low, least(high, squared[2]));
   }
-  [[nodiscard]] double squared_circumradius() const {
+  [[nodiscard]] T squared_circumradius() const {
     return squared[0] * (squared[1] / twice_area) * (squared[2] / twice_area) / 4;
   }
   /// The shortest side; the smallest angle lies at the corner of the same number.
@@ -34,10 +36,11 @@ struct Measure {
     return squared[2] < squared[side] ? 2 : side;
   }
   /// (b - a) . (c - a) for the corner a.
-  [[nodiscard]] double dot_at(unsigned corner) const {
+  [[nodiscard]] T dot_at(unsigned corner) const {
     return 0.5 * (squared[next_corner[corner]] + squared[previous_corner[corner]] - squared[corner]);
   }
 };
+using Measure = MeasureOf<double>;
 
 /// The corners of a triangle with its measure.
 struct Shape : Measure {
@@ -45,10 +48,11 @@ struct Shape : Measure {
 
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
+  /// All lengths from differences to the first corner, as an insertion has them at hand: the same bits both ways.
   Shape(Point a, Point b, Point c) : p{a, b, c} {
     const double abx = b.x - a.x, aby = b.y - a.y;
     const double acx = c.x - a.x, acy = c.y - a.y;
-    const double bcx = c.x - b.x, bcy = c.y - b.y;
+    const double bcx = acx - abx, bcy = acy - aby;
     squared = {bcx * bcx + bcy * bcy, acx * acx + acy * acy, abx * abx + aby * aby};
     twice_area = abx * acy - aby * acx;
   }
@@ -64,13 +68,17 @@ class Criteria {
   Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
            std::function<double(Point)> area_cap = {});
 
-  [[nodiscard]] bool bad_shape(const Measure& s) const {
+  template <class T>
+  [[nodiscard]] auto bad_shape(const MeasureOf<T>& s) const {
     if (mutated("angle_read_at_the_wrong_corner"))
       return s.twice_area * s.twice_area < squared_sine_ * (s.shortest_squared() * s.longest_squared());
     // The smallest angle lies between the two longer sides: its sine is twice the area over their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
-  [[nodiscard]] bool too_large(const Measure& m) const { return m.twice_area > twice_max_area_; }
+  template <class T>
+  [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {
+    return m.twice_area > twice_max_area_;
+  }
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
   /// There are sizes that depend on the place: too_large alone does not tell.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }

@@ -1,7 +1,7 @@
 #include "flips.hpp"
 
 #include "../core/mutants.hpp"
-#include "predicates.hpp"
+#include "in_disk.hpp"
 
 namespace pardel {
 
@@ -31,7 +31,7 @@ bool delaunay_across(const Triangulation& t, EdgeRef e) {
   const Slot& slot = t.slot(e);
   const EdgeRef across = slot.n[e.side()];
   const VertexId q = t.slot(across).apex(across.side());
-  return incircle(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]], t.points[q]) <= 0;
+  return !in_disk(t, slot, t.points[q]);
 }
 
 void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed) {

@@ -3,42 +3,67 @@
 #include <algorithm>
 
 #include "../core/mutants.hpp"
+#include "disk_test.hpp"
 #include "flips.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
 namespace {
 
-constexpr auto nothing_else = [](TriangleId, unsigned) { return Reach::outside; };
+constexpr auto nothing_else = [](EdgeRef) { return false; };
+constexpr auto any = [](VertexId) { return true; };
 
 }  // namespace
 
 bool Insertion::measure_fan(Point p) {
-  const auto boundary = cavity_.boundary();
+  const std::span<const BoundaryEdge> boundary = cavity_.boundary();
   const std::size_t n = boundary.size();
-  measures_.resize(n);
-  Point a = t_.points[boundary[0].from];
-  double squared_a = (a.x - p.x) * (a.x - p.x) + (a.y - p.y) * (a.y - p.y);
-  squared_closest_ = squared_a;
-  bool visible = true;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point b = t_.points[cavity_.to(i)];
-    const double squared_b = (b.x - p.x) * (b.x - p.x) + (b.y - p.y) * (b.y - p.y);
-    const double area = orient2d(a, b, p);
-    visible = visible && (mutated("orientation_of_the_fan_not_checked") || area > 0);
-    squared_closest_ = std::min(squared_closest_, squared_b);
-    measures_[i] = {{(b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), squared_b, squared_a}, area};
-    a = b;
-    squared_a = squared_b;
+  if (measures_.size() < n) {
+    measures_.resize(2 * n);
+    breaking_.resize(2 * n);
   }
+  Pair closest{INFINITY, INFINITY};
+  bool visible = true;
+  std::size_t breaking = 0;
+  // Two edges at a time, from a to b and from c to d; where their number is odd, the last one twice.
+  for (std::size_t i = 0; i < n; i += 2) {
+    const std::size_t j = std::min(i + 1, n - 1);
+    const Corner a = cavity_.corner(i), b = cavity_.corner(i + 1), c = cavity_.corner(j), d = cavity_.corner(j + 1);
+    const Pair start_x = firsts(a.at, c.at), start_y = seconds(a.at, c.at);
+    const Pair end_x = firsts(b.at, d.at), end_y = seconds(b.at, d.at);
+    const Pair edge_x = end_x - start_x, edge_y = end_y - start_y;
+    const Pair start{a.square, c.square}, end{b.square, d.square}, edge = edge_x * edge_x + edge_y * edge_y;
+    const Orientation<Pair> turn(start_x, start_y, end_x, end_y);
+    Pair area = turn.determinant;
+    if (!all(turn.determinant > turn.error)) [[unlikely]] {
+      area = Pair{orientation_of(i, p), orientation_of(j, p)};
+      visible = visible && (mutated("orientation_of_the_fan_not_checked") || all(area > 0));
+    }
+    closest = least(closest, least(start, end));
+    const MeasureOf<Pair> both{{edge, end, start}, area};
+    const unsigned breaks = bits(criteria_.bad_shape(both)) | bits(criteria_.too_large(both));
+    measures_[i] = {{edge[0], end[0], start[0]}, area[0]};
+    measures_[j] = {{edge[1], end[1], start[1]}, area[1]};
+    // Without a branch: which triangles are bad is hard to foretell.
+    breaking_[breaking] = i;
+    breaking += breaks & 1;
+    breaking_[breaking] = j;
+    breaking += breaks >> 1 & static_cast<unsigned>(i < j);
+  }
+  breaking_count_ = breaking;
+  squared_closest_ = std::min(closest[0], closest[1]);
   return visible;
+}
+
+double Insertion::orientation_of(std::size_t edge, Point p) const {
+  return orient2d(t_.points[cavity_.boundary()[edge].from], t_.points[cavity_.to(edge)], p);
 }
 
 EdgeRef Insertion::longest_encroached() const {
   if (mutated("encroachment_skipped")) return {};
   double longest = 0, longest_wide = 0;
   EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
-  for (std::size_t i = 0; i < measures_.size(); ++i) {
+  for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {
     const BoundaryEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
     const Measure& m = measures_[i];
@@ -58,8 +83,8 @@ EdgeRef Insertion::longest_encroached() const {
 
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   if (!box.contains(p)) return Outcome::leaves_box;
-  if (!disk_contains(t_.slots[first], p)) return Outcome::refused;
-  const Walk walk = cavity_.find(t_, first, reach_within(p, box));
+  const Walk walk = cavity_.find(t_, first, DiskTest{t_, Pair{p.x, p.y}, box});
+  if (walk == Walk::elsewhere) return Outcome::refused;
   if (walk == Walk::foreign) return Outcome::leaves_box;
   is_star_ = measure_fan(p) && walk == Walk::complete;
 
@@ -81,7 +106,7 @@ bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradiu
   const auto is_it = [&](EdgeRef across) {
     if (across.constrained()) return false;
     const Slot& slot = t_.slot(across);
-    return !box.contains(t_.points[slot.v[across.side()]]) && disk_contains(slot, p) &&
+    return !box.contains(t_.points[slot.v[across.side()]]) && in_disk(t_, slot, p) &&
            Shape(t_, slot).squared_circumradius() <= squared_circumradius;
   };
   return std::any_of(cavity_.triangles().begin(), cavity_.triangles().end(), [&](TriangleId id) {
@@ -97,14 +122,14 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
     if (!side.none())
       for (const VertexId v : t_.slot(side).v)
         if (!box.contains(t_.points[v])) return Outcome::leaves_box;
-  const Walk walk = cavity_.find_on_edge(t_, e, reach_within(p, box));
+  const Walk walk = cavity_.find_on_edge(t_, e, DiskTest{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::foreign) return Outcome::leaves_box;
   // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, the fan need
   // not be Delaunay, and the walk may come upon that triangle again from behind, around a vertex that is closer to the
   // edge than p is. Inside all disks of the cavity, and with p seeing all of its boundary, the fan is Delaunay wherever
   // rounding put p: lifted to the paraboloid, p lies below every triangle of the cavity.
   const bool is_cavity =
-      walk == Walk::complete && disk_contains(t_.slot(e), p) && (other.none() || disk_contains(t_.slot(other), p));
+      walk == Walk::complete && in_disk(t_, t_.slot(e), p) && (other.none() || in_disk(t_, t_.slot(other), p));
   is_star_ = measure_fan(p) && is_cavity;
   return too_close() ? Outcome::too_close : Outcome::inserted;
 }
@@ -121,12 +146,13 @@ void Insertion::commit(Point p, Index origin) {
   const VertexId v = supply_->vertices.take();
   t_.points[v] = p;
   t_.origin[v] = origin;
-  retriangulate(
-      t_, cavity_, v, [this] { return supply_->triangles.take(); }, fan_);
+  changed_ = retriangulate(t_, cavity_, v, [this] { return supply_->triangles.take(); });
+  is_measured_ = true;
 }
 
 /// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.
 Outcome Insertion::face_by_flips(Point p) {
+  const auto corner_of = [&](VertexId v) { return corner_around(Pair{p.x, p.y}, t_.points[v]); };
   const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
   for (const TriangleId id : candidates) {
     const Slot& slot = t_.slots[id];
@@ -138,10 +164,9 @@ Outcome Insertion::face_by_flips(Point p) {
       if (o == 0) on = slot.n[side];
     }
     if (!inside) continue;
-    const auto across_only = [&](TriangleId other, unsigned) {
-      return !on.none() && other == on.triangle() ? Reach::inside : Reach::outside;
-    };
-    if (cavity_.find(t_, id, across_only) != Walk::complete || !measure_fan(p)) return Outcome::refused;
+    const auto across_only = [&](EdgeRef across) { return !on.none() && across.triangle() == on.triangle(); };
+    if (cavity_.find(t_, id, EachByItself(t_, across_only, corner_of, any)) != Walk::complete || !measure_fan(p))
+      return Outcome::refused;
     commit(p, interior_vertex);
     finish_by_flips();
     return Outcome::inserted;
@@ -150,7 +175,9 @@ Outcome Insertion::face_by_flips(Point p) {
 }
 
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
-  if (cavity_.find_on_edge(t_, e, nothing_else) != Walk::complete || !measure_fan(p)) return Outcome::refused;
+  const auto corner_of = [&](VertexId v) { return corner_around(Pair{p.x, p.y}, t_.points[v]); };
+  if (cavity_.find_on_edge(t_, e, EachByItself(t_, nothing_else, corner_of, any)) != Walk::complete || !measure_fan(p))
+    return Outcome::refused;
   commit(p, line);
   finish_by_flips();
   return Outcome::inserted;
@@ -158,10 +185,12 @@ Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
 
 void Insertion::finish_by_flips() {
   has_flipped_ = true;
-  measures_.clear();
+  is_measured_ = false;
+  flipped_.assign(changed_.begin(), changed_.end());
   std::vector<EdgeRef> suspects;
-  for (const TriangleId id : fan_) suspects.insert(suspects.end(), {EdgeRef(id, 0), EdgeRef(id, 1)});
-  restore_delaunay(t_, std::move(suspects), fan_);
+  for (const TriangleId id : changed_) suspects.insert(suspects.end(), {EdgeRef(id, 0), EdgeRef(id, 1)});
+  restore_delaunay(t_, std::move(suspects), flipped_);
+  changed_ = flipped_;
 }
 
 }  // namespace pardel

@@ -7,7 +7,6 @@
 #include "cavity.hpp"
 #include "criteria.hpp"
 #include "numbers.hpp"
-#include "predicates.hpp"
 #include "tiles.hpp"
 #include "triangulation.hpp"
 
@@ -57,9 +56,15 @@ class Insertion {
   Outcome try_on_edge(Point p, EdgeRef e, const Box& box);
 
   /// After `inserted`: the triangles that are new or changed.
-  [[nodiscard]] std::span<const TriangleId> changed() const { return fan_; }
+  [[nodiscard]] std::span<const TriangleId> changed() const { return changed_; }
   /// After `inserted`: their measures, in the same order; empty where flips were needed.
-  [[nodiscard]] std::span<const Measure> measures() const { return measures_; }
+  [[nodiscard]] std::span<const Measure> measures() const {
+    return {measures_.data(), is_measured_ ? changed_.size() : 0};
+  }
+  /// After `inserted`, with measures: which of changed() break a bound that is the same everywhere.
+  [[nodiscard]] std::span<const std::size_t> breaking() const { return {breaking_.data(), breaking_count_}; }
+  /// After `inserted`: some side of changed() may be constrained.
+  [[nodiscard]] bool is_beside_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
   /// Some insertion since the start needed flips, which can leave a triangle's slot and first corner as they were and
   /// change the others.
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
@@ -70,18 +75,10 @@ class Insertion {
   [[nodiscard]] bool left_box_for(Point p, const Box& box, double squared_circumradius) const;
 
  private:
-  [[nodiscard]] bool disk_contains(const Slot& slot, Point p) const {
-    return incircle(t_.points[slot.v[0]], t_.points[slot.v[1]], t_.points[slot.v[2]], p) > 0;
-  }
-  [[nodiscard]] auto reach_within(Point p, const Box& box) const {
-    return [this, p, &box](TriangleId id, unsigned side) {
-      const Slot& slot = t_.slots[id];
-      if (!disk_contains(slot, p)) return Reach::outside;
-      return mutated("box_not_checked") || box.contains(t_.points[slot.v[side]]) ? Reach::inside : Reach::foreign;
-    };
-  }
   /// Measures the fan that would be made; false where p does not see every edge of the boundary from its left.
   bool measure_fan(Point p);
+  /// Of a boundary edge and p, exactly.
+  [[nodiscard]] double orientation_of(std::size_t edge, Point p) const;
   /// Of the constrained edges of the boundary that the point encroaches on or lies beyond; none() if there is none.
   [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return !mutated("floor_ignored") && squared_closest_ < squared_floor_; }
@@ -98,8 +95,13 @@ class Insertion {
   bool is_star_ = false;        ///< after try_in_face and try_on_edge
   double squared_closest_ = 0;  ///< after measure_fan: from the point to the nearest corner of the boundary
   bool has_flipped_ = false;
-  std::vector<TriangleId> fan_;
+  std::span<const TriangleId> changed_;  ///< the cavity's, or flipped_
+  std::vector<TriangleId> flipped_;
+  bool is_measured_ = false;
+  // Scratch, of which as much is in use as the boundary has edges, and as breaking_count_ says.
   std::vector<Measure> measures_;
+  std::vector<std::size_t> breaking_;
+  std::size_t breaking_count_ = 0;
   EdgeRef blocker_;
 };
 

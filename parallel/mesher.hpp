@@ -54,9 +54,9 @@ struct Options {
   Placement placement = Placement::off_centre;
   int threads = 1;  ///< does not change the result
   Decomposition decomposition = Decomposition::automatic;
-  /// What automatic decomposition aims at, positive: by default what a core's second-level cache holds with its
-  /// vertices. Another number gives another mesh.
-  std::uint32_t triangles_per_tile = 16'000;
+  /// What automatic decomposition aims at, positive. A task works on a box as large as four tiles: by default what a
+  /// second-level cache of 1 MiB holds with its vertices. Another number gives another mesh.
+  std::uint32_t triangles_per_tile = 8'000;
   /// Columns and rows of the finest lattice; 0: chosen by work. With Decomposition::paper there may be fewer, since r̄
   /// bounds how many there can be.
   std::array<Index, 2> cells{0, 0};

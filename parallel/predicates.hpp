@@ -7,10 +7,12 @@
 // keeps it for computed points. The code must be compiled without -ffast-math and with -ffp-contract=off.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "../core/mutants.hpp"
 #include "../core/pslg.hpp"
+#include "pair.hpp"
 
 namespace pardel {
 
@@ -28,39 +30,65 @@ namespace exact {
 [[nodiscard]] double incircle(Point a, Point b, Point c, Point d);
 }  // namespace exact
 
+/// What floating point says of the orientation of a, b and the point that they are relative to, and how far off that
+/// may be. T: double or Pair.
+template <class T>
+struct Orientation {
+  T determinant, error;
+
+  Orientation(T ax, T ay, T bx, T by) {
+    const T left = ax * by, right = ay * bx;
+    determinant = left - right;
+    // 3 + 16 eps of Shewchuk's ccwerrboundA, on |left| + |right| whatever their signs.
+    constexpr double bound = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
+    error = bound * (magnitude(left) + magnitude(right));
+  }
+  /// The sign of the determinant is right; of both.
+  [[nodiscard]] bool is_certain() const {
+    return mutated("orient2d_trusts_its_filter") || all(magnitude(determinant) > error);
+  }
+};
+
 /// Positive when a, b, c make a left turn (counter-clockwise), negative for a right turn, zero if and only
 /// if exactly collinear. Swapping two arguments flips the sign. The magnitude approximates twice the area.
 [[nodiscard]] inline double orient2d(Point a, Point b, Point c) {
-  const double left = (a.x - c.x) * (b.y - c.y);
-  const double right = (a.y - c.y) * (b.x - c.x);
-  const double det = left - right;
-  // 3 + 16 eps of Shewchuk's ccwerrboundA, on |left| + |right| whatever their signs.
-  constexpr double bound = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
-  if (std::abs(det) > bound * (std::abs(left) + std::abs(right))) return det;
-  if (mutated("orient2d_trusts_its_filter")) return det;
+  const Orientation<double> turn(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y);
+  if (turn.is_certain()) return turn.determinant;
   return exact::orient2d(a, b, c);
 }
+
+/// What floating point says of the in-circle determinant of v, u, w, all relative to the fourth point, and how far off
+/// that may be. T: double or Pair. u2 and v2, the squares of the lengths of u and v, are the caller's, who has them
+/// from the triangle before.
+///
+/// With e = 2^-53 the coordinates are right to within e, squares to 4e, u2 vy - v2 uy to 7e of u2 |vy| + v2 |uy|, and
+/// the determinant to 11e of w2 (|vx uy| + |vy ux|) and the two terms like it. By Cauchy and Schwarz |vx uy| + |vy ux|
+/// is at most (u2 + v2) / 2; so the three terms are at most u2 v2 + w2 u2 + w2 v2, whose own rounding the twelfth e
+/// covers.
+template <class T>
+struct InCircle {
+  T determinant, error;
+  T square;  ///< of the length of w
+
+  InCircle(T ux, T uy, T vx, T vy, T wx, T wy, T u2, T v2) : square(wx * wx + wy * wy) {
+    determinant = square * (vx * uy - vy * ux) + (wx * (u2 * vy - v2 * uy) - wy * (u2 * vx - v2 * ux));
+    if (mutated("incircle_sign_flipped")) determinant = -determinant;
+    constexpr double bound = 12 * 0x1p-53;
+    error = bound * (u2 * v2 + square * (u2 + v2));
+  }
+  /// The sign of the determinant is right; of both.
+  [[nodiscard]] bool is_certain() const {
+    return mutated("incircle_trusts_its_filter") || all(magnitude(determinant) > error);
+  }
+};
 
 /// For counter-clockwise a, b, c: positive when d lies strictly inside their circumcircle, negative
 /// outside, zero if and only if exactly cocircular. Swapping two of a, b, c flips the sign.
 [[nodiscard]] inline double incircle(Point a, Point b, Point c, Point d) {
-  const double adx = a.x - d.x, ady = a.y - d.y;
-  const double bdx = b.x - d.x, bdy = b.y - d.y;
-  const double cdx = c.x - d.x, cdy = c.y - d.y;
-  const double bc1 = bdx * cdy, bc2 = bdy * cdx;
-  const double ca1 = cdx * ady, ca2 = cdy * adx;
-  const double ab1 = adx * bdy, ab2 = ady * bdx;
-  const double alift = adx * adx + ady * ady;
-  const double blift = bdx * bdx + bdy * bdy;
-  const double clift = cdx * cdx + cdy * cdy;
-  const double det = alift * (bc1 - bc2) + blift * (ca1 - ca2) + clift * (ab1 - ab2);
-  // Shewchuk's iccerrboundA is (10 + 96 eps) times the permanent, the sum of alift (|bc1| + |bc2|) and its like.
-  // By Cauchy and Schwarz |bc1| + |bc2| <= (blift + clift) / 2, so this sum is no smaller, and cheaper.
-  const double permanent = alift * blift + blift * clift + clift * alift;
-  constexpr double bound = 11.0 * 0x1p-53;
-  if (mutated("incircle_sign_flipped")) return -det;
-  if (std::abs(det) > bound * permanent) return det;
-  if (mutated("incircle_trusts_its_filter")) return det;
+  const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y;
+  const InCircle<double> in(bx, by, ax, ay, c.x - d.x, c.y - d.y, bx * bx + by * by, ax * ax + ay * ay);
+  if (in.is_certain()) [[likely]]
+    return in.determinant;
   return exact::incircle(a, b, c, d);
 }
 

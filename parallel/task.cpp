@@ -119,8 +119,12 @@ void Task::consider_changed() {
     for (const TriangleId id : changed) consider(id);
     return;
   }
-  for (std::size_t i = 0; i < changed.size(); ++i)
-    queue_if_bad(changed[i], judge_.assess(changed[i], measures[i]), measures[i]);
+  if (insertion_.is_beside_constraint() || judge_.has_local_size())
+    for (std::size_t i = 0; i < changed.size(); ++i)
+      queue_if_bad(changed[i], judge_.assess(changed[i], measures[i]), measures[i]);
+  else
+    for (const std::size_t i : insertion_.breaking())
+      queue_if_bad(changed[i], judge_.assess_inside(changed[i], measures[i]), measures[i]);
 }
 
 void Task::process(Queued triangle) {

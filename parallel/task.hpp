@@ -53,6 +53,7 @@ class Judge {
       return {.left_alone = true};
     return {Assessment::Need::split_triangle, 0, BucketQueue::key(shortest), m.longest_squared(), false};
   }
+  [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
   /// Breaks the criteria, justified or not.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
   /// A constrained side that a conforming goal wants Delaunay and that is not, or 3.
@@ -135,7 +136,7 @@ class Task {
     queue_if_bad(id, judge_.assess(id, shape), shape);
   }
   void consider_changed();
-  void queue_if_bad(TriangleId id, const Assessment& a, const Measure& m) {
+  [[gnu::always_inline]] void queue_if_bad(TriangleId id, const Assessment& a, const Measure& m) {
     if (a.need == Assessment::Need::nothing)
       result_.left_alone = result_.left_alone || a.left_alone;
     else if (later_.applies_to(a, m))

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "../../parallel/delaunay.hpp"
+#include "../../parallel/disk_test.hpp"
 #include "../../properties/exact.hpp"
 #include "samples.hpp"
 
@@ -15,14 +17,27 @@ namespace {
 
 using samples::Random;
 
-bool in_disk(const Triangulation& t, TriangleId id, Point p) {
+bool is_hit(const Triangulation& t, TriangleId id, Point p) {
   const auto& v = t.slots[id].v;
   return exactly::in_circle(t.points[v[0]], t.points[v[1]], t.points[v[2]], p) > 0;
 }
 
-auto reach_of(const Triangulation& t, Point p) {
-  return [&t, p](TriangleId id, unsigned) { return in_disk(t, id, p) ? Reach::inside : Reach::outside; };
-}
+/// A test by exact arithmetic, one triangle at a time.
+struct ExactTest {
+  const Triangulation& t;
+  Point p;
+  bool owns_all = true;
+
+  [[nodiscard]] bool is_own(VertexId) const { return owns_all; }
+  [[nodiscard]] Corner corner(VertexId) const { return {}; }
+  [[nodiscard]] bool behind(EdgeRef e) const { return is_hit(t, e.triangle(), p); }
+  [[nodiscard]] std::array<bool, 2> first_and_behind(const Slot& first, const std::array<Corner, 3>&, EdgeRef e) const {
+    return {exactly::in_circle(t.points[first.v[0]], t.points[first.v[1]], t.points[first.v[2]], p) > 0, behind(e)};
+  }
+  [[nodiscard]] Tested both(Corner, Corner, Corner, EdgeRef right, EdgeRef left) const {
+    return {{behind(right), behind(left)}, {}};
+  }
+};
 
 std::vector<TriangleId> sorted(std::span<const TriangleId> ids) {
   std::vector<TriangleId> result(ids.begin(), ids.end());
@@ -33,7 +48,7 @@ std::vector<TriangleId> sorted(std::span<const TriangleId> ids) {
 std::vector<TriangleId> all_in_conflict(const Triangulation& t, Point p) {
   std::vector<TriangleId> ids;
   for (TriangleId id = 0; id < t.slots.size(); ++id)
-    if (in_disk(t, id, p)) ids.push_back(id);
+    if (is_hit(t, id, p)) ids.push_back(id);
   return ids;
 }
 
@@ -74,7 +89,7 @@ TEST(Cavity, is_the_set_of_triangles_whose_disk_contains_the_point) {
       const std::vector<TriangleId> expected = all_in_conflict(t, p);
       if (expected.empty()) continue;
       const TriangleId first = expected[random.below(expected.size())];
-      ASSERT_EQ(cavity.find(t, first, reach_of(t, p)), Walk::complete);
+      ASSERT_EQ(cavity.find(t, first, ExactTest{t, p}), Walk::complete);
       EXPECT_EQ(sorted(cavity.triangles()), expected);
       EXPECT_EQ(cavity.boundary().size(), expected.size() + 2) << "the dual graph of the cavity is a tree";
       expect_boundary(t, cavity, p);
@@ -86,15 +101,14 @@ TEST(Cavity, retriangulated_again_and_again_leaves_a_delaunay_triangulation) {
   Random random(3);
   Triangulation t = samples::triangulated(samples::lattice_points(5)).triangulation;
   Cavity cavity;
-  std::vector<TriangleId> fan;
   for (int round = 0; round < 300; ++round) {
     const Point p = inner_point(t, random);
     const std::vector<TriangleId> conflict = all_in_conflict(t, p);
-    ASSERT_EQ(cavity.find(t, conflict.front(), reach_of(t, p)), Walk::complete);
+    ASSERT_EQ(cavity.find(t, conflict.front(), ExactTest{t, p}), Walk::complete);
     const std::size_t before = t.slots.size();
     t.points.push_back(p);
-    retriangulate(
-        t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
+    const auto fan =
+        retriangulate(t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); });
     EXPECT_EQ(t.slots.size(), before + 2) << "no slot is lost";
     ASSERT_EQ(samples::fault(t), "");
     for (const TriangleId id : fan) EXPECT_EQ(t.slots[id].v[0], t.points.size() - 1);
@@ -108,8 +122,55 @@ TEST(Cavity, stops_at_a_foreign_triangle) {
   const std::vector<TriangleId> conflict = all_in_conflict(t, p);
   ASSERT_GE(conflict.size(), 2U);
   Cavity cavity;
-  const auto reach = [&](TriangleId id, unsigned) { return in_disk(t, id, p) ? Reach::foreign : Reach::outside; };
-  EXPECT_EQ(cavity.find(t, conflict.front(), reach), Walk::foreign);
+  EXPECT_EQ(cavity.find(t, conflict.front(), ExactTest{t, p, /*owns_all=*/false}), Walk::foreign);
+}
+
+TEST(Cavity, is_not_looked_for_from_a_triangle_whose_disk_does_not_contain_the_point) {
+  const Triangulation t = samples::triangulated(samples::lattice_points(6)).triangulation;
+  const Point p{2.4, 2.3};
+  const std::vector<TriangleId> conflict = all_in_conflict(t, p);
+  Cavity cavity;
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    const bool is_in = std::count(conflict.begin(), conflict.end(), id) > 0;
+    EXPECT_EQ(cavity.find(t, id, ExactTest{t, p}), is_in ? Walk::complete : Walk::elsewhere);
+    EXPECT_EQ(cavity.find(t, id, DiskTest{t, {p.x, p.y}, {}}), is_in ? Walk::complete : Walk::elsewhere);
+  }
+}
+
+TEST(Cavity, is_the_same_by_pairs_of_triangles_as_by_exact_arithmetic) {
+  for (const samples::Family& family : samples::families(100, 4)) {
+    SCOPED_TRACE(family.name);
+    Random random(5);
+    const Triangulation t = samples::triangulated(family.points).triangulation;
+    Cavity by_pairs, exact;
+    for (int round = 0; round < 100; ++round) {
+      const Point p = inner_point(t, random);
+      const std::vector<TriangleId> conflict = all_in_conflict(t, p);
+      if (conflict.empty()) continue;
+      const TriangleId first = conflict[random.below(conflict.size())];
+      ASSERT_EQ(exact.find(t, first, ExactTest{t, p}), Walk::complete);
+      ASSERT_EQ(by_pairs.find(t, first, DiskTest{t, {p.x, p.y}, {}}), Walk::complete);
+      EXPECT_TRUE(std::ranges::equal(by_pairs.triangles(), exact.triangles()));
+      const auto key = [](const BoundaryEdge& e) { return std::tuple(e.from, e.inner.triangle(), e.inner.side()); };
+      EXPECT_TRUE(std::ranges::equal(by_pairs.boundary(), exact.boundary(), {}, key, key));
+      for (std::size_t i = 0; i < by_pairs.boundary().size(); ++i) {
+        const Corner corner = by_pairs.corner(i);
+        const Point v = t.points[by_pairs.boundary()[i].from];
+        EXPECT_EQ(corner.at[0], v.x - p.x) << "the corner comes along";
+        EXPECT_EQ(corner.at[1], v.y - p.y);
+        EXPECT_EQ(corner.square, corner.at[0] * corner.at[0] + corner.at[1] * corner.at[1]);
+      }
+    }
+  }
+}
+
+TEST(Cavity, stays_in_the_box) {
+  const Triangulation t = samples::triangulated(samples::lattice_points(6)).triangulation;
+  const Point p{2.4, 2.3};
+  Cavity cavity;
+  const TriangleId first = all_in_conflict(t, p).front();
+  EXPECT_EQ(cavity.find(t, first, DiskTest{t, {p.x, p.y}, {2, 2, 3.5, 3.5}}), Walk::complete);
+  EXPECT_EQ(cavity.find(t, first, DiskTest{t, {p.x, p.y}, {2, 2, 3, 3}}), Walk::foreign);
 }
 
 TEST(Cavity, ends_at_constrained_edges) {
@@ -122,7 +183,7 @@ TEST(Cavity, ends_at_constrained_edges) {
   const TriangleId below =
       exactly::orientation(points[0], points[2], p) < 0 ? samples::find_edge(t, 2, 0).triangle() : diagonal.triangle();
   Cavity cavity;
-  ASSERT_EQ(cavity.find(t, below, reach_of(t, p)), Walk::complete);
+  ASSERT_EQ(cavity.find(t, below, ExactTest{t, p}), Walk::complete);
   EXPECT_EQ(cavity.triangles().size(), 1U);
   EXPECT_EQ(cavity.boundary().size(), 3U);
 }
@@ -134,7 +195,7 @@ TEST(Cavity, of_a_split_edge_is_closed_inside_and_open_at_the_hull) {
     const EdgeRef e = samples::find_edge(t, u, v);
     const Point p{(points[u].x + points[v].x) / 2, (points[u].y + points[v].y) / 2};
     Cavity cavity;
-    ASSERT_EQ(cavity.find_on_edge(t, e, reach_of(t, p)), Walk::complete);
+    ASSERT_EQ(cavity.find_on_edge(t, e, ExactTest{t, p}), Walk::complete);
     EXPECT_TRUE(cavity.splits_edge());
     EXPECT_EQ(cavity.open(), !inside);
     EXPECT_EQ(sorted(cavity.triangles()), all_in_conflict(t, p));
@@ -143,10 +204,8 @@ TEST(Cavity, of_a_split_edge_is_closed_inside_and_open_at_the_hull) {
     EXPECT_EQ(cavity.to(cavity.left_count() - 1), t.slot(e).from(e.side()));
     expect_boundary(t, cavity, p);
 
-    std::vector<TriangleId> fan;
     t.points.push_back(p);
-    retriangulate(
-        t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); }, fan);
+    (void)retriangulate(t, cavity, static_cast<VertexId>(t.points.size() - 1), [&] { return fresh_slot(t); });
     EXPECT_EQ(samples::fault(t), "");
     EXPECT_TRUE(samples::find_edge(t, u, v).none());
     for (const Index end : {u, v}) {
@@ -167,14 +226,13 @@ TEST(Cavity, gives_each_side_of_a_split_edge_its_own_region) {
   }
   const EdgeRef e = samples::find_edge(t, 0, 2);
   Cavity cavity;
-  std::vector<TriangleId> fan;
-  ASSERT_EQ(cavity.find_on_edge(t, e, reach_of(t, {2, 2})), Walk::complete);
+  ASSERT_EQ(cavity.find_on_edge(t, e, ExactTest{t, {2, 2}}), Walk::complete);
   t.points.push_back({2, 2});
   const auto allocate = [&] {
     t.region.push_back(no_index);
     return fresh_slot(t);
   };
-  retriangulate(t, cavity, 4, allocate, fan);
+  (void)retriangulate(t, cavity, 4, allocate);
   ASSERT_EQ(t.slots.size(), 4U);
   for (TriangleId id = 0; id < 4; ++id) {
     const auto& v = t.slots[id].v;
