@@ -18,7 +18,7 @@
 namespace pardel {
 
 /// An edge of the cavity's boundary, from `from` to the next edge's `from`.
-struct BoundaryEdge {
+struct CavityEdge {
   VertexId from;
   EdgeRef inner;  ///< seen from inside the cavity
   EdgeRef outer;  ///< seen from outside, with the constrained bit; none() on the domain's boundary
@@ -36,7 +36,7 @@ class Cavity {
   Cavity() { enlarge(64); }
 
   [[nodiscard]] std::span<const TriangleId> triangles() const { return {triangles_.data(), triangle_count_}; }
-  [[nodiscard]] std::span<const BoundaryEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
+  [[nodiscard]] std::span<const CavityEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
   /// The end of boundary edge i.
   [[nodiscard]] VertexId to(std::size_t i) const {
     return i + 1 < boundary_count_ ? boundary_[i + 1].from : open_ ? end_ : boundary_[0].from;
@@ -135,7 +135,7 @@ class Cavity {
 
   // Scratch of one common length; the counts say how much of it is in use.
   std::vector<TriangleId> triangles_;
-  std::vector<BoundaryEdge> boundary_;
+  std::vector<CavityEdge> boundary_;
   std::vector<EdgeRef> stack_;
   std::size_t triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
   bool splits_edge_ = false, open_ = false, touches_constraint_ = false;

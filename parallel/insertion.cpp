@@ -39,7 +39,7 @@ EdgeRef Insertion::longest_encroached() const {
   double longest = 0, longest_wide = 0;
   EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
   for (std::size_t i = 0; i < measures_.size(); ++i) {
-    const BoundaryEdge& edge = cavity_.boundary()[i];
+    const CavityEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
     const Measure& m = measures_[i];
     const double dot = m.dot_at(0), length = m.squared[0];

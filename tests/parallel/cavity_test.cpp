@@ -39,7 +39,7 @@ std::vector<TriangleId> all_in_conflict(const Triangulation& t, Point p) {
 
 void expect_boundary(const Triangulation& t, const Cavity& cavity, Point p) {
   for (std::size_t i = 0; i < cavity.boundary().size(); ++i) {
-    const BoundaryEdge& edge = cavity.boundary()[i];
+    const CavityEdge& edge = cavity.boundary()[i];
     const Slot& slot = t.slot(edge.inner);
     EXPECT_EQ(slot.from(edge.inner.side()), edge.from);
     EXPECT_EQ(slot.to(edge.inner.side()), cavity.to(i)) << "the boundary is a closed walk";
