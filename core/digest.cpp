@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <vector>
 
 namespace pardel {
 namespace {
@@ -68,18 +69,20 @@ Digest hash_edge(const Mesh& mesh, const ConstrainedEdge& edge) {
   return hash.value();
 }
 
-/// The sum of hash(i) for i < n, by all threads; the order of the sum does not matter.
+/// The sum of hash(i) for i < n, by all threads. Each block has a place of its own for its sum, so no thread waits for
+/// another, and they are added up in the order of the blocks.
 template <class HashOne>
 Digest sum(std::size_t n, const HashOne& hash) {
-  Digest total;
-#pragma omp parallel if (n > 100'000)
-  {
+  constexpr std::size_t block = 16'384;
+  std::vector<Digest> parts((n + block - 1) / block);
+#pragma omp parallel for schedule(dynamic, 1) if (n > 100'000)
+  for (std::size_t b = 0; b < parts.size(); ++b) {
     Digest part;
-#pragma omp for nowait
-    for (std::size_t i = 0; i < n; ++i) part = part + hash(i);
-#pragma omp critical(pardel_digest)
-    total = total + part;
+    for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i) part = part + hash(i);
+    parts[b] = part;
   }
+  Digest total;
+  for (const Digest& part : parts) total = total + part;
   return total;
 }
 

@@ -26,7 +26,7 @@ struct Corner {
 };
 
 /// An edge of the cavity's boundary, from `from` to the next edge's `from`.
-struct BoundaryEdge {
+struct CavityEdge {
   Pair at;  ///< with `square`, the corner of `from`, as the test that found the cavity gave it
   double square;
   VertexId from;
@@ -97,7 +97,7 @@ class Cavity {
     for (std::size_t i = triangle_count_; i < boundary_count_; ++i) triangles_[i] = allocate();
     return {triangles_.data(), boundary_count_};
   }
-  [[nodiscard]] std::span<const BoundaryEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
+  [[nodiscard]] std::span<const CavityEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
   /// The end of boundary edge i.
   [[nodiscard]] VertexId to(std::size_t i) const { return boundary_[i + 1].from; }
   /// The corner that edge i starts from; with i the number of edges, the end of the last one.
@@ -220,7 +220,7 @@ class Cavity {
       }
       boundary_[edges++].set(w, slot.apex(entry.side()), on_left, across_left, false);
       for (--top; top > 0 && !stack_[top].crossed; --top) {
-        const BoundaryEdge& e = stack_[top];
+        const CavityEdge& e = stack_[top];
         boundary_[edges++].set(e.corner(), e.from, e.inner, e.outer, false);
       }
       if (top == 0) return ended(Walk::complete, count, edges);
@@ -233,7 +233,7 @@ class Cavity {
   Walk ended(Walk how, std::size_t triangles, std::size_t edges) {
     triangle_count_ = triangles;
     boundary_count_ = edges;
-    const BoundaryEdge& end = stack_[0];
+    const CavityEdge& end = stack_[0];
     boundary_[edges].set(end.corner(), end.from, {}, {}, false);
     return how;
   }
@@ -247,7 +247,7 @@ class Cavity {
 
   // Scratch of one common length; the counts say how much of it is in use.
   std::vector<TriangleId> triangles_;
-  std::vector<BoundaryEdge> boundary_, stack_;
+  std::vector<CavityEdge> boundary_, stack_;
   std::size_t capacity_ = 0, triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
   bool splits_edge_ = false, open_ = false, touches_constraint_ = false;
 };

@@ -16,7 +16,7 @@ constexpr auto any = [](VertexId) { return true; };
 }  // namespace
 
 bool Insertion::measure_fan(Point p) {
-  const std::span<const BoundaryEdge> boundary = cavity_.boundary();
+  const std::span<const CavityEdge> boundary = cavity_.boundary();
   const std::size_t n = boundary.size();
   if (measures_.size() < n) {
     measures_.resize(2 * n);
@@ -64,7 +64,7 @@ EdgeRef Insertion::longest_encroached() const {
   double longest = 0, longest_wide = 0;
   EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
   for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {
-    const BoundaryEdge& edge = cavity_.boundary()[i];
+    const CavityEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
     const Measure& m = measures_[i];
     const double dot = m.dot_at(0), length = m.squared[0];

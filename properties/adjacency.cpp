@@ -86,8 +86,8 @@ void Adjacency::index_irregular_vertices() {
   irregular_ = std::move(found);
 }
 
-EdgeRef Adjacency::left_of(Index a, Index b) const {
-  EdgeRef found;
+TriangleEdge Adjacency::left_of(Index a, Index b) const {
+  TriangleEdge found;
   visit_fans(a, [&](Index t, int corner) {
     if (triangles_[t].v[next(corner)] == b) found = {t, previous(corner)};
   });

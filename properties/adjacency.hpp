@@ -22,7 +22,7 @@ inline int corner_at(const Triangle& triangle, Index vertex) {
 }
 
 /// Edge `edge` of a triangle, which lies on the left of the edge from v[next(edge)] to v[previous(edge)].
-struct EdgeRef {
+struct TriangleEdge {
   Index triangle = no_index;
   int edge = 0;
   [[nodiscard]] bool exists() const { return triangle != no_index; }
@@ -30,7 +30,7 @@ struct EdgeRef {
 
 struct BoundaryEdge {
   Index from, to;
-  EdgeRef left;
+  TriangleEdge left;
 };
 
 /// An edge with more than one triangle on a side: the triangles on both.
@@ -82,7 +82,7 @@ class Adjacency {
   void index_irregular_vertices();
 
   /// The triangle on the left of the edge from a to b, if any. Time: the degree of a.
-  [[nodiscard]] EdgeRef left_of(Index a, Index b) const;
+  [[nodiscard]] TriangleEdge left_of(Index a, Index b) const;
 
  private:
   template <class Visit>

@@ -4,14 +4,14 @@
 
 namespace pardel {
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxTree::BoxTree(std::vector<BoundingBox> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), Index{0});
   if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));
 }
 
 std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
   const auto at = static_cast<std::uint32_t>(nodes_.size());
-  Box box;
+  BoundingBox box;
   for (std::uint32_t i = first; i < last; ++i) box.include(boxes_[order_[i]]);
   nodes_.push_back({box, first, last, 0, 0});
   if (last - first <= leaf_size) return at;
@@ -19,7 +19,7 @@ std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
   // Halve by the median centre along the longer side.
   const bool wide = box.max_x - box.min_x >= box.max_y - box.min_y;
   const auto centre = [&](Index item) {
-    const Box& b = boxes_[item];
+    const BoundingBox& b = boxes_[item];
     return wide ? b.min_x / 2 + b.max_x / 2 : b.min_y / 2 + b.max_y / 2;
   };
   const std::uint32_t middle = first + (last - first) / 2;

@@ -10,7 +10,7 @@
 
 namespace pardel {
 
-struct Box {
+struct BoundingBox {
   double min_x = std::numeric_limits<double>::infinity();
   double min_y = std::numeric_limits<double>::infinity();
   double max_x = -std::numeric_limits<double>::infinity();
@@ -22,11 +22,11 @@ struct Box {
     max_x = std::max(max_x, p.x);
     max_y = std::max(max_y, p.y);
   }
-  void include(const Box& other) {
+  void include(const BoundingBox& other) {
     include(Point{other.min_x, other.min_y});
     include(Point{other.max_x, other.max_y});
   }
-  [[nodiscard]] bool meets(const Box& other) const {
+  [[nodiscard]] bool meets(const BoundingBox& other) const {
     return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
   }
 };
@@ -34,22 +34,22 @@ struct Box {
 class BoxTree {
  public:
   /// O(n log n). The boxes are those of the items 0, 1, ..., n-1.
-  explicit BoxTree(std::vector<Box> boxes);
+  explicit BoxTree(std::vector<BoundingBox> boxes);
 
-  /// visit(item) for every item whose box the filter lets through; filter(Box) must hold for a box that
+  /// visit(item) for every item whose box the filter lets through; filter(BoundingBox) must hold for a box that
   /// contains one for which it holds.
   template <class Filter, class Visit>
   void visit(const Filter& filter, const Visit& visit_item) const {
     if (!nodes_.empty()) descend(0, filter, visit_item);
   }
 
-  [[nodiscard]] const Box& box(Index item) const { return boxes_[item]; }
+  [[nodiscard]] const BoundingBox& box(Index item) const { return boxes_[item]; }
 
  private:
   static constexpr std::uint32_t leaf_size = 4;
 
   struct Node {
-    Box box;
+    BoundingBox box;
     std::uint32_t first, last;  ///< a run of order_
     std::uint32_t left, right;  ///< children; 0: a leaf
   };
@@ -69,7 +69,7 @@ class BoxTree {
     descend(node.right, filter, visit_item);
   }
 
-  std::vector<Box> boxes_;
+  std::vector<BoundingBox> boxes_;
   std::vector<Index> order_;
   std::vector<Node> nodes_;
 };

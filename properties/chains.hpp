@@ -15,7 +15,7 @@ namespace pardel {
 struct ChainEdge {
   Index from, to;
   Index segment;  ///< of Domain::segments()
-  EdgeRef left, right;
+  TriangleEdge left, right;
 };
 
 struct Chains {

@@ -26,7 +26,7 @@ Point midpoint(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}
 void check_sides(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   for (const ChainEdge& edge : chains.edges) {
     for (const Side side : {Side::left, Side::right}) {
-      const EdgeRef triangle = side == Side::left ? edge.left : edge.right;
+      const TriangleEdge triangle = side == Side::left ? edge.left : edge.right;
       const bool expected = domain.inside(edge.segment, side);
       if (triangle.exists() == expected) continue;
       const std::string place = std::string(side == Side::left ? "left" : "right") + " of edge " +
@@ -67,7 +67,7 @@ void check_faces(const Subject& subject, const Domain& domain, const Chains& cha
 /// vertices of the mesh that `points` are.
 void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> vertex,
                   Findings& found) {
-  std::vector<Box> boxes(edges.size());
+  std::vector<BoundingBox> boxes(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     boxes[e].include(points[edges[e].a]);
     boxes[e].include(points[edges[e].b]);
@@ -76,7 +76,7 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
   judge_all(edges.size(), found, [&](std::size_t e, Findings& mine) {
     const Segment s = edges[e];
     const Point a = points[s.a], b = points[s.b];
-    tree.visit([&](const Box& box) { return box.meets(boxes[e]); },
+    tree.visit([&](const BoundingBox& box) { return box.meets(boxes[e]); },
                [&](Index other) {
                  if (other <= e) return;
                  const Segment t = edges[other];

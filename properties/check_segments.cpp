@@ -95,7 +95,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
       for (const ChainEdge& edge : walked[i]) {
         chains.edges.push_back(edge);
         if (inputs.input(edge.from) == no_index) chains.segment_of[edge.from] = s;
-        for (const EdgeRef side : {edge.left, edge.right})
+        for (const TriangleEdge side : {edge.left, edge.right})
           if (side.exists())
             chains.on_chain[side.triangle] = static_cast<std::uint8_t>(chains.on_chain[side.triangle] | 1 << side.edge);
       }

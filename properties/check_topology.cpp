@@ -141,7 +141,7 @@ class Surface {
   /// The component of a triangle that was not reached before. In the end all of it is reached.
   Component component_of(Index start) {
     std::int64_t faces = 0, sides = 0, fans = 0;
-    std::vector<EdgeRef> open;
+    std::vector<TriangleEdge> open;
     std::vector<Index> front{start}, ahead;
     passed_[start] |= reached_bit;
     for (; !front.empty(); std::swap(front, ahead)) {
@@ -165,7 +165,7 @@ class Surface {
       }
     }
     Component component{fans - (sides + static_cast<std::int64_t>(open.size())) / 2 + faces, 0};
-    for (const EdgeRef edge : open) component.loops += pass_loop(edge) ? 1 : 0;
+    for (const TriangleEdge edge : open) component.loops += pass_loop(edge) ? 1 : 0;
     return component;
   }
 
@@ -195,7 +195,7 @@ class Surface {
   }
 
   /// Walks the boundary loop of an edge without a neighbour; false where it was walked before.
-  bool pass_loop(EdgeRef edge) {
+  bool pass_loop(TriangleEdge edge) {
     if (on_loop_[position(edge)] != 0) return false;
     for (std::size_t at = position(edge); on_loop_[at] == 0; at = position(edge)) {
       on_loop_[at] = 1;
@@ -209,7 +209,7 @@ class Surface {
     return true;
   }
 
-  [[nodiscard]] std::size_t position(EdgeRef edge) const {
+  [[nodiscard]] std::size_t position(TriangleEdge edge) const {
     const Index from = triangles_[edge.triangle].v[next(edge.edge)];
     const Index to = triangles_[edge.triangle].v[previous(edge.edge)];
     auto at = std::lower_bound(boundary_.begin(), boundary_.end(), std::pair(from, to),

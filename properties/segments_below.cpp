@@ -9,8 +9,8 @@
 namespace pardel {
 namespace {
 
-std::vector<Box> boxes_of(std::span<const Point> points, std::span<const Segment> segments) {
-  std::vector<Box> boxes(segments.size());
+std::vector<BoundingBox> boxes_of(std::span<const Point> points, std::span<const Segment> segments) {
+  std::vector<BoundingBox> boxes(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
     boxes[s].include(points[segments[s].a]);
     boxes[s].include(points[segments[s].b]);
@@ -47,7 +47,7 @@ bool SegmentsBelow::is_above(Index s, Index t) const {
 Index SegmentsBelow::directly_below(Point p) const {
   Index best = no_index;
   double floor = -std::numeric_limits<double>::infinity();  // what ends below this is below the best
-  const auto spans = [&](const Box& box) {
+  const auto spans = [&](const BoundingBox& box) {
     return box.min_x < p.x && p.x <= box.max_x && box.min_y < p.y && box.max_y >= floor;
   };
   tree_.visit(spans, [&](Index segment) {
@@ -62,9 +62,9 @@ Index SegmentsBelow::directly_below(Point p) const {
 
 Index SegmentsBelow::through(Point p) const {
   Index found = no_index;
-  Box at;
+  BoundingBox at;
   at.include(p);
-  tree_.visit([&](const Box& box) { return box.meets(at); },
+  tree_.visit([&](const BoundingBox& box) { return box.meets(at); },
               [&](Index segment) {
                 const Ends line = ends(segment);
                 if (exactly::orientation(line.left, line.right, p) == 0) found = segment;

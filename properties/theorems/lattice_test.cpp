@@ -79,7 +79,7 @@ PARDEL_PROPERTY(
         for (int k = random.between(0, 9); k > 0; --k)
           made.points.push_back({x + random.between(5, 14), static_cast<double>(random.between(5, 14))});
         std::ranges::sort(made.points, {}, [](Point p) { return std::pair(p.x, p.y); });
-        made.points.erase(std::ranges::unique(made.points).begin(), made.points.end());
+        made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());
         return made;
       },
       [](const Scene& larger) {

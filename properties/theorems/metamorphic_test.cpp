@@ -184,7 +184,7 @@ std::set<std::array<Index, 3>> corners(const Mesh& mesh) {
   std::set<std::array<Index, 3>> result;
   for (const Triangle& t : mesh.triangles) {
     std::array<Index, 3> v = t.v;
-    std::ranges::rotate(v, std::ranges::min_element(v));
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
     result.insert(v);
   }
   return result;
@@ -221,10 +221,9 @@ PARDEL_PROPERTY(Metamorphic, a_hole_takes_away_its_face_and_nothing_else,
   const Mesh before = value_of(triangulate(pslg)).mesh;
   const Index start = *rc::gen::inRange(Index{0}, static_cast<Index>(before.triangles.size()));
   const std::vector<bool> lost = face_of(before, start);
-  const auto [a, b, d] = before.triangles[start].v;
-  const auto middle = [&](double Point::*x) {
-    return (2 * (before.points[a].*x) + before.points[b].*x + before.points[d].*x) / 4;
-  };
+  const auto& v = before.triangles[start].v;
+  const Point a = before.points[v[0]], b = before.points[v[1]], d = before.points[v[2]];
+  const auto middle = [&](double Point::*x) { return (2 * (a.*x) + b.*x + d.*x) / 4; };
   pslg.holes.push_back({middle(&Point::x), middle(&Point::y)});
   const bool all_lost = std::ranges::find(lost, false) == lost.end();
   const Result<Meshed> after = triangulate(pslg);

@@ -54,7 +54,7 @@ std::vector<TriangleId> all_in_conflict(const Triangulation& t, Point p) {
 
 void expect_boundary(const Triangulation& t, const Cavity& cavity, Point p) {
   for (std::size_t i = 0; i < cavity.boundary().size(); ++i) {
-    const BoundaryEdge& edge = cavity.boundary()[i];
+    const CavityEdge& edge = cavity.boundary()[i];
     const Slot& slot = t.slot(edge.inner);
     EXPECT_EQ(slot.from(edge.inner.side()), edge.from);
     EXPECT_EQ(slot.to(edge.inner.side()), cavity.to(i)) << "the boundary is a closed walk";
@@ -151,7 +151,7 @@ TEST(Cavity, is_the_same_by_pairs_of_triangles_as_by_exact_arithmetic) {
       ASSERT_EQ(exact.find(t, first, ExactTest{t, p}), Walk::complete);
       ASSERT_EQ(by_pairs.find(t, first, DiskTest{t, {p.x, p.y}, {}}), Walk::complete);
       EXPECT_TRUE(std::ranges::equal(by_pairs.triangles(), exact.triangles()));
-      const auto key = [](const BoundaryEdge& e) { return std::tuple(e.from, e.inner.triangle(), e.inner.side()); };
+      const auto key = [](const CavityEdge& e) { return std::tuple(e.from, e.inner.triangle(), e.inner.side()); };
       EXPECT_TRUE(std::ranges::equal(by_pairs.boundary(), exact.boundary(), {}, key, key));
       for (std::size_t i = 0; i < by_pairs.boundary().size(); ++i) {
         const Corner corner = by_pairs.corner(i);
