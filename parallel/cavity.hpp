@@ -111,38 +111,39 @@ class Cavity {
   /// The edge that is split has nothing on its right, so the boundary is a chain and not a cycle.
   [[nodiscard]] bool open() const { return open_; }
 
-  /// The cavity of a point, from the triangle `first`. A Disk answers for the point:
+  /// The cavity of a point, from the triangle `first`. A Test answers for the point:
   ///   corner(VertexId) -> Corner
   ///   first_and_behind(slot of first, its corners, EdgeRef) -> is the point in the disk of first, and of the triangle
   ///     behind the edge between its first two corners?
   ///   both(u, w, v, right, left) -> Tested, of the triangles behind two edges, from u to w and from w to v
   ///   is_own(VertexId) -> may a triangle with this far corner be changed?
-  /// Edges are given as seen from the triangle that is asked about.
-  template <class Disk>
-  [[nodiscard]] Walk find(const Triangulation& t, TriangleId first, const Disk& disk) {
+  /// Edges are given as seen from the triangle that is asked about. Where a wall is in the way, the triangle on the
+  /// near side stands in for what lies behind, and the answer is ignored.
+  template <class Test>
+  [[nodiscard]] Walk find(const Triangulation& t, TriangleId first, const Test& test) {
     clear();
     const Slot& slot = t.slots[first];
-    const std::array<Corner, 3> c{disk.corner(slot.v[0]), disk.corner(slot.v[1]), disk.corner(slot.v[2])};
+    const std::array<Corner, 3> c{test.corner(slot.v[0]), test.corner(slot.v[1]), test.corner(slot.v[2])};
     const EdgeRef third(first, 2), behind = slot.n[2];
     touches_constraint_ = behind.constrained();
-    const auto [in_first, in_behind] = disk.first_and_behind(slot, c, is_wall(behind) ? third : behind);
+    const auto [in_first, in_behind] = test.first_and_behind(slot, c, is_wall(behind) ? third : behind);
     if (!in_first) return Walk::elsewhere;
     stack_[0].set(c[1], slot.v[1], {}, {}, false);
     stack_[1].set(c[0], slot.v[0], third, behind, in_behind && !is_wall(behind));
-    return grow(t, third, c[1], c[2], 2, disk);
+    return grow(t, third, c[1], c[2], 2, test);
   }
 
   /// The cavity of a point on the constrained edge e.
-  template <class Disk>
-  [[nodiscard]] Walk find_on_edge(const Triangulation& t, EdgeRef e, const Disk& disk) {
+  template <class Test>
+  [[nodiscard]] Walk find_on_edge(const Triangulation& t, EdgeRef e, const Test& test) {
     clear();
     splits_edge_ = true;
     const EdgeRef other = t.slot(e).n[e.side()];
     open_ = other.none();
-    Walk walk = grow_from_side(t, e, disk);
+    Walk walk = grow_from_side(t, e, test);
     left_count_ = boundary_count_;
     if (open_ || walk != Walk::complete) return walk;
-    walk = grow_from_side(t, other, disk);
+    walk = grow_from_side(t, other, test);
     return walk == Walk::complete && !is_tree() ? Walk::tangled : walk;
   }
 
@@ -161,39 +162,41 @@ class Cavity {
     return outer.constrained() && !(mutated("cavity_crosses_constraints") && !outer.none());
   }
 
-  /// Of the triangles behind the two sides of a triangle, which has come up between u and v with the far corner w.
-  template <class Disk>
-  [[nodiscard]] Tested test(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left, EdgeRef within,
-                            const Disk& disk) {
-    if (!right.constrained() && !left.constrained()) [[likely]]
-      return disk.both(u, w, v, right, left);
+  /// Of what lies behind two sides of a triangle that has come up between u and v with the far corner w.
+  template <class Test>
+  [[nodiscard]] Tested test_both(Corner u, Corner w, Corner v, const Slot& slot, EdgeRef right, EdgeRef left,
+                                 const Test& test) {
+    const EdgeRef behind_right = slot.n[right.side()], behind_left = slot.n[left.side()];
+    if (!behind_right.constrained() && !behind_left.constrained()) [[likely]]
+      return test.both(u, w, v, behind_right, behind_left);
     touches_constraint_ = true;
-    Tested tested = disk.both(u, w, v, is_wall(right) ? within : right, is_wall(left) ? within : left);
-    tested.in_disk[0] = tested.in_disk[0] && !is_wall(right);
-    tested.in_disk[1] = tested.in_disk[1] && !is_wall(left);
+    Tested tested =
+        test.both(u, w, v, is_wall(behind_right) ? right : behind_right, is_wall(behind_left) ? left : behind_left);
+    tested.in_disk[0] = tested.in_disk[0] && !is_wall(behind_right);
+    tested.in_disk[1] = tested.in_disk[1] && !is_wall(behind_left);
     return tested;
   }
 
-  template <class Disk>
-  Walk grow_from_side(const Triangulation& t, EdgeRef e, const Disk& disk) {
+  template <class Test>
+  Walk grow_from_side(const Triangulation& t, EdgeRef e, const Test& test) {
     const Slot& slot = t.slot(e);
-    stack_[0].set(disk.corner(slot.from(e.side())), slot.from(e.side()), {}, {}, false);
-    return grow(t, e, disk.corner(slot.to(e.side())), disk.corner(slot.apex(e.side())), 1, disk);
+    stack_[0].set(test.corner(slot.from(e.side())), slot.from(e.side()), {}, {}, false);
+    return grow(t, e, test.corner(slot.to(e.side())), test.corner(slot.apex(e.side())), 1, test);
   }
 
-  /// Counter-clockwise from the triangle behind `entry`, an edge that runs, as seen from inside, from `start` to the
-  /// corner on top of the stack; `far` is the triangle's far corner. At the bottom of the stack is where the boundary
-  /// ends.
-  template <class Disk>
+  /// Counter-clockwise from the triangle of `entry`, as if come in by that side, which runs, as seen from inside, from
+  /// `start` to the corner on top of the stack; `far` is the triangle's far corner. At the bottom of the stack is where
+  /// the boundary ends.
+  template <class Test>
   Walk grow(const Triangulation& t, EdgeRef entry, const Corner& start, const Corner& far, std::size_t top,
-            const Disk& disk) {
+            const Test& test) {
     std::size_t count = triangle_count_, edges = boundary_count_;
     Corner u = start, w = far;
     for (;;) {
       const TriangleId id = entry.triangle();
       const Slot& slot = t.slots[id];
-      if (!disk.is_own(slot.apex(entry.side()))) return ended(Walk::foreign, count, edges);
-      // The boundary and the stack never hold more than two entries above the number of triangles.
+      if (!test.is_own(slot.apex(entry.side()))) return ended(Walk::foreign, count, edges);
+      // The boundary, with its end, never holds more than three entries above the number of triangles, the stack two.
       if (count + 4 > capacity_) [[unlikely]]
         enlarge(2 * capacity_);
       triangles_[count++] = id;
@@ -203,8 +206,8 @@ class Cavity {
       }
       const unsigned right = next_corner[entry.side()], left = previous_corner[entry.side()];
       const EdgeRef on_right(id, right), across_right = slot.n[right], on_left(id, left), across_left = slot.n[left];
-      const Tested tested = test(u, w, stack_[top - 1].corner(), across_right, across_left, entry, disk);
-      const bool cut_short = mutated("cavity_cut_short") && count == 4;
+      const Tested tested = test_both(u, w, stack_[top - 1].corner(), slot, on_right, on_left, test);
+      const bool cut_short = mutated("cavity_cut_short") && count >= 4;
       if (tested.in_disk[0] && !cut_short) {
         stack_[top++].set(w, slot.apex(entry.side()), on_left, across_left, tested.in_disk[1]);
         entry = across_right;
@@ -219,14 +222,14 @@ class Cavity {
         continue;
       }
       boundary_[edges++].set(w, slot.apex(entry.side()), on_left, across_left, false);
-      for (--top; top > 0 && !stack_[top].crossed; --top) {
+      for (--top; top > 0 && (!stack_[top].crossed || cut_short); --top) {
         const CavityEdge& e = stack_[top];
         boundary_[edges++].set(e.corner(), e.from, e.inner, e.outer, false);
       }
       if (top == 0) return ended(Walk::complete, count, edges);
       u = stack_[top].corner();
       entry = stack_[top].outer;
-      w = disk.corner(t.slot(entry).apex(entry.side()));
+      w = test.corner(t.slot(entry).apex(entry.side()));
     }
   }
 

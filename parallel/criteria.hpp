@@ -1,7 +1,6 @@
 // When a triangle is bad, and where the point goes that splits it. Pure functions of coordinates.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -48,7 +47,8 @@ struct Shape : Measure {
 
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
-  /// All lengths from differences to the first corner, as an insertion has them at hand: the same bits both ways.
+  /// All lengths from differences to the first corner, as an insertion has them at hand: the same bits both ways, and
+  /// of the area too, where floating point decides its sign.
   Shape(Point a, Point b, Point c) : p{a, b, c} {
     const double abx = b.x - a.x, aby = b.y - a.y;
     const double acx = c.x - a.x, acy = c.y - a.y;

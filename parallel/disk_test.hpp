@@ -1,6 +1,9 @@
 // In whose circumdisks a point lies: what the walk over its cavity asks, two triangles at a time.
 #pragma once
 
+#include <array>
+
+#include "../core/mutants.hpp"
 #include "cavity.hpp"
 #include "in_disk.hpp"
 #include "predicates.hpp"

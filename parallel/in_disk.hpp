@@ -1,3 +1,4 @@
+// In whose circumdisk a point lies, one triangle at a time.
 #pragma once
 
 #include "predicates.hpp"

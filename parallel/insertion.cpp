@@ -1,6 +1,7 @@
 #include "insertion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../core/mutants.hpp"
 #include "disk_test.hpp"
@@ -20,7 +21,7 @@ bool Insertion::measure_fan(Point p) {
   const std::size_t n = boundary.size();
   if (measures_.size() < n) {
     measures_.resize(2 * n);
-    breaking_.resize(2 * n);
+    breaking_.resize(2 * n + 1);  // the last one may be written twice
   }
   Pair closest{INFINITY, INFINITY};
   bool visible = true;

@@ -1,6 +1,7 @@
 // One insertion: is the point's cavity one that may be changed, and if so, change it.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "../core/mutants.hpp"
@@ -64,7 +65,7 @@ class Insertion {
   /// After `inserted`, with measures: which of changed() break a bound that is the same everywhere.
   [[nodiscard]] std::span<const std::size_t> breaking() const { return {breaking_.data(), breaking_count_}; }
   /// After `inserted`: some side of changed() may be constrained.
-  [[nodiscard]] bool is_beside_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
+  [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
   /// Some insertion since the start needed flips, which can leave a triangle's slot and first corner as they were and
   /// change the others.
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }

@@ -54,8 +54,8 @@ struct Options {
   Placement placement = Placement::off_centre;
   int threads = 1;  ///< does not change the result
   Decomposition decomposition = Decomposition::automatic;
-  /// What automatic decomposition aims at, positive. A task works on a box as large as four tiles: by default what a
-  /// second-level cache of 1 MiB holds with its vertices. Another number gives another mesh.
+  /// What automatic decomposition aims at, positive. A task works on a box as large as four tiles; by default that many
+  /// triangles, with their vertices, fill a second-level cache of 1 MiB. Another number gives another mesh.
   std::uint32_t triangles_per_tile = 8'000;
   /// Columns and rows of the finest lattice; 0: chosen by work. With Decomposition::paper there may be fewer, since r̄
   /// bounds how many there can be.

@@ -24,7 +24,6 @@ using PairBits __attribute__((vector_size(2 * sizeof(std::int64_t)))) = std::int
 [[nodiscard]] inline Point as_point(Pair p) { return std::bit_cast<Point>(p); }
 [[nodiscard]] inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
 [[nodiscard]] inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3); }
-[[nodiscard]] inline Pair swapped(Pair a) { return __builtin_shufflevector(a, a, 1, 0); }
 
 /// What a comparison says of the first half in bit 0, of the second in bit 1.
 [[nodiscard]] inline unsigned bits(PairBits says) {

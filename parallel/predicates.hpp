@@ -7,7 +7,6 @@
 // keeps it for computed points. The code must be compiled without -ffast-math and with -ffp-contract=off.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "../core/mutants.hpp"

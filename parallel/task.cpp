@@ -119,7 +119,7 @@ void Task::consider_changed() {
     for (const TriangleId id : changed) consider(id);
     return;
   }
-  if (insertion_.is_beside_constraint() || judge_.has_local_size())
+  if (insertion_.may_touch_constraint() || judge_.has_local_size())
     for (std::size_t i = 0; i < changed.size(); ++i)
       queue_if_bad(changed[i], judge_.assess(changed[i], measures[i]), measures[i]);
   else

@@ -164,6 +164,40 @@ TEST(Cavity, is_the_same_by_pairs_of_triangles_as_by_exact_arithmetic) {
   }
 }
 
+TEST(Cavity, of_a_split_edge_and_beside_walls_is_the_same_by_pairs_as_by_exact_arithmetic) {
+  Random random(6);
+  const std::vector<Point> points = samples::uniform_points(200, 7);
+  const Triangulation t = samples::triangulated(points, samples::random_constraints(points, 400, random)).triangulation;
+  const auto same = [](const Cavity& a, const Cavity& b) {
+    const auto key = [](const CavityEdge& e) { return std::tuple(e.from, e.inner.triangle(), e.inner.side()); };
+    return std::ranges::equal(a.triangles(), b.triangles()) &&
+           std::ranges::equal(a.boundary(), b.boundary(), {}, key, key) && a.left_count() == b.left_count() &&
+           a.touches_constraint() == b.touches_constraint();
+  };
+  Cavity by_pairs, exact;
+  int splits = 0, beside_walls = 0;
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    const Slot& slot = t.slots[id];
+    const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
+    const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+    const DiskTest pairs{t, {centroid.x, centroid.y}, {}};
+    ASSERT_EQ(by_pairs.find(t, id, pairs), exact.find(t, id, ExactTest{t, centroid}));
+    EXPECT_TRUE(same(by_pairs, exact));
+    beside_walls += by_pairs.touches_constraint() ? 1 : 0;
+    for (unsigned side = 0; side < 3; ++side) {
+      if (!slot.n[side].constrained()) continue;
+      const Point from = t.points[slot.from(side)], to = t.points[slot.to(side)];
+      const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+      const Walk walk = exact.find_on_edge(t, EdgeRef(id, side), ExactTest{t, middle});
+      ASSERT_EQ(by_pairs.find_on_edge(t, EdgeRef(id, side), DiskTest{t, {middle.x, middle.y}, {}}), walk);
+      EXPECT_TRUE(same(by_pairs, exact));
+      ++splits;
+    }
+  }
+  EXPECT_GT(splits, 50);
+  EXPECT_GT(beside_walls, 50);
+}
+
 TEST(Cavity, stays_in_the_box) {
   const Triangulation t = samples::triangulated(samples::lattice_points(6)).triangulation;
   const Point p{2.4, 2.3};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "../../properties/exact.hpp"
 #include "samples.hpp"
@@ -91,6 +92,33 @@ TEST(InsertInFace, measures_what_it_makes) {
     EXPECT_EQ(scene.insertion.measures()[i].squared, shape.squared);
     EXPECT_EQ(scene.insertion.measures()[i].twice_area, shape.twice_area);
   }
+}
+
+TEST(InsertInFace, measures_and_names_what_breaks_a_bound_whatever_the_number_of_triangles) {
+  const Goal goal{.min_angle_deg = 25, .max_area = 0.02};
+  Scene scene(samples::lattice_points(5), {}, goal);
+  samples::Random random(1);
+  std::set<std::size_t> sizes;
+  std::size_t breaking = 0, all = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Point p{random.uniform(0.5, 3.5), random.uniform(0.5, 3.5)};
+    if (scene.insert(p, scene.conflict(p)) != Outcome::inserted) continue;
+    const Insertion& insertion = scene.insertion;
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < insertion.changed().size(); ++i) {
+      const Shape shape(scene.t(), scene.t().slots[insertion.changed()[i]]);
+      EXPECT_EQ(insertion.measures()[i].squared, shape.squared);
+      EXPECT_EQ(insertion.measures()[i].twice_area, shape.twice_area);
+      if (scene.criteria.bad_shape(shape) || scene.criteria.too_large(shape)) expected.push_back(i);
+    }
+    EXPECT_TRUE(std::ranges::equal(insertion.breaking(), expected));
+    sizes.insert(insertion.changed().size());
+    breaking += expected.size();
+    all += insertion.changed().size();
+  }
+  EXPECT_GT(sizes.size(), 4U) << "odd and even numbers of triangles";
+  EXPECT_GT(breaking, all / 10);
+  EXPECT_LT(breaking, all * 9 / 10);
 }
 
 /// The diametral circle of the bottom of the square reaches up to (4, 4); the lens for 20.7 degrees does not.
