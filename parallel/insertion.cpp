@@ -13,6 +13,10 @@ namespace {
 
 constexpr auto nothing_else = [](EdgeRef) { return false; };
 constexpr auto any = [](VertexId) { return true; };
+/// The corners that a walk around p hands on, each looked up.
+auto corners_around(const Triangulation& t, Point p) {
+  return [&t, p](VertexId v) { return corner_around(Pair{p.x, p.y}, t.points[v]); };
+}
 
 }  // namespace
 
@@ -153,7 +157,6 @@ void Insertion::commit(Point p, Index origin) {
 
 /// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.
 Outcome Insertion::face_by_flips(Point p) {
-  const auto corner_of = [&](VertexId v) { return corner_around(Pair{p.x, p.y}, t_.points[v]); };
   const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
   for (const TriangleId id : candidates) {
     const Slot& slot = t_.slots[id];
@@ -166,7 +169,8 @@ Outcome Insertion::face_by_flips(Point p) {
     }
     if (!inside) continue;
     const auto across_only = [&](EdgeRef across) { return !on.none() && across.triangle() == on.triangle(); };
-    if (cavity_.find(t_, id, EachByItself(t_, across_only, corner_of, any)) != Walk::complete || !measure_fan(p))
+    if (cavity_.find(t_, id, EachByItself(t_, across_only, corners_around(t_, p), any)) != Walk::complete ||
+        !measure_fan(p))
       return Outcome::refused;
     commit(p, interior_vertex);
     finish_by_flips();
@@ -176,8 +180,8 @@ Outcome Insertion::face_by_flips(Point p) {
 }
 
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
-  const auto corner_of = [&](VertexId v) { return corner_around(Pair{p.x, p.y}, t_.points[v]); };
-  if (cavity_.find_on_edge(t_, e, EachByItself(t_, nothing_else, corner_of, any)) != Walk::complete || !measure_fan(p))
+  if (cavity_.find_on_edge(t_, e, EachByItself(t_, nothing_else, corners_around(t_, p), any)) != Walk::complete ||
+      !measure_fan(p))
     return Outcome::refused;
   commit(p, line);
   finish_by_flips();

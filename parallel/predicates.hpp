@@ -63,7 +63,7 @@ struct Orientation {
 /// With e = 2^-53 the coordinates are right to within e, squares to 4e, u2 vy - v2 uy to 7e of u2 |vy| + v2 |uy|, and
 /// the determinant to 11e of w2 (|vx uy| + |vy ux|) and the two terms like it. By Cauchy and Schwarz |vx uy| + |vy ux|
 /// is at most (u2 + v2) / 2; so the three terms are at most u2 v2 + w2 u2 + w2 v2, whose own rounding the twelfth e
-/// covers.
+/// covers. Nothing underflows: coordinates relative to a point are zero or at least 2^-192, products of four 2^-768.
 template <class T>
 struct InCircle {
   T determinant, error;

@@ -136,6 +136,7 @@ class Task {
     queue_if_bad(id, judge_.assess(id, shape), shape);
   }
   void consider_changed();
+  // Always inlined, for an Assessment handed over a call goes through memory.
   [[gnu::always_inline]] void queue_if_bad(TriangleId id, const Assessment& a, const Measure& m) {
     if (a.need == Assessment::Need::nothing)
       result_.left_alone = result_.left_alone || a.left_alone;

@@ -2,6 +2,7 @@
 // only; nothing here looks at a coordinate.
 #pragma once
 
+#include <array>
 #include <cassert>
 
 #include "../core/array.hpp"
@@ -17,17 +18,8 @@ using TriangleId = Index;
 /// corner ("ghost") is the outer side of a hull edge.
 inline constexpr VertexId ghost = no_index;
 
-/// A table of three numbers below four. In one word, for it is read at every step of every walk.
-class CornerTable {
- public:
-  constexpr CornerTable(unsigned first, unsigned second, unsigned third) : bits_(first | second << 2U | third << 4U) {}
-  constexpr unsigned operator[](unsigned corner) const { return bits_ >> 2U * corner & 3U; }
-
- private:
-  unsigned bits_;
-};
-inline constexpr CornerTable next_corner{1, 2, 0};
-inline constexpr CornerTable previous_corner{2, 0, 1};
+inline constexpr std::array<unsigned, 3> next_corner{1, 2, 0};
+inline constexpr std::array<unsigned, 3> previous_corner{2, 0, 1};
 
 /// One side of one triangle, and whether the edge there is constrained. Side i lies opposite corner i.
 /// Packed as triangle * 8 + side * 2 + constrained, so a triangulation holds up to 2^29 - 1 triangles.

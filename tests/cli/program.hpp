@@ -13,6 +13,15 @@
 
 namespace pardel::testing {
 
+/// Built with a sanitizer, whose shadow memory is larger than any sensible limit on the address space.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 struct Ran {
   int exit_code = 0;  ///< 128 + signal where one killed it
   std::string out;

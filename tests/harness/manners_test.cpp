@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "../cli/program.hpp"
+#include "harness_workshop.hpp"
 
 namespace pardel::testing {
 namespace {
 
 using nlohmann::json;
 
-class AMesher : public Workshop {
+class AMesher : public HarnessWorkshop {
  protected:
   AMesher() {
     const std::filesystem::path pardel = PARDEL_PROGRAM;
@@ -21,7 +21,7 @@ class AMesher : public Workshop {
     write("mesher.sh", ". ./pardel.sh\n" + script + "\n");
     std::vector<std::string> arguments = {"--mesher", "sh mesher.sh {poly} {out}", "--json", "card.json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(PARDEL_HARNESS, arguments);
+    return harness(arguments);
   }
   [[nodiscard]] json card() const { return json::parse(read("card.json")); }
 
@@ -92,8 +92,7 @@ TEST_F(AMesher, ThatMissesABoundOnlyMissesIt) {
 }
 
 TEST_F(AMesher, IsToldTheBounds) {
-  const Ran ran =
-      run(PARDEL_HARNESS, {"--mesher",
+  const Ran ran = harness({"--mesher",
                            std::string(PARDEL_PROGRAM) + " mesh {poly} -o {out} --min-angle {min-angle} --max-area "
                                                          "{max-area} --quiet",
                            "--min-angle", "25", "--max-area-fraction", "0.01", "--cases", "22"});
@@ -106,7 +105,7 @@ TEST_F(AMesher, MayWriteAnyFormat) {
 
 TEST_F(AMesher, MayWriteWhereTriangleDoes) {
   write("mesher.sh", ". ./pardel.sh; mesh $1 ${1%.poly}.1.ele");
-  const Ran ran = run(PARDEL_HARNESS, {"--mesher", "sh mesher.sh {poly}", "--cases", "3"});
+  const Ran ran = harness({"--mesher", "sh mesher.sh {poly}", "--cases", "3"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
 }
 
@@ -116,7 +115,8 @@ constexpr const char* afraid =
     "0) mesh $1 $2 ;;\n*) kill -SEGV $$ ;;\nesac";
 
 TEST_F(AMesher, IsReportedAlikeWhateverTheNumberOfJobs) {
-  const std::vector<std::string> options = {"--cases", "44", "--seed", "5", "--failures", "failures", "--shrink-runs", "40"};
+  const std::vector<std::string> options = {"--cases",    "44",       "--seed",        "5",
+                                            "--failures", "failures", "--shrink-runs", "40"};
   std::vector<std::string> more = options;
   more.insert(more.end(), {"--jobs", "1"});
   const Ran one = try_script(afraid, more);

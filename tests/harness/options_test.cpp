@@ -1,13 +1,13 @@
 // The command line: what it answers, and what it says of a mistake.
-#include "../cli/program.hpp"
+#include "harness_workshop.hpp"
 
 namespace pardel::testing {
 namespace {
 
-class TheHarness : public Workshop {
+class TheHarness : public HarnessWorkshop {
  protected:
   void refuses(const std::vector<std::string>& arguments, int exit_code, const std::vector<std::string>& words) const {
-    const Ran ran = run(PARDEL_HARNESS, arguments);
+    const Ran ran = harness(arguments);
     EXPECT_EQ(ran.exit_code, exit_code) << ran;
     EXPECT_TRUE(holds(ran.err, words));
     EXPECT_EQ(ran.out, "");
@@ -15,13 +15,13 @@ class TheHarness : public Workshop {
 };
 
 TEST_F(TheHarness, ExplainsItself) {
-  const Ran ran = run(PARDEL_HARNESS, {"--help"});
+  const Ran ran = harness({"--help"});
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(holds(ran.out, {"--mesher COMMAND", "{poly}", "{out}", "Examples:", "Exit status:", "gmsh", "triangle"}));
 }
 
 TEST_F(TheHarness, ListsTheFamilies) {
-  const Ran ran = run(PARDEL_HARNESS, {"--list-families"});
+  const Ran ran = harness({"--list-families"});
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(holds(ran.out, {"cracks\n", "far_offset\n"}));
 }
@@ -49,7 +49,7 @@ TEST_F(TheHarness, RefusesFoldersThatCannotBe) {
 }
 
 TEST_F(TheHarness, WritesTheReportToAFile) {
-  const Ran ran = run(PARDEL_HARNESS, {"--mesher", "pardel", "--cases", "11", "--report", "card.md"});
+  const Ran ran = harness({"--mesher", "pardel", "--cases", "11", "--report", "card.md"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
   EXPECT_EQ(ran.out + ran.err, "");
   EXPECT_TRUE(holds(read("card.md"), {"# 11 of 11 valid", "| **all** | 11 | 11 | 0 | 0 | 0 | 0 | 0 |"}));
@@ -57,14 +57,14 @@ TEST_F(TheHarness, WritesTheReportToAFile) {
 
 TEST_F(TheHarness, ShowsHowFarItIsOnATerminalOnly) {
   if (!terminals_exist()) GTEST_SKIP() << "no terminals here";
-  const Ran ran = run(PARDEL_HARNESS, {"--mesher", "pardel", "--cases", "11"}, {.terminal = true});
+  const Ran ran = harness({"--mesher", "pardel", "--cases", "11"}, {.terminal = true});
   EXPECT_TRUE(holds(ran.err, {"11 of 11 cases"}));
 }
 
 TEST_F(TheHarness, StopsAtAnInterrupt) {
   if (!terminals_exist()) GTEST_SKIP() << "no terminals here";
-  const Ran ran = run(PARDEL_HARNESS, {"--mesher", "sh -c 'test -e once && sleep 600; touch once' {poly}"},
-                      {.interrupt_when = "1 of", .terminal = true});
+  const Ran ran = harness({"--mesher", "sh -c 'test -e once && sleep 600; touch once' {poly}"},
+                          {.interrupt_when = "1 of", .terminal = true});
   EXPECT_EQ(ran.exit_code, 130) << ran;
 }
 
