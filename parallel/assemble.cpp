@@ -84,9 +84,11 @@ std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t)
 }
 
 /// Puts the input's points back into the input's order.
-void restore_order(const std::vector<Index>& input_of_vertex, Array<Point>& points) {
-  const std::vector<Point> moved(points.begin(), points.begin() + input_of_vertex.size());
-  for (std::size_t v = 0; v < moved.size(); ++v) points[input_of_vertex[v]] = moved[v];
+void restore_order(const std::vector<Index>& input_of_vertex, Array<Point>& points, int threads) {
+  const Array<Point> moved(points.span().first(input_of_vertex.size()));
+  parallel_blocks(threads, moved.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v) points[input_of_vertex[v]] = moved[v];
+  });
 }
 
 /// Vertex marker: its own, else that of a line it lies on, else 1 on the boundary, else 0.
@@ -228,7 +230,7 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   for (const auto& block : edges)
     mesh.constrained_edges.insert(mesh.constrained_edges.end(), block.begin(), block.end());
   mesh.triangles = std::move(triangles);
-  restore_order(domain.input_of_vertex, t.points);
+  restore_order(domain.input_of_vertex, t.points, threads);
   parallel_blocks(threads, t.origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v)
       if (t.origin[v] < domain.lines.size()) {

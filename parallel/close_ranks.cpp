@@ -8,38 +8,69 @@
 namespace pardel {
 namespace {
 
-void close_triangles(Triangulation& t, const NumberLedger& numbers) {
-  for (const NumberMove move : moves_into_holes(numbers)) {
-    t.move_triangle(move.from, move.to);
-    if (!t.region.empty()) t.region[move.to] = mutated("region_left_behind") ? 0 : t.region[move.from];
+/// The moves that close the ranks, and where what had a number from `in_use` on has gone.
+struct Closing {
+  std::vector<NumberMove> moves;
+  Index in_use;
+  std::vector<Index> moved_to;
+
+  explicit Closing(const NumberLedger& numbers)
+      : moves(moves_into_holes(numbers)), in_use(numbers.in_use()), moved_to(numbers.end() - in_use, no_index) {
+    for (const NumberMove move : moves) moved_to[move.from - in_use] = move.to;
   }
-  t.slots.resize(numbers.in_use());
-  if (!t.region.empty()) t.region.resize(numbers.in_use());
+  [[nodiscard]] bool has_moved(Index number) const { return number >= in_use; }
+  [[nodiscard]] Index now(Index number) const { return moved_to[number - in_use]; }
+
+  template <class Body>
+  void for_each_move(int threads, const Body& body) const {
+    parallel_blocks(threads, moves.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) body(moves[i].from, moves[i].to);
+    });
+  }
+};
+
+void close_triangles(Triangulation& t, const NumberLedger& numbers, int threads) {
+  const Closing closing(numbers);
+  closing.for_each_move(threads, [&](TriangleId from, TriangleId to) {
+    t.slots[to] = t.slots[from];
+    if (!t.region.empty()) t.region[to] = mutated("region_left_behind") ? 0 : t.region[from];
+  });
+  // A neighbour that has moved is told by nobody, but looked up; one that has not is told by one triangle for each
+  // side.
+  closing.for_each_move(threads, [&](TriangleId, TriangleId to) {
+    for (unsigned side = 0; side < 3; ++side) {
+      EdgeRef& out = t.slots[to].n[side];
+      if (out.none()) continue;
+      if (closing.has_moved(out.triangle()) && !mutated("moved_neighbour_not_looked_up"))
+        out = EdgeRef(closing.now(out.triangle()), out.side(), out.constrained());
+      else
+        t.slots[out.triangle()].n[out.side()] = EdgeRef(to, side, out.constrained());
+    }
+  });
+  t.slots.resize(closing.in_use);
+  if (!t.region.empty()) t.region.resize(closing.in_use);
 }
 
 void close_vertices(Triangulation& t, const NumberLedger& numbers, int threads) {
-  const std::vector<NumberMove> moves = moves_into_holes(numbers);
-  const VertexId vertices = numbers.in_use();
-  std::vector<VertexId> moved_to(t.points.size() - vertices, no_index);
-  for (const NumberMove move : moves) {
-    t.points[move.to] = t.points[move.from];
-    if (!mutated("origin_left_behind")) t.origin[move.to] = t.origin[move.from];
-    moved_to[move.from - vertices] = move.to;
-  }
-  if (!moves.empty())
+  const Closing closing(numbers);
+  closing.for_each_move(threads, [&](VertexId from, VertexId to) {
+    t.points[to] = t.points[from];
+    if (!mutated("origin_left_behind")) t.origin[to] = t.origin[from];
+  });
+  if (!closing.moves.empty())
     parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t id = first; id < last; ++id)
         for (VertexId& v : t.slots[id].v)
-          if (v >= vertices) v = moved_to[v - vertices];
+          if (closing.has_moved(v)) v = closing.now(v);
     });
-  t.points.resize(vertices);
-  t.origin.resize(vertices);
+  t.points.resize(closing.in_use);
+  t.origin.resize(closing.in_use);
 }
 
 }  // namespace
 
 void close_ranks(Triangulation& t, const NumberLedger& vertices, const NumberLedger& triangles, int threads) {
-  close_triangles(t, triangles);
+  close_triangles(t, triangles, threads);
   close_vertices(t, vertices, threads);
   t.slots.shrink_to_fit();
   t.points.shrink_to_fit();

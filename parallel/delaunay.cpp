@@ -9,6 +9,7 @@
 
 #include "../core/mutants.hpp"
 #include "bowyer_watson.hpp"
+#include "in_order.hpp"
 #include "parallel_for.hpp"
 #include "predicates.hpp"
 #include "spatial_sort.hpp"
@@ -100,7 +101,10 @@ class Rounder {
   /// Afterwards `places` holds those that leave the boxes of their tiles.
   Status insert_on_tiles(const Lattice& lattice, std::vector<Index>& places, TriangleId triangles) {
     std::vector<Tile> tiles(lattice.cells());
-    for (const Index place : places) tiles[lattice.cell_of(t_.points[order_[place]])].places.push_back(place);
+    file_by_cell(
+        threads_, places.size(), tiles.size(),
+        [&](std::size_t i) { return lattice.cell_of(t_.points[order_[places[i]]]); },
+        [&](Index cell, std::size_t i) { tiles[cell].places.push_back(places[i]); });
     find_starts(lattice, tiles, triangles);
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
       std::vector<Index> cells;
@@ -124,19 +128,20 @@ class Rounder {
   /// For each tile a triangle in its box, near the centre of its cell: the tasks of other cells will leave one near
   /// there with that number.
   void find_starts(const Lattice& lattice, std::vector<Tile>& tiles, TriangleId triangles) const {
-    for (TriangleId id = 0; id < triangles; ++id) {
+    const auto cell_of = [&](std::size_t id) {
       const Slot& slot = t_.slots[id];
-      if (slot.is_ghost()) continue;
-      const Point p = t_.points[slot.v[0]];
-      const Index cell = lattice.cell_of(p);
-      const Box box = lattice.box_of(cell);
-      const Point centre = lattice.centre_of(cell);
+      return slot.is_ghost() ? no_index : lattice.cell_of(t_.points[slot.v[0]]);
+    };
+    file_by_cell(threads_, triangles, tiles.size(), cell_of, [&](Index cell, std::size_t id) {
+      const Slot& slot = t_.slots[id];
+      const Point p = t_.points[slot.v[0]], centre = lattice.centre_of(cell);
       const double distance = (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
-      if (distance >= tiles[cell].near_centre) continue;
-      if (!box.contains(t_.points[slot.v[1]]) || !box.contains(t_.points[slot.v[2]])) continue;
-      tiles[cell].near = id;
+      if (distance >= tiles[cell].near_centre) return;
+      const Box box = lattice.box_of(cell);
+      if (!box.contains(t_.points[slot.v[1]]) || !box.contains(t_.points[slot.v[2]])) return;
+      tiles[cell].near = static_cast<TriangleId>(id);
       tiles[cell].near_centre = distance;
-    }
+    });
   }
 
   void run(Tile& tile, const Box& box, BowyerWatson& worker) const {
@@ -178,8 +183,10 @@ Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_
   Delaunay result;
   result.input_of_vertex = hilbert_order(points, threads);
   Triangulation& t = result.triangulation;
-  t.points.reserve(points.size());
-  for (const Index i : result.input_of_vertex) t.points.push_back(points[i]);
+  t.points.resize_uninitialised(points.size());
+  parallel_blocks(threads, points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v) t.points[v] = points[result.input_of_vertex[v]];
+  });
   Rounds rounds = biased_random_order(t.points.size());
   std::vector<VertexId>& order = rounds.order;
 

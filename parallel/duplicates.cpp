@@ -7,6 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "../core/array.hpp"
 #include "../core/mutants.hpp"
 
 namespace pardel {
@@ -64,7 +65,8 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points) {
   std::vector<std::size_t> end(parts + 1);
   for (const Point& p : points) ++end[part_of(hash_of(p)) + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<Entry> entries(points.size());
+  Array<Entry> entries;
+  entries.resize_uninitialised(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint64_t hash = hash_of(points[i]);
     entries[end[part_of(hash)]++] = {static_cast<std::uint32_t>(hash), static_cast<Index>(i)};

@@ -10,6 +10,7 @@
 
 #include "../core/mutants.hpp"
 #include "close_ranks.hpp"
+#include "in_order.hpp"
 #include "lattices.hpp"
 #include "parallel_for.hpp"
 #include "phase.hpp"
@@ -41,26 +42,29 @@ class Refinement {
         threads_(crew_.threads()) {}
 
   Status run() {
-    Pending pending = everything_bad();
-    if (Status fits = check_size(pending.needed, options_); !fits) return fits;
+    const Outlook outlook = defer_everything_bad();
+    if (Status fits = check_size(outlook.needed, options_); !fits) return fits;
     const Box bounds = bounds_of(t_.points.span());
-    std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, pending.estimate, options_));
-    estimate_ = pending.expected;
+    std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, outlook.estimate, options_));
+    estimate_ = outlook.expected;
     if (options_.max_vertices > 0) estimate_ = std::min(estimate_, 2.0 * static_cast<double>(options_.max_vertices));
     triangles_before_ = crew_.triangles().in_use();
     vertices_before_ = crew_.vertices().in_use();
-    deferred_ = std::move(pending.triangles);
 
     // Down: what is long at a level is split there; what gets short enough waits for a finer one.
+    // Most of a fine input is short from the start: set aside, lest every level looks at it.
+    Array<Deferred> short_ones = std::move(deferred_);
+    take_due(short_ones, short_enough_for(levels.back()), [&](const Deferred& d) { deferred_.push_back(d); });
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
-      sweep_to_fixpoint(levels[level], std::exchange(deferred_, {}), short_enough_for(levels[level + 1]));
+      sweep_what_is_due(levels[level], short_enough_for(levels[level + 1]));
+    short_ones.append(deferred_.span());
+    deferred_.swap(short_ones);
     lay_finest(bounds, levels);
     // At the finest, everywhere the shorter half of the work comes before the longer: points put in for long
     // triangles would only be in the way of those that short ones need anyway. Tiles that finish one by one cannot
     // have this order by themselves, and neither has one queue over everything: it makes larger meshes.
-    const Deferral longer_half{.last_key = median_key(deferred_)};
-    sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), longer_half);
-    if (!mutated("longer_half_forgotten")) sweep_to_fixpoint(levels.back(), std::exchange(deferred_, {}), {});
+    sweep_what_is_due(levels.back(), {.last_key = median_key()});
+    if (!mutated("longer_half_forgotten")) sweep_what_is_due(levels.back(), {});
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
@@ -74,8 +78,7 @@ class Refinement {
   [[nodiscard]] RefineCounts counts() && { return std::move(counts_); }
 
  private:
-  struct Pending {
-    std::vector<Queued> triangles;
+  struct Outlook {
     double estimate = 0;  ///< of the final number of triangles, whatever the bound on angles: it sizes the tiles
     double expected = 0;  ///< the same with regard to that bound
     double needed = 0;    ///< no mesh with fewer has the areas asked for
@@ -118,31 +121,33 @@ class Refinement {
     tiling.radius_by_t3_sharp = sharp_radius_bound(largest.ratio, largest.area);
   }
 
-  /// All triangles that ask for something, and how many triangles the result may have.
-  Pending everything_bad() {
-    std::vector<Pending> found(block_count(t_.slots.size()));
-    std::vector<char> left_alone(found.size(), 0);
+  /// Defers all triangles that ask for something; how many triangles the result may have.
+  Outlook defer_everything_bad() {
+    const std::size_t blocks = block_count(t_.slots.size());
+    std::vector<Outlook> outlook(blocks);
+    std::vector<std::vector<Deferred>> bad(blocks);
+    std::vector<char> left_alone(blocks, 0);
     parallel_blocks(threads_, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
       for (std::size_t id = first; id < last; ++id) {
         const auto triangle = static_cast<TriangleId>(id);
         const Shape shape(t_, t_.slots[triangle]);
         const double wanted = wanted_by(triangle, shape);
-        found[block].estimate += std::max(triangles_per_input_triangle, wanted);
-        found[block].expected += std::max(criteria_.triangles_by_shape(), wanted);
-        found[block].needed += criteria_.triangles_needed(shape, judge_.region_of(triangle));
+        outlook[block].estimate += std::max(triangles_per_input_triangle, wanted);
+        outlook[block].expected += std::max(criteria_.triangles_by_shape(), wanted);
+        outlook[block].needed += criteria_.triangles_needed(shape, judge_.region_of(triangle));
         const Assessment a = judge_.assess(triangle, shape);
-        if (a.need != Assessment::Need::nothing) found[block].triangles.push_back({triangle, t_.slots[triangle].v[0]});
+        if (a.need != Assessment::Need::nothing) bad[block].push_back({{triangle, t_.slots[triangle].v[0]}, a});
         if (a.left_alone) left_alone[block] = 1;
       }
     });
-    Pending all;
-    for (const Pending& block : found) {
+    deferred_ = concatenated(threads_, bad);
+    counts_.left_alone = std::any_of(left_alone.begin(), left_alone.end(), [](char c) { return c != 0; });
+    Outlook all;
+    for (const Outlook& block : outlook) {
       all.estimate += block.estimate;
       all.expected += block.expected;
       all.needed += block.needed;
-      all.triangles.insert(all.triangles.end(), block.triangles.begin(), block.triangles.end());
     }
-    counts_.left_alone = std::any_of(left_alone.begin(), left_alone.end(), [](char c) { return c != 0; });
     return all;
   }
 
@@ -165,36 +170,56 @@ class Refinement {
     return !cancelled_.load(std::memory_order_relaxed);
   }
 
-  [[nodiscard]] unsigned median_key(const std::vector<Queued>& ids) const {
-    if (ids.empty()) return BucketQueue::last;
-    std::vector<unsigned> keys(ids.size());
-    parallel_blocks(threads_, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) keys[i] = judge_.assess(ids[i].id).key;
-    });
-    const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
-    std::nth_element(keys.begin(), middle, keys.end());
-    return *middle;
+  /// Of the deferred; what is larger is the longer half.
+  [[nodiscard]] unsigned median_key() const {
+    std::vector<std::size_t> count(BucketQueue::last + 1, 0);
+    for (const Deferred& d : deferred_) ++count[d.key];
+    unsigned key = 0;
+    for (std::size_t up_to = count[0]; up_to <= deferred_.size() / 2 && key < BucketQueue::last;) up_to += count[++key];
+    return key;
   }
 
-  void sweep_to_fixpoint(const Lattice& lattice, const std::vector<Queued>& pending, const Deferral& later) {
-    constexpr Index nowhere = no_index, afterwards = no_index - 1;
-    std::vector<Index> cell(pending.size());
-    parallel_blocks(threads_, pending.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+  /// Calls due(d) for those that may be due, and takes them out.
+  template <class Due>
+  static void take_due(Array<Deferred>& deferred, const Deferral& later, const Due& due) {
+    std::size_t kept = 0;
+    for (const Deferred& d : deferred) {
+      if (later.certainly_applies_to(d))
+        deferred[kept++] = d;
+      else
+        due(d);
+    }
+    deferred.resize_uninitialised(kept);
+  }
+
+  void sweep_what_is_due(const Lattice& lattice, const Deferral& later) {
+    Array<Queued> due;
+    take_due(deferred_, later, [&](const Deferred& d) { due.push_back(d.triangle); });
+    sweep_to_fixpoint(lattice, due.span(), later);
+  }
+
+  void sweep_to_fixpoint(const Lattice& lattice, std::span<const Queued> pending, const Deferral& later) {
+    Array<Index> cell;
+    cell.resize_uninitialised(pending.size());
+    std::vector<std::vector<Deferred>> not_yet(block_count(pending.size()));
+    parallel_blocks(threads_, pending.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
       for (std::size_t i = first; i < last; ++i) {
-        cell[i] = nowhere;
+        cell[i] = no_index;
         if (!judge_.is_current(pending[i])) continue;
         const TriangleId id = pending[i].id;
         const Shape shape(t_, t_.slots[id]);
         const Assessment a = judge_.assess(id, shape);
-        if (a.need != Assessment::Need::nothing)
-          cell[i] = later.applies_to(a, shape) ? afterwards : lattice.cell_of(judge_.point_for(id, a));
+        if (a.need == Assessment::Need::nothing) continue;
+        if (later.applies_to(a, shape))
+          not_yet[block].push_back({pending[i], a});
+        else
+          cell[i] = lattice.cell_of(judge_.point_for(id, a));
       }
     });
+    for (const auto& block : not_yet) deferred_.append(block);
     std::vector<std::vector<Queued>> inbox(lattice.cells());
-    for (std::size_t i = 0; i < pending.size(); ++i) {
-      if (cell[i] == nowhere) continue;
-      (cell[i] == afterwards ? deferred_ : inbox[cell[i]]).push_back(pending[i]);
-    }
+    file_by_cell(threads_, cell.span(), lattice.cells(),
+                 [&](Index to, std::size_t i) { inbox[to].push_back(pending[i]); });
     const auto waiting = [&] {
       return std::any_of(inbox.begin(), inbox.end(), [](const auto& b) { return !b.empty(); });
     };
@@ -278,8 +303,7 @@ class Refinement {
     const TaskResult& r = job.result;
     if (!mutated("outsiders_forgotten")) stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
     if (!mutated("stuck_triangles_forgotten")) stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
-    if (!mutated("deferred_triangles_forgotten"))
-      deferred_.insert(deferred_.end(), r.deferred.begin(), r.deferred.end());
+    if (!mutated("deferred_triangles_forgotten")) deferred_.append(r.deferred);
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
     counts_.refused += r.refused;
@@ -298,7 +322,8 @@ class Refinement {
   Judge judge_;
   Crew crew_;
   int threads_;
-  std::vector<Queued> stuck_, deferred_;
+  std::vector<Queued> stuck_;
+  Array<Deferred> deferred_;
   RefineCounts counts_;
   const Lattice* finest_ = nullptr;  ///< once it is laid
   std::optional<Error> failure_;

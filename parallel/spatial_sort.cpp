@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
+#include "../core/array.hpp"
 #include "../core/mutants.hpp"
 #include "parallel_for.hpp"
 
@@ -18,7 +20,7 @@ constexpr int levels = 16;  // bits per coordinate of a key
 struct Step {
   std::uint8_t position, state;
 };
-constexpr std::array<std::array<Step, 4>, 4> steps{{
+constexpr std::array<std::array<Step, 4>, 4> one_level{{
     // quadrants (0,0) (0,1) (1,0) (1,1)
     {{{0, 1}, {1, 0}, {3, 2}, {2, 0}}},
     {{{0, 0}, {3, 3}, {1, 1}, {2, 1}}},
@@ -26,13 +28,27 @@ constexpr std::array<std::array<Step, 4>, 4> steps{{
     {{{2, 3}, {3, 1}, {1, 3}, {0, 2}}},
 }};
 
+/// Four levels at once: by state, then four bits of x before four of y.
+constexpr auto four_levels = [] {
+  std::array<std::array<Step, 256>, 4> table{};
+  for (std::uint8_t start = 0; start < 4; ++start)
+    for (unsigned bits = 0; bits < 256; ++bits) {
+      Step whole{0, start};
+      for (int bit = 3; bit >= 0; --bit) {
+        const Step step = one_level[whole.state][(bits >> (bit + 4) & 1U) << 1U | (bits >> bit & 1U)];
+        whole = {static_cast<std::uint8_t>(whole.position << 2U | step.position), step.state};
+      }
+      table[start][bits] = whole;
+    }
+  return table;
+}();
+
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0;
   unsigned state = 0;
-  for (int bit = levels - 1; bit >= 0; --bit) {
-    const unsigned quadrant = (x >> bit & 1U) << 1U | (y >> bit & 1U);
-    const Step step = steps[state][quadrant];
-    key = key << 2U | step.position;
+  for (int bit = levels - 4; bit >= 0; bit -= 4) {
+    const Step step = four_levels[state][(x >> bit & 15U) << 4U | (y >> bit & 15U)];
+    key = key << 8U | step.position;
     state = step.state;
   }
   return key;
@@ -53,15 +69,28 @@ Box bounding_square(std::span<const Point> points, std::span<const Index> ids) {
   return {min_x, min_y, std::max(max_x - min_x, max_y - min_y)};
 }
 
-/// Least significant digit first, 11 bits at a time, on the upper half of each word.
-void radix_sort_by_key(std::vector<std::uint64_t>& words) {
-  std::vector<std::uint64_t> other(words.size());
+/// Least significant digit first, 11 bits at a time, on the upper half of each word. Stable, so that it does not matter
+/// in how many parts.
+void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
+  Array<std::uint64_t> sorted;
+  sorted.resize_uninitialised(words.size());
+  const auto parts = static_cast<std::size_t>(std::max(1, threads));
+  std::vector<std::array<std::size_t, 2048>> next(parts);
   for (unsigned shift = 32; shift < 64; shift += 11) {
-    std::array<std::size_t, 2049> start{};
-    for (const std::uint64_t w : words) ++start[(w >> shift & 2047U) + 1];
-    for (std::size_t d = 1; d < start.size(); ++d) start[d] += start[d - 1];
-    for (const std::uint64_t w : words) other[start[w >> shift & 2047U]++] = w;
-    words.swap(other);
+    const auto in_parts = [&](const auto& visit) {
+      parallel_for(threads, parts, [&](std::size_t part, int) {
+        const std::size_t last = words.size() * (part + 1) / parts;
+        for (std::size_t i = words.size() * part / parts; i < last; ++i)
+          visit(words[i], next[part][words[i] >> shift & 2047U]);
+      });
+    };
+    for (auto& counts : next) counts.fill(0);
+    in_parts([](std::uint64_t, std::size_t& count) { ++count; });
+    std::size_t place = 0;
+    for (unsigned digit = 0; digit < 2048; ++digit)
+      for (auto& counts : next) place += std::exchange(counts[digit], place);
+    in_parts([&](std::uint64_t word, std::size_t& to) { sorted[to++] = word; });
+    words.swap(sorted);
   }
 }
 
@@ -76,7 +105,8 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, int 
   }
   constexpr double top = (1U << levels) - 1;
   const double scale = top / box.side;
-  std::vector<std::uint64_t> words(ids.size());
+  Array<std::uint64_t> words;
+  words.resize_uninitialised(ids.size());
   parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t k = first; k < last; ++k) {
       const Point p = points[ids[k]];
@@ -85,8 +115,10 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, int 
       words[k] = static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
     }
   });
-  radix_sort_by_key(words);
-  for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = static_cast<Index>(words[k]);
+  radix_sort_by_key(words, threads);
+  parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t k = first; k < last; ++k) ids[k] = static_cast<Index>(words[k]);
+  });
   for (std::size_t k = 0; k < words.size();) {
     std::size_t stop = k + 1;
     while (stop < words.size() && words[stop] >> 32U == words[k] >> 32U) ++stop;

@@ -83,6 +83,18 @@ class Judge {
   double squared_floor_;
 };
 
+/// A triangle that a pass left for a later one, and what decides which: keys of its place in the queue and of the
+/// square of its longest side. They are as they were when it was left.
+struct Deferred {
+  Queued triangle;
+  std::uint16_t key, longest;
+
+  Deferred(Queued what, const Assessment& a)
+      : triangle(what),
+        key(static_cast<std::uint16_t>(a.key)),
+        longest(static_cast<std::uint16_t>(BucketQueue::key(a.longest_squared))) {}
+};
+
 /// What a pass leaves for a later one: triangles no longer than `longest_squared`, or whose circumradius is at most
 /// this, wait for a finer lattice, those whose key is above `last_key` for the next round.
 struct Deferral {
@@ -92,6 +104,10 @@ struct Deferral {
   [[nodiscard]] bool applies_to(const Assessment& a, const Measure& m) const {
     return a.longest_squared <= longest_squared || a.key > last_key ||
            (squared_radius > 0 && m.squared_circumradius() <= squared_radius);
+  }
+  /// The keys alone say that it applies.
+  [[nodiscard]] bool certainly_applies_to(const Deferred& d) const {
+    return d.key > last_key || d.longest < BucketQueue::key(longest_squared);
   }
 };
 
@@ -105,7 +121,7 @@ struct HandedOn {
 struct TaskResult {
   std::vector<HandedOn> handed_on;  ///< to other cells, or to its own when its numbers were used up
   std::vector<Queued> stuck;        ///< the box of their own cell is too small
-  std::vector<Queued> deferred;     ///< for a finer lattice or the next round
+  std::vector<Deferred> deferred;   ///< for a finer lattice or the next round
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   std::uint64_t out_of_numbers = 0;   ///< how many of handed_on went to its own cell
   std::uint64_t against_promise = 0;  ///< how many of stuck should have fitted
@@ -141,7 +157,7 @@ class Task {
     if (a.need == Assessment::Need::nothing)
       result_.left_alone = result_.left_alone || a.left_alone;
     else if (later_.applies_to(a, m))
-      result_.deferred.push_back({id, t_.slots[id].v[0]});
+      result_.deferred.push_back({{id, t_.slots[id].v[0]}, a});
     else
       queue_.push({id, t_.slots[id].v[0]}, a.key);
   }

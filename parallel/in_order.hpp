@@ -1,0 +1,50 @@
+// Lists that many threads make at once, in an order that does not depend on how many.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "../core/array.hpp"
+#include "../core/pslg.hpp"
+#include "parallel_for.hpp"
+
+namespace pardel {
+
+/// What was found block by block, in one array.
+template <class T>
+[[nodiscard]] Array<T> concatenated(int threads, const std::vector<std::vector<T>>& blocks) {
+  std::vector<std::size_t> start(blocks.size() + 1, 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) start[b + 1] = start[b] + blocks[b].size();
+  Array<T> all;
+  all.resize_uninitialised(start.back());
+  parallel_for(threads, blocks.size(),
+               [&](std::size_t b, int) { std::copy(blocks[b].begin(), blocks[b].end(), all.begin() + start[b]); });
+  return all;
+}
+
+/// Calls file(cell_of[i], i) for all i whose cell is below `cells`: for each cell in ascending order of i, one call at
+/// a time. Every thread looks at all of cell_of, which costs less than to give out its parts.
+template <class File>
+void file_by_cell(int threads, std::span<const Index> cell_of, std::size_t cells, const File& file) {
+  const auto groups = static_cast<std::size_t>(std::max(1, threads));
+  parallel_for(threads, groups, [&](std::size_t group, int) {
+    const auto first = static_cast<Index>(cells * group / groups),
+               last = static_cast<Index>(cells * (group + 1) / groups);
+    for (std::size_t i = 0; i < cell_of.size(); ++i)
+      if (cell_of[i] >= first && cell_of[i] < last) file(cell_of[i], i);
+  });
+}
+
+/// The same for i below n, with the cells that cell_of(i) gives.
+template <class CellOf, class File>
+void file_by_cell(int threads, std::size_t n, std::size_t cells, const CellOf& cell_of, const File& file) {
+  Array<Index> cell;
+  cell.resize_uninitialised(n);
+  parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) cell[i] = cell_of(i);
+  });
+  file_by_cell(threads, cell.span(), cells, file);
+}
+
+}  // namespace pardel

@@ -1,0 +1,44 @@
+// What many threads list at once comes in one order, whatever their number.
+#include "../../parallel/in_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+
+namespace pardel {
+namespace {
+
+using samples::Random;
+
+TEST(InOrder, blocks_are_joined_one_after_another) {
+  Random random(1);
+  std::vector<std::vector<int>> blocks(50);
+  std::vector<int> expected;
+  for (auto& block : blocks)
+    for (std::size_t n = random.below(4); n > 0; --n) {
+      block.push_back(static_cast<int>(expected.size()));
+      expected.push_back(block.back());
+    }
+  for (const int threads : {1, 2, 7}) EXPECT_TRUE(std::ranges::equal(concatenated(threads, blocks), expected));
+  EXPECT_TRUE(concatenated(2, std::vector<std::vector<int>>{}).empty());
+}
+
+TEST(InOrder, each_cell_gets_its_own_in_ascending_order_on_any_number_of_threads) {
+  constexpr std::size_t cells = 5, n = 40'000;
+  Random random(2);
+  std::vector<Index> cell_of(n);
+  for (Index& cell : cell_of) cell = random.below(6) < 5 ? static_cast<Index>(random.below(cells)) : no_index;
+  std::vector<std::vector<std::size_t>> expected(cells);
+  for (std::size_t i = 0; i < n; ++i)
+    if (cell_of[i] != no_index) expected[cell_of[i]].push_back(i);
+  for (const int threads : {1, 2, 3, 8}) {
+    std::vector<std::vector<std::size_t>> filed(cells);
+    file_by_cell(
+        threads, n, cells, [&](std::size_t i) { return cell_of[i]; },
+        [&](Index cell, std::size_t i) { filed[cell].push_back(i); });
+    EXPECT_EQ(filed, expected) << threads << " threads";
+  }
+}
+
+}  // namespace
+}  // namespace pardel
