@@ -14,8 +14,8 @@ struct Closing {
   Index in_use;
   std::vector<Index> moved_to;
 
-  explicit Closing(const NumberLedger& numbers)
-      : moves(moves_into_holes(numbers)), in_use(numbers.in_use()), moved_to(numbers.end() - in_use, no_index) {
+  explicit Closing(const NumberLedger& numbers) : moves(moves_into_holes(numbers)), in_use(numbers.in_use()) {
+    if (!moves.empty()) moved_to.resize(moves.back().from + 1 - in_use, no_index);
     for (const NumberMove move : moves) moved_to[move.from - in_use] = move.to;
   }
   [[nodiscard]] bool has_moved(Index number) const { return number >= in_use; }
@@ -35,8 +35,8 @@ void close_triangles(Triangulation& t, const NumberLedger& numbers, int threads)
     t.slots[to] = t.slots[from];
     if (!t.region.empty()) t.region[to] = mutated("region_left_behind") ? 0 : t.region[from];
   });
-  // A neighbour that has moved is told by nobody, but looked up; one that has not is told by one triangle for each
-  // side.
+  // Of two neighbours that have moved each looks up where the other is. One that stayed is told by the one that moved:
+  // a side has one writer, and nobody reads it here.
   closing.for_each_move(threads, [&](TriangleId, TriangleId to) {
     for (unsigned side = 0; side < 3; ++side) {
       EdgeRef& out = t.slots[to].n[side];

@@ -11,26 +11,23 @@
 
 namespace pardel {
 
-/// What was found block by block, in one array.
+/// Appends what was found block by block.
 template <class T>
-[[nodiscard]] Array<T> concatenated(int threads, const std::vector<std::vector<T>>& blocks) {
-  std::vector<std::size_t> start(blocks.size() + 1, 0);
+void append_blocks(int threads, const std::vector<std::vector<T>>& blocks, Array<T>& all) {
+  std::vector<std::size_t> start(blocks.size() + 1, all.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) start[b + 1] = start[b] + blocks[b].size();
-  Array<T> all;
   all.resize_uninitialised(start.back());
   parallel_for(threads, blocks.size(),
                [&](std::size_t b, int) { std::copy(blocks[b].begin(), blocks[b].end(), all.begin() + start[b]); });
-  return all;
 }
 
 /// Calls file(cell_of[i], i) for all i whose cell is below `cells`: for each cell in ascending order of i, one call at
-/// a time. Every thread looks at all of cell_of, which costs less than to give out its parts.
+/// a time. Every thread has some cells and looks at all of cell_of, which is little beside what filing costs.
 template <class File>
 void file_by_cell(int threads, std::span<const Index> cell_of, std::size_t cells, const File& file) {
-  const auto groups = static_cast<std::size_t>(std::max(1, threads));
+  const std::size_t groups = std::min(cells, static_cast<std::size_t>(std::max(1, threads)));
   parallel_for(threads, groups, [&](std::size_t group, int) {
-    const auto first = static_cast<Index>(cells * group / groups),
-               last = static_cast<Index>(cells * (group + 1) / groups);
+    const std::size_t first = cells * group / groups, last = cells * (group + 1) / groups;
     for (std::size_t i = 0; i < cell_of.size(); ++i)
       if (cell_of[i] >= first && cell_of[i] < last) file(cell_of[i], i);
   });

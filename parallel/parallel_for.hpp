@@ -1,8 +1,9 @@
-// Loops on all cores. The only place that knows OpenMP.
+// Loops on all cores. The only place in parallel/ that knows OpenMP.
 #pragma once
 
 #include <omp.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <new>
@@ -27,14 +28,17 @@ void parallel_for(int threads, std::size_t n, const Body& body) {
   if (out_of_memory.load()) throw std::bad_alloc();
 }
 
+inline constexpr std::size_t items_in_block = 16'384;
+[[nodiscard]] inline std::size_t block_count(std::size_t n) { return (n + items_in_block - 1) / items_in_block; }
+
 /// The same over blocks of consecutive items: body(first, last, block). The blocks depend on n alone, so what is
 /// put together block by block does not depend on threads.
 template <class Body>
 void parallel_blocks(int threads, std::size_t n, const Body& body) {
-  constexpr std::size_t block = 16'384;
-  parallel_for(threads, (n + block - 1) / block,
-               [&](std::size_t b, int) { body(b * block, b * block + block < n ? b * block + block : n, b); });
+  parallel_for(threads, block_count(n), [&](std::size_t block, int) {
+    const std::size_t first = block * items_in_block;
+    body(first, std::min(first + items_in_block, n), block);
+  });
 }
-[[nodiscard]] inline std::size_t block_count(std::size_t n) { return (n + 16'383) / 16'384; }
 
 }  // namespace pardel

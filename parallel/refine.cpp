@@ -51,14 +51,7 @@ class Refinement {
     triangles_before_ = crew_.triangles().in_use();
     vertices_before_ = crew_.vertices().in_use();
 
-    // Down: what is long at a level is split there; what gets short enough waits for a finer one.
-    // Most of a fine input is short from the start: set aside, lest every level looks at it.
-    Array<Deferred> short_ones = std::move(deferred_);
-    take_due(short_ones, short_enough_for(levels.back()), [&](const Deferred& d) { deferred_.push_back(d); });
-    for (std::size_t level = 0; level + 1 < levels.size(); ++level)
-      sweep_what_is_due(levels[level], short_enough_for(levels[level + 1]));
-    short_ones.append(deferred_.span());
-    deferred_.swap(short_ones);
+    go_down(levels);
     lay_finest(bounds, levels);
     // At the finest, everywhere the shorter half of the work comes before the longer: points put in for long
     // triangles would only be in the way of those that short ones need anyway. Tiles that finish one by one cannot
@@ -67,7 +60,7 @@ class Refinement {
     if (!mutated("longer_half_forgotten")) sweep_what_is_due(levels.back(), {});
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0;)
-      sweep_to_fixpoint(levels[level], std::exchange(stuck_, {}), {});
+      sweep_to_fixpoint(levels[level], filed(levels[level], std::exchange(stuck_, {}), {}), {});
     close_ranks(t_, crew_.vertices(), crew_.triangles(), threads_);
     counts_.left_alone = counts_.left_alone || !stuck_.empty();  // with a point that is nowhere
     if (failure_) return *failure_;
@@ -78,6 +71,8 @@ class Refinement {
   [[nodiscard]] RefineCounts counts() && { return std::move(counts_); }
 
  private:
+  using Inbox = std::vector<std::vector<Queued>>;  ///< per cell, what waits for its task
+
   struct Outlook {
     double estimate = 0;  ///< of the final number of triangles, whatever the bound on angles: it sizes the tiles
     double expected = 0;  ///< the same with regard to that bound
@@ -140,7 +135,7 @@ class Refinement {
         if (a.left_alone) left_alone[block] = 1;
       }
     });
-    deferred_ = concatenated(threads_, bad);
+    append_blocks(threads_, bad, deferred_);
     counts_.left_alone = std::any_of(left_alone.begin(), left_alone.end(), [](char c) { return c != 0; });
     Outlook all;
     for (const Outlook& block : outlook) {
@@ -170,7 +165,7 @@ class Refinement {
     return !cancelled_.load(std::memory_order_relaxed);
   }
 
-  /// Of the deferred; what is larger is the longer half.
+  /// Of the deferred, those that are gone by now included; what is larger is the longer half.
   [[nodiscard]] unsigned median_key() const {
     std::vector<std::size_t> count(BucketQueue::last + 1, 0);
     for (const Deferred& d : deferred_) ++count[d.key];
@@ -179,26 +174,42 @@ class Refinement {
     return key;
   }
 
+  /// What is long at a level is split there; what gets short enough waits for a finer one. Most of a fine input is
+  /// short from the start and set aside, lest every level goes through it (but for the paper's levels, which go by
+  /// radii).
+  void go_down(const std::vector<Lattice>& levels) {
+    Array<Deferred> for_the_finest = std::exchange(deferred_, {});
+    take_due(for_the_finest, short_enough_for(levels.back()), [&](const Deferred& d) { deferred_.push_back(d); });
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level)
+      sweep_what_is_due(levels[level], short_enough_for(levels[level + 1]));
+    if (!mutated("short_ones_forgotten")) for_the_finest.append(deferred_.span());
+    deferred_.swap(for_the_finest);
+  }
+
   /// Calls due(d) for those that may be due, and takes them out.
   template <class Due>
   static void take_due(Array<Deferred>& deferred, const Deferral& later, const Due& due) {
     std::size_t kept = 0;
     for (const Deferred& d : deferred) {
-      if (later.certainly_applies_to(d))
+      if (later.applied_to(d))
         deferred[kept++] = d;
       else
         due(d);
     }
     deferred.resize_uninitialised(kept);
+    deferred.shrink_to_fit();
   }
 
   void sweep_what_is_due(const Lattice& lattice, const Deferral& later) {
     Array<Queued> due;
     take_due(deferred_, later, [&](const Deferred& d) { due.push_back(d.triangle); });
-    sweep_to_fixpoint(lattice, due.span(), later);
+    Inbox inbox = filed(lattice, due.span(), later);
+    Array<Queued>().swap(due);
+    sweep_to_fixpoint(lattice, std::move(inbox), later);
   }
 
-  void sweep_to_fixpoint(const Lattice& lattice, std::span<const Queued> pending, const Deferral& later) {
+  /// By the cells of the points that they ask for; what `later` applies to is deferred.
+  Inbox filed(const Lattice& lattice, std::span<const Queued> pending, const Deferral& later) {
     Array<Index> cell;
     cell.resize_uninitialised(pending.size());
     std::vector<std::vector<Deferred>> not_yet(block_count(pending.size()));
@@ -216,10 +227,14 @@ class Refinement {
           cell[i] = lattice.cell_of(judge_.point_for(id, a));
       }
     });
-    for (const auto& block : not_yet) deferred_.append(block);
-    std::vector<std::vector<Queued>> inbox(lattice.cells());
+    append_blocks(threads_, not_yet, deferred_);
+    Inbox inbox(lattice.cells());
     file_by_cell(threads_, cell.span(), lattice.cells(),
                  [&](Index to, std::size_t i) { inbox[to].push_back(pending[i]); });
+    return inbox;
+  }
+
+  void sweep_to_fixpoint(const Lattice& lattice, Inbox inbox, const Deferral& later) {
     const auto waiting = [&] {
       return std::any_of(inbox.begin(), inbox.end(), [](const auto& b) { return !b.empty(); });
     };
@@ -233,7 +248,7 @@ class Refinement {
   }
 
   /// Four phases, one per colour. Returns the number of vertices inserted.
-  std::uint64_t sweep(const Lattice& lattice, std::vector<std::vector<Queued>>& inbox, const Deferral& later) {
+  std::uint64_t sweep(const Lattice& lattice, Inbox& inbox, const Deferral& later) {
     const auto start = std::chrono::steady_clock::now();
     Sweep done{lattice.columns(), lattice.rows()};
     for (unsigned colour = 0; colour < Lattice::colours && go_on(); ++colour) {
@@ -274,8 +289,7 @@ class Refinement {
   }
 
   /// A job for each cell of the colour in which something waits.
-  [[nodiscard]] std::vector<Job> jobs_of(const Lattice& lattice, unsigned colour,
-                                         std::vector<std::vector<Queued>>& inbox) const {
+  [[nodiscard]] std::vector<Job> jobs_of(const Lattice& lattice, unsigned colour, Inbox& inbox) const {
     const std::vector<double> wanted = wanted_in_cells(inbox);
     std::vector<Job> jobs;
     for (Index cell = 0; cell < lattice.cells(); ++cell)
@@ -289,7 +303,7 @@ class Refinement {
   }
 
   /// What the sizes ask for where the triangles lie that wait in each cell.
-  [[nodiscard]] std::vector<double> wanted_in_cells(const std::vector<std::vector<Queued>>& inbox) const {
+  [[nodiscard]] std::vector<double> wanted_in_cells(const Inbox& inbox) const {
     std::vector<double> wanted(inbox.size(), 0);
     if (!criteria_.has_size()) return wanted;
     parallel_for(threads_, inbox.size(), [&](std::size_t cell, int) {

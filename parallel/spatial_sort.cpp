@@ -74,7 +74,7 @@ Box bounding_square(std::span<const Point> points, std::span<const Index> ids) {
 void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
   Array<std::uint64_t> sorted;
   sorted.resize_uninitialised(words.size());
-  const auto parts = static_cast<std::size_t>(std::max(1, threads));
+  const std::size_t parts = std::min(block_count(words.size()), static_cast<std::size_t>(std::max(1, threads)));
   std::vector<std::array<std::size_t, 2048>> next(parts);
   for (unsigned shift = 32; shift < 64; shift += 11) {
     const auto in_parts = [&](const auto& visit) {

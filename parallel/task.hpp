@@ -83,8 +83,8 @@ class Judge {
   double squared_floor_;
 };
 
-/// A triangle that a pass left for a later one, and what decides which: keys of its place in the queue and of the
-/// square of its longest side. They are as they were when it was left.
+/// A triangle that a pass left for a later one, with its key in the queue and the key of the square of its longest
+/// side, as they were then.
 struct Deferred {
   Queued triangle;
   std::uint16_t key, longest;
@@ -105,9 +105,11 @@ struct Deferral {
     return a.longest_squared <= longest_squared || a.key > last_key ||
            (squared_radius > 0 && m.squared_circumradius() <= squared_radius);
   }
-  /// The keys alone say that it applies.
-  [[nodiscard]] bool certainly_applies_to(const Deferred& d) const {
-    return d.key > last_key || d.longest < BucketQueue::key(longest_squared);
+  /// By the keys alone. A neighbour across a segment may have changed since what the triangle asks for; whatever is
+  /// passed over for that, the last pass looks at.
+  [[nodiscard]] bool applied_to(const Deferred& d) const {
+    const unsigned least = BucketQueue::key(longest_squared);
+    return d.key > last_key || (mutated("deferral_by_rounded_lengths") ? d.longest <= least : d.longest < least);
   }
 };
 

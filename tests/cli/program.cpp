@@ -47,8 +47,8 @@ void redirect(int to, const char* file) {
     redirect(STDERR_FILENO, err.c_str());
   }
   if (options.file_size_limit) {
-    signal(SIGXFSZ, SIG_IGN);                     // the write then fails as on a full disk
-    setenv("TEST_TMPDIR", "/no-such-folder", 1);  // where ThreadSanitizer would keep a file larger than the limit
+    signal(SIGXFSZ, SIG_IGN);                               // the write then fails as on a full disk
+    if (sanitized) setenv("TMPDIR", "/no-such-folder", 1);  // ThreadSanitizer would keep a large file there
   }
   limit(RLIMIT_FSIZE, options.file_size_limit);
   limit(RLIMIT_AS, options.address_space);

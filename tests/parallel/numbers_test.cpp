@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "../../parallel/close_ranks.hpp"
 #include "samples.hpp"
@@ -83,15 +84,40 @@ TEST(NumberMoves, fill_every_hole_with_what_lies_above) {
   }
 }
 
-/// Some last vertices and triangles are moved into holes; what the triangulation says stays the same.
-TEST(CloseRanks, renumbers_and_changes_nothing_else) {
-  const std::vector<Point> points = samples::uniform_points(200, 11);
-  Triangulation t = samples::triangulated(points).triangulation;
-  for (VertexId v = 0; v < t.points.size(); ++v) t.origin[v] = v;
+/// A triangulation with holes among its numbers: every third triangle and every other vertex has one beyond the rest.
+struct Spread {
+  Triangulation t;
+  NumberLedger vertices, triangles;
 
-  // Every third triangle and every fifth vertex moves to the end; what stays behind are holes.
-  const auto spread = [](Index count, Index step) {
-    NumberLedger ledger(0, 100'000);
+  /// Vertices have their first number for an origin, triangles that of their first corner for a region.
+  explicit Spread(Triangulation whole)
+      : t(std::move(whole)),
+        vertices(with_holes(static_cast<Index>(t.points.size()), 2)),
+        triangles(with_holes(static_cast<Index>(t.slots.size()), 3)) {
+    const auto points = static_cast<Index>(t.points.size()), slots = static_cast<Index>(t.slots.size());
+    for (VertexId v = 0; v < points; ++v) t.origin[v] = v;
+    t.region.resize(slots);
+    for (TriangleId id = 0; id < slots; ++id) t.region[id] = t.slots[id].v[0];
+    t.points.resize_uninitialised(vertices.end());
+    t.origin.resize_uninitialised(vertices.end());
+    t.slots.resize_uninitialised(triangles.end());
+    t.region.resize_uninitialised(triangles.end());
+    for (TriangleId id = 0; id < slots; ++id)
+      for (VertexId& v : t.slots[id].v)
+        if (v % 2 == 0) v = points + v / 2;
+    for (VertexId v = 0; v < points; v += 2) {
+      t.points[points + v / 2] = t.points[v];
+      t.origin[points + v / 2] = std::exchange(t.origin[v], no_index);
+    }
+    for (TriangleId id = 0; id < slots; id += 3) {
+      t.move_triangle(id, slots + id / 3);
+      t.region[slots + id / 3] = t.region[id];
+    }
+  }
+
+ private:
+  static NumberLedger with_holes(Index count, Index step) {
+    NumberLedger ledger(0, max_triangles);
     std::vector<NumberRange> all;
     ledger.assign(count + (count + step - 1) / step, all);
     std::vector<NumberRange> holes;
@@ -99,31 +125,35 @@ TEST(CloseRanks, renumbers_and_changes_nothing_else) {
     ledger.take_back(Numbers(holes));
     ledger.settle();
     return ledger;
-  };
-  const auto vertices_before = static_cast<Index>(t.points.size());
-  const auto triangles_before = static_cast<Index>(t.slots.size());
-  const NumberLedger vertices = spread(vertices_before, 5), triangles = spread(triangles_before, 3);
-  t.points.resize_uninitialised(vertices.end());
-  t.origin.resize_uninitialised(vertices.end());
-  t.slots.resize_uninitialised(triangles.end());
-  for (Index v = 0; v < vertices_before; v += 5) {
-    const Index to = vertices_before + v / 5;
-    t.points[to] = t.points[v];
-    t.origin[to] = v;
-    for (Index id = 0; id < triangles_before; ++id)
-      for (VertexId& corner : t.slots[id].v)
-        if (corner == v) corner = to;
-    t.origin[v] = no_index;
   }
-  for (Index id = 0; id < triangles_before; id += 3) t.move_triangle(id, triangles_before + id / 3);
+};
 
-  close_ranks(t, vertices, triangles, 1);
-  EXPECT_EQ(samples::fault(t), "");
-  ASSERT_EQ(t.points.size(), vertices_before);
-  ASSERT_EQ(t.slots.size(), triangles_before);
-  for (VertexId v = 0; v < t.points.size(); ++v) {
-    ASSERT_LT(t.origin[v], points.size());
-    EXPECT_EQ(t.points[v], points[t.origin[v]]) << "vertex " << v;
+TEST(CloseRanks, renumbers_and_changes_nothing_else) {
+  for (const std::size_t n : {200U, 35'000U}) {  // a few, and several blocks
+    const std::vector<Point> points = samples::uniform_points(n, 11);
+    const Triangulation whole = samples::triangulated(points).triangulation;
+    Spread spread(whole);
+    Triangulation& t = spread.t;
+    close_ranks(t, spread.vertices, spread.triangles, 1);
+    EXPECT_EQ(samples::fault(t), "");
+    ASSERT_EQ(t.points.size(), whole.points.size());
+    ASSERT_EQ(t.slots.size(), whole.slots.size());
+    for (VertexId v = 0; v < t.points.size(); ++v) {
+      ASSERT_LT(t.origin[v], points.size());
+      ASSERT_EQ(t.points[v], whole.points[t.origin[v]]) << "vertex " << v;
+    }
+    for (TriangleId id = 0; id < t.slots.size(); ++id)
+      ASSERT_EQ(t.region[id], t.origin[t.slots[id].v[0]]) << "triangle " << id;
+
+    Spread again(whole);
+    close_ranks(again.t, again.vertices, again.triangles, 3);
+    EXPECT_EQ(again.t.points, t.points);
+    EXPECT_EQ(again.t.origin, t.origin);
+    EXPECT_EQ(again.t.region, t.region);
+    for (TriangleId id = 0; id < t.slots.size(); ++id) {
+      ASSERT_EQ(again.t.slots[id].v, t.slots[id].v) << "triangle " << id;
+      ASSERT_EQ(again.t.slots[id].n, t.slots[id].n) << "triangle " << id;
+    }
   }
 }
 

@@ -43,6 +43,20 @@ TEST(HilbertOrder, depends_on_coordinates_only) {
   }
 }
 
+/// Large enough for several blocks, and with clusters that are ordered each along a curve of its own.
+TEST(HilbertOrder, does_not_depend_on_threads) {
+  samples::Random random(6);
+  std::vector<Point> points = samples::uniform_points(40'000, 7);
+  for (int cluster = 0; cluster < 500; ++cluster) {
+    const Point centre = points[random.below(40'000)];
+    for (int i = 0; i < 20; ++i)
+      points.push_back({centre.x + random.uniform(0, 1e-9), centre.y + random.uniform(0, 1e-9)});
+  }
+  const std::vector<Index> order = hilbert_order(points);
+  EXPECT_TRUE(is_permutation(order, points.size()));
+  for (const int threads : {2, 3, 16}) EXPECT_EQ(hilbert_order(points, threads), order) << threads << " threads";
+}
+
 TEST(HilbertOrder, takes_equal_points_for_what_they_are) {
   const std::vector<Point> same(1000, Point{3, 4});
   EXPECT_TRUE(is_permutation(hilbert_order(same), same.size()));
