@@ -1,6 +1,7 @@
 // Which triangles of the result break the goal, and why nothing could be done about them.
+#include "insertion.hpp"
+#include "judge.hpp"
 #include "refine.hpp"
-#include "task.hpp"
 
 namespace pardel {
 

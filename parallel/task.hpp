@@ -5,113 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "../core/mutants.hpp"
 #include "bucket_queue.hpp"
-#include "constraints.hpp"
-#include "criteria.hpp"
+#include "deferral.hpp"
 #include "insertion.hpp"
-#include "mesher.hpp"
-#include "small_angles.hpp"
+#include "judge.hpp"
 #include "tiles.hpp"
 
 namespace pardel {
-
-/// What a triangle asks for.
-struct Assessment {
-  enum class Need : std::uint8_t { nothing, split_edge, split_triangle };
-  Need need = Need::nothing;
-  unsigned side = 0;  ///< the side to split
-  unsigned key = 0;   ///< its place in the queue
-  double longest_squared = 0;
-  bool left_alone = false;  ///< breaks the goal, but nothing is to be done about it
-};
-
-/// The decisions of the refinement: pure functions of the triangulation.
-class Judge {
- public:
-  Judge(const Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options)
-      : t_(t),
-        lines_(lines),
-        criteria_(criteria),
-        options_(options),
-        squared_floor_(options.min_edge * options.min_edge) {}
-
-  /// Whether the slot still holds the triangle that was queued.
-  [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id].v[0] == q.first_corner; }
-  [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const {
-    return t_.slots[id].any_constrained() ? assess_beside_constraint(id, m) : assess_inside(id, m);
-  }
-  /// The same for a triangle whose sides cannot be split, encroached or not.
-  [[nodiscard]] Assessment assess_inside(TriangleId id) const { return assess_inside(id, Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m) const {
-    const bool large = too_large(id, m);
-    if (!large && !criteria_.bad_shape(m)) return {};
-    const double shortest = m.shortest_squared();
-    const bool by_shape_alone = mutated("exemption_before_size") || !large;
-    if (shortest < squared_floor_ || (by_shape_alone && small_angle(t_, lines_, t_.slots[id], m)))
-      return {.left_alone = true};
-    return {Assessment::Need::split_triangle, 0, BucketQueue::key(shortest), m.longest_squared(), false};
-  }
-  [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
-  /// Breaks the criteria, justified or not.
-  [[nodiscard]] bool breaks_goal(TriangleId id) const;
-  /// A constrained side that a conforming goal wants Delaunay and that is not, or 3.
-  [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
-  [[nodiscard]] bool forbidden(EdgeRef e) const;  ///< may not be split by the caller's wish
-  [[nodiscard]] bool below_floor(EdgeRef e) const;
-  [[nodiscard]] bool too_large(TriangleId id) const { return too_large(id, Shape(t_, t_.slots[id])); }
-  /// The point that the assessment's need puts in.
-  [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const;
-  [[nodiscard]] Point point_on(EdgeRef e) const;
-  [[nodiscard]] Point point_in(TriangleId id) const { return criteria_.split_point(Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Index line_of(EdgeRef e) const;
-  [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
-
- private:
-  [[nodiscard]] Assessment assess_beside_constraint(TriangleId id, const Measure& m) const;
-  [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
-  [[nodiscard]] bool too_large(TriangleId id, const Measure& m) const {
-    return criteria_.too_large(m) ||
-           (criteria_.has_local_size() && criteria_.too_large_locally(Shape(t_, t_.slots[id]), region_of(id)));
-  }
-
-  const Triangulation& t_;
-  const Lines& lines_;
-  const Criteria& criteria_;
-  const Options& options_;
-  double squared_floor_;
-};
-
-/// A triangle that a pass left for a later one, with its key in the queue and the key of the square of its longest
-/// side, as they were then.
-struct Deferred {
-  Queued triangle;
-  std::uint16_t key, longest;
-
-  Deferred(Queued what, const Assessment& a)
-      : triangle(what),
-        key(static_cast<std::uint16_t>(a.key)),
-        longest(static_cast<std::uint16_t>(BucketQueue::key(a.longest_squared))) {}
-};
-
-/// What a pass leaves for a later one: triangles no longer than `longest_squared`, or whose circumradius is at most
-/// this, wait for a finer lattice, those whose key is above `last_key` for the next round.
-struct Deferral {
-  double longest_squared = 0;
-  double squared_radius = 0;
-  unsigned last_key = BucketQueue::last;
-  [[nodiscard]] bool applies_to(const Assessment& a, const Measure& m) const {
-    return a.longest_squared <= longest_squared || a.key > last_key ||
-           (squared_radius > 0 && m.squared_circumradius() <= squared_radius);
-  }
-  /// By the keys alone. A neighbour across a segment may have changed since what the triangle asks for; whatever is
-  /// passed over for that, the last pass looks at.
-  [[nodiscard]] bool applied_to(const Deferred& d) const {
-    const unsigned least = BucketQueue::key(longest_squared);
-    return d.key > last_key || (mutated("deferral_by_rounded_lengths") ? d.longest <= least : d.longest < least);
-  }
-};
 
 /// A triangle that a task could not finish, and the cell that has to.
 struct HandedOn {

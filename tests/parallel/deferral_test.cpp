@@ -1,10 +1,11 @@
 // What a pass leaves for a later one is told by keys, which are coarser than lengths: they may call for a look at a
 // triangle in vain, but never pass one over that is due.
+#include "../../parallel/deferral.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "../../parallel/task.hpp"
 #include "samples.hpp"
 
 namespace pardel {
