@@ -12,11 +12,12 @@ namespace pardel::detail {
 
 namespace {
 
-constexpr std::size_t page = 4096;
+/// Mappings are whole huge pages long: the system then aligns them, and no end is left to small pages.
+constexpr std::size_t huge_page = std::size_t{2} << 20U;
 /// From this size a block is a mapping of its own.
 constexpr std::size_t large = std::size_t{4} << 20U;
 
-std::size_t whole_pages(std::size_t bytes) { return (bytes + page - 1) / page * page; }
+std::size_t whole_pages(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
 
 void* map(std::size_t bytes) {
   void* block =
