@@ -15,7 +15,7 @@ namespace {
 /// Mappings are whole huge pages long: the system then aligns them, and no end is left to small pages.
 constexpr std::size_t huge_page = std::size_t{2} << 20U;
 /// From this size a block is a mapping of its own.
-constexpr std::size_t large = std::size_t{4} << 20U;
+constexpr std::size_t large = std::size_t{1} << 20U;
 
 std::size_t whole_pages(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
 
