@@ -46,9 +46,21 @@ struct CavityEdge {
   }
 };
 
+/// Whether the point is in the disks of two triangles. One number, for it stays in a register: who branches on it need
+/// not wait for memory.
+struct InDisks {
+  unsigned bits = 0;
+
+  static InDisks of(bool first, bool second) {
+    return {static_cast<unsigned>(first) | static_cast<unsigned>(second) << 1U};
+  }
+  [[nodiscard]] bool first() const { return (bits & 1) != 0; }
+  [[nodiscard]] bool second() const { return (bits & 2) != 0; }
+};
+
 /// What a test says of the triangles behind two edges: whether the point is in their disks; and their far corners.
 struct Tested {
-  std::array<bool, 2> in_disk;
+  InDisks in_disk;
   std::array<Corner, 2> corner;
 };
 
@@ -62,13 +74,13 @@ class EachByItself {
 
   [[nodiscard]] bool is_own(VertexId v) const { return is_own_(v); }
   [[nodiscard]] Corner corner(VertexId v) const { return corner_of_(v); }
-  [[nodiscard]] std::array<bool, 2> first_and_behind(const Slot& /*first*/, const std::array<Corner, 3>& /*corners*/,
-                                                     EdgeRef behind) const {
-    return {true, in_disk_(behind)};
+  [[nodiscard]] InDisks first_and_behind(const Slot& /*first*/, const std::array<Corner, 3>& /*corners*/,
+                                         EdgeRef behind) const {
+    return InDisks::of(true, in_disk_(behind));
   }
   [[nodiscard]] Tested both(Corner /*u*/, Corner /*w*/, Corner /*v*/, EdgeRef right, EdgeRef left) const {
     const auto far = [&](EdgeRef e) { return corner_of_(t_.slot(e).apex(e.side())); };
-    return {{in_disk_(right), in_disk_(left)}, {far(right), far(left)}};
+    return {InDisks::of(in_disk_(right), in_disk_(left)), {far(right), far(left)}};
   }
 
  private:
@@ -113,8 +125,8 @@ class Cavity {
 
   /// The cavity of a point, from the triangle `first`. A Test answers for the point:
   ///   corner(VertexId) -> Corner
-  ///   first_and_behind(slot of first, its corners, EdgeRef) -> is the point in the disk of first, and of the triangle
-  ///     behind the edge between its first two corners?
+  ///   first_and_behind(slot of first, its corners, EdgeRef) -> InDisks, of first and of the triangle behind the
+  ///     edge between its first two corners
   ///   both(u, w, v, right, left) -> Tested, of the triangles behind two edges, from u to w and from w to v
   ///   is_own(VertexId) -> may a triangle with this far corner be changed?
   /// Edges are given as seen from the triangle that is asked about. Where a wall is in the way, the triangle on the
@@ -126,10 +138,10 @@ class Cavity {
     const std::array<Corner, 3> c{test.corner(slot.v[0]), test.corner(slot.v[1]), test.corner(slot.v[2])};
     const EdgeRef third(first, 2), behind = slot.n[2];
     touches_constraint_ = behind.constrained();
-    const auto [in_first, in_behind] = test.first_and_behind(slot, c, is_wall(behind) ? third : behind);
-    if (!in_first) return Walk::elsewhere;
+    const InDisks in = test.first_and_behind(slot, c, is_wall(behind) ? third : behind);
+    if (!in.first()) return Walk::elsewhere;
     stack_[0].set(c[1], slot.v[1], {}, {}, false);
-    stack_[1].set(c[0], slot.v[0], third, behind, in_behind && !is_wall(behind));
+    stack_[1].set(c[0], slot.v[0], third, behind, in.second() && !is_wall(behind));
     return grow(t, third, c[1], c[2], 2, test);
   }
 
@@ -172,8 +184,8 @@ class Cavity {
     touches_constraint_ = true;
     Tested tested =
         test.both(u, w, v, is_wall(behind_right) ? right : behind_right, is_wall(behind_left) ? left : behind_left);
-    tested.in_disk[0] = tested.in_disk[0] && !is_wall(behind_right);
-    tested.in_disk[1] = tested.in_disk[1] && !is_wall(behind_left);
+    tested.in_disk =
+        InDisks::of(tested.in_disk.first() && !is_wall(behind_right), tested.in_disk.second() && !is_wall(behind_left));
     return tested;
   }
 
@@ -208,14 +220,14 @@ class Cavity {
       const EdgeRef on_right(id, right), across_right = slot.n[right], on_left(id, left), across_left = slot.n[left];
       const Tested tested = test_both(u, w, stack_[top - 1].corner(), slot, on_right, on_left, test);
       const bool cut_short = mutated("cavity_cut_short") && count >= 4;
-      if (tested.in_disk[0] && !cut_short) {
-        stack_[top++].set(w, slot.apex(entry.side()), on_left, across_left, tested.in_disk[1]);
+      if (tested.in_disk.first() && !cut_short) {
+        stack_[top++].set(w, slot.apex(entry.side()), on_left, across_left, tested.in_disk.second());
         entry = across_right;
         w = tested.corner[0];
         continue;
       }
       boundary_[edges++].set(u, slot.to(entry.side()), on_right, across_right, false);
-      if (tested.in_disk[1] && !cut_short) {
+      if (tested.in_disk.second() && !cut_short) {
         u = w;
         entry = across_left;
         w = tested.corner[1];

@@ -26,8 +26,7 @@ struct DiskTest {
 
   [[nodiscard]] bool is_own(VertexId v) const { return mutated("box_not_checked") || box.contains(t.points[v]); }
   [[nodiscard]] Corner corner(VertexId v) const { return corner_around(p, t.points[v]); }
-  [[nodiscard]] std::array<bool, 2> first_and_behind(const Slot& first, const std::array<Corner, 3>& c,
-                                                     EdgeRef behind) const {
+  [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>& c, EdgeRef behind) const {
     const Slot& slot = t.slot(behind);
     const Pair at = as_pair(t.points[slot.apex(behind.side())]) - p;
     const InCircle<Pair> in(firsts(c[1].at, c[0].at), seconds(c[1].at, c[0].at), firsts(c[0].at, c[1].at),
@@ -45,11 +44,10 @@ struct DiskTest {
   }
 
  private:
-  [[nodiscard]] std::array<bool, 2> decided(const InCircle<Pair>& in, const Slot& a, const Slot& b) const {
+  [[nodiscard]] InDisks decided(const InCircle<Pair>& in, const Slot& a, const Slot& b) const {
     if (!in.is_certain()) [[unlikely]]
-      return {in_disk(t, a, as_point(p)), in_disk(t, b, as_point(p))};
-    const unsigned inside = bits(in.determinant > 0);
-    return {(inside & 1) != 0, (inside & 2) != 0};
+      return InDisks::of(in_disk(t, a, as_point(p)), in_disk(t, b, as_point(p)));
+    return {bits(in.determinant > 0)};
   }
 };
 

@@ -40,11 +40,12 @@ struct ExactTest {
   [[nodiscard]] bool is_own(VertexId) const { return owns_all; }
   [[nodiscard]] Corner corner(VertexId) const { return {}; }
   [[nodiscard]] bool behind(EdgeRef e) const { return is_hit(t, e.triangle(), p); }
-  [[nodiscard]] std::array<bool, 2> first_and_behind(const Slot& first, const std::array<Corner, 3>&, EdgeRef e) const {
-    return {exactly::in_circle(t.points[first.v[0]], t.points[first.v[1]], t.points[first.v[2]], p) > 0, behind(e)};
+  [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>&, EdgeRef e) const {
+    return InDisks::of(exactly::in_circle(t.points[first.v[0]], t.points[first.v[1]], t.points[first.v[2]], p) > 0,
+                       behind(e));
   }
   [[nodiscard]] Tested both(Corner, Corner, Corner, EdgeRef right, EdgeRef left) const {
-    return {{behind(right), behind(left)}, {}};
+    return {InDisks::of(behind(right), behind(left)), {}};
   }
 };
 
