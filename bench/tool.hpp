@@ -17,7 +17,7 @@
 namespace pardel::bench {
 
 /// Refinement under an area cap leaves about this many triangles for every cap's worth of domain.
-inline constexpr double triangles_per_cap = 1.55;
+inline constexpr double triangles_per_cap = 1.37;
 
 /// What is to be done. The domain is made anew in every child process, from its name.
 struct Task {

@@ -17,8 +17,10 @@ namespace pardel {
 /// time its turn comes; the first corner then differs, since every insertion makes one triangle per slot with
 /// the new vertex first.
 struct Queued {
-  TriangleId id;
+  EdgeRef side;  ///< which of its sides the triangle was queued for: the one to split, or its shortest
   VertexId first_corner;
+
+  [[nodiscard]] TriangleId id() const { return side.triangle(); }
 };
 
 class BucketQueue {
@@ -57,7 +59,9 @@ class BucketQueue {
   /// Precondition: not empty.
   Queued pop() {
     const Index node = head_[lowest_];
-    const auto [triangle, next] = nodes_[node];
+    // Field by field: a processor waits where it loads as a whole what it has just stored in pieces.
+    const Queued triangle{nodes_[node].triangle.side, nodes_[node].triangle.first_corner};
+    const Index next = nodes_[node].next;
     head_[lowest_] = next;
     nodes_[node].next = free_;
     free_ = node;

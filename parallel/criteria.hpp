@@ -31,8 +31,9 @@ struct MeasureOf {
   }
   /// The shortest side; the smallest angle lies at the corner of the same number.
   [[nodiscard]] unsigned shortest_side() const {
-    const unsigned side = squared[0] <= squared[1] ? 0 : 1;
-    return squared[2] < squared[side] ? 2 : side;
+    const auto second = static_cast<unsigned>(squared[1] < squared[0]);
+    const auto third = static_cast<unsigned>(squared[2] < least(squared[0], squared[1]));
+    return third << 1U | (second & ~third);
   }
   /// (b - a) . (c - a) for the corner a.
   [[nodiscard]] T dot_at(unsigned corner) const {
@@ -40,6 +41,10 @@ struct MeasureOf {
   }
 };
 using Measure = MeasureOf<double>;
+
+[[nodiscard]] inline Point centroid_of(Point a, Point b, Point c) {
+  return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+}
 
 /// The corners of a triangle with its measure.
 struct Shape : Measure {
@@ -57,7 +62,7 @@ struct Shape : Measure {
     twice_area = abx * acy - aby * acx;
   }
 
-  [[nodiscard]] Point centroid() const { return {(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}; }
+  [[nodiscard]] Point centroid() const { return centroid_of(p[0], p[1], p[2]); }
 };
 
 /// A Goal made ready. A hair stricter than the goal, so that what passes here in floating point passes an
@@ -96,9 +101,16 @@ class Criteria {
 
   [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
 
-  /// The point to insert for a bad triangle: its circumcentre, or the off-centre where that is nearer to the
-  /// shortest side (Üngör, "Off-centers: a new type of Steiner points", 2004).
-  [[nodiscard]] Point split_point(const Shape& s) const;
+  /// The point to insert for a bad triangle with the shortest side qr and the apex a, counter-clockwise: its
+  /// circumcentre, or a point nearer to the shortest side that makes of that side a triangle that just keeps the bound
+  /// on angles (Üngör, "Off-centers: a new type of Steiner points", 2004), or just fills the bounds on size where that
+  /// is nearer still (Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved surfaces",
+  /// 2016).
+  [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region) const;
+  [[nodiscard]] Point split_point(const Shape& s, Index region) const {
+    const unsigned apex = s.shortest_side();
+    return split_point(s.p[next_corner[apex]], s.p[previous_corner[apex]], s.p[apex], region);
+  }
 
   /// The estimated number of triangles that the sizes ask for where this one lies.
   [[nodiscard]] double triangles_wanted(const Shape& s, Index region) const;
@@ -106,12 +118,22 @@ class Criteria {
   [[nodiscard]] double triangles_needed(const Shape& s, Index region) const;
 
  private:
+  /// The bounds on size where a triangle lies.
+  struct SizeBounds {
+    double twice_area, squared_edge;
+  };
+  [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region) const;
+  /// The height, in lengths of the shortest side, of what just fills the bounds; infinity for a triangle that is much
+  /// too large.
+  [[nodiscard]] static double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest);
+
   double squared_sine_;  ///< of the smallest angle allowed
   double squared_lens_cosine_;
   double twice_max_area_;
   double squared_max_edge_;
   double triangles_by_shape_;
-  double off_centre_height_;  ///< over the length of the shortest side; 0: circumcentres
+  double off_centre_height_ = INFINITY;  ///< of what just keeps the bound on angles, in lengths of the shortest side
+  bool fills_ = false;                   ///< off-centres are to fill the bounds on size
   std::vector<double> twice_region_cap_;
   std::function<double(Point)> size_, area_cap_;
   bool has_local_size_;

@@ -27,7 +27,7 @@ std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Cr
     if (budget_reached) return {id, ExemptReason::budget};
     if (side < 3) return {id, why_not_split(EdgeRef(id, side))};
     if (shape.shortest_squared() < options.min_edge * options.min_edge) return {id, ExemptReason::min_edge};
-    const Outcome outcome = insertion.try_in_face(criteria.split_point(shape), id, everywhere);
+    const Outcome outcome = insertion.try_in_face(criteria.split_point(shape, judge.region_of(id)), id, everywhere);
     return {id, outcome == Outcome::encroaches ? why_not_split(insertion.blocker()) : named(outcome)};
   };
   std::vector<Exemption> result;

@@ -62,7 +62,8 @@ Point Judge::point_on(EdgeRef e) const {
 }
 
 Point Judge::point_for(TriangleId id, const Assessment& a) const {
-  return a.need == Assessment::Need::split_edge ? point_on(EdgeRef(id, a.side)) : point_in(id);
+  const EdgeRef side(id, a.side);
+  return a.need == Assessment::Need::split_edge ? point_on(side) : point_in(side);
 }
 
 }  // namespace pardel

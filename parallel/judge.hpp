@@ -14,7 +14,7 @@ namespace pardel {
 struct Assessment {
   enum class Need : std::uint8_t { nothing, split_edge, split_triangle };
   Need need = Need::nothing;
-  unsigned side = 0;  ///< the side to split
+  unsigned side = 0;  ///< the side to split, or of a triangle to split its shortest
   unsigned key = 0;   ///< its place in the queue
   double longest_squared = 0;
   bool left_alone = false;  ///< breaks the goal, but nothing is to be done about it
@@ -31,7 +31,7 @@ class Judge {
         squared_floor_(options.min_edge * options.min_edge) {}
 
   /// Whether the slot still holds the triangle that was queued.
-  [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id].v[0] == q.first_corner; }
+  [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id()].v[0] == q.first_corner; }
   [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
   [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const {
     return t_.slots[id].any_constrained() ? assess_beside_constraint(id, m) : assess_inside(id, m);
@@ -45,7 +45,8 @@ class Judge {
     const bool by_shape_alone = mutated("exemption_before_size") || !large;
     if (shortest < squared_floor_ || (by_shape_alone && small_angle(t_, lines_, t_.slots[id], m)))
       return {.left_alone = true};
-    return {Assessment::Need::split_triangle, 0, BucketQueue::key(shortest), m.longest_squared(), false};
+    return {Assessment::Need::split_triangle, m.shortest_side(), BucketQueue::key(shortest), m.longest_squared(),
+            false};
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
   /// Breaks the criteria, justified or not.
@@ -58,7 +59,13 @@ class Judge {
   /// The point that the assessment's need puts in.
   [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const;
   [[nodiscard]] Point point_on(EdgeRef e) const;
-  [[nodiscard]] Point point_in(TriangleId id) const { return criteria_.split_point(Shape(t_, t_.slots[id])); }
+  /// For a triangle by its shortest side.
+  [[nodiscard]] Point point_in(EdgeRef shortest) const {
+    const Slot& slot = t_.slot(shortest);
+    const unsigned side = shortest.side();
+    return criteria_.split_point(t_.points[slot.from(side)], t_.points[slot.to(side)], t_.points[slot.apex(side)],
+                                 region_of(shortest.triangle()));
+  }
   [[nodiscard]] Index line_of(EdgeRef e) const;
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 

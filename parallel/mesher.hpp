@@ -19,7 +19,7 @@ namespace pardel {
 /// Where a new point goes when a triangle has to be split.
 enum class Placement : std::uint8_t {
   circumcentre,
-  off_centre,  ///< Üngör's: nearer to the shortest edge, just far enough for the angle bound; smaller meshes
+  off_centre,  ///< nearer to the shortest edge: just far enough for the angle bound, or to fill the size; smaller meshes
 };
 
 /// How the plane is cut into tasks.

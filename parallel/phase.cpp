@@ -74,9 +74,10 @@ void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& l
 /// As for a task: a triangle that asks for a point in a face, in the cell, does not lie in the box, though T1 says so.
 bool Crew::breaks_promise(TriangleId id, Index cell, const Lattice& lattice) const {
   const double fits = lattice.radius_that_fits();
-  return options_.decomposition == Decomposition::paper &&
-         Shape(t_, t_.slots[id]).squared_circumradius() <= fits * fits &&
-         judge_.assess(id).need == Assessment::Need::split_triangle && lattice.cell_of(judge_.point_in(id)) == cell;
+  if (options_.decomposition != Decomposition::paper || Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits)
+    return false;
+  const Assessment a = judge_.assess(id);
+  return a.need == Assessment::Need::split_triangle && lattice.cell_of(judge_.point_for(id, a)) == cell;
 }
 
 /// Keeps the seeds that are still there and whose triangles lie in the box.
@@ -86,10 +87,10 @@ void Crew::admit(Job& job, const Lattice& lattice) const {
   job.insertions += spare;
   std::erase_if(job.seeds, [&](Queued q) {
     if (!judge_.is_current(q)) return true;
-    for (const VertexId v : t_.slots[q.id].v)
+    for (const VertexId v : t_.slots[q.id()].v)
       if (!mutated("triangles_outside_the_box_admitted") && !box.contains(t_.points[v])) {
         job.outsiders.push_back(q);
-        if (breaks_promise(q.id, job.cell, lattice)) ++job.outsiders_against_promise;
+        if (breaks_promise(q.id(), job.cell, lattice)) ++job.outsiders_against_promise;
         return true;
       }
     job.insertions += insertions_per_seed;

@@ -131,7 +131,8 @@ class Refinement {
         outlook[block].expected += std::max(criteria_.triangles_by_shape(), wanted);
         outlook[block].needed += criteria_.triangles_needed(shape, judge_.region_of(triangle));
         const Assessment a = judge_.assess(triangle, shape);
-        if (a.need != Assessment::Need::nothing) bad[block].push_back({{triangle, t_.slots[triangle].v[0]}, a});
+        if (a.need != Assessment::Need::nothing)
+          bad[block].push_back({{EdgeRef(triangle, a.side), t_.slots[triangle].v[0]}, a});
         if (a.left_alone) left_alone[block] = 1;
       }
     });
@@ -217,7 +218,7 @@ class Refinement {
       for (std::size_t i = first; i < last; ++i) {
         cell[i] = no_index;
         if (!judge_.is_current(pending[i])) continue;
-        const TriangleId id = pending[i].id;
+        const TriangleId id = pending[i].id();
         const Shape shape(t_, t_.slots[id]);
         const Assessment a = judge_.assess(id, shape);
         if (a.need == Assessment::Need::nothing) continue;
@@ -308,7 +309,7 @@ class Refinement {
     if (!criteria_.has_size()) return wanted;
     parallel_for(threads_, inbox.size(), [&](std::size_t cell, int) {
       for (const Queued q : inbox[cell])
-        if (judge_.is_current(q)) wanted[cell] += wanted_by(q.id, Shape(t_, t_.slots[q.id]));
+        if (judge_.is_current(q)) wanted[cell] += wanted_by(q.id(), Shape(t_, t_.slots[q.id()]));
     });
     return wanted;
   }

@@ -15,7 +15,7 @@ void Task::start(const Lattice& lattice, Index cell, std::span<const Queued> see
   supply_ = &supply;
   insertion_.start(supply);
   result_ = {};
-  for (const Queued seed : seeds) consider(seed.id);
+  for (const Queued seed : seeds) consider(seed.id());
 }
 
 bool Task::step() {
@@ -67,7 +67,8 @@ void Task::consider_changed() {
 }
 
 void Task::process(Queued triangle) {
-  const TriangleId id = triangle.id;
+  const TriangleId id = triangle.id();
+  EdgeRef shortest = triangle.side;
   const Slot& slot = t_.slots[id];
   if (slot.any_constrained() || insertion_.has_flipped()) {
     const Assessment a = judge_.assess(id);
@@ -77,10 +78,14 @@ void Task::process(Queued triangle) {
       const Outcome outcome = split_edge(e);
       if (outcome == Outcome::leaves_box) hand_on(triangle, judge_.point_on(e));
       if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return;
-      if (judge_.assess_inside(id).need == Assessment::Need::nothing) return;
+      const Assessment inside = judge_.assess_inside(id);
+      if (inside.need == Assessment::Need::nothing) return;
+      shortest = EdgeRef(id, inside.side);
+    } else {
+      shortest = EdgeRef(id, a.side);
     }
   }
-  const Point p = judge_.point_in(id);
+  const Point p = judge_.point_in(shortest);
   if (is_foreign(p)) return hand_on(triangle, p);
   switch (insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:

@@ -30,8 +30,8 @@ void print_recorded() {
 
 /// What makes about so many triangles: bounds on areas, or random points and the default bound on angles.
 samples::Case large(const std::string& domain, double triangles) {
-  if (domain == "square") return {domain, domains::square(), {.max_area = 1.552 / triangles}, {}};
-  if (domain == "pipe") return {domain, domains::pipe(), {.max_area = 3.855 / triangles}, {}};
+  if (domain == "square") return {domain, domains::square(), {.max_area = 1.37 / triangles}, {}};
+  if (domain == "pipe") return {domain, domains::pipe(), {.max_area = 3.41 / triangles}, {}};
   if (domain == "points") return {domain, domains::random_points(static_cast<Index>(triangles / 3.2), 1), {}, {}};
   throw std::invalid_argument("no domain '" + domain + "'");
 }

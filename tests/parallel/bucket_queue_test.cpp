@@ -38,25 +38,25 @@ PARDEL_PROPERTY(BucketQueue, behaves_like_a_map_of_stacks,
   for (const bool pop : pops) {
     RC_ASSERT(queue.empty() == model.empty());
     if (pop && !model.empty()) {
-      RC_ASSERT(queue.pop().id == model.pop());
+      RC_ASSERT(queue.pop().id() == model.pop());
     } else {
       const unsigned key = *any_key;
-      queue.push({++id, 0}, key);
+      queue.push({EdgeRef(++id, 0), 0}, key);
       model.push(id, key);
     }
   }
-  while (!model.empty()) RC_ASSERT(queue.pop().id == model.pop());
+  while (!model.empty()) RC_ASSERT(queue.pop().id() == model.pop());
   RC_ASSERT(queue.empty());
 }
 
 TEST(BucketQueue, takes_the_first_and_the_last_key) {
   BucketQueue queue;
-  queue.push({1, 10}, BucketQueue::last);
-  queue.push({2, 20}, BucketQueue::urgent);
+  queue.push({EdgeRef(1, 0), 10}, BucketQueue::last);
+  queue.push({EdgeRef(2, 1), 20}, BucketQueue::urgent);
   const Queued first = queue.pop(), second = queue.pop();
-  EXPECT_EQ(first.id, 2U);
+  EXPECT_EQ(first.id(), 2U);
   EXPECT_EQ(first.first_corner, 20U);
-  EXPECT_EQ(second.id, 1U);
+  EXPECT_EQ(second.id(), 1U);
   EXPECT_EQ(second.first_corner, 10U);
   EXPECT_TRUE(queue.empty());
 }

@@ -43,12 +43,48 @@ PARDEL_PROPERTY(SplitPoint, of_a_bad_triangle_makes_a_good_one_of_its_shortest_s
   const Criteria off_centres(goal, Placement::off_centre, {}), circumcentres(goal, Placement::circumcentre, {});
   const Shape s = some_triangle();
   RC_PRE(off_centres.bad_shape(s));
-  const Point p = off_centres.split_point(s);
-  if (p == circumcentres.split_point(s)) return;
+  const Point p = off_centres.split_point(s, no_index);
+  if (p == circumcentres.split_point(s, no_index)) return;
   const unsigned o = s.shortest_side();
   const Shape made(s.p[next_corner[o]], s.p[previous_corner[o]], p);
   RC_ASSERT(made.twice_area > 0);
   RC_ASSERT(!off_centres.bad_shape(made));
+}
+
+PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortest_side,
+                {.statement = "the shortest side of a triangle above the bound on areas and its split point make a "
+                              "triangle that keeps that bound and the bound on angles, unless the split point is the "
+                              "circumcentre, or the side's diametral circle leaves no room for it",
+                 .source = "Engwirda and Ivers, Off-centre Steiner points, 2016",
+                 .families = "lattice triangles"}) {
+  const Shape s = some_triangle();
+  const double times = *rc::gen::element(1.25, 1.5, 2.0, 3.0, 5.0);
+  const Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.7, 30.0), .max_area = s.twice_area / 2 / times};
+  const Criteria off_centres(goal, Placement::off_centre, {}), circumcentres(goal, Placement::circumcentre, {});
+  const Point p = off_centres.split_point(s, no_index);
+  if (p == circumcentres.split_point(s, no_index)) return;
+  const unsigned o = s.shortest_side();
+  const Shape made(s.p[next_corner[o]], s.p[previous_corner[o]], p);
+  RC_ASSERT(made.twice_area > 0);
+  RC_ASSERT(!off_centres.bad_shape(made));
+  RC_ASSERT(!off_centres.too_large(made) || 0.25 * s.squared[o] > 0.98 * goal.max_area);
+}
+
+PARDEL_PROPERTY(
+    SplitPoint, of_a_large_triangle_is_far_from_all_vertices,
+    {.statement = "no vertex of a Delaunay triangulation is nearer to the split point of a triangle that is "
+                  "larger than A than the square root of 4 A / (3 sqrt 3), where angles are not bounded",
+     .source = "properties/THEORY.md, refinement",
+     .families = "lattice triangles, and lattice points outside of their circumdisks"}) {
+  const Shape s = some_triangle();
+  const double times = *rc::gen::element(1.25, 1.5, 2.0, 3.0, 5.0, 8.0);
+  const Goal goal{.min_angle_deg = 0, .max_area = s.twice_area / 2 / times};
+  const Point p = Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
+  for (const Point vertex : {s.p[0], s.p[1], s.p[2], some_point()}) {
+    if (exactly::in_circle(s.p[0], s.p[1], s.p[2], vertex) > 0) continue;
+    const double dx = vertex.x - p.x, dy = vertex.y - p.y;
+    RC_ASSERT(dx * dx + dy * dy > 0.7698 * goal.max_area);
+  }
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST(Encroachment, of_a_constrained_goal_is_the_diametral_lens) {
 
 TEST(SplitPoint, is_the_circumcentre) {
   const Criteria criteria({}, Placement::circumcentre, {});
-  EXPECT_EQ(criteria.split_point(Shape({0, 0}, {4, 0}, {0, 2})), (Point{2, 1}));
+  EXPECT_EQ(criteria.split_point(Shape({0, 0}, {4, 0}, {0, 2}), no_index), (Point{2, 1}));
   samples::Random random(3);
   for (int i = 0; i < 1000; ++i) {
     std::array<Point, 3> p{};
@@ -134,7 +134,7 @@ TEST(SplitPoint, is_the_circumcentre) {
     const double turn = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     if (std::abs(turn) < 0.01) continue;
     if (turn < 0) std::swap(p[1], p[2]);
-    const Point c = criteria.split_point(Shape(p[0], p[1], p[2]));
+    const Point c = criteria.split_point(Shape(p[0], p[1], p[2]), no_index);
     const double r = std::hypot(c.x - p[0].x, c.y - p[0].y);
     for (const Point q : p) EXPECT_NEAR(std::hypot(c.x - q.x, c.y - q.y), r, 1e-9 * (1 + r * r));
   }
@@ -147,15 +147,75 @@ TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bou
     const Criteria centre({.min_angle_deg = bound}, Placement::circumcentre, {});
     for (double top = 0.1; top < bound; top *= 1.3) {
       const Shape s = isosceles(top, 1);
-      const Point p = off.split_point(s), c = centre.split_point(s);
+      const Point p = off.split_point(s, no_index), c = centre.split_point(s, no_index);
       const Shape made(s.p[0], s.p[1], p);
       EXPECT_FALSE(sharper_than(made, bound)) << bound << ' ' << top;
       EXPECT_LE(p.y, c.y);
       EXPECT_TRUE(p.y == c.y || sharper_than(made, bound * 1.01)) << "no further than it has to be";
     }
     const Shape fat = isosceles(50, 1);
-    EXPECT_EQ(off.split_point(fat), centre.split_point(fat)) << "a triangle that is only too large";
+    EXPECT_EQ(off.split_point(fat, no_index), centre.split_point(fat, no_index)) << "a triangle that is only too large";
   }
+}
+
+/// Its shortest side has length 1, the others 2.3, its area is 1.13.
+Shape tall() { return isosceles(25, 0.5 / std::tan(radians(12.5))); }
+/// What the shortest side of a triangle, the first, and its split point make.
+Shape made_of_the_shortest_side(const Criteria& criteria, const Shape& s, Index region) {
+  return {s.p[0], s.p[1], criteria.split_point(s, region)};
+}
+
+TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_on_areas) {
+  const Shape s = tall();
+  for (const double cap : {0.3, 0.4, 0.5}) {
+    const auto at_most = [&](Point) { return cap; };
+    const std::vector<std::pair<Criteria, Index>> places{{{{.max_area = cap}, Placement::off_centre, {}}, no_index},
+                                                         {{{}, Placement::off_centre, {9.0, cap}}, 1},
+                                                         {{{}, Placement::off_centre, {}, at_most}, no_index}};
+    for (const auto& [criteria, region] : places) {
+      const double area = made_of_the_shortest_side(criteria, s, region).twice_area / 2;
+      EXPECT_LT(area, cap);
+      EXPECT_GT(area, 0.98 * cap);
+    }
+  }
+}
+
+TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_on_lengths) {
+  const Shape s = tall();
+  for (const double longest : {1.15, 1.0, 0.8}) {
+    const auto at_most = [&](Point) { return longest; };
+    for (const Criteria& criteria : {Criteria({.max_edge = longest}, Placement::off_centre, {}),
+                                     Criteria({.size = at_most}, Placement::off_centre, {})}) {
+      const Shape made = made_of_the_shortest_side(criteria, s, no_index);
+      EXPECT_LT(made.squared[0], longest * longest);
+      EXPECT_GT(made.squared[0], 0.98 * longest * longest);
+    }
+  }
+}
+
+/// On the diametral circle of the side, where that would still be too large.
+TEST(SplitPoint, of_a_triangle_that_is_too_large_does_not_encroach_upon_its_shortest_side) {
+  const Criteria criteria({.max_area = 0.2}, Placement::off_centre, {});
+  const Point p = criteria.split_point(tall(), no_index);
+  EXPECT_NEAR(p.x, 0, 1e-15);
+  EXPECT_NEAR(p.y, 0.5, 1e-15);
+}
+
+TEST(SplitPoint, of_what_is_much_too_large_is_the_circumcentre) {
+  const Criteria off({.max_area = 0.15}, Placement::off_centre, {});
+  const Criteria centre({.max_area = 0.15}, Placement::circumcentre, {});
+  const Shape s = tall();
+  EXPECT_EQ(off.split_point(s, no_index), centre.split_point(s, no_index));
+}
+
+/// There, meshes would get larger by filled bounds.
+TEST(SplitPoint, above_thirty_degrees_fills_no_bound) {
+  const Shape s = tall();
+  const auto point = [&](double bound, double cap) {
+    return Criteria({.min_angle_deg = bound, .max_area = cap}, Placement::off_centre, {}).split_point(s, no_index);
+  };
+  EXPECT_EQ(point(31, 0.4), point(31, INFINITY));
+  EXPECT_NE(point(30, 0.4), point(30, INFINITY));
 }
 
 }  // namespace

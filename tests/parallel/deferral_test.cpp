@@ -26,7 +26,7 @@ TEST(Deferral, is_seen_in_the_keys_only_where_it_applies) {
     Deferral later;
     if (random.below(2) == 0) later.longest_squared = a.longest_squared * random.uniform(0.5, 2);
     if (random.below(2) == 0) later.last_key = a.key - 1 + static_cast<unsigned>(random.below(3));
-    if (!later.applied_to(Deferred({0, 0}, a))) continue;
+    if (!later.applied_to(Deferred({EdgeRef(0, 0), 0}, a))) continue;
     ++seen;
     ASSERT_TRUE(later.applies_to(a, Measure{})) << a.longest_squared << ' ' << later.longest_squared;
   }
@@ -37,8 +37,8 @@ TEST(Deferral, is_seen_in_the_keys_where_lengths_differ_by_a_quarter) {
   Random random(2);
   for (int round = 0; round < 10'000; ++round) {
     const Assessment a = random_assessment(random);
-    EXPECT_TRUE((Deferral{.longest_squared = 1.25 * a.longest_squared}.applied_to(Deferred({0, 0}, a))));
-    EXPECT_TRUE((Deferral{.last_key = a.key - 1}.applied_to(Deferred({0, 0}, a))));
+    EXPECT_TRUE((Deferral{.longest_squared = 1.25 * a.longest_squared}.applied_to(Deferred({EdgeRef(0, 0), 0}, a))));
+    EXPECT_TRUE((Deferral{.last_key = a.key - 1}.applied_to(Deferred({EdgeRef(0, 0), 0}, a))));
   }
 }
 
@@ -47,7 +47,7 @@ TEST(Deferral, without_bounds_applies_to_nothing) {
   Random random(3);
   for (int round = 0; round < 10'000; ++round) {
     const Assessment a = random_assessment(random);
-    EXPECT_FALSE(Deferral{}.applied_to(Deferred({0, 0}, a)));
+    EXPECT_FALSE(Deferral{}.applied_to(Deferred({EdgeRef(0, 0), 0}, a)));
     EXPECT_FALSE(Deferral{}.applies_to(a, Measure{}));
   }
 }

@@ -4,8 +4,8 @@
 
 #include "../../parallel/assemble.hpp"
 #include "../../parallel/delaunay.hpp"
-#include "../../parallel/locate.hpp"
 #include "../../parallel/insertion.hpp"
+#include "../../parallel/locate.hpp"
 #include "../../parallel/small_angles.hpp"
 #include "../../properties/exact.hpp"
 #include "../../properties/framework/property.hpp"
@@ -45,7 +45,8 @@ void insert_some_circumcentre(Triangulation& t, double min_edge, const Box& box,
   for (TriangleId id = 0; id < triangles; ++id) {
     const auto& v = t.slots[id].v;
     if (!std::all_of(v.begin(), v.end(), [&](VertexId c) { return box.contains(t.points[c]); })) continue;
-    if (insertion.insert_in_face(criteria.split_point(Shape(t, t.slots[id])), id, box) != Outcome::inserted) continue;
+    if (insertion.insert_in_face(criteria.split_point(Shape(t, t.slots[id]), no_index), id, box) != Outcome::inserted)
+      continue;
     RC_TAG(std::string("inserted"));
     inserted(before, triangles);
     return;

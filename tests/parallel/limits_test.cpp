@@ -53,7 +53,7 @@ TEST(Memory, that_will_not_suffice_is_said_before_the_work) {
   const Result<Meshed> refused = mesh(pslg, {.max_area = 1e-8}, {.max_memory = std::uint64_t{1} << 30U});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::resources);
-  for (const char* words : {"140 million triangles", "4.69 GiB", "there are 1 GiB"})
+  for (const char* words : {"120 million triangles", "4.02 GiB", "there are 1 GiB"})
     EXPECT_NE(refused.error().message.find(words), std::string::npos) << refused.error().message;
   const Result<Meshed> numbers = mesh(pslg, {.max_area = 1e-12});
   ASSERT_FALSE(numbers);
@@ -61,16 +61,16 @@ TEST(Memory, that_will_not_suffice_is_said_before_the_work) {
 }
 
 TEST(Memory, that_suffices_is_not_refused) {
-  // 153 thousand triangles, 48 bytes each.
-  EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-5}, {.max_memory = 7'400'000}));
+  // 137 thousand triangles, 48 bytes each.
+  EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-5}, {.max_memory = 6'600'000}));
   EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100, .max_memory = 10'000}));
 }
 
 TEST(Memory, that_the_mesh_outgrows_ends_the_work) {
   for (const int threads : {1, 2}) {
-    // More than the least that 153 thousand triangles can do with, less than what they take.
+    // More than the least that 137 thousand triangles can do with, less than what they take.
     const Result<Meshed> refused =
-        mesh(domains::square(), {.max_area = 1e-5}, {.threads = threads, .max_memory = 5'500'000});
+        mesh(domains::square(), {.max_area = 1e-5}, {.threads = threads, .max_memory = 4'800'000});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::resources);
     EXPECT_NE(refused.error().message.find("outgrown"), std::string::npos) << refused.error().message;
