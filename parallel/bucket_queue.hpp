@@ -17,7 +17,9 @@ namespace pardel {
 /// time its turn comes; the first corner then differs, since every insertion makes one triangle per slot with
 /// the new vertex first.
 struct Queued {
-  EdgeRef side;  ///< which of its sides the triangle was queued for: the one to split, or its shortest
+  /// Which of its sides the triangle was queued for: the one to split, or its shortest. A task goes by it for what is
+  /// in its own queue; elsewhere triangles are assessed anew.
+  EdgeRef side;
   VertexId first_corner;
 
   [[nodiscard]] TriangleId id() const { return side.triangle(); }

@@ -47,8 +47,11 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   if (!goal.region_caps) twice_region_cap_.clear();
   for (double& cap : twice_region_cap_) cap *= 2 * stricter;
   if (placement == Placement::circumcentre) return;
-  // Steeper bounds leave triangles of half a square beside each other no room: meshes would get larger, not smaller.
-  fills_ = has_size() && goal.min_angle_deg <= 30;
+  fills_ = has_size();
+  // Above that, meshes with filled areas were measured to be larger than others. With filled lengths they never were.
+  fills_areas_ = goal.min_angle_deg <= 31;
+  // Of each triangle's cap, measured at 0 to 31 degrees on squares and pipes, and a hair less.
+  if (fills_areas_) fill_ = 0.71 - 0.005 * std::max(0.0, goal.min_angle_deg - 20);
   if (goal.min_angle_deg > 0) {
     const double c = cosine(radians(goal.min_angle_deg));
     // The hair to spare is for rounding alone: at 0.95, Triangle's choice, meshes at 30 degrees get 2 % larger.
@@ -77,18 +80,18 @@ Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index regi
   return bounds;
 }
 
-double Criteria::filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) {
+double Criteria::filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const {
   // What is much too large is halved by its circumcentre: from its shortest side alone it would be filled row by row,
   // each point connected to corners far away. A larger factor makes smaller meshes and takes longer.
   constexpr double much_too_large = 6;
-  const double to_spare = mutated("off_centre_overfills") ? 1.01 : 0.99;
   // Lower, the point would lie in the diametral circle of the side.
   constexpr double least = 0.5;
+  const double filled = mutated("off_centre_overfills") ? 1.01 : mutated("off_centre_too_low") ? 0.5 : 0.99;
   const double twice_equilateral = 0.5 * std::numbers::sqrt3 * bounds.squared_edge;
   if (twice_area > much_too_large * std::min(bounds.twice_area, twice_equilateral)) return INFINITY;
-  double height = to_spare * bounds.twice_area / squared_shortest;
+  double height = fills_areas_ ? filled * bounds.twice_area / squared_shortest : INFINITY;
   if (bounds.squared_edge < INFINITY)
-    height = std::min(height, std::sqrt(std::max(0.0, to_spare * bounds.squared_edge / squared_shortest - 0.25)));
+    height = std::min(height, std::sqrt(std::max(0.0, filled * bounds.squared_edge / squared_shortest - 0.25)));
   return std::max(height, least);
 }
 
@@ -121,14 +124,12 @@ double Criteria::triangles_needed(const Shape& s, Index region) const {
 }
 
 double Criteria::triangles_wanted(const Shape& s, Index region) const {
-  // Of each triangle's cap, measured on squares and pipes at 20.7 degrees.
-  const double fill = fills_ ? 0.70 : 0.62;
   double cap = s.twice_area / triangles_needed(s, region);
   double edge2 = squared_max_edge_;
   if (size_) edge2 = std::min(edge2, squared(size_(s.centroid())));
   if (area_cap_) cap = std::min(cap, 2 * area_cap_(s.centroid()));
   cap = std::min(cap, 0.6 * edge2);
-  return s.twice_area / (fill * cap);
+  return s.twice_area / (fill_ * cap);
 }
 
 }  // namespace pardel

@@ -104,8 +104,9 @@ class Criteria {
   /// The point to insert for a bad triangle with the shortest side qr and the apex a, counter-clockwise: its
   /// circumcentre, or a point nearer to the shortest side that makes of that side a triangle that just keeps the bound
   /// on angles (Üngör, "Off-centers: a new type of Steiner points", 2004), or just fills the bounds on size where that
-  /// is nearer still (Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved surfaces",
-  /// 2016).
+  /// is nearer still (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved surfaces",
+  /// 2016), though no lower than half the side. Triangles much too large do not fill bounds, nor do areas above 31
+  /// degrees.
   [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region) const;
   [[nodiscard]] Point split_point(const Shape& s, Index region) const {
     const unsigned apex = s.shortest_side();
@@ -125,7 +126,7 @@ class Criteria {
   [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region) const;
   /// The height, in lengths of the shortest side, of what just fills the bounds; infinity for a triangle that is much
   /// too large.
-  [[nodiscard]] static double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest);
+  [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
 
   double squared_sine_;  ///< of the smallest angle allowed
   double squared_lens_cosine_;
@@ -133,7 +134,9 @@ class Criteria {
   double squared_max_edge_;
   double triangles_by_shape_;
   double off_centre_height_ = INFINITY;  ///< of what just keeps the bound on angles, in lengths of the shortest side
-  bool fills_ = false;                   ///< off-centres are to fill the bounds on size
+  bool fills_ = false;                   ///< off-centres are to fill bounds on size
+  bool fills_areas_ = false;             ///< on areas, too
+  double fill_ = 0.62;                   ///< of its cap, what a triangle fills on average
   std::vector<double> twice_region_cap_;
   std::function<double(Point)> size_, area_cap_;
   bool has_local_size_;

@@ -9,6 +9,7 @@
 
 #include "../core/array.hpp"
 #include "../core/mutants.hpp"
+#include "in_order.hpp"
 
 namespace pardel {
 namespace {
@@ -57,30 +58,38 @@ class Table {
 
 }  // namespace
 
-std::vector<Duplicate> find_duplicates(std::span<const Point> points) {
+std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads) {
   // Parts of about a thousand points: their tables stay in the first-level cache.
   const std::size_t parts = std::bit_ceil(std::clamp<std::size_t>(points.size() / 1024, 1, 4096));
-  const auto part_of = [&](std::uint64_t hash) { return (hash >> 32U) & (parts - 1); };
+  Array<Index> part_of;
+  part_of.resize_uninitialised(points.size());
+  parallel_blocks(threads, points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i)
+      part_of[i] = static_cast<Index>((hash_of(points[i]) >> 32U) & (parts - 1));
+  });
 
   std::vector<std::size_t> end(parts + 1);
-  for (const Point& p : points) ++end[part_of(hash_of(p)) + 1];
+  file_by_cell(threads, part_of.span(), parts, [&](Index part, std::size_t) { ++end[part + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
+  const std::vector<std::size_t> begin = end;
   Array<Entry> entries;
   entries.resize_uninitialised(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint64_t hash = hash_of(points[i]);
-    entries[end[part_of(hash)]++] = {static_cast<std::uint32_t>(hash), static_cast<Index>(i)};
-  }
+  file_by_cell(threads, part_of.span(), parts, [&](Index part, std::size_t i) {
+    entries[end[part]++] = {static_cast<std::uint32_t>(hash_of(points[i])), static_cast<Index>(i)};
+  });
 
-  std::vector<Duplicate> duplicates;
-  Table table;
-  std::size_t begin = 0;
-  for (std::size_t part = 0; part < parts; begin = end[part++]) {
-    table.clear_for(end[part] - begin);
-    for (std::size_t i = begin; i < end[part] && !mutated("duplicates_overlooked"); ++i)
+  std::vector<Table> tables(static_cast<std::size_t>(threads));
+  std::vector<std::vector<Duplicate>> found(parts);
+  parallel_for(threads, parts, [&](std::size_t part, int thread) {
+    Table& table = tables[static_cast<std::size_t>(thread)];
+    table.clear_for(end[part] - begin[part]);
+    for (std::size_t i = begin[part]; i < end[part] && !mutated("duplicates_overlooked"); ++i)
       if (const Entry* first = table.find_or_insert(entries[i], points))
-        duplicates.push_back({first->index, entries[i].index});
-  }
+        found[part].push_back({first->index, entries[i].index});
+  });
+  std::vector<Duplicate> duplicates;
+  for (const std::vector<Duplicate>& of_part : found)
+    duplicates.insert(duplicates.end(), of_part.begin(), of_part.end());
   std::ranges::sort(duplicates, {}, &Duplicate::again);
   return duplicates;
 }

@@ -16,8 +16,8 @@ struct Duplicate {
 };
 
 /// Every point that equals an earlier one, in ascending order of `again`. -0 equals 0; NaN equals nothing.
-/// Expected time O(n): a partition by hash, then a table per part that stays in cache.
-[[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points);
+/// Expected time O(n): a partition by hash, then a table per part that stays in cache; parts on all threads.
+[[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads = 1);
 
 /// The same for points closer than `distance` (> 0, finite): in ascending order, every point becomes a duplicate of
 /// the lowest earlier point that is no duplicate and closer than that, or equal. So those that stay are at least

@@ -1,6 +1,8 @@
 // What is to be done about a triangle: the decisions of the refinement.
 #pragma once
 
+#include <cassert>
+
 #include "../core/mutants.hpp"
 #include "bucket_queue.hpp"
 #include "constraints.hpp"
@@ -63,6 +65,7 @@ class Judge {
   [[nodiscard]] Point point_in(EdgeRef shortest) const {
     const Slot& slot = t_.slot(shortest);
     const unsigned side = shortest.side();
+    assert(side == Shape(t_, slot).shortest_side());
     return criteria_.split_point(t_.points[slot.from(side)], t_.points[slot.to(side)], t_.points[slot.apex(side)],
                                  region_of(shortest.triangle()));
   }

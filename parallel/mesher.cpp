@@ -44,8 +44,8 @@ Status check_goal(const Goal& goal, const Options& options) {
   return Done{};
 }
 
-Status check_pslg(const Pslg& pslg, bool convex_hull) {
-  const std::vector<Problem> problems = validate(pslg, {convex_hull});
+Status check_pslg(const Pslg& pslg, bool convex_hull, int threads) {
+  const std::vector<Problem> problems = validate(pslg, {.convex_hull = convex_hull, .threads = threads});
   if (problems.empty()) return Done{};
   std::string message;
   for (const Problem& problem : problems) message += (message.empty() ? "" : "\n") + problem.message();
@@ -101,7 +101,7 @@ Status refine_domain(Assembled& domain, const Criteria& criteria, const Heritage
 Result<Meshed> mesh_pslg(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options) {
   Stopwatch watch;
   Meshed result;
-  if (Status valid = check_pslg(pslg, convex_hull); !valid) return valid.error();
+  if (Status valid = check_pslg(pslg, convex_hull, options.threads); !valid) return valid.error();
   result.report.validate_seconds = watch.lap();
 
   Result<Assembled> domain = assemble(pslg, convex_hull, options.threads);

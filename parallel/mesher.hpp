@@ -19,7 +19,7 @@ namespace pardel {
 /// Where a new point goes when a triangle has to be split.
 enum class Placement : std::uint8_t {
   circumcentre,
-  off_centre,  ///< nearer to the shortest edge: just far enough for the angle bound, or to fill the size; smaller meshes
+  off_centre,  ///< nearer to the shortest edge: just far enough for angles, or for sizes; smaller meshes
 };
 
 /// How the plane is cut into tasks.

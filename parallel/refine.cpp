@@ -17,6 +17,7 @@
 #include "radii.hpp"
 #include "room.hpp"
 #include "snapshot.hpp"
+#include "take_due.hpp"
 
 namespace pardel {
 namespace {
@@ -180,30 +181,16 @@ class Refinement {
   /// radii).
   void go_down(const std::vector<Lattice>& levels) {
     Array<Deferred> for_the_finest = std::exchange(deferred_, {});
-    take_due(for_the_finest, short_enough_for(levels.back()), [&](const Deferred& d) { deferred_.push_back(d); });
+    deferred_ =
+        take_due(threads_, for_the_finest, short_enough_for(levels.back()), [](const Deferred& d) { return d; });
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
       sweep_what_is_due(levels[level], short_enough_for(levels[level + 1]));
     if (!mutated("short_ones_forgotten")) for_the_finest.append(deferred_.span());
     deferred_.swap(for_the_finest);
   }
 
-  /// Calls due(d) for those that may be due, and takes them out.
-  template <class Due>
-  static void take_due(Array<Deferred>& deferred, const Deferral& later, const Due& due) {
-    std::size_t kept = 0;
-    for (const Deferred& d : deferred) {
-      if (later.applied_to(d))
-        deferred[kept++] = d;
-      else
-        due(d);
-    }
-    deferred.resize_uninitialised(kept);
-    deferred.shrink_to_fit();
-  }
-
   void sweep_what_is_due(const Lattice& lattice, const Deferral& later) {
-    Array<Queued> due;
-    take_due(deferred_, later, [&](const Deferred& d) { due.push_back(d.triangle); });
+    Array<Queued> due = take_due(threads_, deferred_, later, [](const Deferred& d) { return d.triangle; });
     Inbox inbox = filed(lattice, due.span(), later);
     Array<Queued>().swap(due);
     sweep_to_fixpoint(lattice, std::move(inbox), later);

@@ -22,8 +22,7 @@ std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30
 }  // namespace
 
 Status check_size(double needed, const Options& options) {
-  constexpr double made_per_needed = 1.2;  // 1.3 to 1.6 in every mesh measured that had a bound on area
-  double estimate = made_per_needed * needed;
+  double estimate = needed;
   if (options.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options.max_vertices));
   if (estimate > max_triangles) return too_many_triangles();
   const double bytes = estimate * bytes_per_triangle;

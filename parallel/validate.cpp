@@ -227,7 +227,7 @@ std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options) 
   check_coordinates(pslg, found);
   const bool usable =
       !found.any(ProblemKind::non_finite_coordinate) && !found.any(ProblemKind::coordinate_out_of_range);
-  const std::vector<Duplicate> duplicates = find_duplicates(pslg.points);
+  const std::vector<Duplicate> duplicates = find_duplicates(pslg.points, options.threads);
   for (const Duplicate& d : duplicates)
     found.add(ProblemKind::duplicate_points, {d.first, d.again}, pslg.points[d.first]);
   SoundSegments sound = check_each_segment(pslg, duplicates, found);

@@ -49,6 +49,7 @@ struct ValidateOptions {
   /// Per kind; crossings can be quadratic in number. The search for conflicts of segments (crossing, overlapping,
   /// point on segment) ends when it has found so many of one of these.
   std::size_t max_problems = 10'000;
+  int threads = 1;  ///< up to so many; what is found does not depend on it
 };
 
 /// Every problem, in order of kind, then ids. Empty: the Pslg can be meshed. Questions about faces (unclosed

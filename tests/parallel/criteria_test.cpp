@@ -194,7 +194,7 @@ TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_
 }
 
 /// On the diametral circle of the side, where that would still be too large.
-TEST(SplitPoint, of_a_triangle_that_is_too_large_does_not_encroach_upon_its_shortest_side) {
+TEST(SplitPoint, of_a_triangle_that_is_too_large_lies_no_lower_than_the_diametral_circle) {
   const Criteria criteria({.max_area = 0.2}, Placement::off_centre, {});
   const Point p = criteria.split_point(tall(), no_index);
   EXPECT_NEAR(p.x, 0, 1e-15);
@@ -208,14 +208,16 @@ TEST(SplitPoint, of_what_is_much_too_large_is_the_circumcentre) {
   EXPECT_EQ(off.split_point(s, no_index), centre.split_point(s, no_index));
 }
 
-/// There, meshes would get larger by filled bounds.
-TEST(SplitPoint, above_thirty_degrees_fills_no_bound) {
+/// There, meshes would get larger by filled areas.
+TEST(SplitPoint, above_thirty_one_degrees_fills_lengths_but_no_areas) {
   const Shape s = tall();
-  const auto point = [&](double bound, double cap) {
-    return Criteria({.min_angle_deg = bound, .max_area = cap}, Placement::off_centre, {}).split_point(s, no_index);
+  const auto point = [&](double bound, double area, double length) {
+    const Goal goal{.min_angle_deg = bound, .max_area = area, .max_edge = length};
+    return Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
   };
-  EXPECT_EQ(point(31, 0.4), point(31, INFINITY));
-  EXPECT_NE(point(30, 0.4), point(30, INFINITY));
+  EXPECT_EQ(point(32, 0.4, INFINITY), point(32, INFINITY, INFINITY));
+  EXPECT_NE(point(31, 0.4, INFINITY), point(31, INFINITY, INFINITY));
+  EXPECT_NE(point(32, INFINITY, 0.9), point(32, INFINITY, INFINITY));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Memory, that_will_not_suffice_is_said_before_the_work) {
   const Result<Meshed> refused = mesh(pslg, {.max_area = 1e-8}, {.max_memory = std::uint64_t{1} << 30U});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::resources);
-  for (const char* words : {"120 million triangles", "4.02 GiB", "there are 1 GiB"})
+  for (const char* words : {"100 million triangles", "3.35 GiB", "there are 1 GiB"})
     EXPECT_NE(refused.error().message.find(words), std::string::npos) << refused.error().message;
   const Result<Meshed> numbers = mesh(pslg, {.max_area = 1e-12});
   ASSERT_FALSE(numbers);
