@@ -63,7 +63,7 @@ CLI::Validator positive_number(std::string what) {
 void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_deg) {
   constexpr const char* group = "Goal";
   auto* angle = app.add_option("--min-angle", options.min_angle_deg,
-                               "No angle below this (default 20.7, which is proven; 0: no bound)")
+                               "No angle below this (default 20.7; 0: no bound; at most 33)")
                     ->check(angle_bound(largest_angle_deg))
                     ->type_name("DEGREES")
                     ->group(group);
