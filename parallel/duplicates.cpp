@@ -32,9 +32,11 @@ struct Entry {
   Index index;
 };
 
-/// A hash table over the entries of one part; reused from part to part.
+/// A hash table over the entries of one part.
 class Table {
  public:
+  explicit Table(std::size_t entries) : slots_(std::bit_ceil(2 * entries + 1), nullptr), mask_(slots_.size() - 1) {}
+
   /// The earlier entry with an equal point, or null after having taken the entry in.
   const Entry* find_or_insert(const Entry& entry, std::span<const Point> points) {
     for (std::size_t slot = entry.hash & mask_;; slot = (slot + 1) & mask_) {
@@ -45,15 +47,10 @@ class Table {
       if (slots_[slot]->hash == entry.hash && points[slots_[slot]->index] == points[entry.index]) return slots_[slot];
     }
   }
-  void clear_for(std::size_t entries) {
-    const std::size_t size = std::bit_ceil(2 * entries + 1);
-    slots_.assign(size, nullptr);
-    mask_ = size - 1;
-  }
 
  private:
   std::vector<const Entry*> slots_;
-  std::size_t mask_ = 0;
+  std::size_t mask_;
 };
 
 }  // namespace
@@ -78,11 +75,9 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points, int thread
     entries[end[part]++] = {static_cast<std::uint32_t>(hash_of(points[i])), static_cast<Index>(i)};
   });
 
-  std::vector<Table> tables(static_cast<std::size_t>(threads));
   std::vector<std::vector<Duplicate>> found(parts);
-  parallel_for(threads, parts, [&](std::size_t part, int thread) {
-    Table& table = tables[static_cast<std::size_t>(thread)];
-    table.clear_for(end[part] - begin[part]);
+  parallel_for(threads, parts, [&](std::size_t part, int) {
+    Table table(end[part] - begin[part]);
     for (std::size_t i = begin[part]; i < end[part] && !mutated("duplicates_overlooked"); ++i)
       if (const Entry* first = table.find_or_insert(entries[i], points))
         found[part].push_back({first->index, entries[i].index});

@@ -146,7 +146,8 @@ TEST(Duplicates, are_found_among_many_points) {
   for (int i = 0; i < 100000; ++i) points.push_back({0.1 * (i % 300), 0.1 * (i / 300)});
   EXPECT_TRUE(find_duplicates(points).empty());
   points.push_back(points[77777]);
-  EXPECT_EQ(find_duplicates(points), (std::vector<Duplicate>{{77777, 100000}}));
+  for (const int threads : {0, 1, 2, 7})
+    EXPECT_EQ(find_duplicates(points, threads), (std::vector<Duplicate>{{77777, 100000}})) << threads;
   EXPECT_EQ(find_duplicates(std::vector<Point>(50000)).size(), 49999);
 }
 
