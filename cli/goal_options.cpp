@@ -62,11 +62,12 @@ CLI::Validator positive_number(std::string what) {
 
 void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_deg) {
   constexpr const char* group = "Goal";
-  auto* angle = app.add_option("--min-angle", options.min_angle_deg,
-                               "No angle below this (default 20.7; 0: no bound; at most 33)")
-                    ->check(angle_bound(largest_angle_deg))
-                    ->type_name("DEGREES")
-                    ->group(group);
+  auto* angle =
+      app.add_option("--min-angle", options.min_angle_deg,
+                     fmt::format("No angle below this (default 20.7; 0: no bound; at most {})", largest_angle_deg))
+          ->check(angle_bound(largest_angle_deg))
+          ->type_name("DEGREES")
+          ->group(group);
   app.add_option("--rho", options.rho, "The same as a bound on circumradius / shortest edge (1.4142 is 20.7 degrees)")
       ->check(ratio_bound(largest_angle_deg))
       ->type_name("RATIO")
