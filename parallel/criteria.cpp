@@ -54,7 +54,7 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   if (fills_areas_) fill_ = 0.71 - 0.005 * std::max(0.0, goal.min_angle_deg - 20);
   if (goal.min_angle_deg > 0) {
     const double c = cosine(radians(goal.min_angle_deg));
-    // The hair to spare is for rounding alone: at 0.95, Triangle's choice, meshes at 30 degrees get 2 % larger.
+    // The hair to spare is for rounding alone: the nearer to the side, the larger the mesh.
     constexpr double to_spare = 0.999;
     off_centre_height_ = to_spare * 0.5 * std::sqrt((1 + c) / (1 - c));
     if (mutated("off_centre_too_far")) off_centre_height_ *= 1.25;
@@ -86,7 +86,9 @@ double Criteria::filling_height(const SizeBounds& bounds, double twice_area, dou
   constexpr double much_too_large = 6;
   // Lower, the point would lie in the diametral circle of the side.
   constexpr double least = 0.5;
-  const double filled = mutated("off_centre_overfills") ? 1.01 : mutated("off_centre_too_low") ? 0.5 : 0.99;
+  double filled = 0.99;
+  if (mutated("off_centre_overfills")) filled = 1.01;
+  if (mutated("off_centre_too_low")) filled = 0.5;
   const double twice_equilateral = 0.5 * std::numbers::sqrt3 * bounds.squared_edge;
   if (twice_area > much_too_large * std::min(bounds.twice_area, twice_equilateral)) return INFINITY;
   double height = fills_areas_ ? filled * bounds.twice_area / squared_shortest : INFINITY;
@@ -124,12 +126,8 @@ double Criteria::triangles_needed(const Shape& s, Index region) const {
 }
 
 double Criteria::triangles_wanted(const Shape& s, Index region) const {
-  double cap = s.twice_area / triangles_needed(s, region);
-  double edge2 = squared_max_edge_;
-  if (size_) edge2 = std::min(edge2, squared(size_(s.centroid())));
-  if (area_cap_) cap = std::min(cap, 2 * area_cap_(s.centroid()));
-  cap = std::min(cap, 0.6 * edge2);
-  return s.twice_area / (fill_ * cap);
+  const SizeBounds bounds = size_bounds(s.p[0], s.p[1], s.p[2], region);
+  return s.twice_area / (fill_ * std::min(bounds.twice_area, 0.6 * bounds.squared_edge));
 }
 
 }  // namespace pardel

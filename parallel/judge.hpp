@@ -32,6 +32,10 @@ class Judge {
         options_(options),
         squared_floor_(options.min_edge * options.min_edge) {}
 
+  /// The triangle as it is now, with the side that its assessment is about.
+  [[nodiscard]] Queued queued(TriangleId id, const Assessment& a) const {
+    return {EdgeRef(id, a.side), t_.slots[id].v[0]};
+  }
   /// Whether the slot still holds the triangle that was queued.
   [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id()].v[0] == q.first_corner; }
   [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }

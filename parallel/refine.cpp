@@ -132,8 +132,7 @@ class Refinement {
         outlook[block].expected += std::max(criteria_.triangles_by_shape(), wanted);
         outlook[block].needed += criteria_.triangles_needed(shape, judge_.region_of(triangle));
         const Assessment a = judge_.assess(triangle, shape);
-        if (a.need != Assessment::Need::nothing)
-          bad[block].push_back({{EdgeRef(triangle, a.side), t_.slots[triangle].v[0]}, a});
+        if (a.need != Assessment::Need::nothing) bad[block].push_back({judge_.queued(triangle, a), a});
         if (a.left_alone) left_alone[block] = 1;
       }
     });

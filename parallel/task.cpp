@@ -71,19 +71,16 @@ void Task::process(Queued triangle) {
   EdgeRef shortest = triangle.side;
   const Slot& slot = t_.slots[id];
   if (slot.any_constrained() || insertion_.has_flipped()) {
-    const Assessment a = judge_.assess(id);
-    if (a.need == Assessment::Need::nothing) return;
+    Assessment a = judge_.assess(id);
     if (a.need == Assessment::Need::split_edge) {
       const EdgeRef e(id, a.side);
       const Outcome outcome = split_edge(e);
       if (outcome == Outcome::leaves_box) hand_on(triangle, judge_.point_on(e));
       if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return;
-      const Assessment inside = judge_.assess_inside(id);
-      if (inside.need == Assessment::Need::nothing) return;
-      shortest = EdgeRef(id, inside.side);
-    } else {
-      shortest = EdgeRef(id, a.side);
+      a = judge_.assess_inside(id);
     }
+    if (a.need == Assessment::Need::nothing) return;
+    shortest = EdgeRef(id, a.side);
   }
   const Point p = judge_.point_in(shortest);
   if (is_foreign(p)) return hand_on(triangle, p);

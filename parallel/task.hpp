@@ -59,9 +59,9 @@ class Task {
     if (a.need == Assessment::Need::nothing)
       result_.left_alone = result_.left_alone || a.left_alone;
     else if (later_.applies_to(a, m))
-      result_.deferred.push_back({{EdgeRef(id, a.side), t_.slots[id].v[0]}, a});
+      result_.deferred.push_back({judge_.queued(id, a), a});
     else
-      queue_.push({EdgeRef(id, a.side), t_.slots[id].v[0]}, a.key);
+      queue_.push(judge_.queued(id, a), a.key);
   }
   void process(Queued triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && lattice_->cell_of(p) != cell_; }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "../../parallel/criteria.hpp"
 #include "../../properties/check.hpp"
@@ -18,6 +19,14 @@ Shape some_triangle() {
   const int turn = exactly::orientation(a, b, c);
   RC_PRE(turn != 0);
   return turn > 0 ? Shape(a, b, c) : Shape(a, c, b);
+}
+
+/// What the shortest side of a triangle and its split point make; nothing where that is the circumcentre.
+std::optional<Shape> made_by_an_off_centre(const Shape& s, const Goal& goal) {
+  const Point p = Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
+  if (p == Criteria(goal, Placement::circumcentre, {}).split_point(s, no_index)) return std::nullopt;
+  const unsigned o = s.shortest_side();
+  return Shape(s.p[next_corner[o]], s.p[previous_corner[o]], p);
 }
 
 PARDEL_PROPERTY(Encroachment, of_a_conforming_goal_is_the_closed_diametral_disk,
@@ -41,15 +50,13 @@ PARDEL_PROPERTY(SplitPoint, of_a_bad_triangle_makes_a_good_one_of_its_shortest_s
                  .families = "lattice triangles"}) {
   const double bound = *rc::gen::element(10.0, 20.7, 25.0, 30.0);
   const Goal goal{.min_angle_deg = bound};
-  const Criteria off_centres(goal, Placement::off_centre, {}), circumcentres(goal, Placement::circumcentre, {});
+  const Criteria criteria(goal, Placement::off_centre, {});
   const Shape s = some_triangle();
-  RC_PRE(off_centres.bad_shape(s));
-  const Point p = off_centres.split_point(s, no_index);
-  if (p == circumcentres.split_point(s, no_index)) return;
-  const unsigned o = s.shortest_side();
-  const Shape made(s.p[next_corner[o]], s.p[previous_corner[o]], p);
-  RC_ASSERT(made.twice_area > 0);
-  RC_ASSERT(!off_centres.bad_shape(made));
+  RC_PRE(criteria.bad_shape(s));
+  const std::optional<Shape> made = made_by_an_off_centre(s, goal);
+  if (!made) return;
+  RC_ASSERT(made->twice_area > 0);
+  RC_ASSERT(!criteria.bad_shape(*made));
 }
 
 PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortest_side,
@@ -61,14 +68,12 @@ PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortes
   const Shape s = some_triangle();
   const double times = *rc::gen::element(1.25, 1.5, 2.0, 3.0, 5.0);
   const Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.7, 30.0), .max_area = s.twice_area / 2 / times};
-  const Criteria off_centres(goal, Placement::off_centre, {}), circumcentres(goal, Placement::circumcentre, {});
-  const Point p = off_centres.split_point(s, no_index);
-  if (p == circumcentres.split_point(s, no_index)) return;
-  const unsigned o = s.shortest_side();
-  const Shape made(s.p[next_corner[o]], s.p[previous_corner[o]], p);
-  RC_ASSERT(made.twice_area > 0);
-  RC_ASSERT(!off_centres.bad_shape(made));
-  RC_ASSERT(!off_centres.too_large(made) || 0.25 * s.squared[o] > 0.98 * goal.max_area);
+  const Criteria criteria(goal, Placement::off_centre, {});
+  const std::optional<Shape> made = made_by_an_off_centre(s, goal);
+  if (!made) return;
+  RC_ASSERT(made->twice_area > 0);
+  RC_ASSERT(!criteria.bad_shape(*made));
+  RC_ASSERT(!criteria.too_large(*made) || 0.25 * s.shortest_squared() > 0.98 * goal.max_area);
 }
 
 PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_is_far_from_all_vertices,
