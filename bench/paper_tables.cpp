@@ -11,6 +11,7 @@
 #include "run_in_child.hpp"
 #include "stopwatch.hpp"
 #include "tool.hpp"
+#include "warm_memory.hpp"
 
 namespace pardel::bench {
 namespace {
@@ -56,6 +57,7 @@ std::optional<Timed> run(const Table& table, const Settings& settings, int threa
 std::optional<Timed> median_run(const Table& table, const Settings& settings, int threads) {
   std::vector<Timed> all;
   for (int i = 0; i < settings.runs; ++i) {
+    warm_memory(all.empty() ? warm_at_first : std::max(warm_at_first, all.back().peak_rss_bytes));
     const std::optional<Timed> one = run(table, settings, threads);
     if (!one || one->triangles == 0) return std::nullopt;
     all.push_back(*one);

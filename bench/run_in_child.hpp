@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pardel::bench {
@@ -21,28 +22,52 @@ namespace pardel::bench {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Runs `work` in a forked process and returns what it returned; nothing where the process died. Linux hands
-/// the parent's resident set on to the child, so the parent must stay small: make inputs inside `work`.
+/// Work in a forked process, from the construction on. Linux hands the parent's resident set on to the child, so the
+/// parent must stay small: make inputs inside `work`.
+template <class T>
+class Child {
+  static_assert(std::is_trivially_copyable_v<T>, "the result travels through a pipe as bytes");
+
+ public:
+  explicit Child(const std::function<T()>& work) {
+    int pipe_ends[2];
+    if (pipe(pipe_ends) != 0) return;
+    process_ = fork();
+    if (process_ == 0) {
+      close(pipe_ends[0]);
+      const T result = work();
+      const ssize_t written = write(pipe_ends[1], &result, sizeof result);
+      _exit(written == static_cast<ssize_t>(sizeof result) ? 0 : 1);
+    }
+    close(pipe_ends[1]);
+    read_end_ = pipe_ends[0];
+  }
+  Child(Child&& other) noexcept
+      : process_(std::exchange(other.process_, -1)), read_end_(std::exchange(other.read_end_, -1)) {}
+  Child& operator=(Child&&) = delete;
+  ~Child() { (void)result(); }
+
+  /// Waits for the end; what the work returned, once, or nothing where the process died.
+  [[nodiscard]] std::optional<T> result() {
+    if (read_end_ < 0) return std::nullopt;
+    T result{};
+    const bool complete =
+        process_ > 0 && read(read_end_, &result, sizeof result) == static_cast<ssize_t>(sizeof result);
+    close(std::exchange(read_end_, -1));
+    int status = 0;
+    if (process_ > 0) waitpid(process_, &status, 0);
+    if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+    return result;
+  }
+
+ private:
+  pid_t process_ = -1;
+  int read_end_ = -1;
+};
+
 template <class T>
 [[nodiscard]] std::optional<T> run_in_child(const std::function<T()>& work) {
-  static_assert(std::is_trivially_copyable_v<T>, "the result travels through a pipe as bytes");
-  int pipe_ends[2];
-  if (pipe(pipe_ends) != 0) return std::nullopt;
-  const pid_t child = fork();
-  if (child == 0) {
-    close(pipe_ends[0]);
-    const T result = work();
-    const ssize_t written = write(pipe_ends[1], &result, sizeof result);
-    _exit(written == static_cast<ssize_t>(sizeof result) ? 0 : 1);
-  }
-  close(pipe_ends[1]);
-  T result{};
-  const bool complete = child > 0 && read(pipe_ends[0], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
-  close(pipe_ends[0]);
-  int status = 0;
-  if (child > 0) waitpid(child, &status, 0);
-  if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
-  return result;
+  return Child<T>(work).result();
 }
 
 /// A program that was run: its exit code, what it said (stdout and stderr), its peak memory.

@@ -1,10 +1,14 @@
 // scaling: one mesh by one queue over everything, by tiles, and by tiles on several threads, in interleaved runs, each
-// in a process of its own; one table of medians. The meshes of all numbers of threads must be one. See --help.
+// in a process of its own; one table of medians. The meshes of all numbers of threads must be one. Beside n threads
+// stand n runs of one thread at the same time, which share nothing but the machine: more than that it does not give.
+// See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "../core/digest.hpp"
@@ -12,6 +16,7 @@
 #include "run_in_child.hpp"
 #include "stopwatch.hpp"
 #include "tool.hpp"
+#include "warm_memory.hpp"
 
 namespace pardel::bench {
 namespace {
@@ -21,6 +26,7 @@ struct Settings {
   std::vector<int> threads = {1, 2};
   int runs = 3;
   bool one_queue = true;
+  bool at_once = true;
 };
 
 struct Timed {
@@ -30,14 +36,19 @@ struct Timed {
   Digest digest{};
 };
 
+constexpr const char* one_queue_row = "one queue";
+constexpr const char* one_thread_row = "tiles, 1 thread";
+
 struct Row {
   Decomposition decomposition;
   int threads;
-  std::vector<Timed> runs;
+  int processes = 1;  ///< at the same time, each with these threads
+  std::vector<Timed> runs{};
 
   [[nodiscard]] std::string name() const {
-    if (decomposition == Decomposition::none) return "one queue";
-    return fmt::format("tiles, {} thread{}", threads, threads == 1 ? "" : "s");
+    if (decomposition == Decomposition::none) return one_queue_row;
+    if (processes > 1) return fmt::format("{} runs of 1 thread at once", processes);
+    return threads == 1 ? one_thread_row : fmt::format("tiles, {} threads", threads);
   }
   [[nodiscard]] const Timed& median() const { return runs[runs.size() / 2]; }
 };
@@ -56,17 +67,44 @@ Timed timed_run(const Task& task, Decomposition decomposition, int threads) {
           .digest = digest(meshed->mesh)};
 }
 
+/// One run, or several at once as one: all their triangles, at the sum of their rates. Nothing where one failed or
+/// they made different meshes.
+std::optional<Timed> run(const Task& task, const Row& row) {
+  std::vector<Child<Timed>> children;
+  for (int i = 0; i < row.processes; ++i)
+    children.emplace_back([&] { return timed_run(task, row.decomposition, row.threads); });
+  std::optional<Timed> all;
+  double rate = 0, refine_rate = 0;
+  for (Child<Timed>& child : children) {
+    const std::optional<Timed> one = child.result();
+    if (!one || one->triangles == 0) return std::nullopt;
+    if (!all) all = Timed{.digest = one->digest};
+    if (all->digest != one->digest) return std::nullopt;
+    const auto n = static_cast<double>(one->triangles);
+    rate += n / one->seconds;
+    refine_rate += n / one->refine_seconds;
+    all->triangles += one->triangles;
+    all->peak_rss_bytes += one->peak_rss_bytes;
+  }
+  all->seconds = static_cast<double>(all->triangles) / rate;
+  all->refine_seconds = static_cast<double>(all->triangles) / refine_rate;
+  return all;
+}
+
 /// False, and a message, where a run failed or the number of threads changed the mesh.
 bool measure(const Settings& settings, std::vector<Row>& rows) {
   std::optional<Digest> one_mesh;
+  std::uint64_t most_memory = warm_at_first;
   for (int i = 0; i < settings.runs; ++i)
     for (Row& row : rows) {
-      const auto one = run_in_child<Timed>([&] { return timed_run(settings.task, row.decomposition, row.threads); });
-      if (!one || one->triangles == 0) {
+      warm_memory(most_memory);
+      const std::optional<Timed> one = run(settings.task, row);
+      if (!one) {
         fmt::print(stderr, "scaling: {}: no mesh\n", row.name());
         return false;
       }
       row.runs.push_back(*one);
+      most_memory = std::max(most_memory, one->peak_rss_bytes);
       if (row.decomposition == Decomposition::none) continue;
       if (!one_mesh) one_mesh = one->digest;
       if (one->digest == one_mesh) continue;
@@ -78,18 +116,26 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
   return true;
 }
 
+/// As much as a run of the row makes in a second.
+double rate(const Row& row) { return static_cast<double>(row.median().triangles) / row.median().seconds; }
+
+/// Its rate as a multiple of that of the row so named; empty where there is none.
+std::string times(const Row& row, const std::vector<Row>& rows, std::string_view name) {
+  const auto base = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name() == name; });
+  return base == rows.end() ? "" : fmt::format("{:.2f}", rate(row) / rate(*base));
+}
+
 void print(const std::vector<Row>& rows) {
   fmt::print(
-      "| | seconds | of these refining | millions of triangles | millions/s | times the first | bytes/triangle |\n");
-  fmt::print("|:---|---:|---:|---:|---:|---:|---:|\n");
-  const Timed& first = rows.front().median();
+      "| | seconds | of these refining | millions of triangles | millions/s | times one queue | times 1 thread | "
+      "bytes/triangle |\n");
+  fmt::print("|:---|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const Row& row : rows) {
     const Timed& run = row.median();
-    const double n = static_cast<double>(run.triangles);
-    const double rate = n / run.seconds;
-    fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.1f} |\n", row.name(), run.seconds,
-               run.refine_seconds, n / 1e6, rate / 1e6, rate / (static_cast<double>(first.triangles) / first.seconds),
-               static_cast<double>(run.peak_rss_bytes) / n);
+    const auto n = static_cast<double>(run.triangles);
+    fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {} | {} | {:.1f} |\n", row.name(), run.seconds,
+               run.refine_seconds, n / 1e6, rate(row) / 1e6, times(row, rows, one_queue_row),
+               times(row, rows, one_thread_row), static_cast<double>(run.peak_rss_bytes) / n);
   }
 }
 
@@ -110,11 +156,15 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
   app.add_flag("!--no-queue", settings.one_queue, "Leave out the row with one queue over everything");
+  app.add_flag("!--no-at-once", settings.at_once, "Leave out the rows with several runs of one thread at once");
   CLI11_PARSE(app, argc, argv);
   settings.task.goal.max_area = bench::area_cap(settings.task);
   std::vector<bench::Row> rows;
-  if (settings.one_queue) rows.push_back({Decomposition::none, 1, {}});
-  for (const int threads : settings.threads) rows.push_back({Decomposition::automatic, threads, {}});
+  if (settings.one_queue) rows.push_back({Decomposition::none, 1});
+  for (const int threads : settings.threads) {
+    rows.push_back({Decomposition::automatic, threads});
+    if (settings.at_once && threads > 1) rows.push_back({Decomposition::automatic, 1, threads});
+  }
   if (!bench::measure(settings, rows)) return 1;
   bench::print(rows);
   return 0;
