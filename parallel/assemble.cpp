@@ -7,8 +7,8 @@
 #include "background.hpp"
 #include "delaunay.hpp"
 #include "flips.hpp"
+#include "in_order.hpp"
 #include "join_pieces.hpp"
-#include "parallel_for.hpp"
 #include "predicates.hpp"
 
 namespace pardel {
@@ -84,16 +84,16 @@ std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t)
 }
 
 /// Puts the input's points back into the input's order.
-void restore_order(const std::vector<Index>& input_of_vertex, Array<Point>& points, int threads) {
-  const Array<Point> moved(points.span().first(input_of_vertex.size()));
+void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points, int threads) {
+  const Array<Point> moved = make_array(threads, input_of_vertex.size(), [&](std::size_t v) { return points[v]; });
   parallel_blocks(threads, moved.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v) points[input_of_vertex[v]] = moved[v];
   });
 }
 
 /// Vertex marker: its own, else that of a line it lies on, else 1 on the boundary, else 0.
-void mark_vertices(Mesh& mesh, const PointData& data) {
-  mesh.point_markers.resize(mesh.points.size(), 0);
+void mark_vertices(Mesh& mesh, const PointData& data, int threads) {
+  mesh.point_markers = make_array(threads, mesh.points.size(), [](std::size_t) { return 0; });
   for (const ConstrainedEdge& e : mesh.constrained_edges)
     for (const Index v : {e.a, e.b})
       if (e.marker != 0 && (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1)))
@@ -132,7 +132,7 @@ Result<Assembled> assemble(const Pslg& pslg, bool convex_hull, int threads) {
 
   std::vector<Constraint> constraints;
   if (!pslg.segments.empty()) {
-    const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex);
+    const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex.span());
     for (Index s = 0; s < pslg.segments.size(); ++s) {
       const Segment& segment = pslg.segments[s];
       if (segment.a >= pslg.points.size() || segment.b >= pslg.points.size())
@@ -146,14 +146,14 @@ Result<Assembled> assemble(const Pslg& pslg, bool convex_hull, int threads) {
 
   DomainRules rules{convex_hull || pslg.segments.empty(), pslg.holes, {}};
   for (const Region& region : pslg.regions) rules.region_seeds.push_back(region.seed);
-  for (const Constraint hull_edge : carve(t, rules)) {
+  for (const Constraint hull_edge : carve(t, rules, threads)) {
     constraints.push_back(hull_edge);
     domain.segment_of_line.push_back(no_index);
     domain.marker_of_line.push_back(0);
   }
   if (t.slots.empty())
     return Error{ErrorKind::invalid_input, "no domain is left: the segments enclose nothing, or holes take all of it"};
-  t.origin.resize(t.points.size(), input_vertex);
+  t.origin = make_array(threads, t.points.size(), [](std::size_t) { return input_vertex; });
   domain.lines = Lines(t.points, constraints);
   return domain;
 }
@@ -230,7 +230,7 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   for (const auto& block : edges)
     mesh.constrained_edges.insert(mesh.constrained_edges.end(), block.begin(), block.end());
   mesh.triangles = std::move(triangles);
-  restore_order(domain.input_of_vertex, t.points, threads);
+  restore_order(domain.input_of_vertex.span(), t.points, threads);
   parallel_blocks(threads, t.origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v)
       if (t.origin[v] < domain.lines.size()) {
@@ -243,7 +243,7 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   mesh.origin = std::move(t.origin);
   mesh.region = std::move(t.region);
   mesh.region_attributes = std::move(region_attributes);
-  mark_vertices(mesh, data);
+  mark_vertices(mesh, data, threads);
   interpolate_attributes(mesh, data, std::move(background));
   return mesh;
 }

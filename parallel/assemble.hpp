@@ -17,7 +17,7 @@ namespace pardel {
 struct Assembled {
   Triangulation triangulation;
   Lines lines;
-  std::vector<Index> input_of_vertex;  ///< for the vertices that were input points; the others keep their number
+  Array<Index> input_of_vertex;        ///< for the vertices that were input points; the others keep their number
   std::vector<Index> segment_of_line;  ///< no_index for hull edges
   std::vector<int> marker_of_line;
 };

@@ -35,7 +35,7 @@ class Background {
 
   std::vector<Point> points_;
   std::vector<std::array<Index, 3>> triangles_;  ///< in the order of the leaves
-  std::vector<Index> number_;                    ///< leaf -> triangle
+  Array<Index> number_;                          ///< leaf -> triangle
   std::vector<Box> boxes_;                       ///< an implicit binary tree, the root at 1, leaves at leaf_count_ + i
   std::size_t leaf_count_ = 1;
 };

@@ -1,5 +1,6 @@
 #include "../core/mutants.hpp"
 #include "constrain.hpp"
+#include "in_order.hpp"
 #include "locate.hpp"
 
 namespace pardel {
@@ -18,11 +19,10 @@ void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>&
   }
 }
 
-std::vector<Constraint> constrain_hull(Triangulation& t) {
+std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const TriangleId> ghosts) {
   std::vector<Constraint> fresh;
-  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+  for (const TriangleId id : ghosts) {
     const Slot slot = t.slots[id];
-    if (!slot.is_ghost()) continue;
     const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
     if (slot.n[corner].constrained() || (fresh.size() == 1 && mutated("hull_edge_not_constrained"))) continue;
     t.constrain(EdgeRef(id, corner));
@@ -33,14 +33,12 @@ std::vector<Constraint> constrain_hull(Triangulation& t) {
 
 /// Takes the triangles so labelled out, by moving the last ones that stay into their places: those that stay
 /// keep their order, which follows a space-filling curve, but for as many as go.
-void remove_labelled(Triangulation& t, Array<Index>& label, Index removed) {
-  std::vector<TriangleId> holes;
-  for (TriangleId id = 0; id < t.slots.size(); ++id) {
-    if (label[id] != removed) continue;
-    holes.push_back(id);
+void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, int threads) {
+  const Array<TriangleId> holes =
+      indices_where(threads, t.slots.size(), [&](std::size_t id) { return label[id] == removed; });
+  for (const TriangleId id : holes)
     for (const EdgeRef out : t.slots[id].n)
       if (label[out.triangle()] != removed) t.slots[out.triangle()].n[out.side()] = EdgeRef();
-  }
   const std::size_t kept = t.slots.size() - holes.size();
   auto last = static_cast<TriangleId>(t.slots.size());
   for (const TriangleId hole : holes) {
@@ -56,20 +54,17 @@ void remove_labelled(Triangulation& t, Array<Index>& label, Index removed) {
 
 }  // namespace
 
-std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules) {
+std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads) {
+  const std::size_t n = t.slots.size();
+  const Array<TriangleId> ghosts = indices_where(threads, n, [&](std::size_t id) { return t.slots[id].is_ghost(); });
   std::vector<Constraint> hull;
-  if (rules.convex_hull) hull = constrain_hull(t);
+  if (rules.convex_hull) hull = constrain_hull(t, ghosts.span());
 
   constexpr Index unlabelled = no_index, removed = no_index - 1;
-  Array<Index> label(t.slots.size(), unlabelled);
-  std::vector<TriangleId> stack;
-  TriangleId inside = no_index;
-  for (TriangleId id = 0; id < t.slots.size(); ++id) {
-    if (t.slots[id].is_ghost())
-      stack.push_back(id);
-    else
-      inside = id;
-  }
+  Array<Index> label = make_array(threads, n, [](std::size_t) { return unlabelled; });
+  auto inside = static_cast<TriangleId>(n - 1);
+  while (t.slots[inside].is_ghost()) --inside;
+  std::vector<TriangleId> stack(ghosts.begin(), ghosts.end());
   for (const Point hole : rules.holes)
     if (!mutated("hole_not_carved")) stack.push_back(locate(t, hole, inside));
   flood(t, stack, label, removed);
@@ -80,7 +75,7 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules) {
     flood(t, stack, label, static_cast<Index>(r));
   }
 
-  remove_labelled(t, label, removed);
+  remove_labelled(t, label, removed, threads);
   if (!rules.region_seeds.empty()) t.region = std::move(label);
   return hull;
 }

@@ -27,7 +27,8 @@ struct DomainRules {
 };
 
 /// Removes the ghosts, the exterior and the holes, numbers what is left from 0 and fills `region` when
-/// there are seeds. With convex_hull the hull edges that are no constraints yet are returned.
-[[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules);
+/// there are seeds. With convex_hull the hull edges that are no constraints yet are returned. The same on any number
+/// of threads.
+[[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads = 1);
 
 }  // namespace pardel

@@ -6,11 +6,11 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "../core/mutants.hpp"
 #include "bowyer_watson.hpp"
 #include "in_order.hpp"
-#include "parallel_for.hpp"
 #include "predicates.hpp"
 #include "spatial_sort.hpp"
 
@@ -25,25 +25,34 @@ std::uint64_t mixed(std::uint64_t h) {
 
 /// The vertices in the order of their insertion; round r goes from start[r] to start[r + 1].
 struct Rounds {
-  static constexpr int count = 8;
-  std::vector<VertexId> order;
+  static constexpr std::size_t count = 8;
+  Array<VertexId> order;
   std::array<std::size_t, count + 1> start{};
 };
 
 /// Round r of the insertion holds about 16^-r of the points; the last rounds go first. Chance is a hash of a point's
 /// place on the curve: neither the order of the input nor its scale has a say.
-Rounds biased_random_order(std::size_t n) {
-  std::vector<std::uint8_t> round(n);
+Rounds biased_random_order(std::size_t n, int threads) {
+  // How many of each round a block has, then where its next one goes.
+  std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
+  const auto for_each_point = [&](const auto& visit) {
+    parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto level = static_cast<std::size_t>(std::countr_zero(mixed(i + 1)) / 4);
+        visit(i, next[block][Rounds::count - 1 - std::min(Rounds::count - 1, level)]);
+      }
+    });
+  };
+  for_each_point([](std::size_t, std::size_t& number) { ++number; });
   Rounds rounds;
-  for (std::size_t i = 0; i < n; ++i) {
-    const int level = std::min(Rounds::count - 1, std::countr_zero(mixed(i + 1)) / 4);
-    round[i] = static_cast<std::uint8_t>(Rounds::count - 1 - level);
-    ++rounds.start[round[i] + 1U];
+  std::size_t place = 0;
+  for (std::size_t r = 0; r < Rounds::count; ++r) {
+    rounds.start[r] = place;
+    for (auto& of_block : next) place += std::exchange(of_block[r], place);
   }
-  for (std::size_t r = 1; r < rounds.start.size(); ++r) rounds.start[r] += rounds.start[r - 1];
-  std::array<std::size_t, Rounds::count + 1> next = rounds.start;
-  rounds.order.resize(n);
-  for (std::size_t i = 0; i < n; ++i) rounds.order[next[round[i]]++] = static_cast<VertexId>(i);
+  rounds.start[Rounds::count] = n;
+  rounds.order.resize_uninitialised(n);
+  for_each_point([&](std::size_t i, std::size_t& to) { rounds.order[to++] = static_cast<VertexId>(i); });
   return rounds;
 }
 
@@ -71,21 +80,22 @@ constexpr TriangleId triangles_of(std::size_t n) { return static_cast<TriangleId
 /// Inserts rounds of points. A place is an index into the order of insertion.
 class Rounder {
  public:
-  Rounder(Triangulation& t, const std::vector<VertexId>& order, int threads, std::size_t per_tile)
+  Rounder(Triangulation& t, const Array<VertexId>& order, int threads, std::size_t per_tile)
       : t_(t), order_(order), bounds_(bounds_of(t.points.span())), threads_(std::max(1, threads)), per_tile_(per_tile) {
     for (int i = 0; i < threads_; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
   }
 
   /// All places before `first` are in.
   Status insert(std::size_t first, std::size_t last) {
-    std::vector<Index> places(last - first);
-    std::iota(places.begin(), places.end(), static_cast<Index>(first));
-    const double tiles = static_cast<double>(places.size()) / static_cast<double>(per_tile_);
-    const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::max(1.0, std::sqrt(tiles))));
+    const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::sqrt(tiles_for(last - first))));
+    Tile everything{};
     if (lattice.cells() > 1) {
-      if (Status inserted = insert_on_tiles(lattice, places, triangles_of(first)); !inserted) return inserted;
+      if (Status inserted = insert_on_tiles(lattice, first, last, everything.places); !inserted) return inserted;
+    } else {
+      everything.places.resize(last - first);
+      std::iota(everything.places.begin(), everything.places.end(), static_cast<Index>(first));
     }
-    Tile everything{.places = std::move(places), .near = some_triangle()};
+    everything.near = some_triangle();
     run(everything, Box{}, *workers_.front());
     return everything.error ? Status(*everything.error) : Done{};
   }
@@ -98,14 +108,21 @@ class Rounder {
     std::optional<Error> error{};
   };
 
-  /// Afterwards `places` holds those that leave the boxes of their tiles.
-  Status insert_on_tiles(const Lattice& lattice, std::vector<Index>& places, TriangleId triangles) {
+  /// Few points still make several tiles of each colour, as long as not too many of them lie near borders.
+  [[nodiscard]] double tiles_for(std::size_t points) const {
+    constexpr double enough = 36, fraction_of_tile = 0.125;
+    const double full = static_cast<double>(points) / static_cast<double>(per_tile_);
+    return std::max({1.0, full, std::min(enough, full / fraction_of_tile)});
+  }
+
+  /// Appends to `outside` the places that leave the boxes of their tiles, in order.
+  Status insert_on_tiles(const Lattice& lattice, std::size_t first, std::size_t last, std::vector<Index>& outside) {
     std::vector<Tile> tiles(lattice.cells());
     file_by_cell(
-        threads_, places.size(), tiles.size(),
-        [&](std::size_t i) { return lattice.cell_of(t_.points[order_[places[i]]]); },
-        [&](Index cell, std::size_t i) { tiles[cell].places.push_back(places[i]); });
-    find_starts(lattice, tiles, triangles);
+        threads_, last - first, tiles.size(),
+        [&](std::size_t i) { return lattice.cell_of(t_.points[order_[first + i]]); },
+        [&](Index cell, std::size_t i) { tiles[cell].places.push_back(static_cast<Index>(first + i)); });
+    find_starts(lattice, tiles, triangles_of(first));
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
       std::vector<Index> cells;
       for (Index cell = 0; cell < lattice.cells(); ++cell)
@@ -116,12 +133,11 @@ class Rounder {
         run(tiles[cells[i]], lattice.box_of(cells[i]), *workers_[static_cast<std::size_t>(thread)]);
       });
     }
-    places.clear();
     for (const Tile& tile : tiles) {
       if (tile.error) return *tile.error;
-      places.insert(places.end(), tile.places.begin(), tile.places.end());
+      outside.insert(outside.end(), tile.places.begin(), tile.places.end());
     }
-    std::sort(places.begin(), places.end());
+    std::sort(outside.begin(), outside.end());
     return Done{};
   }
 
@@ -166,7 +182,7 @@ class Rounder {
   }
 
   Triangulation& t_;
-  const std::vector<VertexId>& order_;
+  const Array<VertexId>& order_;
   Box bounds_;
   int threads_;
   std::size_t per_tile_;
@@ -183,20 +199,16 @@ Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_
   Delaunay result;
   result.input_of_vertex = hilbert_order(points, threads);
   Triangulation& t = result.triangulation;
-  t.points.resize_uninitialised(points.size());
-  parallel_blocks(threads, points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t v = first; v < last; ++v) t.points[v] = points[result.input_of_vertex[v]];
-  });
-  Rounds rounds = biased_random_order(t.points.size());
-  std::vector<VertexId>& order = rounds.order;
+  t.points = make_array(threads, points.size(), [&](std::size_t v) { return points[result.input_of_vertex[v]]; });
+  Rounds rounds = biased_random_order(t.points.size(), threads);
+  Array<VertexId>& order = rounds.order;
 
   const Point a = t.points[order[0]], b = t.points[order[1]];
   if (a == b) return coordinates_error("two points share the coordinates", a);
   std::size_t third = 2;
   while (third < order.size() && orient2d(a, b, t.points[order[third]]) == 0) ++third;
   if (third == order.size()) return Error{ErrorKind::invalid_input, "all points are collinear"};
-  std::rotate(order.begin() + 2, order.begin() + static_cast<std::ptrdiff_t>(third),
-              order.begin() + static_cast<std::ptrdiff_t>(third) + 1);
+  std::rotate(order.begin() + 2, order.begin() + third, order.begin() + third + 1);
 
   if (order.size() > 3 && mutated("a_point_is_lost")) {
     order.pop_back();

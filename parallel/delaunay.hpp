@@ -11,8 +11,8 @@ namespace pardel {
 
 /// Vertices are renumbered along a Hilbert curve, which keeps what is near in the plane near in memory.
 struct Delaunay {
-  Triangulation triangulation;         ///< ghosts included; origin and region are empty
-  std::vector<Index> input_of_vertex;  ///< vertex -> index of the input point
+  Triangulation triangulation;   ///< ghosts included; origin and region are empty
+  Array<Index> input_of_vertex;  ///< vertex -> index of the input point
 };
 
 /// About as many as fit a core's second-level cache with their triangles.

@@ -58,11 +58,8 @@ class Table {
 std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads) {
   // Parts of about a thousand points: their tables stay in the first-level cache.
   const std::size_t parts = std::bit_ceil(std::clamp<std::size_t>(points.size() / 1024, 1, 4096));
-  Array<Index> part_of;
-  part_of.resize_uninitialised(points.size());
-  parallel_blocks(threads, points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t i = first; i < last; ++i)
-      part_of[i] = static_cast<Index>((hash_of(points[i]) >> 32U) & (parts - 1));
+  const Array<Index> part_of = make_array(threads, points.size(), [&](std::size_t i) {
+    return static_cast<Index>((hash_of(points[i]) >> 32U) & (parts - 1));
   });
 
   std::vector<std::size_t> end(parts + 1);

@@ -247,6 +247,7 @@ class Refinement {
         collect(job, done);
         if (&lattice == finest_) note_thread(job);
       }
+      collect_deferred(jobs);
       triangles_before_ = crew_.triangles().in_use();
       vertices_before_ = crew_.vertices().in_use();
       made_ = 0;
@@ -304,7 +305,6 @@ class Refinement {
     const TaskResult& r = job.result;
     if (!mutated("outsiders_forgotten")) stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
     if (!mutated("stuck_triangles_forgotten")) stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
-    if (!mutated("deferred_triangles_forgotten")) deferred_.append(r.deferred);
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
     counts_.refused += r.refused;
@@ -314,6 +314,12 @@ class Refinement {
     sweep.beyond_box += job.outsiders.size() + r.stuck.size();
     sweep.out_of_numbers += r.out_of_numbers;
     sweep.against_promise += r.against_promise + job.outsiders_against_promise;
+  }
+
+  void collect_deferred(const std::vector<Job>& jobs) {
+    std::vector<std::span<const Deferred>> lists;
+    for (const Job& job : jobs) lists.emplace_back(job.result.deferred);
+    if (!mutated("deferred_triangles_forgotten")) append_blocks(threads_, lists, deferred_);
   }
 
   Triangulation& t_;

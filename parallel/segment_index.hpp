@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/array.hpp"
 #include "../core/pslg.hpp"
 
 namespace pardel {
@@ -78,7 +79,7 @@ class SegmentIndex {
 
   std::span<const Point> points_;
   std::span<const Segment> segments_;
-  std::vector<Index> order_;
+  Array<Index> order_;
   std::vector<std::vector<Bounds>> levels_;
 };
 

@@ -6,9 +6,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "../core/array.hpp"
 #include "../core/mutants.hpp"
-#include "parallel_for.hpp"
+#include "in_order.hpp"
 
 namespace pardel {
 namespace {
@@ -55,18 +54,30 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 }
 
 struct Box {
-  double min_x, min_y, side;
+  double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
+
+  void take_in(const Box& other) {
+    min_x = std::min(min_x, other.min_x);
+    max_x = std::max(max_x, other.max_x);
+    min_y = std::min(min_y, other.min_y);
+    max_y = std::max(max_y, other.max_y);
+  }
+  [[nodiscard]] double side() const { return std::max(max_x - min_x, max_y - min_y); }
 };
 
-Box bounding_square(std::span<const Point> points, std::span<const Index> ids) {
-  double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
-  for (const Index i : ids) {
-    min_x = std::min(min_x, points[i].x);
-    max_x = std::max(max_x, points[i].x);
-    min_y = std::min(min_y, points[i].y);
-    max_y = std::max(max_y, points[i].y);
-  }
-  return {min_x, min_y, std::max(max_x - min_x, max_y - min_y)};
+Box bounding_box(std::span<const Point> points, std::span<const Index> ids, int threads) {
+  std::vector<Box> of_block(block_count(ids.size()));
+  parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    Box box;
+    for (std::size_t k = first; k < last; ++k) {
+      const Point p = points[ids[k]];
+      box.take_in({p.x, p.y, p.x, p.y});
+    }
+    of_block[block] = box;
+  });
+  Box all;
+  for (const Box& box : of_block) all.take_in(box);
+  return all;
 }
 
 /// Least significant digit first, 11 bits at a time, on the upper half of each word. Stable, so that it does not matter
@@ -95,8 +106,8 @@ void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
 }
 
 void order_along_curve(std::span<const Point> points, std::span<Index> ids, int threads) {
-  const Box box = bounding_square(points, ids);
-  if (ids.size() <= 16 || !(box.side > 0)) {
+  const Box box = bounding_box(points, ids, threads);
+  if (ids.size() <= 16 || !(box.side() > 0)) {
     if (mutated("order_of_the_input_decides")) return;
     std::sort(ids.begin(), ids.end(), [&](Index a, Index b) {
       return points[a].x < points[b].x || (points[a].x == points[b].x && points[a].y < points[b].y);
@@ -104,35 +115,33 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, int 
     return;
   }
   constexpr double top = (1U << levels) - 1;
-  const double scale = top / box.side;
-  Array<std::uint64_t> words;
-  words.resize_uninitialised(ids.size());
-  parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t k = first; k < last; ++k) {
-      const Point p = points[ids[k]];
-      const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));
-      const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
-      words[k] = static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
-    }
+  const double scale = top / box.side();
+  Array<std::uint64_t> words = make_array(threads, ids.size(), [&](std::size_t k) {
+    const Point p = points[ids[k]];
+    const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));
+    const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
+    return static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
   });
   radix_sort_by_key(words, threads);
   parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t k = first; k < last; ++k) ids[k] = static_cast<Index>(words[k]);
   });
-  for (std::size_t k = 0; k < words.size();) {
-    std::size_t stop = k + 1;
-    while (stop < words.size() && words[stop] >> 32U == words[k] >> 32U) ++stop;
-    if (stop - k > 1) order_along_curve(points, ids.subspan(k, stop - k), threads);
-    k = stop;
+  // Runs of equal keys, by the places that continue one.
+  const Array<Index> continued = indices_where(
+      threads, words.size(), [&](std::size_t k) { return k > 0 && words[k] >> 32U == words[k - 1] >> 32U; });
+  for (std::size_t i = 0; i < continued.size();) {
+    const std::size_t start = continued[i] - 1;
+    std::size_t stop = start + 1;
+    for (; i < continued.size() && continued[i] == stop; ++i) ++stop;
+    order_along_curve(points, ids.subspan(start, stop - start), threads);
   }
 }
 
 }  // namespace
 
-std::vector<Index> hilbert_order(std::span<const Point> points, int threads) {
-  std::vector<Index> ids(points.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<Index>(i);
-  order_along_curve(points, ids, threads);
+Array<Index> hilbert_order(std::span<const Point> points, int threads) {
+  Array<Index> ids = make_array(threads, points.size(), [](std::size_t i) { return static_cast<Index>(i); });
+  order_along_curve(points, ids.span(), threads);
   return ids;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "../core/array.hpp"
 #include "../core/pslg.hpp"
 
 namespace pardel {
@@ -11,6 +11,6 @@ namespace pardel {
 /// The indices of the points along a Hilbert curve over their bounding square; points that share a cell of
 /// the finest grid are ordered along a curve of their own. Depends on coordinates only, not on the order
 /// of the input (but for equal points). O(n) typical.
-[[nodiscard]] std::vector<Index> hilbert_order(std::span<const Point> points, int threads = 1);
+[[nodiscard]] Array<Index> hilbert_order(std::span<const Point> points, int threads = 1);
 
 }  // namespace pardel

@@ -12,6 +12,7 @@
 #include "duplicates.hpp"
 #include "faces.hpp"
 #include "hull.hpp"
+#include "in_order.hpp"
 #include "predicates.hpp"
 #include "segment_index.hpp"
 
@@ -48,10 +49,10 @@ void check_counts(const Pslg& pslg, Findings& found) {
     found.add(ProblemKind::wrong_count, {}, {});
 }
 
-void check_coordinates(const Pslg& pslg, Findings& found) {
-  for (Index i = 0; i < pslg.points.size(); ++i) {
+void check_coordinates(const Pslg& pslg, int threads, Findings& found) {
+  const auto unusable = [&](std::size_t i) { return !is_usable(pslg.points[i]); };
+  for (const Index i : indices_where(threads, pslg.points.size(), unusable)) {
     const Point p = pslg.points[i];
-    if (is_usable(p)) continue;
     const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
     found.add(finite ? ProblemKind::coordinate_out_of_range : ProblemKind::non_finite_coordinate, {i}, p);
   }
@@ -224,7 +225,7 @@ void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
 std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options) {
   Findings found(options.max_problems);
   check_counts(pslg, found);
-  check_coordinates(pslg, found);
+  check_coordinates(pslg, options.threads, found);
   const bool usable =
       !found.any(ProblemKind::non_finite_coordinate) && !found.any(ProblemKind::coordinate_out_of_range);
   const std::vector<Duplicate> duplicates = find_duplicates(pslg.points, options.threads);

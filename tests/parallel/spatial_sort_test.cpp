@@ -10,7 +10,7 @@
 namespace pardel {
 namespace {
 
-double length_of_tour(const std::vector<Point>& points, const std::vector<Index>& order) {
+double length_of_tour(const std::vector<Point>& points, const Array<Index>& order) {
   double length = 0;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const Point a = points[order[i - 1]], b = points[order[i]];
@@ -19,7 +19,7 @@ double length_of_tour(const std::vector<Point>& points, const std::vector<Index>
   return length;
 }
 
-bool is_permutation(std::vector<Index> order, std::size_t n) {
+bool is_permutation(Array<Index> order, std::size_t n) {
   std::sort(order.begin(), order.end());
   for (std::size_t i = 0; i < order.size(); ++i)
     if (order[i] != i) return false;
@@ -37,7 +37,7 @@ TEST(HilbertOrder, depends_on_coordinates_only) {
   for (const samples::Family& family : samples::families(3000, 3)) {
     std::vector<Point> other = family.points;
     random.shuffle(other);
-    const std::vector<Index> first = hilbert_order(family.points), second = hilbert_order(other);
+    const Array<Index> first = hilbert_order(family.points), second = hilbert_order(other);
     for (std::size_t i = 0; i < first.size(); ++i)
       ASSERT_EQ(family.points[first[i]], other[second[i]]) << family.name << " at " << i;
   }
@@ -52,7 +52,7 @@ TEST(HilbertOrder, does_not_depend_on_threads) {
     for (int i = 0; i < 20; ++i)
       points.push_back({centre.x + random.uniform(0, 1e-9), centre.y + random.uniform(0, 1e-9)});
   }
-  const std::vector<Index> order = hilbert_order(points);
+  const Array<Index> order = hilbert_order(points);
   EXPECT_TRUE(is_permutation(order, points.size()));
   for (const int threads : {2, 3, 16}) EXPECT_EQ(hilbert_order(points, threads), order) << threads << " threads";
 }
@@ -81,7 +81,7 @@ TEST(HilbertOrder, stays_short_inside_a_tiny_cluster) {
   std::vector<Point> points = samples::uniform_points(10'000, 5);
   for (Point& p : points) p = {p.x * 0x1p-30, p.y * 0x1p-30};
   points.push_back({1, 1});
-  const std::vector<Index> order = hilbert_order(points);
+  const Array<Index> order = hilbert_order(points);
   double inside = 0;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const Point a = points[order[i - 1]], b = points[order[i]];
