@@ -220,6 +220,35 @@ TEST(Carve, keeps_the_convex_hull_and_returns_its_edges) {
   }
 }
 
+/// Large enough for several blocks.
+TEST(Carve, is_the_same_on_any_number_of_threads_numbers_included) {
+  std::vector<Point> points = Frame().points;
+  for (const Point p : samples::uniform_points(30'000, 4)) points.push_back({8 * p.x, 8 * p.y});
+  const auto carved = [&](int threads) {
+    Result<Delaunay> made = delaunay(points);
+    Triangulation t = std::move(made->triangulation);
+    std::vector<VertexId> vertex_of(points.size());
+    for (VertexId v = 0; v < points.size(); ++v) vertex_of[made->input_of_vertex[v]] = v;
+    std::vector<Constraint> constraints = Frame().constraints;
+    for (Constraint& c : constraints) c = {vertex_of[c.a], vertex_of[c.b]};
+    EXPECT_TRUE(insert_constraints(t, constraints));
+    DomainRules rules;
+    rules.holes = {{4.001, 4.003}};
+    rules.region_seeds = {{0.501, 3.003}};
+    (void)carve(t, rules, threads);
+    EXPECT_EQ(samples::fault(t), "");
+    EXPECT_NEAR(samples::twice_area(t), 2 * 60, 1e-9);
+    return t;
+  };
+  const Triangulation expected = carved(1);
+  for (const int threads : {2, 7}) {
+    const Triangulation t = carved(threads);
+    EXPECT_TRUE(std::ranges::equal(t.slots, expected.slots,
+                                   [](const Slot& a, const Slot& b) { return a.v == b.v && a.n == b.n; }));
+    EXPECT_EQ(t.region, expected.region);
+  }
+}
+
 TEST(Carve, leaves_nothing_where_nothing_is_enclosed) {
   Triangulation t = delaunay_of(samples::lattice_points(3));
   (void)carve(t, {});

@@ -30,6 +30,26 @@ TEST(InOrder, blocks_are_joined_one_after_another) {
   }
 }
 
+TEST(InOrder, what_satisfies_is_listed_in_ascending_order) {
+  constexpr std::size_t n = 40'000;
+  const auto wanted = [](std::size_t i) { return i % 3 == 0 || (i > 16'000 && i < 17'000); };
+  std::vector<Index> expected;
+  for (std::size_t i = 0; i < n; ++i)
+    if (wanted(i)) expected.push_back(static_cast<Index>(i));
+  for (const int threads : {0, 1, 2, 7})
+    EXPECT_TRUE(std::ranges::equal(indices_where(threads, n, wanted), expected)) << threads << " threads";
+  EXPECT_TRUE(indices_where(2, 0, wanted).empty());
+}
+
+TEST(InOrder, an_array_is_made_element_by_element) {
+  for (const int threads : {0, 1, 2, 7}) {
+    const Array<double> halves =
+        make_array(threads, 40'000, [](std::size_t i) { return 0.5 * static_cast<double>(i); });
+    ASSERT_EQ(halves.size(), 40'000U);
+    for (std::size_t i = 0; i < halves.size(); ++i) ASSERT_EQ(halves[i], 0.5 * static_cast<double>(i));
+  }
+}
+
 TEST(InOrder, each_cell_gets_its_own_in_ascending_order_on_any_number_of_threads) {
   constexpr std::size_t cells = 5, n = 40'000;
   Random random(2);
