@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../core/formats.hpp"
+#include "choice.hpp"
 #include "command.hpp"
 #include "output.hpp"
 #include "tile_hues.hpp"
@@ -70,7 +71,7 @@ Command add_draw(CLI::App& program) {
   app->add_option("-o,--output", arguments->output, "The picture (required)")->required()->type_name("FILE.svg");
   const std::map<std::string, HueBy> hues = {{"tile", HueBy::tile}, {"phase", HueBy::phase}, {"thread", HueBy::thread}};
   CLI::Option* by = app->add_option("--by", arguments->by, "Colour triangles by what made them: tile, phase or thread")
-                        ->transform(CLI::CheckedTransformer(hues).description(""))
+                        ->transform(choice(hues))
                         ->type_name("WHAT");
   CLI::Option* report = app->add_option("--report", arguments->report, "What pardel mesh --json wrote in that run")
                             ->type_name("FILE.json");

@@ -39,6 +39,7 @@ Exit status:
   3    the input is invalid; the message names the place
   4    a bound could not be met for another reason (a budget, a floor, precision); the mesh is written, with the list
   5    memory, or a file that cannot be opened, read or written
+  6    the program noticed that it went wrong itself; nothing is written
   130  interrupted
 
 Every subcommand has its own --help.)";
@@ -63,6 +64,9 @@ Result<ExitCode> run(int argc, char** argv) {
                                add_generate(program)};
   program.add_subcommand("triangle", triangle_summary);  // for the list in --help; handled above
 
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+  if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(is_named).empty())
+    return Error{ErrorKind::usage, fmt::format("there is no command '{}' (see 'pardel --help')", argv[1])};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {  // --help and --version come this way, too

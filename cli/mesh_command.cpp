@@ -3,6 +3,8 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "../core/formats.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/check.hpp"
+#include "choice.hpp"
 #include "command.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
@@ -146,6 +149,9 @@ Result<ExitCode> run(Arguments& arguments) {
   run.holes = pslg.holes.size();
   run.regions = pslg.regions.size();
   run.goal = *goal;
+  run.region_caps_unused = !goal->region_caps && std::ranges::any_of(pslg.regions, [](const Region& region) {
+    return std::isfinite(region.max_area);
+  });
   run.sizes = arguments.goal.sizes;
   run.options = arguments.options;
   run.report = std::move(meshed->report);
@@ -168,6 +174,7 @@ constexpr const char* footer =
     R"(The format of OUT follows its suffix: .node (or .ele) writes Triangle's .node, .ele and .poly; .vtu for
 ParaView; .msh for Gmsh; .off; .svg. An output that is complete has its name; a partial one never has.
 The report of --json numbers vertices and triangles from 0, whatever IN does.
+Exit status: as 'pardel --help' lists; 4 where a bound could not be met, the mesh being written all the same.
 
 Examples:
   pardel mesh key.poly -o key.vtu                                   20.7 degrees, no size bound
@@ -213,13 +220,13 @@ Command add_mesh(CLI::App& program) {
   const std::map<std::string, Placement> placements = {{"circumcentre", Placement::circumcentre},
                                                        {"off-centre", Placement::off_centre}};
   app->add_option("--placement", options.placement, "Where new points go: circumcentre or off-centre (default)")
-      ->transform(CLI::CheckedTransformer(placements).description(""))
+      ->transform(choice(placements))
       ->type_name("WHERE");
   const std::map<std::string, Decomposition> decompositions = {
       {"auto", Decomposition::automatic}, {"paper", Decomposition::paper}, {"none", Decomposition::none}};
   app->add_option("--decomposition", options.decomposition,
                   "How the plane is cut: auto (by work; the default), paper (cells of four circumradii) or none")
-      ->transform(CLI::CheckedTransformer(decompositions).description(""))
+      ->transform(choice(decompositions))
       ->type_name("HOW");
   app->add_option("--cells", arguments->cells,
                   "Columns and rows of tiles (default: by work); changes the mesh a little")
@@ -239,7 +246,7 @@ Command add_mesh(CLI::App& program) {
   const std::map<std::string, ShowProgress> shows = {
       {"auto", ShowProgress::automatic}, {"always", ShowProgress::always}, {"never", ShowProgress::never}};
   app->add_option("--progress", arguments->progress, "A progress bar: auto (default), always or never")
-      ->transform(CLI::CheckedTransformer(shows).description(""))
+      ->transform(choice(shows))
       ->type_name("WHEN");
   app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json - asks for");
   app->footer(footer);

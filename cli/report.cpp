@@ -1,11 +1,13 @@
 #include "report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+
+#include "../core/formats.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -176,6 +178,7 @@ std::string to_text(const MeshRun& run) {
   std::string text =
       fmt::format("{}: {}, {}, {}, {}\n", run.name, plural(run.points, "point"), plural(run.segments, "segment"),
                   plural(run.holes, "hole"), plural(run.regions, "region"));
+  if (run.region_caps_unused) text += "note    the regions have area caps, which count with --regions only\n";
   text += fmt::format("mesh    {} vertices, {} triangles, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
                       mesh.vertices, mesh.triangles, mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
   if (const std::string list = reasons(run.report, true); !list.empty()) {
@@ -187,7 +190,7 @@ std::string to_text(const MeshRun& run) {
   text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
                       s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);
   text += fmt::format("digest  {}\n", to_string(run.digest));
-  for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", file.string());
+  for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
   return text;
 }
 

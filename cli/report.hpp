@@ -40,7 +40,8 @@ struct MeshRun {
   std::string name;  ///< of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
-  std::filesystem::path sizes;  ///< where goal.size came from
+  bool region_caps_unused = false;  ///< there are some, and the goal leaves them aside
+  std::filesystem::path sizes;      ///< where goal.size came from
   Options options;
   Report report;
   MeshStatistics statistics;

@@ -49,6 +49,9 @@ enum class MshEncoding : std::uint8_t { ascii, binary };
 [[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
                                 MshEncoding msh = MshEncoding::binary);
 
+/// All the files that write_mesh makes of this one name.
+[[nodiscard]] std::vector<std::string> written_files(const std::filesystem::path& file);
+
 /// True where write_mesh knows the suffix.
 [[nodiscard]] bool is_mesh_suffix(const std::filesystem::path& file);
 

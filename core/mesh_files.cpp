@@ -57,6 +57,12 @@ Result<Mesh> read_mesh(const std::filesystem::path& file) {
   return parse_off(*text, file.string());
 }
 
+std::vector<std::string> written_files(const std::filesystem::path& file) {
+  if (format_of(file) != Format::triangle) return {file.string()};
+  const std::string stem = std::filesystem::path(file).replace_extension().string();
+  return {stem + ".node", stem + ".ele", stem + ".poly"};
+}
+
 Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file, MshEncoding msh) {
   switch (format_of(file)) {
     case Format::triangle:

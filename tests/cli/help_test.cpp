@@ -59,6 +59,18 @@ TEST_F(Help, a_usage_error_names_the_command_the_option_and_its_help) {
   EXPECT_EQ(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "0"}).exit_code, 2);
   EXPECT_TRUE(holds(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "many"}).err,
                     {"pardel mesh: ", "--threads", "many", "pardel mesh --help"}));
+  EXPECT_TRUE(holds(pardel({"fly"}).err, {"there is no command 'fly'", "pardel --help"}));
+}
+
+TEST_F(Help, a_word_that_is_no_choice_is_answered_with_the_choices) {
+  const auto message = [this](const std::string& option) {
+    return pardel({"mesh", "a.poly", "-o", "b.vtu", option, "foo"}).err;
+  };
+  EXPECT_TRUE(holds(message("--placement"), {"'foo' is none of circumcentre, off-centre (see"}));
+  EXPECT_TRUE(holds(message("--decomposition"), {"'foo' is none of auto, none, paper (see"}));
+  EXPECT_TRUE(holds(message("--progress"), {"'foo' is none of always, auto, never (see"}));
+  EXPECT_TRUE(holds(pardel({"draw", "a.node", "-o", "a.svg", "--report", "r.json", "--by", "foo"}).err,
+                    {"'foo' is none of phase, thread, tile (see"}));
 }
 
 }  // namespace

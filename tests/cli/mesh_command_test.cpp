@@ -157,6 +157,17 @@ TEST_F(MeshCommand, caps_of_regions_count_only_when_asked_for) {
   EXPECT_EQ(pardel({"check", "regions.poly", "a.node", "--regions"}).exit_code, 1);
 }
 
+TEST_F(MeshCommand, the_summary_says_that_area_caps_of_regions_count_on_request_only) {
+  ASSERT_EQ(pardel({"generate", "regions", "-o", "regions.poly"}).exit_code, 0);
+  EXPECT_TRUE(holds(pardel({"mesh", "regions.poly", "-o", "a.vtu"}).out, {"area caps", "--regions"}));
+  EXPECT_FALSE(holds(pardel({"mesh", "regions.poly", "-o", "a.vtu", "--regions"}).out, {"area caps"}));
+}
+
+TEST_F(MeshCommand, the_summary_names_every_file_that_was_written) {
+  EXPECT_TRUE(holds(pardel({"mesh", "key.poly", "-o", "m.ele", "-o", "m.vtu"}).out,
+                    {"wrote   m.node, m.ele, m.poly\n", "wrote   m.vtu\n"}));
+}
+
 TEST_F(MeshCommand, sizes_at_the_points_grade_the_mesh) {
   write("fine.sizes", "4\n1 0.02\n2 0.5\n3 0.5\n4 0.5\n");
   const json r = report({"square.poly", "-o", "m.node", "--sizes", "fine.sizes", "--check"});
