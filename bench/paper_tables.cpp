@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <vector>
 
 #include "../parallel/mesher.hpp"
@@ -57,7 +59,7 @@ std::optional<Timed> run(const Table& table, const Settings& settings, int threa
 std::optional<Timed> median_run(const Table& table, const Settings& settings, int threads) {
   std::vector<Timed> all;
   for (int i = 0; i < settings.runs; ++i) {
-    warm_memory(all.empty() ? warm_at_first : std::max(warm_at_first, all.back().peak_rss_bytes));
+    warm_memory(all.empty() ? 0 : all.back().peak_rss_bytes);
     const std::optional<Timed> one = run(table, settings, threads);
     if (!one || one->triangles == 0) return std::nullopt;
     all.push_back(*one);

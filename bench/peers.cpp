@@ -66,7 +66,7 @@ Row summarise(const std::string& tool, const std::vector<Run>& runs) {
 /// Runs of a tool until they fill a second: what ends sooner says little by itself on a machine that others share.
 void run_for_a_second(const Tool& tool, const Task& task, const fs::path& scratch, std::vector<Run>& runs) {
   for (double spent = 0; spent < 1;) {
-    warm_memory(runs.empty() ? warm_at_first : std::max(warm_at_first, runs.back().peak_rss_bytes));
+    warm_memory(runs.empty() ? 0 : runs.back().peak_rss_bytes);
     runs.push_back(tool.run(task, scratch));
     if (runs.back().triangles == 0) return;
     spent += runs.back().seconds;

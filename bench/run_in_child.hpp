@@ -35,9 +35,13 @@ class Child {
     process_ = fork();
     if (process_ == 0) {
       close(pipe_ends[0]);
-      const T result = work();
-      const ssize_t written = write(pipe_ends[1], &result, sizeof result);
-      _exit(written == static_cast<ssize_t>(sizeof result) ? 0 : 1);
+      bool written = false;
+      try {
+        const T result = work();
+        written = write(pipe_ends[1], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
+      } catch (...) {  // must not reach what the parent has on its stack
+      }
+      _exit(written ? 0 : 1);
     }
     close(pipe_ends[1]);
     read_end_ = pipe_ends[0];

@@ -1,7 +1,7 @@
 // scaling: one mesh by one queue over everything, by tiles, and by tiles on several threads, in interleaved runs, each
 // in a process of its own; one table of medians. The meshes of all numbers of threads must be one. Beside n threads
-// stand n runs of one thread at the same time, which share nothing but the machine: more than that it does not give.
-// See --help.
+// stand n runs of one thread at the same time, which share nothing but the machine: a yardstick for what the other
+// cores are worth there. See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -42,7 +42,8 @@ constexpr const char* one_thread_row = "tiles, 1 thread";
 struct Row {
   Decomposition decomposition;
   int threads;
-  int processes = 1;  ///< at the same time, each with these threads
+  int processes = 1;                 ///< at the same time, each with these threads
+  std::uint64_t peak_rss_bytes = 0;  ///< of the last run
   std::vector<Timed> runs{};
 
   [[nodiscard]] std::string name() const {
@@ -91,20 +92,20 @@ std::optional<Timed> run(const Task& task, const Row& row) {
   return all;
 }
 
-/// False, and a message, where a run failed or the number of threads changed the mesh.
+/// Runs of every row by turns. A first one of each is not counted: it tells how much memory to have at hand. False, and
+/// a message, where a run failed or meshes that must be one are not.
 bool measure(const Settings& settings, std::vector<Row>& rows) {
   std::optional<Digest> one_mesh;
-  std::uint64_t most_memory = warm_at_first;
-  for (int i = 0; i < settings.runs; ++i)
+  for (int i = 0; i <= settings.runs; ++i)
     for (Row& row : rows) {
-      warm_memory(most_memory);
+      warm_memory(row.peak_rss_bytes);
       const std::optional<Timed> one = run(settings.task, row);
       if (!one) {
-        fmt::print(stderr, "scaling: {}: no mesh\n", row.name());
+        fmt::print(stderr, "scaling: {}: no mesh, or more than one\n", row.name());
         return false;
       }
-      row.runs.push_back(*one);
-      most_memory = std::max(most_memory, one->peak_rss_bytes);
+      row.peak_rss_bytes = one->peak_rss_bytes;
+      if (i > 0) row.runs.push_back(*one);
       if (row.decomposition == Decomposition::none) continue;
       if (!one_mesh) one_mesh = one->digest;
       if (one->digest == one_mesh) continue;
@@ -156,7 +157,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
   app.add_flag("!--no-queue", settings.one_queue, "Leave out the row with one queue over everything");
-  app.add_flag("!--no-at-once", settings.at_once, "Leave out the rows with several runs of one thread at once");
+  app.add_flag("!--no-at-once", settings.at_once,
+               "Leave out the rows with n runs of one thread at once, which take n times the memory");
   CLI11_PARSE(app, argc, argv);
   settings.task.goal.max_area = bench::area_cap(settings.task);
   std::vector<bench::Row> rows;

@@ -14,11 +14,13 @@ namespace pardel::bench {
 
 /// The memory of a virtual machine may be handed out by its host as it is touched, and taken back some seconds after
 /// it was freed: whoever touches it first then waits for it more than ten times as long as the next one. So which run
-/// pays is chance. Before a run this touches about as much memory as it will need, in a process of its own, and frees
-/// it: every run begins alike. At most half of what is available.
-inline void warm_memory(std::uint64_t bytes) {
+/// pays is chance. Before a run this touches as much memory as such a run is known to take (0: nothing is known), and a
+/// gibibyte at least, in a process of its own, and frees it. At most half of what is available.
+inline void warm_memory(std::uint64_t known_bytes) {
   constexpr std::size_t page = 4096;
+  constexpr std::uint64_t least = std::uint64_t{1} << 30U;
   const std::uint64_t available = cli::available_memory();
+  const std::uint64_t bytes = std::max(least, known_bytes);
   const auto size = static_cast<std::size_t>(available == 0 ? bytes : std::min(bytes, available / 2));
   (void)run_in_child<bool>([size] {
     void* block = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -28,8 +30,5 @@ inline void warm_memory(std::uint64_t bytes) {
     return true;
   });
 }
-
-/// What is warmed before the first run, of which nothing is known yet.
-inline constexpr std::uint64_t warm_at_first = std::uint64_t{1} << 30U;
 
 }  // namespace pardel::bench

@@ -34,9 +34,6 @@ class BowyerWatson {
   [[nodiscard]] Inserted insert(VertexId v, TriangleId fresh);
 
   [[nodiscard]] bool in_box(VertexId v) const { return v == ghost ? holds_infinity_ : box_.contains(t_.points[v]); }
-  [[nodiscard]] bool in_box(const Slot& slot) const {
-    return in_box(slot.v[0]) && in_box(slot.v[1]) && in_box(slot.v[2]);
-  }
 
  private:
   Triangulation& t_;

@@ -1,3 +1,5 @@
+#include <cassert>
+
 #include "../core/mutants.hpp"
 #include "constrain.hpp"
 #include "in_order.hpp"
@@ -62,6 +64,7 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int th
 
   constexpr Index unlabelled = no_index, removed = no_index - 1;
   Array<Index> label = make_array(threads, n, [](std::size_t) { return unlabelled; });
+  assert(ghosts.size() < n);
   auto inside = static_cast<TriangleId>(n - 1);
   while (t.slots[inside].is_ghost()) --inside;
   std::vector<TriangleId> stack(ghosts.begin(), ghosts.end());

@@ -1,6 +1,7 @@
 #include "delaunay.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <memory>
@@ -124,9 +125,11 @@ class Rounder {
         [&](Index cell, std::size_t i) { tiles[cell].places.push_back(static_cast<Index>(first + i)); });
     find_starts(lattice, tiles, triangles_of(first));
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
+      // Whether a tile's start is still in its box is asked here: a task of another cell may be at work on it later.
       std::vector<Index> cells;
       for (Index cell = 0; cell < lattice.cells(); ++cell)
-        if (lattice.colour_of(cell) == colour && tiles[cell].near != no_index) cells.push_back(cell);
+        if (lattice.colour_of(cell) == colour && starts_inside(tiles[cell], lattice.box_of(cell)))
+          cells.push_back(cell);
       std::stable_sort(cells.begin(), cells.end(),
                        [&](Index a, Index b) { return tiles[a].places.size() > tiles[b].places.size(); });
       parallel_for(threads_, cells.size(), [&](std::size_t i, int thread) {
@@ -153,16 +156,21 @@ class Rounder {
       const Point p = t_.points[slot.v[0]], centre = lattice.centre_of(cell);
       const double distance = (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
       if (distance >= tiles[cell].near_centre) return;
-      const Box box = lattice.box_of(cell);
-      if (!box.contains(t_.points[slot.v[1]]) || !box.contains(t_.points[slot.v[2]])) return;
+      if (!lies_inside(slot, lattice.box_of(cell))) return;
       tiles[cell].near = static_cast<TriangleId>(id);
       tiles[cell].near_centre = distance;
     });
   }
 
+  [[nodiscard]] bool starts_inside(const Tile& tile, const Box& box) const {
+    return tile.near != no_index && lies_inside(t_.slots[tile.near], box);
+  }
+  [[nodiscard]] bool lies_inside(const Slot& slot, const Box& box) const {
+    return std::ranges::all_of(slot.v, [&](VertexId v) { return v != ghost && box.contains(t_.points[v]); });
+  }
+
   void run(Tile& tile, const Box& box, BowyerWatson& worker) const {
     worker.start(box, tile.near);
-    if (!worker.in_box(t_.slots[tile.near])) return;
     std::erase_if(tile.places, [&](Index place) {
       if (tile.error) return false;
       const VertexId v = order_[place];
