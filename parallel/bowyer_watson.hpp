@@ -33,9 +33,9 @@ class BowyerWatson {
   /// more afterwards.
   [[nodiscard]] Inserted insert(VertexId v, TriangleId fresh);
 
+ private:
   [[nodiscard]] bool in_box(VertexId v) const { return v == ghost ? holds_infinity_ : box_.contains(t_.points[v]); }
 
- private:
   Triangulation& t_;
   Box box_;
   bool holds_infinity_ = true;
