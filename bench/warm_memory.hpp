@@ -13,9 +13,9 @@
 namespace pardel::bench {
 
 /// The memory of a virtual machine may be handed out by its host as it is touched, and taken back some seconds after
-/// it was freed: whoever touches it first then waits for it more than ten times as long as the next one. So which run
-/// pays is chance. Before a run this touches as much memory as such a run is known to take (0: nothing is known), and a
-/// gibibyte at least, in a process of its own, and frees it. At most half of what is available.
+/// it was freed: whoever touches it first then waits for it, the next one does not. So which run pays is chance. Before
+/// a run this touches as much memory as such a run is known to take (0: nothing is known), and a gibibyte at least, in
+/// a process of its own, and frees it. At most half of what is available.
 inline void warm_memory(std::uint64_t known_bytes) {
   constexpr std::size_t page = 4096;
   constexpr std::uint64_t least = std::uint64_t{1} << 30U;
