@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "../cli/choice.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/domains.hpp"
 #include "run_in_child.hpp"
@@ -102,8 +103,7 @@ int main(int argc, char** argv) {
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
   const std::map<std::string, Decomposition> decompositions = {{"auto", Decomposition::automatic},
                                                                {"paper", Decomposition::paper}};
-  app.add_option("--decomposition", settings.decomposition, "auto or paper")
-      ->transform(CLI::CheckedTransformer(decompositions));
+  app.add_option("--decomposition", settings.decomposition, "auto or paper")->transform(cli::choice(decompositions));
   CLI11_PARSE(app, argc, argv);
   for (const bench::Table& table : bench::tables) bench::print(table, settings);
   return 0;

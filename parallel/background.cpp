@@ -15,13 +15,6 @@ double squared_distance(const Box& box, Point p) {
   return dx * dx + dy * dy;
 }
 
-Box united(const Box& a, const Box& b) {
-  return {std::min(a.min_x, b.min_x), std::min(a.min_y, b.min_y), std::max(a.max_x, b.max_x),
-          std::max(a.max_y, b.max_y)};
-}
-
-constexpr Box nowhere{INFINITY, INFINITY, -INFINITY, -INFINITY};
-
 /// The nearest point of the segment a-b to p, as the fraction from a.
 double nearest_fraction(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "../core/mutants.hpp"
+#include "bounds.hpp"
 #include "bowyer_watson.hpp"
 #include "in_order.hpp"
 #include "predicates.hpp"
@@ -82,7 +83,11 @@ constexpr TriangleId triangles_of(std::size_t n) { return static_cast<TriangleId
 class Rounder {
  public:
   Rounder(Triangulation& t, const Array<VertexId>& order, int threads, std::size_t per_tile)
-      : t_(t), order_(order), bounds_(bounds_of(t.points.span())), threads_(std::max(1, threads)), per_tile_(per_tile) {
+      : t_(t),
+        order_(order),
+        bounds_(bounds_of(threads, t.points.size(), [&](std::size_t v) { return t.points[v]; })),
+        threads_(std::max(1, threads)),
+        per_tile_(per_tile) {
     for (int i = 0; i < threads_; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "../core/mutants.hpp"
+#include "bounds.hpp"
 #include "close_ranks.hpp"
 #include "in_order.hpp"
 #include "lattices.hpp"
@@ -45,7 +46,7 @@ class Refinement {
   Status run() {
     const Outlook outlook = defer_everything_bad();
     if (Status fits = check_size(outlook.needed, options_); !fits) return fits;
-    const Box bounds = bounds_of(t_.points.span());
+    const Box bounds = bounds_of(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
     std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, outlook.estimate, options_));
     estimate_ = outlook.expected;
     if (options_.max_vertices > 0) estimate_ = std::min(estimate_, 2.0 * static_cast<double>(options_.max_vertices));

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "../core/mutants.hpp"
+#include "bounds.hpp"
 #include "in_order.hpp"
+#include "lexicographic.hpp"
 
 namespace pardel {
 namespace {
@@ -53,33 +55,6 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   return key;
 }
 
-struct Box {
-  double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
-
-  void take_in(const Box& other) {
-    min_x = std::min(min_x, other.min_x);
-    max_x = std::max(max_x, other.max_x);
-    min_y = std::min(min_y, other.min_y);
-    max_y = std::max(max_y, other.max_y);
-  }
-  [[nodiscard]] double side() const { return std::max(max_x - min_x, max_y - min_y); }
-};
-
-Box bounding_box(std::span<const Point> points, std::span<const Index> ids, int threads) {
-  std::vector<Box> of_block(block_count(ids.size()));
-  parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
-    Box box;
-    for (std::size_t k = first; k < last; ++k) {
-      const Point p = points[ids[k]];
-      box.take_in({p.x, p.y, p.x, p.y});
-    }
-    of_block[block] = box;
-  });
-  Box all;
-  for (const Box& box : of_block) all.take_in(box);
-  return all;
-}
-
 /// Least significant digit first, 11 bits at a time, on the upper half of each word. Stable, so that it does not matter
 /// in how many parts.
 void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
@@ -105,17 +80,18 @@ void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
   }
 }
 
+void order_by_coordinates(std::span<const Point> points, std::span<Index> ids) {
+  if (mutated("order_of_the_input_decides")) return;
+  std::sort(ids.begin(), ids.end(), [&](Index a, Index b) { return before(points[a], points[b]); });
+}
+
 void order_along_curve(std::span<const Point> points, std::span<Index> ids, int threads) {
-  const Box box = bounding_box(points, ids, threads);
-  if (ids.size() <= 16 || !(box.side() > 0)) {
-    if (mutated("order_of_the_input_decides")) return;
-    std::sort(ids.begin(), ids.end(), [&](Index a, Index b) {
-      return points[a].x < points[b].x || (points[a].x == points[b].x && points[a].y < points[b].y);
-    });
-    return;
-  }
+  if (ids.size() <= 16) return order_by_coordinates(points, ids);
+  const Box box = bounds_of(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
+  const double side = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
+  if (!(side > 0)) return order_by_coordinates(points, ids);
   constexpr double top = (1U << levels) - 1;
-  const double scale = top / box.side();
+  const double scale = top / side;
   Array<std::uint64_t> words = make_array(threads, ids.size(), [&](std::size_t k) {
     const Point p = points[ids[k]];
     const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));

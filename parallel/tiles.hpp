@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include "../core/mutants.hpp"
@@ -20,16 +19,12 @@ struct Box {
   [[nodiscard]] bool contains(Point p) const { return p.x >= min_x && p.x < max_x && p.y >= min_y && p.y < max_y; }
 };
 
-/// The least box with all points in it, or on its upper sides; an inverted one where there are none.
-[[nodiscard]] inline Box bounds_of(std::span<const Point> points) {
-  Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (const Point p : points) {
-    box.min_x = std::min(box.min_x, p.x);
-    box.min_y = std::min(box.min_y, p.y);
-    box.max_x = std::max(box.max_x, p.x);
-    box.max_y = std::max(box.max_y, p.y);
-  }
-  return box;
+inline constexpr Box nowhere{INFINITY, INFINITY, -INFINITY, -INFINITY};
+
+/// The least box around both.
+[[nodiscard]] inline Box united(const Box& a, const Box& b) {
+  return {std::min(a.min_x, b.min_x), std::min(a.min_y, b.min_y), std::max(a.max_x, b.max_x),
+          std::max(a.max_y, b.max_y)};
 }
 
 /// A uniform lattice over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2); the task of a cell owns its

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "../../parallel/bounds.hpp"
 #include "samples.hpp"
 
 namespace pardel {
@@ -65,6 +66,20 @@ TEST(InOrder, each_cell_gets_its_own_in_ascending_order_on_any_number_of_threads
         [&](Index cell, std::size_t i) { filed[cell].push_back(i); });
     EXPECT_EQ(filed, expected) << threads << " threads";
   }
+}
+
+TEST(Bounds, are_the_least_box_around_all_points_on_any_number_of_threads) {
+  const std::vector<Point> points = samples::uniform_points(40'000, 3);
+  const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
+  for (const int threads : {0, 1, 2, 7}) {
+    const Box box = bounds_of(threads, points.size(), [&](std::size_t i) { return points[i]; });
+    EXPECT_EQ(box.min_x, left.x);
+    EXPECT_EQ(box.max_x, right.x);
+    EXPECT_EQ(box.min_y, low.y);
+    EXPECT_EQ(box.max_y, high.y);
+  }
+  EXPECT_EQ(bounds_of(2, 0, [](std::size_t) { return Point{}; }).min_x, INFINITY);
 }
 
 }  // namespace
