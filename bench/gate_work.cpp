@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "../parallel/mesher.hpp"
-#include "../properties/domains.hpp"
+#include "../properties/domains/domains.hpp"
 
 int main() {
   using namespace pardel;

@@ -10,7 +10,7 @@
 
 #include "../cli/choice.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/domains.hpp"
+#include "../properties/domains/domains.hpp"
 #include "run_in_child.hpp"
 #include "stopwatch.hpp"
 #include "tool.hpp"

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../parallel/predicates.hpp"
-#include "../properties/generators/random.hpp"
+#include "../parallel/arithmetic/predicates.hpp"
+#include "../properties/domains/generators/random.hpp"
 
 namespace pardel {
 namespace {

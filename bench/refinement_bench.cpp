@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "../parallel/mesher.hpp"
-#include "../properties/domains.hpp"
+#include "../properties/domains/domains.hpp"
 
 namespace pardel {
 namespace {

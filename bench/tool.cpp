@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "../properties/check.hpp"
-#include "../properties/domains.hpp"
+#include "../properties/checker/check.hpp"
+#include "../properties/domains/domains.hpp"
 
 namespace pardel::bench {
 

@@ -21,7 +21,7 @@ inline constexpr double triangles_per_cap = 1.37;
 
 /// What is to be done. The domain is made anew in every child process, from its name.
 struct Task {
-  std::string domain = "square";  ///< a name of properties/domains.hpp
+  std::string domain = "square";  ///< a name of properties/domains/domains.hpp
   std::uint64_t points = 0;       ///< for `points`: how many
   std::uint64_t seed = 1;
   Goal goal;                    ///< minimum angle and area cap

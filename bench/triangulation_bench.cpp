@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "../parallel/mesher.hpp"
-#include "../properties/domains.hpp"
+#include "../properties/domains/domains.hpp"
 
 namespace pardel {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "../core/formats.hpp"
 #include "../parallel/validate.hpp"
-#include "../properties/check.hpp"
+#include "../properties/checker/check.hpp"
 #include "command.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "../core/formats.hpp"
+#include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 #include "command.hpp"
 #include "goal_options.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "../core/formats.hpp"
-#include "../properties/domains.hpp"
+#include "../properties/domains/domains.hpp"
 #include "command.hpp"
 #include "output.hpp"
 

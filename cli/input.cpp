@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../core/formats.hpp"
+#include "../parallel/repair.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
 

@@ -15,7 +15,7 @@
 
 #include "../core/formats.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/check.hpp"
+#include "../properties/checker/check.hpp"
 #include "choice.hpp"
 #include "command.hpp"
 #include "goal_options.hpp"

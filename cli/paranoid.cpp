@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "../properties/check.hpp"
+#include "../properties/checker/check.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {

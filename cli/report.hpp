@@ -13,8 +13,8 @@
 #include "../core/digest.hpp"
 #include "../core/goal.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/check.hpp"
-#include "../properties/statistics.hpp"
+#include "../properties/checker/check.hpp"
+#include "../properties/checker/statistics.hpp"
 
 namespace pardel::cli {
 

@@ -7,22 +7,17 @@
 #include <utility>
 
 #include "../core/formats.hpp"
-#include "../parallel/tiles.hpp"
+#include "../parallel/report.hpp"
 
 namespace pardel::cli {
 namespace {
-
-struct Tiles {
-  Lattice lattice;
-  std::vector<int> thread_of_cell;  ///< -1: none
-};
 
 Error unfit(const std::filesystem::path& report, const std::string& why) {
   return {ErrorKind::invalid_input, report.string() + ": " + why};
 }
 
 /// Throws nlohmann::json::exception where something is missing or of another type.
-Result<Tiles> tiles_of(const nlohmann::json& json, const Mesh& mesh, const std::filesystem::path& report) {
+Result<Tiling> tiling_of(const nlohmann::json& json, const Mesh& mesh, const std::filesystem::path& report) {
   if (json.at("schema") != "pardel.report/1") return unfit(report, "the schema is not pardel.report/1");
   if (const auto triangles = json.at("mesh").at("triangles").get<std::size_t>(); triangles != mesh.triangles.size())
     return unfit(report, fmt::format("the report of a mesh of {} triangles, while the mesh to draw has {}", triangles,
@@ -30,17 +25,23 @@ Result<Tiles> tiles_of(const nlohmann::json& json, const Mesh& mesh, const std::
   const nlohmann::json& cut = json.at("decomposition");
   const auto columns = cut.at("columns").get<Index>(), rows = cut.at("rows").get<Index>();
   const auto low = cut.at("low").get<std::array<double, 2>>(), high = cut.at("high").get<std::array<double, 2>>();
-  auto threads = cut.at("thread_of_cell").get<std::vector<int>>();
+  auto threads = cut.at("thread_of_cell").get<std::vector<std::int16_t>>();
   if (!(low[0] < high[0] && low[1] < high[1]) || threads.empty() || threads.size() != std::uint64_t{columns} * rows)
     return unfit(report, "the lattice described there is none");
-  return Tiles{{{low[0], low[1], high[0], high[1]}, columns, rows}, std::move(threads)};
+  Tiling tiling;
+  tiling.columns = columns;
+  tiling.rows = rows;
+  tiling.low = {low[0], low[1]};
+  tiling.high = {high[0], high[1]};
+  tiling.thread_of_cell = std::move(threads);
+  return tiling;
 }
 
-Result<Tiles> read_tiles(const Mesh& mesh, const std::filesystem::path& report) {
+Result<Tiling> read_tiling(const Mesh& mesh, const std::filesystem::path& report) {
   std::ifstream in(report);
   if (!in) return Error{ErrorKind::io, "cannot read " + report.string()};
   try {
-    return tiles_of(nlohmann::json::parse(in), mesh, report);
+    return tiling_of(nlohmann::json::parse(in), mesh, report);
   } catch (const nlohmann::json::parse_error& error) {
     return unfit(report, fmt::format("no JSON at byte {}", error.byte));
   } catch (const nlohmann::json::exception&) {
@@ -52,18 +53,18 @@ Result<Tiles> read_tiles(const Mesh& mesh, const std::filesystem::path& report) 
 std::uint16_t nth_hue(int n) { return static_cast<std::uint16_t>((210 + n % 360 * 137) % 360); }
 
 /// One of twelve; cells that share a side or a corner are at least two apart.
-std::uint16_t hue_of_tile(const Lattice& lattice, Index cell) {
-  return static_cast<std::uint16_t>((3 * (cell % lattice.columns()) + 5 * (cell / lattice.columns())) % 12 * 30);
+std::uint16_t hue_of_tile(const Tiling& tiling, Index cell) {
+  return static_cast<std::uint16_t>((3 * (cell % tiling.columns) + 5 * (cell / tiling.columns)) % 12 * 30);
 }
 
-std::uint16_t hue_of_cell(const Tiles& tiles, Index cell, HueBy by) {
+std::uint16_t hue_of_cell(const Tiling& tiling, Index cell, HueBy by) {
   switch (by) {
     case HueBy::tile:
-      return hue_of_tile(tiles.lattice, cell);
+      return hue_of_tile(tiling, cell);
     case HueBy::phase:
-      return static_cast<std::uint16_t>(90 * tiles.lattice.colour_of(cell) + 30);
+      return static_cast<std::uint16_t>(90 * tiling.colour_of(cell) + 30);
     case HueBy::thread:
-      return tiles.thread_of_cell[cell] < 0 ? no_hue : nth_hue(tiles.thread_of_cell[cell]);
+      return tiling.thread_of_cell[cell] < 0 ? no_hue : nth_hue(tiling.thread_of_cell[cell]);
   }
   return no_hue;
 }
@@ -76,12 +77,11 @@ Point centroid(const Mesh& mesh, const Triangle& t) {
 }  // namespace
 
 Result<std::vector<std::uint16_t>> tile_hues(const Mesh& mesh, const std::filesystem::path& report, HueBy by) {
-  const Result<Tiles> tiles = read_tiles(mesh, report);
-  if (!tiles) return tiles.error();
+  const Result<Tiling> tiling = read_tiling(mesh, report);
+  if (!tiling) return tiling.error();
   std::vector<std::uint16_t> hues;
   hues.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    hues.push_back(hue_of_cell(*tiles, tiles->lattice.cell_of(centroid(mesh, t)), by));
+  for (const Triangle& t : mesh.triangles) hues.push_back(hue_of_cell(*tiling, tiling->cell_of(centroid(mesh, t)), by));
   return hues;
 }
 

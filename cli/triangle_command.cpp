@@ -10,8 +10,8 @@
 
 #include "../core/formats.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/check.hpp"
-#include "../properties/statistics.hpp"
+#include "../properties/checker/check.hpp"
+#include "../properties/checker/statistics.hpp"
 #include "command.hpp"
 #include "domain_of_mesh.hpp"
 #include "goal_options.hpp"

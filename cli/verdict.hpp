@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "../properties/check.hpp"
+#include "../properties/checker/check.hpp"
 
 namespace pardel::cli {
 

@@ -1,5 +1,6 @@
-# Installation in two parts. `pardel` is what links nothing but the standard library and OpenMP; `properties`
-# (pardel::properties, pardel::ref where built) needs CGAL as well, so that a user of the mesher alone does not.
+# Installation in two parts. `pardel` is what links nothing but the standard library and OpenMP; the component
+# `properties` (the checker, the domains and their generators) needs CGAL as well, so that a user of the mesher alone
+# does not. Public headers only: what is private stays in the source tree.
 include(CMakePackageConfigHelpers)
 set(PARDEL_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pardel)
 
@@ -8,26 +9,21 @@ function(pardel_install_libraries export)
   install(EXPORT ${export} NAMESPACE pardel:: DESTINATION ${PARDEL_CMAKE_DIR})
 endfunction()
 
-# include/pardel/FOLDER, as in the repository: headers include each other by relative paths.
+# The headers of these folders, without those of the folders below: include/pardel/FOLDER, as in the repository, since
+# headers include each other by relative paths.
 function(pardel_install_headers)
   foreach(folder ${ARGN})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel
-            FILES_MATCHING PATTERN "*.hpp")
+    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel/${folder})
   endforeach()
 endfunction()
 
 pardel_install_libraries(pardelTargets pardel_settings pardel_core pardel_parallel)
 pardel_install_headers(core parallel)
 
-set(checker_targets)
-foreach(folder properties ref)
-  if(TARGET pardel_${folder})
-    list(APPEND checker_targets pardel_${folder})
-    pardel_install_headers(${folder})
-  endif()
-endforeach()
-if(checker_targets)
-  pardel_install_libraries(pardelCheckerTargets ${checker_targets})
+if(TARGET pardel_checker)
+  pardel_install_libraries(pardelCheckerTargets pardel_checker pardel_domains pardel_generators pardel_properties)
+  pardel_install_headers(properties/checker properties/domains properties/domains/generators)
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pardelConfig.cmake.in

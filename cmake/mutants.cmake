@@ -23,4 +23,4 @@ function(pardel_mutated_twin target)
 endfunction()
 
 # The libraries that have a mutated twin.
-set(PARDEL_MUTATED "core|parallel|properties|ref|framework|generators|samples")
+set(PARDEL_MUTATED "core|parallel|checker|domains|defects|generators|ref|framework|samples")

@@ -5,7 +5,7 @@
 
 #include "../parallel/mesher.hpp"
 #include "../parallel/validate.hpp"
-#include "../properties/check.hpp"
+#include "../properties/checker/check.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
 

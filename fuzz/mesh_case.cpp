@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 
 namespace pardel::fuzz {

@@ -7,13 +7,16 @@
 
 #include "../core/mutants.hpp"
 #include "../core/shortest.hpp"
-#include "assemble.hpp"
-#include "background.hpp"
-#include "criteria.hpp"
-#include "refine.hpp"
+#include "conversion/assemble.hpp"
+#include "conversion/background.hpp"
+#include "refinement/criteria.hpp"
+#include "scheduling/refine_by_sweeps.hpp"
 #include "validate.hpp"
 
 namespace pardel {
+
+using namespace engine;
+
 namespace {
 
 class Stopwatch {
@@ -85,7 +88,8 @@ Status refine_domain(Assembled& domain, const Criteria& criteria, const Heritage
                      Report& report) {
   Triangulation& t = domain.triangulation;
   options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
-  Result<RefineCounts> counts = refine(t, domain.lines, criteria, options, {}, watcher(domain, heritage, options));
+  Result<RefineCounts> counts =
+      refine_by_sweeps(t, domain.lines, criteria, options, {}, watcher(domain, heritage, options));
   if (!counts) return counts.error();
   report.inserted = counts->inserted;
   report.segment_splits = counts->segment_splits;
@@ -128,33 +132,6 @@ Result<Meshed> mesh_pslg(const Pslg& pslg, bool convex_hull, const Goal* goal, c
 Error out_of_memory() { return {ErrorKind::resources, "out of memory"}; }
 
 }  // namespace
-
-const char* name(ExemptReason reason) {
-  switch (reason) {
-    case ExemptReason::nestled:
-      return "nestled";
-    case ExemptReason::seditious:
-      return "seditious";
-    case ExemptReason::budget:
-      return "budget";
-    case ExemptReason::min_edge:
-      return "min_edge";
-    case ExemptReason::precision:
-      return "precision";
-    case ExemptReason::kept_segment:
-      return "kept_segment";
-  }
-  return "";
-}
-
-std::uint64_t Report::count(ExemptReason reason) const {
-  return static_cast<std::uint64_t>(
-      std::count_if(exempt.begin(), exempt.end(), [&](const Exemption& e) { return e.reason == reason; }));
-}
-
-bool Report::goal_met() const {
-  return std::all_of(exempt.begin(), exempt.end(), [](const Exemption& e) { return justified(e.reason); });
-}
 
 Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull, const Options& options) try {
   return mesh_pslg(pslg, convex_hull, nullptr, options);

@@ -1,5 +1,4 @@
-// Is a Pslg one that can be meshed? validate() finds every problem; repair() makes a valid one where
-// the problem is one of topology (duplicates, crossings, points on segments).
+// Is a Pslg one that can be meshed? validate() finds every problem.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +7,6 @@
 
 #include "../core/goal.hpp"
 #include "../core/pslg.hpp"
-#include "../core/result.hpp"
 
 namespace pardel {
 
@@ -56,19 +54,5 @@ struct ValidateOptions {
 /// outline, no domain, holes, regions) are asked only where segments meet as they should and coordinates are
 /// usable. O((n + problems) log n) on typical input. Exact: no tolerance anywhere.
 [[nodiscard]] std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options = {});
-
-struct Repaired {
-  Pslg pslg;
-  std::vector<Index> point_map;    ///< old point -> new point
-  std::vector<Index> segment_map;  ///< new segment -> old segment it is a part of (the first, where they overlap)
-  std::vector<std::string> log;    ///< what was done, a line each; ids are those of the old Pslg, from `base` on
-};
-
-/// Merges equal points (and those closer than `snap`), drops zero-length and duplicate segments, splits
-/// crossing and overlapping segments and segments with points in their interior, and drops holes and
-/// regions that lie outside or on a segment. Crossing points are rounded, so splitting repeats until
-/// validate() finds nothing; fails where it does not converge, where coordinates are unusable, or where
-/// nothing encloses a domain. `base` is what the log and the messages of errors call the first of everything.
-[[nodiscard]] Result<Repaired> repair(const Pslg& pslg, double snap = 0, int base = 0);
 
 }  // namespace pardel

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../../core/result.hpp"
-#include "../../properties/generators/lattice_domain.hpp"
+#include "../../properties/domains/generators/lattice_domain.hpp"
 
 namespace pardel::harness {
 

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "../../core/formats.hpp"
-#include "../../properties/framework/picture.hpp"
+#include "../../properties/domains/picture.hpp"
 #include "campaign.hpp"
 #include "shrink.hpp"
 

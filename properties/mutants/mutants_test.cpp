@@ -15,8 +15,8 @@
 #include <set>
 #include <string>
 
-#include "../check.hpp"
-#include "../findings.hpp"
+#include "../checker/check.hpp"
+#include "../checker/stages/findings.hpp"
 #include "registry.hpp"
 
 namespace pardel::mutants {
@@ -106,7 +106,7 @@ std::map<std::string, std::set<std::string>> sites() {
           found[(*at)[1]].insert(file);
           continue;
         }
-        for (std::size_t kind = 0; kind < violation_kinds; ++kind)
+        for (std::size_t kind = 0; kind < checker::violation_kinds; ++kind)
           found[(*at)[1].str() + name(static_cast<ViolationKind>(kind))].insert(file);
       }
     }

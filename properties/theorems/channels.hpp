@@ -10,7 +10,7 @@
 #include "../../core/goal.hpp"
 #include "../../core/pslg.hpp"
 #include "../../ref/refinement.hpp"
-#include "../generators/random.hpp"
+#include "../domains/generators/random.hpp"
 
 namespace pardel::properties {
 

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "../../ref/insertion.hpp"
-#include "../framework/property.hpp"
-#include "../framework/scenes.hpp"
+#include "framework/property.hpp"
+#include "framework/scenes.hpp"
 
 namespace pardel::properties {
 namespace {

@@ -15,8 +15,8 @@
 #include <cmath>
 
 #include "../../ref/insertion.hpp"
-#include "../framework/property.hpp"
-#include "../generators/rapidcheck.hpp"
+#include "framework/property.hpp"
+#include "framework/rapidcheck_generators.hpp"
 
 namespace pardel::properties {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/validate.hpp"
-#include "../framework/property.hpp"
-#include "../generators/goals.hpp"
-#include "../generators/lattice_domain.hpp"
-#include "../generators/rapidcheck.hpp"
+#include "../domains/generators/goals.hpp"
+#include "../domains/generators/lattice_domain.hpp"
+#include "framework/property.hpp"
+#include "framework/rapidcheck_generators.hpp"
 
 namespace pardel::generators {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "../../ref/independent.hpp"
 #include "../../ref/insertion.hpp"
-#include "../framework/property.hpp"
+#include "framework/property.hpp"
 #include "pairs.hpp"
 
 namespace pardel::properties {

@@ -5,7 +5,7 @@
 
 #include "../../ref/independent.hpp"
 #include "../../ref/insertion.hpp"
-#include "../framework/property.hpp"
+#include "framework/property.hpp"
 #include "pairs.hpp"
 #include "widest_pairs.hpp"
 

@@ -1,6 +1,6 @@
 // T1: from four times the largest circumradius, and whenever the closures of the cavities are disjoint.
 #include "../../ref/independent.hpp"
-#include "../framework/property.hpp"
+#include "framework/property.hpp"
 #include "pairs.hpp"
 
 namespace pardel::properties {

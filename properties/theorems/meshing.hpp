@@ -5,10 +5,10 @@
 #include <string>
 
 #include "../../parallel/mesher.hpp"
-#include "../check.hpp"
-#include "../framework/property.hpp"
-#include "../generators/goals.hpp"
-#include "../generators/rapidcheck.hpp"
+#include "../checker/check.hpp"
+#include "../domains/generators/goals.hpp"
+#include "framework/property.hpp"
+#include "framework/rapidcheck_generators.hpp"
 
 namespace pardel::properties {
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "../../core/digest.hpp"
-#include "../exact.hpp"
+#include "../checker/arithmetic/exact.hpp"
 #include "meshing.hpp"
 
 namespace pardel::properties {
@@ -142,7 +142,8 @@ bool is_the_only_delaunay_one(const Mesh& mesh) {
       const Index a = t.v[(i + 1) % 3], b = t.v[(i + 2) % 3];
       if (t.n[i] == no_index || constrained.contains({std::min(a, b), std::max(a, b)})) continue;
       for (const Index across : mesh.triangles[t.n[i]].v)
-        if (across != a && across != b && exactly::in_circle(at(t.v[0]), at(t.v[1]), at(t.v[2]), at(across)) == 0)
+        if (across != a && across != b &&
+            checker::exactly::in_circle(at(t.v[0]), at(t.v[1]), at(t.v[2]), at(across)) == 0)
           return false;
     }
   return true;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../framework/scenes.hpp"
+#include "framework/scenes.hpp"
 
 namespace pardel::properties {
 

@@ -14,9 +14,9 @@
 #include "../../core/goal.hpp"
 #include "../../ref/definitions.hpp"
 #include "../../ref/ruppert.hpp"
-#include "../domains.hpp"
-#include "../framework/property.hpp"
-#include "../generators/rapidcheck.hpp"
+#include "../domains/domains.hpp"
+#include "framework/property.hpp"
+#include "framework/rapidcheck_generators.hpp"
 
 namespace pardel::properties {
 namespace {

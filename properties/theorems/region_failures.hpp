@@ -2,7 +2,7 @@
 // show it, and stored witnesses keep one of each.
 #pragma once
 
-#include "../framework/scenes.hpp"
+#include "framework/scenes.hpp"
 
 namespace pardel::properties {
 

@@ -43,8 +43,8 @@
 #include <sstream>
 
 #include "../../ref/insertion.hpp"
-#include "../framework/property.hpp"
-#include "../framework/scenes.hpp"
+#include "framework/property.hpp"
+#include "framework/scenes.hpp"
 #include "region_failures.hpp"
 #include "tasks.hpp"
 

@@ -1,5 +1,5 @@
 // The generator of random scenes: a property that holds on scenes that never occur proves nothing.
-#include "../framework/scenes.hpp"
+#include "framework/scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "../framework/property.hpp"
+#include "framework/property.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -52,7 +52,7 @@ TEST(Scenes, of_every_family_have_their_share) {
 PARDEL_PROPERTY(Scenes, keep_their_promises_and_grant_the_wish,
                 {.statement = "A random scene can be triangulated to a conformal constrained Delaunay mesh with every "
                               "wall an edge of it, and its insertions grant the wish.",
-                 .source = "properties/framework/scenes.hpp",
+                 .source = "properties/theorems/framework/scenes.hpp",
                  .families = "all layouts, walls, positions"}) {
   const MeshedScene scene = *scenes(two_apart);
   exhibit.show(scene.scene);
@@ -72,7 +72,7 @@ PARDEL_PROPERTY(
          "What a scene with at least two insertions shrinks to has fewer insertions, walls and points in sum, "
          "or as many and coordinates of a smaller sum of sizes; one of these, drawn at random, has at least two "
          "insertions and a conformal, constrained Delaunay mesh.",
-     .source = "properties/framework/scenes.hpp",
+     .source = "properties/theorems/framework/scenes.hpp",
      .families = "all layouts, walls, positions"}) {
   const SceneWish wish{.walls = true, .insertions = 3, .least = 2};
   const MeshedScene large = *scenes(wish);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../../ref/region.hpp"
-#include "../framework/scene.hpp"
-#include "../generators/random.hpp"
+#include "../domains/generators/random.hpp"
+#include "framework/scene.hpp"
 
 namespace pardel::properties {
 

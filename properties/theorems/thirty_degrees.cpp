@@ -1,7 +1,7 @@
 #include "thirty_degrees.hpp"
 
 #include "../../parallel/mesher.hpp"
-#include "../check.hpp"
+#include "../checker/check.hpp"
 
 namespace pardel::properties {
 

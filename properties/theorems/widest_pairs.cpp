@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "../../ref/independent.hpp"
-#include "../framework/scene_layouts.hpp"
+#include "framework/scene_layouts.hpp"
 #include "pairs.hpp"
 
 namespace pardel::properties {

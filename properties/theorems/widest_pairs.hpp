@@ -3,7 +3,7 @@
 // finer with `scale` (at least 2), around the two positions that are best in the limit.
 #pragma once
 
-#include "../framework/scenes.hpp"
+#include "framework/scenes.hpp"
 
 namespace pardel::properties {
 

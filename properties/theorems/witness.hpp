@@ -1,8 +1,8 @@
 // The stored witnesses: scenes that show that a theorem's hypothesis is needed, that its bound is tight, or that a
 // statement near it is false. Each is tests/witnesses/NAME.poly, with its picture beside it.
 //
-// To add one: put its .poly there (the point marked k is the k-th insertion; properties/framework/scene.hpp), add a
-// row to the table of its theorem (witnesses_THEOREM.cpp; a new table goes into all_witnesses), and run
+// To add one: put its .poly there (the point marked k is the k-th insertion; properties/theorems/framework/scene.hpp),
+// add a row to the table of its theorem (witnesses_THEOREM.cpp; a new table goes into all_witnesses), and run
 // `pardel_witnesses tests/witnesses` for the picture. witnesses_test then holds the file to its claim; it fails for
 // files that no row claims and for pictures that are not what would be drawn.
 #pragma once
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "../framework/scene.hpp"
+#include "framework/scene.hpp"
 
 namespace pardel::properties {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "../../core/formats.hpp"
-#include "../../properties/edit.hpp"
-#include "../properties/meshes.hpp"
+#include "../../properties/defects/edit.hpp"
+#include "../properties/checker/meshes.hpp"
 #include "program.hpp"
 
 namespace pardel::testing {

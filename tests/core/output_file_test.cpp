@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../../core/formats.hpp"
-#include "../../core/records.hpp"
+#include "../../core/formats/records.hpp"
 #include "folder.hpp"
 #include "sample_mesh.hpp"
 

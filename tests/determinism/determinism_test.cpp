@@ -32,7 +32,7 @@ TEST_P(MeshOf, is_the_same_bit_for_bit_on_any_number_of_threads_in_any_order_wit
     Options options = p.options;
     for (const int threads : {1, 2, 3, 4, 8, 16}) {
       options.threads = threads;
-      const Schedule schedule = samples::shuffled(expected.points.size() + static_cast<std::size_t>(threads));
+      const engine::Schedule schedule = samples::shuffled(expected.points.size() + static_cast<std::size_t>(threads));
       EXPECT_TRUE(samples::refined(p.what, options, schedule).mesh == expected) << threads << " threads";
     }
   });
@@ -43,7 +43,8 @@ TEST_P(MeshOf, is_made_by_tasks_that_run_at_once_and_hand_on_to_each_other) {
   std::uint64_t with_such_tasks = 0;
   for_each_problem([&](const Problem& p) {
     std::size_t most_at_once = 0;
-    const Schedule schedule{.order = [&](const auto& tasks) { most_at_once = std::max(most_at_once, tasks.size()); }};
+    const engine::Schedule schedule{
+        .order = [&](const auto& tasks) { most_at_once = std::max(most_at_once, tasks.size()); }};
     std::uint64_t handed_on = 0;
     for (const Sweep& sweep : samples::refined(p.what, p.options, schedule).counts.tiling.sweeps)
       handed_on += sweep.handed_on();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../../core/digest.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "problems.hpp"
 
 namespace pardel::determinism {

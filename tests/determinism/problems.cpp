@@ -5,7 +5,8 @@
 #include <sstream>
 
 #include "../../core/digest.hpp"
-#include "../../properties/generators/goals.hpp"
+#include "../../parallel/mesher.hpp"
+#include "../../properties/domains/generators/goals.hpp"
 
 namespace pardel::determinism {
 namespace {

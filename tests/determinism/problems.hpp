@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include "../../properties/generators/lattice_domain.hpp"
-#include "../parallel/many_tasks.hpp"
+#include "../../properties/domains/generators/lattice_domain.hpp"
+#include "../parallel/scheduling/many_tasks.hpp"
 
 namespace pardel::determinism {
+
+namespace samples = engine::samples;
 
 inline constexpr std::uint64_t problems_per_family = 30;
 

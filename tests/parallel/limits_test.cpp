@@ -7,10 +7,10 @@
 #include <set>
 
 #include "../../parallel/mesher.hpp"
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -229,4 +229,4 @@ TEST(InvalidInput, is_a_size_that_is_not_one_positive_number_per_point) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

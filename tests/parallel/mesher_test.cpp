@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 Pslg domain(const std::string& name) {
@@ -189,4 +189,4 @@ TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "../../parallel/mesher.hpp"
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "samples.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 void add_closed(Pslg& pslg, const std::vector<Point>& outline) {
@@ -228,4 +228,4 @@ TEST(RandomSegments, end) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

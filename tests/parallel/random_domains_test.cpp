@@ -10,11 +10,11 @@
 #include "../../core/digest.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/validate.hpp"
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "samples.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 using samples::Random;
@@ -130,4 +130,4 @@ TEST(RandomDomain, with_kept_segments_is_meshed_as_far_as_it_goes) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

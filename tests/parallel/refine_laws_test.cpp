@@ -13,11 +13,11 @@
 
 #include "../../core/digest.hpp"
 #include "../../parallel/mesher.hpp"
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "samples.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 const std::vector<Goal>& goals() {
@@ -137,4 +137,4 @@ std::string test_name(const testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(Every, Law, testing::ValuesIn(domains::names()), test_name);
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

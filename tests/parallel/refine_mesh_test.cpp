@@ -7,10 +7,10 @@
 
 #include "../../core/digest.hpp"
 #include "../../parallel/mesher.hpp"
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -171,4 +171,4 @@ TEST(RefineMesh, refuses_caps_that_do_not_fit) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

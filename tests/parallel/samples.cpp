@@ -5,10 +5,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "../../parallel/delaunay.hpp"
-#include "../../properties/exact.hpp"
+#include "../../parallel/triangulation/delaunay.hpp"
+#include "../../properties/checker/arithmetic/exact.hpp"
 
-namespace pardel::samples {
+namespace pardel::engine::samples {
 namespace {
 
 std::vector<Point> distinct(std::vector<Point> points) {
@@ -64,12 +64,13 @@ std::vector<Point> clusters(std::size_t n, Random& random) {
 }
 
 bool between(Point p, Point a, Point b) {
-  return exactly::orientation(a, b, p) == 0 && exactly::progress(a, p, a, b) > 0 && exactly::progress(p, b, a, b) > 0;
+  return checker::exactly::orientation(a, b, p) == 0 && checker::exactly::progress(a, p, a, b) > 0 &&
+         checker::exactly::progress(p, b, a, b) > 0;
 }
 
 bool cross(Point a, Point b, Point c, Point d) {
-  return exactly::orientation(a, b, c) * exactly::orientation(a, b, d) < 0 &&
-         exactly::orientation(c, d, a) * exactly::orientation(c, d, b) < 0;
+  return checker::exactly::orientation(a, b, c) * checker::exactly::orientation(a, b, d) < 0 &&
+         checker::exactly::orientation(c, d, a) * checker::exactly::orientation(c, d, b) < 0;
 }
 
 bool reciprocal(const Triangulation& t, TriangleId id, unsigned side) {
@@ -151,11 +152,11 @@ std::string fault(const Triangulation& t) {
         return here + " and its neighbour across side " + std::to_string(side) + " disagree";
     if (slot.is_ghost()) continue;
     const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
-    if (exactly::orientation(a, b, c) <= 0) return here + " is not counter-clockwise";
+    if (checker::exactly::orientation(a, b, c) <= 0) return here + " is not counter-clockwise";
     for (unsigned side = 0; side < 3; ++side) {
       const EdgeRef out = slot.n[side];
       if (out.constrained() || t.slot(out).is_ghost()) continue;
-      if (exactly::in_circle(a, b, c, t.points[t.slot(out).apex(out.side())]) > 0)
+      if (checker::exactly::in_circle(a, b, c, t.points[t.slot(out).apex(out.side())]) > 0)
         return here + " has an unconstrained side " + std::to_string(side) + " that is not locally Delaunay";
     }
   }
@@ -210,4 +211,4 @@ double twice_area(const Triangulation& t) {
   return sum;
 }
 
-}  // namespace pardel::samples
+}  // namespace pardel::engine::samples

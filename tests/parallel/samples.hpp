@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
-#include "../../parallel/constrain.hpp"
-#include "../../parallel/triangulation.hpp"
-#include "../../properties/generators/random.hpp"
+#include "../../parallel/triangulation/insert_constraints.hpp"
+#include "../../parallel/triangulation/triangulation.hpp"
+#include "../../properties/domains/generators/random.hpp"
 
-namespace pardel::samples {
+namespace pardel::engine::samples {
 
 /// The generators' random numbers, and fractions of them.
 class Random : public generators::Random {
@@ -57,4 +57,4 @@ struct Sample {
 /// Twice the area of what is not ghost, in floating point: exact for points of a small lattice.
 [[nodiscard]] double twice_area(const Triangulation& t);
 
-}  // namespace pardel::samples
+}  // namespace pardel::engine::samples

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "../../parallel/mesher.hpp"
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 
-namespace pardel {
+namespace pardel::engine {
 namespace {
 
 struct Domain {
@@ -90,4 +90,4 @@ TEST(MeshSize, of_random_points_is_at_most_what_Triangle_makes) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::engine

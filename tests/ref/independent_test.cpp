@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "../../properties/domains.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "../../ref/insertion.hpp"
 #include "../../ref/ruppert.hpp"
 

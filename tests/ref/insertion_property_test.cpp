@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "../../properties/framework/property.hpp"
+#include "../../properties/theorems/framework/property.hpp"
 #include "../../ref/insertion.hpp"
 
 namespace pardel::ref {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../properties/domains.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "../../ref/lattice_refiner.hpp"
 
 namespace pardel::ref {

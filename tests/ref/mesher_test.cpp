@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../properties/domains.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "../../ref/definitions.hpp"
 #include "../../ref/ruppert.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../properties/check.hpp"
-#include "../../properties/domains.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "../../ref/definitions.hpp"
 
 namespace pardel::ref {

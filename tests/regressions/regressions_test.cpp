@@ -9,8 +9,9 @@
 
 #include "../../core/formats.hpp"
 #include "../../parallel/mesher.hpp"
+#include "../../parallel/repair.hpp"
 #include "../../parallel/validate.hpp"
-#include "../../properties/check.hpp"
+#include "../../properties/checker/check.hpp"
 
 namespace pardel {
 namespace {

@@ -16,12 +16,14 @@
 
 #include "../../../core/formats.hpp"
 #include "../../../core/output_file.hpp"
-#include "../../../properties/domain.hpp"
+#include "../../../properties/checker/model/domain.hpp"
 
 namespace pardel::harness {
 namespace {
 
 namespace fs = std::filesystem;
+using checker::Domain;
+using checker::Side;
 
 /// A segment in one direction, with its number in the .geo: 1 + its index, negative where it is walked backwards.
 struct Line {

@@ -1,7 +1,7 @@
 // Meshes a square and has the installed checker judge it.
 #include <cstdio>
 #include <pardel/parallel/mesher.hpp>
-#include <pardel/properties/check.hpp>
+#include <pardel/properties/checker/check.hpp>
 
 int main() {
   pardel::Pslg square;

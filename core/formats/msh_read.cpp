@@ -1,0 +1,310 @@
+// Reading Gmsh's MSH: 4.1 in ASCII and binary, 2.x in ASCII. Triangles become the mesh, lines its constrained
+// edges. A physical group named `region X` or `marker N` says so, `domain` says no region; of any other group the
+// tag is the region's attribute or the edge's marker. Vertices are in the order of their tags; z is ignored.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "../neighbours.hpp"
+#include "mesh_readers.hpp"
+#include "msh_source.hpp"
+#include "triangle_sections.hpp"
+
+namespace pardel {
+namespace {
+
+constexpr double no_region = std::numeric_limits<double>::quiet_NaN();
+
+/// Corners of an element type; 0 for types that a planar mesh of triangles has no place for.
+std::size_t corners_of(std::int64_t type) {
+  constexpr int line = 1, triangle = 2, point = 15;
+  return type == line ? 2 : type == triangle ? 3 : type == point ? 1 : 0;
+}
+
+class MshReader {
+ public:
+  MshReader(std::string_view text, const std::string& name) : in_(text, name), source_(in_) {}
+
+  Result<Mesh> read() {
+    in_.expect_line("$MeshFormat");
+    if (const std::string_view word = in_.word(); word != "$MeshFormat") {
+      in_.fail("expected $MeshFormat, found " + in_quotes(word));
+    }
+    read_format();
+    while (in_.next_line()) read_section(in_.word());
+    if (!in_.failed() && !has_nodes_) in_.fail("expected $Nodes, found the end of the file");
+    if (!in_.failed() && !has_elements_) in_.fail("expected $Elements, found the end of the file");
+    if (in_.failed()) return in_.error();
+    mesh_.points.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) mesh_.points[i] = nodes_[i];
+    const auto has_region = [](double attribute) { return !std::isnan(attribute); };
+    if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_format() {
+    in_.expect_line("the version of the format");
+    version_ = in_.number("the version of the format");
+    const bool binary = in_.integer("0 for ASCII or 1 for binary", 0, 1) == 1;
+    in_.integer("the size of a number, 8", 8, 8);
+    const bool version_2 = version_ >= 2 && version_ < 3;
+    if (!version_2 && version_ != 4.1) in_.fail("expected version 4.1 (or 2.x as ASCII) of the format");
+    if (version_2 && binary) in_.fail("expected version 2.x of the format as ASCII, found it as binary");
+    if (binary) {
+      source_.set_binary();
+      source_.open_section();
+      if (source_.integer("the number 1 as bytes", std::numeric_limits<int>::min(), std::numeric_limits<int>::max()) !=
+          1) {
+        in_.fail("the file was written in another byte order than this machine's");
+      }
+    }
+    expect_end("$EndMeshFormat");
+  }
+
+  void read_section(std::string_view section) {
+    if (section == "$PhysicalNames") return read_names();
+    if (section == "$Entities" && version_ > 4) return read_entities();
+    if (section == "$Nodes") return version_ > 4 ? read_nodes() : read_nodes_2();
+    if (section == "$Elements") return version_ > 4 ? read_elements() : read_elements_2();
+    if (!section.starts_with('$')) return in_.fail("expected a section, found " + in_quotes(section));
+    const std::string end = "$End" + std::string(section.substr(1));
+    const std::size_t at = in_.rest().find("\n" + end);
+    if (at == std::string_view::npos) return in_.fail("the section " + in_quotes(section) + " does not end");
+    in_.skip(at + 1 + end.size());
+  }
+
+  void expect_end(std::string_view name) {
+    in_.expect_line(name);
+    if (const std::string_view word = in_.word(); word != name) {
+      in_.fail("expected " + std::string(name) + ", found " + in_quotes(word));
+    }
+  }
+
+  /// Lines of text in either encoding: `dimension tag "name"`.
+  void read_names() {
+    in_.expect_line("the number of physical names");
+    const std::size_t n = in_.count("the number of physical names");
+    for (std::size_t i = 0; i < n && in_.expect_record("physical name", i, n); ++i) {
+      const std::int64_t dimension = in_.integer("a dimension", 0, 3);
+      const std::int64_t tag = in_.integer("a physical tag", -any_marker_high, any_marker_high);
+      std::string_view name = in_.rest_of_line();
+      if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+      value_[{dimension, tag}] = value_of(dimension, tag, name);
+    }
+    expect_end("$EndPhysicalNames");
+  }
+
+  /// What a physical group says: the attribute of a region or the marker of an edge.
+  static double value_of(std::int64_t dimension, std::int64_t tag, std::string_view name) {
+    if (dimension == 2 && name == "domain") return no_region;
+    const std::string_view prefix = dimension == 2 ? "region " : "marker ";
+    double value = 0;
+    if (name.starts_with(prefix)) {
+      name.remove_prefix(prefix.size());
+      const auto [stop, status] = std::from_chars(name.data(), name.data() + name.size(), value);
+      const bool right = status == std::errc() && stop == name.data() + name.size() && std::isfinite(value);
+      if (right && (dimension == 2 || is_marker(value))) return value;
+    }
+    return static_cast<double>(tag);
+  }
+  static bool is_marker(double v) {
+    return v >= static_cast<double>(any_marker_low) && v <= static_cast<double>(any_marker_high) && v == std::floor(v);
+  }
+
+  /// Per entity: `tag`, a point or a box, physical tags and (but for points) the entities that bound it.
+  void read_entities() {
+    source_.open_section();
+    source_.row("the numbers of entities");
+    std::array<std::size_t, 4> n{};
+    for (std::size_t& count : n) count = source_.size("a number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension) {
+      for (std::size_t i = 0; i < n[dimension] && !in_.failed(); ++i) {
+        source_.row("an entity");
+        const std::int64_t tag = source_.integer("an entity's tag", any_marker_low, any_marker_high);
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) source_.number("an entity's coordinate");
+        const std::size_t physicals = source_.size("the number of physical tags");
+        for (std::size_t k = 0; k < physicals && !in_.failed(); ++k) {
+          const std::int64_t physical = source_.integer("a physical tag", -any_marker_high, any_marker_high);
+          if (k == 0) physical_[{dimension, tag}] = std::abs(physical);  // negative: the group has it reversed
+        }
+        if (dimension == 0) continue;
+        const std::size_t bounds = source_.size("the number of bounding entities");
+        for (std::size_t k = 0; k < bounds && !in_.failed(); ++k) {
+          source_.integer("a bounding entity", any_marker_low, any_marker_high);
+        }
+      }
+    }
+    expect_end("$EndEntities");
+  }
+
+  void read_nodes() {
+    source_.open_section();
+    source_.row("the numbers of node blocks and nodes");
+    const std::size_t blocks = source_.size("the number of node blocks");
+    const std::size_t n = source_.size("the number of nodes");
+    source_.size("the least tag");
+    source_.size("the greatest tag");
+    if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
+    Array<std::size_t> tags;
+    for (std::size_t b = 0; b < blocks && !in_.failed(); ++b) {
+      source_.row("a node block");
+      const std::int64_t dimension = source_.integer("a dimension", 0, 3);
+      source_.integer("an entity's tag", any_marker_low, any_marker_high);
+      const bool parametric = source_.integer("0 or 1", 0, 1) == 1;
+      const std::size_t in_block = source_.size("the number of nodes in the block");
+      if (!source_.room_for(in_block, 4, "nodes")) return;
+      tags.clear();
+      for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
+        source_.row("a node's tag");
+        tags.push_back(node_tag());
+      }
+      for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
+        source_.row("a node's coordinates");
+        read_node(tags[i]);
+        for (std::int64_t k = 0; parametric && k < dimension; ++k) source_.number("a node's parameter");
+      }
+    }
+    finish_nodes(n);
+  }
+
+  std::size_t node_tag() {
+    const std::size_t tag = source_.size("a node's tag");
+    if (tag == 0) in_.fail("expected a node's tag greater than 0");
+    return tag;
+  }
+
+  void read_node(std::size_t tag) {
+    const double x = source_.number("an x coordinate");
+    const double y = source_.number("a y coordinate");
+    source_.number("a z coordinate");
+    nodes_.add(tag, {x, y});
+  }
+
+  void finish_nodes(std::size_t announced) {
+    has_nodes_ = true;
+    nodes_.sort();
+    if (nodes_.size() != announced) {
+      in_.fail("expected " + std::to_string(announced) + " nodes, found " + std::to_string(nodes_.size()));
+    }
+    if (const std::size_t tag = nodes_.repeated()) in_.fail("two nodes have the tag " + std::to_string(tag));
+    expect_end("$EndNodes");
+  }
+
+  void read_elements() {
+    source_.open_section();
+    source_.row("the numbers of element blocks and elements");
+    const std::size_t blocks = source_.size("the number of element blocks");
+    const std::size_t n = source_.size("the number of elements");
+    source_.size("the least tag");
+    source_.size("the greatest tag");
+    std::size_t found = 0;
+    for (std::size_t b = 0; b < blocks && !in_.failed(); ++b) {
+      source_.row("an element block");
+      const std::int64_t dimension = source_.integer("a dimension", 0, 3);
+      const std::int64_t entity = source_.integer("an entity's tag", any_marker_low, any_marker_high);
+      const std::size_t corners = read_type();
+      const std::size_t in_block = source_.size("the number of elements in the block");
+      if (!source_.room_for(in_block, 1 + corners, "elements")) return;
+      const auto physical = physical_.find({dimension, entity});
+      const double value = physical == physical_.end() ? no_region : group_value(dimension, physical->second);
+      for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
+        source_.row("an element");
+        source_.size("an element's tag");
+        read_corners(corners, value);
+      }
+      found += in_block;
+    }
+    finish_elements(n, found);
+  }
+
+  std::size_t read_type() {
+    const std::int64_t type = source_.integer("an element's type", 1, any_marker_high);
+    const std::size_t corners = corners_of(type);
+    if (corners == 0) {
+      in_.fail("an element is of type " + std::to_string(type) +
+               ", neither a line (1) nor a triangle (2) nor a point (15)");
+    }
+    return corners;
+  }
+
+  double group_value(std::int64_t dimension, std::int64_t physical) const {
+    const auto named = value_.find({dimension, physical});
+    return named != value_.end() ? named->second : static_cast<double>(physical);
+  }
+
+  /// The corners of one element, which carries `value`.
+  void read_corners(std::size_t n, double value) {
+    std::array<Index, 3> v{};
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t tag = source_.size("a node's tag");
+      v[i] = nodes_.find(tag);
+      if (v[i] == no_index) in_.fail("there is no node " + std::to_string(tag));
+    }
+    if (in_.failed()) return;
+    if (n == 3) {
+      mesh_.triangles.push_back({v, {no_index, no_index, no_index}});
+      attributes_.push_back(value);
+    } else if (n == 2) {
+      mesh_.constrained_edges.push_back({v[0], v[1], no_index, std::isnan(value) ? 0 : static_cast<int>(value)});
+    }
+  }
+
+  void finish_elements(std::size_t announced, std::size_t found) {
+    has_elements_ = true;
+    if (found != announced) {
+      in_.fail("expected " + std::to_string(announced) + " elements, found " + std::to_string(found));
+    }
+    if (mesh_.triangles.size() > max_triangles) in_.fail("more triangles than a mesh can hold");
+    expect_end("$EndElements");
+  }
+
+  /// Version 2: `tag x y z`.
+  void read_nodes_2() {
+    in_.expect_line("the number of nodes");
+    const std::size_t n = in_.count("the number of nodes");
+    if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
+    for (std::size_t i = 0; i < n && in_.expect_record("node", i, n); ++i) read_node(node_tag());
+    finish_nodes(n);
+  }
+
+  /// Version 2: `tag type number-of-tags tags... corners`; the first tag is the physical group, 0 for none.
+  void read_elements_2() {
+    in_.expect_line("the number of elements");
+    const std::size_t n = in_.count("the number of elements");
+    for (std::size_t i = 0; i < n && in_.expect_record("element", i, n); ++i) {
+      in_.count("an element's tag");
+      const std::size_t corners = read_type();
+      const std::size_t tags = in_.count("the number of tags");
+      std::int64_t physical = 0;
+      for (std::size_t k = 0; k < tags && !in_.failed(); ++k) {
+        const std::int64_t tag = in_.integer("a tag", -any_marker_high, any_marker_high);
+        if (k == 0) physical = std::abs(tag);
+      }
+      const std::int64_t dimension = static_cast<std::int64_t>(corners) - 1;
+      read_corners(corners, physical == 0 ? no_region : group_value(dimension, physical));
+    }
+    finish_elements(n, n);
+  }
+
+  using Key = std::pair<std::int64_t, std::int64_t>;  ///< dimension and tag
+
+  TextReader in_;
+  MshSource source_;
+  double version_ = 0;
+  std::map<Key, double> value_;           ///< of physical groups that have a name
+  std::map<Key, std::int64_t> physical_;  ///< of entities: the first physical group
+  MshNodes nodes_;
+  bool has_nodes_ = false;
+  bool has_elements_ = false;
+  Array<double> attributes_;  ///< of triangles
+  Mesh mesh_;
+};
+
+}  // namespace
+
+Result<Mesh> parse_msh(std::string_view text, const std::string& name) { return MshReader(text, name).read(); }
+
+}  // namespace pardel

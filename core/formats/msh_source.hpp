@@ -1,0 +1,100 @@
+// What MSH files are made of: values in either encoding, and vertices by their tags.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "../array.hpp"
+#include "../pslg.hpp"
+#include "text_reader.hpp"
+
+namespace pardel {
+
+/// Values in rows of text or as bytes one after the other.
+class MshSource {
+ public:
+  explicit MshSource(TextReader& in) : in_(in) {}
+  void set_binary() { binary_ = true; }
+  [[nodiscard]] bool binary() const { return binary_; }
+
+  /// Behind the line that opens a section, where the section's data begin.
+  void open_section() {
+    if (binary_) in_.end_line();
+  }
+  void row(std::string_view what) {
+    if (!binary_) in_.expect_line(what);
+  }
+  std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high) {
+    return binary_ ? checked(raw<std::int32_t>(what), what, low, high) : in_.integer(what, low, high);
+  }
+  std::size_t size(std::string_view what) {
+    constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max();
+    return static_cast<std::size_t>(binary_ ? checked(raw<std::int64_t>(what), what, 0, high)
+                                            : in_.integer(what, 0, high));
+  }
+  double number(std::string_view what) {
+    if (!binary_) return in_.number(what);
+    const double value = raw<double>(what);
+    if (!std::isfinite(value)) in_.fail("expected " + std::string(what) + ", found a number that is not finite");
+    return value;
+  }
+  /// Whether n records of `fields` fields, 8 bytes each in binary, are there.
+  bool room_for(std::size_t n, std::size_t fields, std::string_view what) {
+    return in_.room_for(n, binary_ ? 8 * fields : text_bytes(fields), what);
+  }
+
+ private:
+  template <class Value>
+  Value raw(std::string_view what) {
+    Value value{};
+    const std::string_view bytes = in_.bytes(sizeof(Value), what);
+    if (!bytes.empty()) std::memcpy(&value, bytes.data(), sizeof(Value));
+    return value;
+  }
+  std::int64_t checked(std::int64_t value, std::string_view what, std::int64_t low, std::int64_t high) {
+    if (value >= low && value <= high) return value;
+    in_.fail("expected " + std::string(what) + ", from " + std::to_string(low) + " to " + std::to_string(high) +
+             ", found " + std::to_string(value));
+    return low;
+  }
+
+  TextReader& in_;
+  bool binary_ = false;
+};
+
+/// Vertices as the file numbers them. Tags need not be consecutive.
+class MshNodes {
+ public:
+  void add(std::size_t tag, const Point& p) { nodes_.push_back({tag, p}); }
+  void sort() {
+    std::sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag < b.tag; });
+  }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }
+  /// A tag that occurs twice, or 0 (which none may have). Precondition: sorted.
+  [[nodiscard]] std::size_t repeated() const {
+    const auto same =
+        std::adjacent_find(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag == b.tag; });
+    return same == nodes_.end() ? 0 : same->tag;
+  }
+  /// no_index where there is no such node. Precondition: sorted.
+  [[nodiscard]] Index find(std::size_t tag) const {
+    if (nodes_.size() == 0 || tag < nodes_[0].tag || tag > nodes_.back().tag) return no_index;
+    if (nodes_.back().tag - nodes_[0].tag == nodes_.size() - 1) return static_cast<Index>(tag - nodes_[0].tag);
+    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), tag,
+                                        [](const Node& node, std::size_t t) { return node.tag < t; });
+    return found->tag == tag ? static_cast<Index>(found - nodes_.begin()) : no_index;
+  }
+
+ private:
+  struct Node {
+    std::size_t tag;
+    Point point;
+  };
+  Array<Node> nodes_;
+};
+
+}  // namespace pardel

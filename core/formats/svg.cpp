@@ -1,0 +1,139 @@
+// SVG drawings: of a mesh, of a Pslg. y points up, as in the data.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "../formats.hpp"
+#include "records.hpp"
+
+namespace pardel {
+namespace {
+
+/// Maps the data onto a canvas whose longer side has 1000 units, with a margin around.
+class Canvas {
+ public:
+  template <class Points>
+  explicit Canvas(const Points& points) {
+    if (points.size() == 0) return;
+    low_ = high_ = points[0];
+    for (const Point& p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+    const double extent = std::max(high_.x - low_.x, high_.y - low_.y);
+    if (extent > 0) scale_ = side / extent;
+  }
+
+  void open(OutputFile& out) const {
+    Bytes to;
+    to << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
+    number(to, (high_.x - low_.x) * scale_ + 2 * margin) << ' ';
+    number(to, (high_.y - low_.y) * scale_ + 2 * margin)
+        << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+    out.write(to.view());
+  }
+
+  Bytes& put(Bytes& to, const Point& p, double dx = 0, double dy = 0) const {
+    number(to, (p.x - low_.x) * scale_ + margin + dx) << ' ';
+    return number(to, (high_.y - p.y) * scale_ + margin + dy);
+  }
+
+  /// Three decimals: a thousandth of a unit is no longer seen.
+  static Bytes& number(Bytes& to, double value) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, 3);
+    return to << (end.ec == std::errc() ? std::string_view(digits, end.ptr) : std::string_view("0"));
+  }
+
+ private:
+  static constexpr double side = 1000;
+  static constexpr double margin = 20;
+  Point low_;
+  Point high_;
+  double scale_ = 1;
+};
+
+/// Far apart for consecutive regions: by the golden angle. 0 is what belongs to none.
+std::uint16_t hue_of_region(std::size_t region) { return static_cast<std::uint16_t>((210 + region * 137) % 360); }
+
+void put_fill(Bytes& to, std::size_t hue) {
+  if (hue == no_hue)
+    to << "fill=\"white\"";
+  else
+    to << "fill=\"hsl(" << hue << ",60%,88%)\"";
+}
+
+/// Segments or constrained edges.
+template <class Edges, class Points>
+void draw_lines(OutputFile& out, const Canvas& canvas, const Edges& edges, const Points& points) {
+  out.write("<path fill=\"none\" stroke=\"#202020\" stroke-width=\"1.5\" stroke-linecap=\"round\" d=\"\n");
+  write_records(out, edges.size(), [&](Bytes& to, std::size_t i) {
+    canvas.put(to << 'M', points[edges[i].a]);
+    canvas.put(to << 'L', points[edges[i].b]) << '\n';
+  });
+  out.write("\"/>\n");
+}
+
+/// The triangles of one hue as one path.
+void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std::span<const Index> triangles,
+                    std::size_t hue) {
+  Bytes head;
+  put_fill(head << "<path stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" ", hue);
+  out.write((head << " d=\"\n").view());
+  write_records(out, triangles.size(), [&](Bytes& to, std::size_t i) {
+    const auto& v = mesh.triangles[triangles[i]].v;
+    canvas.put(to << 'M', mesh.points[v[0]]);
+    canvas.put(to << 'L', mesh.points[v[1]]);
+    canvas.put(to << 'L', mesh.points[v[2]]) << "Z\n";
+  });
+  out.write("\"/>\n");
+}
+
+}  // namespace
+
+Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues, const std::filesystem::path& file) {
+  OutputFile out(file);
+  const Canvas canvas(mesh.points);
+  canvas.open(out);
+  std::array<std::vector<Index>, no_hue + 1> by_hue;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) by_hue[hues[t]].push_back(static_cast<Index>(t));
+  for (std::size_t hue = 0; hue < by_hue.size(); ++hue) {
+    if (!by_hue[hue].empty()) draw_triangles(out, canvas, mesh, by_hue[hue], hue);
+  }
+  draw_lines(out, canvas, mesh.constrained_edges, mesh.points);
+  out.write("</svg>\n");
+  return out.commit();
+}
+
+Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
+  std::vector<std::uint16_t> hues(mesh.triangles.size(), hue_of_region(0));
+  for (std::size_t t = 0; t < mesh.region.size(); ++t)
+    if (mesh.region[t] != no_index) hues[t] = hue_of_region(std::size_t{mesh.region[t]} + 1);
+  return write_svg(mesh, hues, file);
+}
+
+Status write_svg(const Pslg& pslg, const std::filesystem::path& file) {
+  OutputFile out(file);
+  const Canvas canvas(pslg.points);
+  canvas.open(out);
+  draw_lines(out, canvas, pslg.segments, pslg.points);
+  out.write("<path stroke=\"#205090\" stroke-width=\"4\" stroke-linecap=\"round\" d=\"\n");
+  write_records(out, pslg.points.size(),
+                [&](Bytes& to, std::size_t i) { canvas.put(to << 'M', pslg.points[i]) << "h0\n"; });
+  out.write("\"/>\n<path stroke=\"#c02020\" stroke-width=\"2\" d=\"\n");
+  write_records(out, pslg.holes.size(), [&](Bytes& to, std::size_t i) {
+    canvas.put(to << 'M', pslg.holes[i], -6, -6) << "l12 12";
+    canvas.put(to << 'M', pslg.holes[i], -6, 6) << "l12 -12\n";
+  });
+  out.write("\"/>\n");
+  write_records(out, pslg.regions.size(), [&](Bytes& to, std::size_t i) {
+    canvas.put(to << "<path fill=\"#208040\" d=\"M", pslg.regions[i].seed, 0, -6) << "l6 6l-6 6l-6 -6Z\"/>\n";
+    canvas.put(to << "<text font-size=\"14\" transform=\"translate(", pslg.regions[i].seed, 9, 5)
+        << ")\">" << pslg.regions[i].attribute << "</text>\n";
+  });
+  out.write("</svg>\n");
+  return out.commit();
+}
+
+}  // namespace pardel

@@ -1,0 +1,134 @@
+// Triangle's input files: .poly, .node, .area, and sizes per vertex in the same manner.
+#include <limits>
+
+#include "../formats.hpp"
+#include "triangle_sections.hpp"
+
+namespace pardel {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `<# of holes>`, then `<hole #> <x> <y>`.
+void read_holes(TextReader& in, std::vector<Point>& holes) {
+  in.expect_line("the number of holes");
+  const std::size_t n = in.count("the number of holes");
+  if (!in.room_for(n, text_bytes(3), "holes")) return;
+  holes.resize(n);
+  for (std::size_t i = 0; i < n && in.expect_record("hole", i, n); ++i) {
+    in.integer("a hole's number", any_marker_low, any_marker_high);
+    holes[i].x = in.number("an x coordinate");
+    holes[i].y = in.number("a y coordinate");
+    if (in.failed()) return;
+  }
+}
+
+/// Optional: `<# of regions>`, then `<region #> <x> <y> <attribute> <maximum area>`. A single value at the end
+/// serves as both; an area that is not positive means none.
+void read_regions(TextReader& in, std::vector<Region>& regions) {
+  if (!in.next_line()) return;
+  const std::size_t n = in.count("the number of regions");
+  if (!in.room_for(n, text_bytes(4), "regions")) return;
+  regions.resize(n);
+  for (std::size_t i = 0; i < n && in.expect_record("region", i, n); ++i) {
+    in.integer("a region's number", any_marker_low, any_marker_high);
+    regions[i].seed.x = in.number("an x coordinate");
+    regions[i].seed.y = in.number("a y coordinate");
+    regions[i].attribute = in.number("a region's attribute");
+    const double area = in.has_field() ? in.number("a region's maximum area") : regions[i].attribute;
+    if (area > 0) regions[i].max_area = area;
+    if (in.failed()) return;
+  }
+}
+
+/// Reads the .node that a .poly without points stands beside.
+Result<int> read_node_beside(const fs::path& node, Pslg& pslg) {
+  const auto text = read_file(node);
+  if (!text.ok()) return text.error();
+  TextReader in(*text, node.string());
+  const int base = read_points(in, read_point_header(in), pslg);
+  if (in.failed()) return in.error();
+  return base;
+}
+
+/// `node`: where the points are if the section of points is empty; null if they may be nowhere else.
+Result<Pslg> read_poly(TextReader& in, const fs::path* node) {
+  Pslg pslg;
+  const PointHeader header = read_point_header(in);
+  int base = 1;
+  if (header.points > 0) {
+    base = read_points(in, header, pslg);
+  } else if (node == nullptr) {
+    in.fail("expected points here: only a file can have them in a .node beside it");
+  } else if (!in.failed()) {
+    const Result<int> found = read_node_beside(*node, pslg);
+    if (!found.ok()) return found.error();
+    base = *found;
+  }
+  if (in.failed()) return in.error();
+  SegmentSection section = read_segments(in, pslg.points.size(), base);
+  pslg.segments = std::move(section.segments);
+  pslg.has_segment_markers = section.markers;
+  read_holes(in, pslg.holes);
+  read_regions(in, pslg.regions);
+  if (in.failed()) return in.error();
+  return pslg;
+}
+
+/// `n`, then `i value`: one number per `thing`, counted from 0 or 1.
+Result<std::vector<double>> read_numbered_values(const fs::path& file, std::string_view thing, bool positive) {
+  const auto text = read_file(file);
+  if (!text.ok()) return text.error();
+  TextReader in(*text, file.string());
+  in.expect_line("the number of values");
+  const std::size_t n = in.count("the number of values");
+  if (!in.room_for(n, text_bytes(2), "values")) return in.error();
+  std::vector<double> values(n);
+  int base = 1;
+  for (std::size_t i = 0; i < n && in.expect_record(thing, i, n); ++i) {
+    if (i == 0) {
+      base = static_cast<int>(in.integer("the first number", 0, 1));
+    } else {
+      read_number(in, thing, i, base);
+    }
+    values[i] = in.number("a value");
+    if (positive && !(values[i] > 0)) in.fail("expected a value greater than 0");
+    if (in.failed()) break;
+  }
+  if (in.failed()) return in.error();
+  return values;
+}
+
+}  // namespace
+
+Result<Pslg> read_pslg(const fs::path& file) {
+  const auto text = read_file(file);
+  if (!text.ok()) return text.error();
+  TextReader in(*text, file.string());
+  if (file.extension() == ".node") {
+    Pslg pslg;
+    read_points(in, read_point_header(in), pslg);
+    if (in.failed()) return in.error();
+    return pslg;
+  }
+  const fs::path node = fs::path(file).replace_extension(".node");
+  return read_poly(in, &node);
+}
+
+Result<Pslg> parse_poly(std::string_view text, const std::string& name) {
+  TextReader in(text, name);
+  return read_poly(in, nullptr);
+}
+
+Result<std::vector<double>> read_area(const fs::path& file) {
+  auto areas = read_numbered_values(file, "triangle", false);
+  if (!areas.ok()) return areas;
+  for (double& area : *areas) {
+    if (!(area > 0)) area = std::numeric_limits<double>::infinity();
+  }
+  return areas;
+}
+
+Result<std::vector<double>> read_sizes(const fs::path& file) { return read_numbered_values(file, "vertex", true); }
+
+}  // namespace pardel

@@ -1,0 +1,128 @@
+// A mesh in Triangle's files: .node and .ele, with the .poly or .edge and the .neigh beside them.
+#include <string>
+
+#include "../neighbours.hpp"
+#include "mesh_readers.hpp"
+#include "triangle_sections.hpp"
+
+namespace pardel {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReadMesh {
+  Mesh mesh;
+  int base = 1;
+};
+
+/// `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
+/// Of six nodes the corners are kept; the first attribute is the region's.
+void read_elements(TextReader& in, ReadMesh& read) {
+  Mesh& mesh = read.mesh;
+  in.expect_line("the number of triangles");
+  const std::size_t n = in.count("the number of triangles");
+  const std::int64_t nodes = in.integer_or("the number of nodes per triangle", 3, 6, 3);
+  if (nodes != 3 && nodes != 6) in.fail("expected 3 or 6 nodes per triangle, found " + std::to_string(nodes));
+  const auto attributes = static_cast<std::size_t>(
+      in.integer_or("the number of attributes per triangle", 0, std::numeric_limits<std::int32_t>::max(), 0));
+  if (n > max_triangles) in.fail("announces more than " + std::to_string(max_triangles) + " triangles");
+  if (!in.room_for(n, text_bytes(static_cast<std::size_t>(nodes) + 1 + attributes), "triangles")) return;
+
+  mesh.triangles.resize(n);
+  Array<double> region(attributes > 0 ? n : 0);
+  for (std::size_t t = 0; t < n && in.expect_record("triangle", t, n); ++t) {
+    read_number(in, "triangle", t, read.base);
+    for (Index& corner : mesh.triangles[t].v) {
+      corner = read_point_index(in, "a corner of a triangle", mesh.points.size(), read.base);
+    }
+    for (std::int64_t i = 3; i < nodes; ++i) {
+      read_point_index(in, "a middle node of a triangle", mesh.points.size(), read.base);
+    }
+    for (std::size_t k = 0; k < attributes; ++k) {
+      const double attribute = in.number("a triangle's attribute");
+      if (k == 0) region[t] = attribute;
+    }
+    if (in.failed()) return;
+  }
+  if (attributes > 0) set_regions(mesh, region.span());
+}
+
+/// The segments of the mesh's own .poly, which has no points of its own (one that has is the mesh's input).
+bool read_own_segments(TextReader& in, ReadMesh& read) {
+  const PointHeader header = read_point_header(in);
+  if (header.points > 0) return false;
+  for (const Segment& s : read_segments(in, read.mesh.points.size(), read.base).segments) {
+    read.mesh.constrained_edges.push_back({s.a, s.b, no_index, s.marker});
+  }
+  return true;
+}
+
+/// `<# of edges> <# of markers>`, then `<edge #> <end> <end> [marker]`: as a .poly's segments. Edges with a
+/// marker are those that a constraint or the boundary gave one.
+void read_edges(TextReader& in, ReadMesh& read) {
+  for (const Segment& s : read_segments(in, read.mesh.points.size(), read.base).segments) {
+    if (s.marker != 0) read.mesh.constrained_edges.push_back({s.a, s.b, no_index, s.marker});
+  }
+}
+
+/// `<# of triangles> 3`, then `<triangle #> <neighbour opposite each corner, -1: none>`. Neighbours follow from
+/// the triangles; a file that says otherwise is wrong.
+void check_neighbours(TextReader& in, const ReadMesh& read) {
+  const Array<Triangle>& triangles = read.mesh.triangles;
+  in.expect_line("the number of triangles");
+  const std::size_t n = in.count("the number of triangles");
+  if (n != triangles.size()) {
+    in.fail("expected as many triangles as the .ele has, " + std::to_string(triangles.size()));
+  }
+  in.integer_or("the number of neighbours per triangle", 3, 3, 3);
+  const auto name = [&](Index t) { return t == no_index ? std::int64_t{-1} : std::int64_t{t} + read.base; };
+  for (std::size_t t = 0; t < n && !in.failed() && in.expect_record("triangle", t, n); ++t) {
+    read_number(in, "triangle", t, read.base);
+    for (const Index neighbour : triangles[t].n) {
+      const std::int64_t found = in.integer("a neighbour", -1, static_cast<std::int64_t>(n) - 1 + read.base);
+      if (found == name(neighbour)) continue;
+      in.fail("expected neighbour " + std::to_string(name(neighbour)) + ", as the triangles have it, found " +
+              std::to_string(found));
+      break;
+    }
+  }
+}
+
+/// Reads `file` with reader(in).
+template <class Reader>
+Status read_with(const fs::path& file, const Reader& reader) {
+  const auto text = read_file(file);
+  if (!text.ok()) return text.error();
+  TextReader in(*text, file.string());
+  reader(in);
+  if (in.failed()) return in.error();
+  return Done{};
+}
+
+}  // namespace
+
+Result<Mesh> read_triangle_mesh(const fs::path& file) {
+  ReadMesh read;
+  Status status = Done{};
+  const auto read_beside = [&](const char* suffix, const auto& reader) {
+    if (status.ok()) status = read_with(fs::path(file).replace_extension(suffix), reader);
+  };
+  const auto present = [&](const char* suffix) {
+    std::error_code unreadable;
+    return fs::is_regular_file(fs::path(file).replace_extension(suffix), unreadable);
+  };
+
+  read_beside(".node", [&](TextReader& in) { read.base = read_points(in, read_point_header(in), read.mesh); });
+  read_beside(".ele", [&](TextReader& in) { read_elements(in, read); });
+  bool has_segments = false;
+  if (present(".poly")) read_beside(".poly", [&](TextReader& in) { has_segments = read_own_segments(in, read); });
+  if (!has_segments && present(".edge")) read_beside(".edge", [&](TextReader& in) { read_edges(in, read); });
+  if (!status.ok()) return status.error();
+
+  const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size());
+  if (surplus == 0 && present(".neigh")) read_beside(".neigh", [&](TextReader& in) { check_neighbours(in, read); });
+  if (!status.ok()) return status.error();
+  return std::move(read.mesh);
+}
+
+}  // namespace pardel

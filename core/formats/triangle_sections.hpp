@@ -1,0 +1,86 @@
+// The parts that Triangle's files are made of: a section of points (.node, .poly), one of segments (.poly).
+// The conventions are those of "Triangle's file formats" (www.cs.cmu.edu/~quake/triangle.html).
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "../pslg.hpp"
+#include "text_reader.hpp"
+
+namespace pardel {
+
+/// The most points a mesh can index; the three largest indices have other meanings (see mesh.hpp).
+inline constexpr std::size_t max_points = no_index - 3;
+
+inline constexpr std::int64_t any_marker_low = std::numeric_limits<int>::min();
+inline constexpr std::int64_t any_marker_high = std::numeric_limits<int>::max();
+
+/// `<# of points> <dimension, 2> <# of attributes> <# of markers, 0 or 1>`; what is missing at the end of the
+/// line counts as 2, 0, 0.
+struct PointHeader {
+  std::size_t points = 0;
+  std::size_t attributes = 0;
+  bool markers = false;
+};
+PointHeader read_point_header(TextReader& in);
+
+/// The number of record i in a file whose records are counted from `base`.
+inline void read_number(TextReader& in, std::string_view what, std::size_t i, int base) {
+  const auto number = static_cast<std::int64_t>(i) + base;
+  const std::int64_t found = in.integer(what, 0, std::numeric_limits<std::int64_t>::max());
+  if (found != number && !in.failed()) {
+    in.fail("expected " + std::string(what) + " " + std::to_string(number) + " (numbers are consecutive), found " +
+            std::to_string(found));
+  }
+}
+
+/// `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base:
+/// the number of the first point, 0 or 1 (1 if there is no point).
+template <class PointSet>
+int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
+  const std::size_t n = header.points;
+  if (!in.room_for(n, text_bytes(3 + header.attributes + (header.markers ? 1 : 0)), "points")) return 1;
+  set.points.resize(n);
+  set.attributes_per_point = header.attributes;
+  set.point_attributes.resize(n * header.attributes);
+  set.point_markers.resize(header.markers ? n : 0);
+  int base = 1;
+  for (std::size_t i = 0; i < n && in.expect_record("point", i, n); ++i) {
+    if (i == 0) {
+      base = static_cast<int>(in.integer("the first point's number", 0, 1));
+    } else {
+      read_number(in, "point", i, base);
+    }
+    const double x = in.number("an x coordinate");
+    const double y = in.number("a y coordinate");
+    set.points[i] = {x, y};
+    for (std::size_t k = 0; k < header.attributes; ++k) {
+      set.point_attributes[i * header.attributes + k] = in.number("a point's attribute");
+    }
+    if (header.markers) {
+      set.point_markers[i] = static_cast<int>(in.integer("a point's marker", any_marker_low, any_marker_high));
+    }
+    if (in.failed()) break;
+  }
+  return base;
+}
+
+/// `<# of segments> <# of markers, 0 or 1>`, then `<segment #> <end> <end> [marker]`. The segments' own numbers
+/// mean nothing. `points` and `base` are those of the points.
+struct SegmentSection {
+  std::vector<Segment> segments;
+  bool markers = false;
+};
+SegmentSection read_segments(TextReader& in, std::size_t points, int base);
+
+/// The number of a point, as an index.
+inline Index read_point_index(TextReader& in, std::string_view what, std::size_t points, int base) {
+  if (points == 0) {
+    in.fail("expected no point, as there are none, found one as " + std::string(what));
+    return 0;
+  }
+  return static_cast<Index>(in.integer(what, base, static_cast<std::int64_t>(points) - 1 + base) - base);
+}
+
+}  // namespace pardel

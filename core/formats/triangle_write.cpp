@@ -1,0 +1,160 @@
+// Writing Triangle's files.
+#include <cmath>
+
+#include "../formats.hpp"
+#include "../mesh_edges.hpp"
+#include "records.hpp"
+
+namespace pardel {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `<point #> <x> <y> [attributes] [marker]`
+void put_point(Bytes& to, std::size_t number, const Point& p, std::span<const double> attributes, const int* marker) {
+  to << number << ' ' << p.x << ' ' << p.y;
+  for (const double attribute : attributes) to << ' ' << attribute;
+  if (marker != nullptr) to << ' ' << *marker;
+  to << '\n';
+}
+
+/// The section of points, of a Pslg or a Mesh. `total` counts those that the caller adds itself, too.
+template <class PointSet>
+void write_points(OutputFile& out, const PointSet& set, std::span<const int> markers, int base, std::size_t total) {
+  const std::size_t k = set.attributes_per_point;
+  Bytes header;
+  header << total << " 2 " << k << (markers.empty() ? " 0\n" : " 1\n");
+  out.write(header.view());
+  const std::span<const double> attributes(set.point_attributes.data(), set.point_attributes.size());
+  write_records(out, set.points.size(), [&](Bytes& to, std::size_t i) {
+    put_point(to, i + base, set.points[i], attributes.subspan(i * k, k), markers.empty() ? nullptr : &markers[i]);
+  });
+}
+
+/// `<# of records> <# of markers>`, then `<record #> <end> <end> [marker]`: segments, constrained edges, edges.
+template <class Edges>
+void write_edges(OutputFile& out, const Edges& edges, bool markers, int base) {
+  Bytes header;
+  header << edges.size() << (markers ? " 1\n" : " 0\n");
+  out.write(header.view());
+  write_records(out, edges.size(), [&](Bytes& to, std::size_t i) {
+    const auto& edge = edges[i];
+    to << i + base << ' ' << std::uint64_t{edge.a} + base << ' ' << std::uint64_t{edge.b} + base;
+    if (markers) to << ' ' << edge.marker;
+    to << '\n';
+  });
+}
+
+void write_holes(OutputFile& out, std::span<const Point> holes, int base) {
+  Bytes to;
+  to << holes.size() << '\n';
+  for (std::size_t i = 0; i < holes.size(); ++i) put_point(to, i + base, holes[i], {}, nullptr);
+  out.write(to.view());
+}
+
+/// Nothing if there are none. No area cap is written as -1.
+void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
+  if (regions.empty()) return;
+  Bytes to;
+  to << regions.size() << '\n';
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const Region& r = regions[i];
+    to << i + base << ' ' << r.seed.x << ' ' << r.seed.y << ' ' << r.attribute << ' '
+       << (std::isinf(r.max_area) ? -1.0 : r.max_area) << '\n';
+  }
+  out.write(to.view());
+}
+
+/// The .node; for second order followed by the middle of every edge, whose attributes are the means of its ends'.
+void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
+  const std::size_t n = mesh.points.size();
+  const std::size_t middles = files.second_order ? table.edges.size() : 0;
+  const Array<int> markers = files.markers ? vertex_markers(mesh) : Array<int>();
+  write_points(out, mesh, markers.span(), files.base, n + middles);
+  const std::size_t k = mesh.attributes_per_point;
+  write_records(out, middles, [&](Bytes& to, std::size_t i) {
+    const MarkedEdge& edge = table.edges[i];
+    const Point& a = mesh.points[edge.a];
+    const Point& b = mesh.points[edge.b];
+    std::vector<double> attributes(k);
+    for (std::size_t j = 0; j < k; ++j) {
+      attributes[j] = 0.5 * (mesh.point_attributes[edge.a * k + j] + mesh.point_attributes[edge.b * k + j]);
+    }
+    put_point(to, n + i + files.base, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, attributes,
+              files.markers ? &edge.marker : nullptr);
+  });
+}
+
+/// The .ele: one attribute, the region's, where the mesh has regions. Node 4 of a second-order triangle is the
+/// middle of the edge opposite corner 1, and so on.
+void write_ele(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
+  const bool regions = !mesh.region.empty();
+  Bytes header;
+  header << mesh.triangles.size() << (files.second_order ? " 6" : " 3") << (regions ? " 1\n" : " 0\n");
+  out.write(header.view());
+  write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
+    to << t + files.base;
+    for (const Index v : mesh.triangles[t].v) to << ' ' << std::uint64_t{v} + files.base;
+    for (std::size_t i = 0; files.second_order && i < 3; ++i) {
+      to << ' ' << mesh.points.size() + table.edge_of_side[3 * t + i] + files.base;
+    }
+    if (regions) to << ' ' << (mesh.region[t] == no_index ? 0.0 : mesh.region_attributes[mesh.region[t]]);
+    to << '\n';
+  });
+}
+
+void write_neigh(OutputFile& out, const Mesh& mesh, int base) {
+  Bytes header;
+  header << mesh.triangles.size() << " 3\n";
+  out.write(header.view());
+  write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
+    to << t + base;
+    for (const Index n : mesh.triangles[t].n) to << ' ' << (n == no_index ? std::int64_t{-1} : std::int64_t{n} + base);
+    to << '\n';
+  });
+}
+
+}  // namespace
+
+Status write_poly(const Pslg& pslg, const fs::path& file, int base) {
+  OutputFile out(file);
+  write_points(out, pslg, pslg.point_markers, base, pslg.points.size());
+  write_edges(out, pslg.segments, pslg.has_segment_markers, base);
+  write_holes(out, pslg.holes, base);
+  write_regions(out, pslg.regions, base);
+  return out.commit();
+}
+
+Status write_area(const fs::path& file, std::span<const double> caps, int base) {
+  OutputFile out(file);
+  Bytes header;
+  header << caps.size() << '\n';
+  out.write(header.view());
+  write_records(out, caps.size(), [&](Bytes& to, std::size_t i) {
+    to << i + base << ' ' << (std::isinf(caps[i]) ? -1.0 : caps[i]) << '\n';
+  });
+  return out.commit();
+}
+
+Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const fs::path& stem, const TriangleFiles& files) {
+  std::deque<OutputFile> outputs;
+  const auto open = [&](const char* suffix) -> OutputFile& { return outputs.emplace_back(fs::path(stem) += suffix); };
+  const EdgeTable table = files.write_edge || files.second_order ? edge_table(mesh) : EdgeTable();
+
+  if (files.write_node) write_node(open(".node"), mesh, table, files);
+  if (files.write_ele) write_ele(open(".ele"), mesh, table, files);
+  if (files.write_poly) {
+    OutputFile& out = open(".poly");
+    Bytes header;
+    header << "0 2 " << mesh.attributes_per_point << (files.markers ? " 1\n" : " 0\n");
+    out.write(header.view());
+    write_edges(out, mesh.constrained_edges, files.markers, files.base);
+    write_holes(out, files.holes ? std::span<const Point>(pslg.holes) : std::span<const Point>(), files.base);
+    write_regions(out, pslg.regions, files.base);
+  }
+  if (files.write_edge) write_edges(open(".edge"), table.edges, files.markers, files.base);
+  if (files.write_neigh) write_neigh(open(".neigh"), mesh, files.base);
+  return commit_all(outputs);
+}
+
+}  // namespace pardel

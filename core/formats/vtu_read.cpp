@@ -1,0 +1,161 @@
+// Reading VTU: triangles become the mesh, lines its constrained edges, vertices are passed over. Arrays that we
+// write ourselves (region, marker, attributes, constrained_edges) are taken up where they are present. z is ignored.
+#include <optional>
+#include <string>
+
+#include "../neighbours.hpp"
+#include "mesh_readers.hpp"
+#include "text_reader.hpp"
+#include "triangle_sections.hpp"
+#include "vtu_arrays.hpp"
+
+namespace pardel {
+namespace {
+
+/// Fills a mesh from the arrays of a file. The first failure is kept; after it, every step does nothing.
+class VtuMesh {
+ public:
+  explicit VtuMesh(const VtuFile& file) : file_(file) {}
+
+  Result<Mesh> read() {
+    read_points();
+    read_cells();
+    read_regions();
+    read_point_data();
+    read_constrained_edges();
+    if (error_) return *error_;
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    return std::move(mesh_);
+  }
+
+ private:
+  void fail(const VtuArray& array, const std::string& message) {
+    if (!error_) error_ = file_.error_at(array.begin, "array " + in_quotes(array.name) + ": " + message);
+  }
+
+  const VtuArray* required(std::string_view section, std::string_view name) {
+    const VtuArray* array = file_.find(section, name);
+    if (array == nullptr && !error_) {
+      error_ = file_.error_at(0, "expected an array " + std::string(name) + " in <" + std::string(section) + ">");
+    }
+    return array;
+  }
+
+  /// The values of an array, which must have n of them if n is given; empty if it is missing or wrong.
+  template <class Value>
+  Array<Value> values(const VtuArray* array, std::optional<std::size_t> n = std::nullopt) {
+    if (error_ || array == nullptr) return {};
+    auto values = file_.values<Value>(*array);
+    if (!values.ok()) {
+      error_ = values.error();
+      return {};
+    }
+    if (n && values->size() != *n) {
+      fail(*array, "expected " + std::to_string(*n) + " values, found " + std::to_string(values->size()));
+      return {};
+    }
+    return std::move(*values);
+  }
+
+  /// values[i] as a number from low to high; low, with a failure, if it is not.
+  std::int64_t checked(const VtuArray* array, const Array<std::int64_t>& values, std::size_t i, std::int64_t low,
+                       std::int64_t high) {
+    if (values[i] >= low && values[i] <= high) return values[i];
+    fail(*array, "expected value " + std::to_string(i) + " from " + std::to_string(low) + " to " +
+                     std::to_string(high) + ", found " + std::to_string(values[i]));
+    return low;
+  }
+  Index point_index(const VtuArray* array, const Array<std::int64_t>& values, std::size_t i) {
+    return static_cast<Index>(checked(array, values, i, 0, static_cast<std::int64_t>(mesh_.points.size()) - 1));
+  }
+  int marker(const VtuArray* array, const Array<std::int64_t>& values, std::size_t i) {
+    return static_cast<int>(checked(array, values, i, any_marker_low, any_marker_high));
+  }
+
+  void read_points() {
+    if (file_.points() > max_points) error_ = file_.error_at(0, "the piece announces more points than a mesh can hold");
+    const auto xyz = values<double>(required("Points", ""), 3 * file_.points());
+    mesh_.points.resize(xyz.size() / 3);
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
+  }
+
+  void read_cells() {
+    constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
+    const VtuArray* corners_array = required("Cells", "connectivity");
+    const VtuArray* ends_array = required("Cells", "offsets");
+    const VtuArray* types_array = required("Cells", "types");
+    const auto corners = values<std::int64_t>(corners_array);
+    const auto ends = values<std::int64_t>(ends_array, file_.cells());
+    const auto types = values<std::int64_t>(types_array, file_.cells());
+    if (!error_ && corners.size() / 3 > max_triangles) fail(*corners_array, "more triangles than a mesh can hold");
+    std::size_t first = 0;
+    for (std::size_t c = 0; c < file_.cells() && !error_; ++c) {
+      const std::size_t n = types[c] == vtk_triangle ? 3 : types[c] == vtk_line ? 2 : 1;
+      if (n == 1 && types[c] != vtk_vertex) {
+        fail(*types_array, "cell " + std::to_string(c) + " is of type " + std::to_string(types[c]) +
+                               ", neither a triangle (5) nor a line (3) nor a vertex (1)");
+      } else if (ends[c] != static_cast<std::int64_t>(first + n) || first + n > corners.size()) {
+        fail(*ends_array, "expected cell " + std::to_string(c) + " to end at " + std::to_string(first + n) + " of " +
+                              std::to_string(corners.size()) + " corners, found " + std::to_string(ends[c]));
+      } else if (types[c] == vtk_triangle) {
+        Triangle triangle;
+        for (std::size_t i = 0; i < 3; ++i) triangle.v[i] = point_index(corners_array, corners, first + i);
+        mesh_.triangles.push_back(triangle);
+        cell_of_triangle_.push_back(c);
+      } else if (types[c] == vtk_line) {
+        const Index a = point_index(corners_array, corners, first);
+        mesh_.constrained_edges.push_back({a, point_index(corners_array, corners, first + 1), no_index, 0});
+      }
+      first += n;
+    }
+  }
+
+  void read_regions() {
+    const VtuArray* array = file_.find("CellData", "region");
+    const auto by_cell = values<double>(array, file_.cells());
+    if (error_ || array == nullptr) return;
+    Array<double> by_triangle(mesh_.triangles.size());
+    for (std::size_t t = 0; t < by_triangle.size(); ++t) by_triangle[t] = by_cell[cell_of_triangle_[t]];
+    set_regions(mesh_, by_triangle.span());
+  }
+
+  void read_point_data() {
+    const VtuArray* markers_array = file_.find("PointData", "marker");
+    const auto markers = values<std::int64_t>(markers_array, file_.points());
+    for (std::size_t i = 0; i < markers.size(); ++i) mesh_.point_markers.push_back(marker(markers_array, markers, i));
+    const VtuArray* attributes = file_.find("PointData", "attributes");
+    if (attributes == nullptr || file_.points() == 0) return;
+    mesh_.point_attributes = values<double>(attributes);
+    mesh_.attributes_per_point = mesh_.point_attributes.size() / file_.points();
+    if (mesh_.point_attributes.size() % file_.points() != 0)
+      fail(*attributes, "expected as many values at every point");
+  }
+
+  void read_constrained_edges() {
+    const VtuArray* ends_array = file_.find("FieldData", "constrained_edges");
+    const VtuArray* markers_array = file_.find("FieldData", "constrained_edge_markers");
+    const auto ends = values<std::int64_t>(ends_array);
+    const auto markers = values<std::int64_t>(markers_array, ends.size() / 2);
+    for (std::size_t i = 0; i < ends.size() / 2 && !error_; ++i) {
+      const Index a = point_index(ends_array, ends, 2 * i);
+      const Index b = point_index(ends_array, ends, 2 * i + 1);
+      const int given = markers.empty() ? 0 : marker(markers_array, markers, i);
+      mesh_.constrained_edges.push_back({a, b, no_index, given});
+    }
+  }
+
+  const VtuFile& file_;
+  Mesh mesh_;
+  std::vector<std::size_t> cell_of_triangle_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
+  const auto file = VtuFile::parse(text, name);
+  if (!file.ok()) return file.error();
+  return VtuMesh(*file).read();
+}
+
+}  // namespace pardel

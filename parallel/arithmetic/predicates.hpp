@@ -1,0 +1,97 @@
+// Exact signs of the two geometric predicates. A floating-point filter answers almost always; where it
+// cannot, the determinant is evaluated exactly with floating-point expansions (Shewchuk, "Adaptive
+// Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
+//
+// The result is the exact sign for coordinates that are zero or satisfy
+// smallest_coordinate <= |x| <= largest_coordinate; validate() checks that of the input and snapped()
+// keeps it for computed points. The code must be compiled without -ffast-math and with -ffp-contract=off.
+#pragma once
+
+#include <cmath>
+
+#include "../../core/mutants.hpp"
+#include "../../core/pslg.hpp"
+#include "pair.hpp"
+
+namespace pardel::engine {
+
+inline constexpr double largest_coordinate = 0x1p200;
+inline constexpr double smallest_coordinate = 0x1p-140;
+
+/// True for the coordinates that the predicates are exact for; false for NaN and infinity.
+[[nodiscard]] inline bool is_usable(double x) {
+  return x == 0 || (std::abs(x) >= smallest_coordinate && std::abs(x) <= largest_coordinate);
+}
+[[nodiscard]] inline bool is_usable(Point p) { return is_usable(p.x) && is_usable(p.y); }
+
+namespace exact {
+[[nodiscard]] double orient2d(Point a, Point b, Point c);
+[[nodiscard]] double incircle(Point a, Point b, Point c, Point d);
+}  // namespace exact
+
+/// What floating point says of the orientation of a, b and the point that they are relative to, and how far off that
+/// may be. T: double or Pair.
+template <class T>
+struct Orientation {
+  T determinant, error;
+
+  Orientation(T ax, T ay, T bx, T by) {
+    const T left = ax * by, right = ay * bx;
+    determinant = left - right;
+    // 3 + 16 eps of Shewchuk's ccwerrboundA, on |left| + |right| whatever their signs.
+    constexpr double bound = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
+    error = bound * (magnitude(left) + magnitude(right));
+  }
+  /// The sign of the determinant is right; of both.
+  [[nodiscard]] bool is_certain() const {
+    return mutated("orient2d_trusts_its_filter") || all(magnitude(determinant) > error);
+  }
+};
+
+/// Positive when a, b, c make a left turn (counter-clockwise), negative for a right turn, zero if and only
+/// if exactly collinear. Swapping two arguments flips the sign. The magnitude approximates twice the area.
+[[nodiscard]] inline double orient2d(Point a, Point b, Point c) {
+  const Orientation<double> turn(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y);
+  if (turn.is_certain()) return turn.determinant;
+  return exact::orient2d(a, b, c);
+}
+
+/// What floating point says of the in-circle determinant of v, u, w, all relative to the fourth point, and how far off
+/// that may be. T: double or Pair. u2 and v2, the squares of the lengths of u and v, are the caller's, who has them
+/// from the triangle before.
+///
+/// With e = 2^-53 the coordinates are right to within e, squares to 4e, u2 vy - v2 uy to 7e of u2 |vy| + v2 |uy|, and
+/// the determinant to 11e of w2 (|vx uy| + |vy ux|) and the two terms like it. By Cauchy and Schwarz |vx uy| + |vy ux|
+/// is at most (u2 + v2) / 2; so the three terms are at most u2 v2 + w2 u2 + w2 v2, whose own rounding the twelfth e
+/// covers. Nothing underflows: coordinates relative to a point are zero or at least 2^-192, products of four 2^-768.
+template <class T>
+struct InCircle {
+  T determinant, error;
+  T square;  ///< of the length of w
+
+  InCircle(T ux, T uy, T vx, T vy, T wx, T wy, T u2, T v2) : square(wx * wx + wy * wy) {
+    determinant = square * (vx * uy - vy * ux) + (wx * (u2 * vy - v2 * uy) - wy * (u2 * vx - v2 * ux));
+    if (mutated("incircle_sign_flipped")) determinant = -determinant;
+    constexpr double bound = 12 * 0x1p-53;
+    error = bound * (u2 * v2 + square * (u2 + v2));
+  }
+  /// The sign of the determinant is right; of both.
+  [[nodiscard]] bool is_certain() const {
+    return mutated("incircle_trusts_its_filter") || all(magnitude(determinant) > error);
+  }
+};
+
+/// For counter-clockwise a, b, c: positive when d lies strictly inside their circumcircle, negative
+/// outside, zero if and only if exactly cocircular. Swapping two of a, b, c flips the sign.
+[[nodiscard]] inline double incircle(Point a, Point b, Point c, Point d) {
+  const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y;
+  const InCircle<double> in(bx, by, ax, ay, c.x - d.x, c.y - d.y, bx * bx + by * by, ax * ax + ay * ay);
+  if (in.is_certain()) [[likely]]
+    return in.determinant;
+  return exact::incircle(a, b, c, d);
+}
+
+/// A computed coordinate below smallest_coordinate is noise of a cancellation: zero.
+[[nodiscard]] inline double snapped(double x) { return std::abs(x) < smallest_coordinate ? 0.0 : x; }
+
+}  // namespace pardel::engine

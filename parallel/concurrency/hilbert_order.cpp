@@ -1,0 +1,124 @@
+#include "hilbert_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "../../core/mutants.hpp"
+#include "../arithmetic/lexicographic.hpp"
+#include "bounding_box.hpp"
+#include "in_order.hpp"
+
+namespace pardel::engine {
+namespace {
+
+constexpr int levels = 16;  // bits per coordinate of a key
+
+// One level of the curve: a state is one of four orientations of the U; per quadrant (x bit, y bit), its
+// position along the curve and the orientation inside it.
+struct Step {
+  std::uint8_t position, state;
+};
+constexpr std::array<std::array<Step, 4>, 4> one_level{{
+    // quadrants (0,0) (0,1) (1,0) (1,1)
+    {{{0, 1}, {1, 0}, {3, 2}, {2, 0}}},
+    {{{0, 0}, {3, 3}, {1, 1}, {2, 1}}},
+    {{{2, 2}, {1, 2}, {3, 0}, {0, 3}}},
+    {{{2, 3}, {3, 1}, {1, 3}, {0, 2}}},
+}};
+
+/// Four levels at once: by state, then four bits of x before four of y.
+constexpr auto four_levels = [] {
+  std::array<std::array<Step, 256>, 4> table{};
+  for (std::uint8_t start = 0; start < 4; ++start)
+    for (unsigned bits = 0; bits < 256; ++bits) {
+      Step whole{0, start};
+      for (int bit = 3; bit >= 0; --bit) {
+        const Step step = one_level[whole.state][(bits >> (bit + 4) & 1U) << 1U | (bits >> bit & 1U)];
+        whole = {static_cast<std::uint8_t>(whole.position << 2U | step.position), step.state};
+      }
+      table[start][bits] = whole;
+    }
+  return table;
+}();
+
+std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t key = 0;
+  unsigned state = 0;
+  for (int bit = levels - 4; bit >= 0; bit -= 4) {
+    const Step step = four_levels[state][(x >> bit & 15U) << 4U | (y >> bit & 15U)];
+    key = key << 8U | step.position;
+    state = step.state;
+  }
+  return key;
+}
+
+/// Least significant digit first, 11 bits at a time, on the upper half of each word. Stable, so that it does not matter
+/// in how many parts.
+void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
+  Array<std::uint64_t> sorted;
+  sorted.resize_uninitialised(words.size());
+  const std::size_t parts = std::min(block_count(words.size()), static_cast<std::size_t>(std::max(1, threads)));
+  std::vector<std::array<std::size_t, 2048>> next(parts);
+  for (unsigned shift = 32; shift < 64; shift += 11) {
+    const auto in_parts = [&](const auto& visit) {
+      parallel_for(threads, parts, [&](std::size_t part, int) {
+        const std::size_t last = words.size() * (part + 1) / parts;
+        for (std::size_t i = words.size() * part / parts; i < last; ++i)
+          visit(words[i], next[part][words[i] >> shift & 2047U]);
+      });
+    };
+    for (auto& counts : next) counts.fill(0);
+    in_parts([](std::uint64_t, std::size_t& count) { ++count; });
+    std::size_t place = 0;
+    for (unsigned digit = 0; digit < 2048; ++digit)
+      for (auto& counts : next) place += std::exchange(counts[digit], place);
+    in_parts([&](std::uint64_t word, std::size_t& to) { sorted[to++] = word; });
+    words.swap(sorted);
+  }
+}
+
+void order_by_coordinates(std::span<const Point> points, std::span<Index> ids) {
+  if (mutated("order_of_the_input_decides")) return;
+  std::sort(ids.begin(), ids.end(), [&](Index a, Index b) { return before(points[a], points[b]); });
+}
+
+void order_along_curve(std::span<const Point> points, std::span<Index> ids, int threads) {
+  if (ids.size() <= 16) return order_by_coordinates(points, ids);
+  const Box box = bounds_of(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
+  const double side = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
+  if (!(side > 0)) return order_by_coordinates(points, ids);
+  constexpr double top = (1U << levels) - 1;
+  const double scale = top / side;
+  Array<std::uint64_t> words = make_array(threads, ids.size(), [&](std::size_t k) {
+    const Point p = points[ids[k]];
+    const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));
+    const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
+    return static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
+  });
+  radix_sort_by_key(words, threads);
+  parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t k = first; k < last; ++k) ids[k] = static_cast<Index>(words[k]);
+  });
+  // Runs of equal keys, by the places that continue one.
+  const Array<Index> continued = indices_where(
+      threads, words.size(), [&](std::size_t k) { return k > 0 && words[k] >> 32U == words[k - 1] >> 32U; });
+  for (std::size_t i = 0; i < continued.size();) {
+    const std::size_t start = continued[i] - 1;
+    std::size_t stop = start + 1;
+    for (; i < continued.size() && continued[i] == stop; ++i) ++stop;
+    order_along_curve(points, ids.subspan(start, stop - start), threads);
+  }
+}
+
+}  // namespace
+
+Array<Index> hilbert_order(std::span<const Point> points, int threads) {
+  Array<Index> ids = make_array(threads, points.size(), [](std::size_t i) { return static_cast<Index>(i); });
+  order_along_curve(points, ids.span(), threads);
+  return ids;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,67 @@
+#include "numbers.hpp"
+
+#include "../../core/mutants.hpp"
+
+namespace pardel::engine {
+
+void NumberLedger::assign(std::size_t count, std::vector<NumberRange>& ranges) {
+  while (count > 0 && first_free_ < free_.size()) {
+    NumberRange& lowest = free_[first_free_];
+    const auto take = static_cast<Index>(std::min<std::size_t>(count, lowest.size()));
+    ranges.push_back({lowest.begin, lowest.begin + take});
+    lowest.begin += take;
+    free_count_ -= take;
+    count -= take;
+    if (lowest.size() == 0) ++first_free_;
+  }
+  const auto fresh = static_cast<Index>(std::min<std::size_t>(count, limit_ - end_));
+  if (fresh > 0) ranges.push_back({end_, end_ + fresh});
+  end_ += fresh - (mutated("number_given_out_twice") && fresh > 0 ? 1 : 0);
+}
+
+void NumberLedger::take_back(const Numbers& numbers) {
+  for (const NumberRange r : numbers.rest()) {
+    if (r.size() == 0) continue;
+    free_.push_back(r);
+    free_count_ += r.size();
+  }
+}
+
+void NumberLedger::settle() {
+  std::erase_if(free_, [](NumberRange r) { return r.size() == 0; });
+  std::sort(free_.begin(), free_.end(), [](NumberRange a, NumberRange b) { return a.begin < b.begin; });
+  std::vector<NumberRange> joined;
+  for (const NumberRange r : free_) {
+    if (!joined.empty() && joined.back().end == r.begin)
+      joined.back().end = r.end;
+    else
+      joined.push_back(r);
+  }
+  if (!joined.empty() && joined.back().end == end_) {
+    end_ = joined.back().begin;
+    free_count_ -= joined.back().size();
+    joined.pop_back();
+  }
+  free_ = std::move(joined);
+  first_free_ = 0;
+}
+
+std::vector<NumberMove> moves_into_holes(const NumberLedger& ledger) {
+  const std::vector<NumberRange>& holes = ledger.holes();
+  const Index in_use = ledger.in_use();
+  std::vector<Index> targets;
+  for (const NumberRange hole : holes)
+    for (Index n = hole.begin + (mutated("first_of_a_hole_not_filled") ? 1 : 0); n < std::min(hole.end, in_use); ++n)
+      targets.push_back(n);
+
+  std::vector<NumberMove> moves;
+  moves.reserve(targets.size());
+  auto hole = std::find_if(holes.begin(), holes.end(), [&](NumberRange h) { return h.end > in_use; });
+  for (Index from = in_use; moves.size() < targets.size(); ++from) {
+    while (hole != holes.end() && from >= hole->begin && from < hole->end) from = (hole++)->end;
+    moves.push_back({from, targets[moves.size()]});
+  }
+  return moves;
+}
+
+}  // namespace pardel::engine

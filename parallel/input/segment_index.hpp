@@ -1,0 +1,116 @@
+// A packed hierarchy of bounding boxes over segments: which segments are near a box or a point, which lies
+// below a point. Segments are put in order along a Hilbert curve, and every eight consecutive boxes of one
+// level make one box of the next.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "../../core/array.hpp"
+#include "../../core/pslg.hpp"
+
+namespace pardel::engine {
+
+/// Closed.
+struct Bounds {
+  double min_x, min_y, max_x, max_y;
+
+  [[nodiscard]] static Bounds of(Point a, Point b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+  }
+  [[nodiscard]] bool meets(const Bounds& other) const {
+    return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
+  }
+  void cover(const Bounds& other) {
+    min_x = std::min(min_x, other.min_x);
+    min_y = std::min(min_y, other.min_y);
+    max_x = std::max(max_x, other.max_x);
+    max_y = std::max(max_y, other.max_y);
+  }
+};
+
+/// Keeps references to the points and segments, which must stay as they are. Preconditions: ids in range,
+/// coordinates within the range of the predicates. O(n log n) to build.
+class SegmentIndex {
+ public:
+  SegmentIndex(std::span<const Point> points, std::span<const Segment> segments);
+
+  /// Calls visit(segment) for every segment whose bounding box meets `box`, until visit returns false.
+  /// Returns false when it was stopped.
+  template <class Visit>
+  bool for_each_near(const Bounds& box, const Visit& visit) const {
+    return levels_.empty() ||
+           descend({levels_.size() - 1, 0}, box, [&](std::size_t slot) { return visit(order_[slot]); });
+  }
+
+  /// Calls visit(s, t) once for every two segments whose bounding boxes meet, until visit returns false.
+  template <class Visit>
+  void for_each_near_pair(const Visit& visit) const;
+
+  /// A segment that contains p, ends included; no_index where there is none.
+  [[nodiscard]] Index through(Point p) const;
+
+  /// The segment that a ray from p straight down meets first, where the ray is moved to the left by less than
+  /// anything: segments that only begin at p's vertical are not met, those that end there are. no_index when
+  /// there is none. Precondition: p lies on no segment, and segments meet only at their ends.
+  [[nodiscard]] Index below(Point p) const;
+
+ private:
+  static constexpr std::size_t fan = 8;
+  /// Level 0 holds the boxes of segments.
+  struct Node {
+    std::size_t level, index;
+  };
+  /// Nodes waiting in a depth-first walk: fan at each of at most 11 levels (8^11 > 2^32).
+  using Stack = std::array<Node, fan * 11>;
+
+  [[nodiscard]] const Bounds& bounds(Node node) const { return levels_[node.level][node.index]; }
+  [[nodiscard]] std::size_t end_of_children(Node node) const {
+    return std::min((node.index + 1) * fan, levels_[node.level - 1].size());
+  }
+  [[nodiscard]] bool is_below(Index segment, Point p) const;
+  [[nodiscard]] bool is_higher(Index segment, Index than) const;
+  [[nodiscard]] double least_height(Index segment, double x) const;
+
+  template <class Visit>
+  bool descend(Node top, const Bounds& box, const Visit& visit_slot) const;
+
+  std::span<const Point> points_;
+  std::span<const Segment> segments_;
+  Array<Index> order_;
+  std::vector<std::vector<Bounds>> levels_;
+};
+
+template <class Visit>
+bool SegmentIndex::descend(Node top, const Bounds& box, const Visit& visit_slot) const {
+  Stack stack;
+  std::size_t waiting = 0;
+  if (bounds(top).meets(box)) stack[waiting++] = top;
+  while (waiting > 0) {
+    const Node node = stack[--waiting];
+    if (node.level == 0) {
+      if (!visit_slot(node.index)) return false;
+      continue;
+    }
+    for (std::size_t child = end_of_children(node); child-- > node.index * fan;)
+      if (levels_[node.level - 1][child].meets(box)) stack[waiting++] = {node.level - 1, child};
+  }
+  return true;
+}
+
+template <class Visit>
+void SegmentIndex::for_each_near_pair(const Visit& visit) const {
+  for (std::size_t slot = 0; slot < order_.size(); ++slot) {
+    const Bounds box = levels_[0][slot];
+    const auto visit_pair = [&](std::size_t other) { return visit(order_[slot], order_[other]); };
+    // What comes later in the order: the later siblings of this slot and of every node above it.
+    std::size_t index = slot;
+    for (std::size_t level = 0; level + 1 < levels_.size(); ++level, index /= fan)
+      for (std::size_t sibling = index + 1; sibling < end_of_children({level + 1, index / fan}); ++sibling)
+        if (!descend({level, sibling}, box, visit_pair)) return;
+  }
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,54 @@
+// In whose circumdisks a point lies: what the walk over its cavity asks, two triangles at a time.
+#pragma once
+
+#include <array>
+
+#include "../../core/mutants.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "../concurrency/lattice.hpp"
+#include "../triangulation/cavity.hpp"
+#include "../triangulation/in_circumdisk.hpp"
+#include "../triangulation/triangulation.hpp"
+
+namespace pardel::engine {
+
+[[nodiscard]] inline Corner corner_around(Pair p, const Point& v) {
+  const Pair at = as_pair(v) - p, squares = at * at;
+  return {at, squares[0] + squares[1]};
+}
+
+/// Answers for a point and a box while a cavity is found (see Cavity::find). Exact, like in_disk; but where floating
+/// point decides, as it nearly always does, each corner is taken from the walk, which has it already.
+struct DiskTest {
+  const Triangulation& t;
+  Pair p;
+  Box box;
+
+  [[nodiscard]] bool is_own(VertexId v) const { return mutated("box_not_checked") || box.contains(t.points[v]); }
+  [[nodiscard]] Corner corner(VertexId v) const { return corner_around(p, t.points[v]); }
+  [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>& c, EdgeRef behind) const {
+    const Slot& slot = t.slot(behind);
+    const Pair at = as_pair(t.points[slot.apex(behind.side())]) - p;
+    const InCircle<Pair> in(firsts(c[1].at, c[0].at), seconds(c[1].at, c[0].at), firsts(c[0].at, c[1].at),
+                            seconds(c[0].at, c[1].at), firsts(c[2].at, at), seconds(c[2].at, at),
+                            Pair{c[1].square, c[0].square}, Pair{c[0].square, c[1].square});
+    return decided(in, first, slot);
+  }
+  [[nodiscard]] Tested both(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left) const {
+    const Slot &r = t.slot(right), &l = t.slot(left);
+    const Pair at_r = as_pair(t.points[r.apex(right.side())]) - p, at_l = as_pair(t.points[l.apex(left.side())]) - p;
+    const InCircle<Pair> in(firsts(u.at, w.at), seconds(u.at, w.at), firsts(w.at, v.at), seconds(w.at, v.at),
+                            firsts(at_r, at_l), seconds(at_r, at_l), Pair{u.square, w.square},
+                            Pair{w.square, v.square});
+    return {decided(in, r, l), {Corner{at_r, in.square[0]}, Corner{at_l, in.square[1]}}};
+  }
+
+ private:
+  [[nodiscard]] InDisks decided(const InCircle<Pair>& in, const Slot& a, const Slot& b) const {
+    if (!in.is_certain()) [[unlikely]]
+      return InDisks::of(in_disk(t, a, as_point(p)), in_disk(t, b, as_point(p)));
+    return {bits(in.determinant > 0)};
+  }
+};
+
+}  // namespace pardel::engine

@@ -1,0 +1,201 @@
+#include "insertion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../core/mutants.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "../triangulation/flips.hpp"
+#include "cavity_rules.hpp"
+
+namespace pardel::engine {
+namespace {
+
+constexpr auto nothing_else = [](EdgeRef) { return false; };
+constexpr auto any = [](VertexId) { return true; };
+/// The corners that a walk around p hands on, each looked up.
+auto corners_around(const Triangulation& t, Point p) {
+  return [&t, p](VertexId v) { return corner_around(Pair{p.x, p.y}, t.points[v]); };
+}
+
+}  // namespace
+
+bool Insertion::measure_fan(Point p) {
+  const std::span<const CavityEdge> boundary = cavity_.boundary();
+  const std::size_t n = boundary.size();
+  if (measures_.size() < n) {
+    measures_.resize(2 * n);
+    breaking_.resize(2 * n + 1);  // the last one may be written twice
+  }
+  Pair closest{INFINITY, INFINITY};
+  bool visible = true;
+  std::size_t breaking = 0;
+  // Two edges at a time, from a to b and from c to d; where their number is odd, the last one twice.
+  for (std::size_t i = 0; i < n; i += 2) {
+    const std::size_t j = std::min(i + 1, n - 1);
+    const Corner a = cavity_.corner(i), b = cavity_.corner(i + 1), c = cavity_.corner(j), d = cavity_.corner(j + 1);
+    const Pair start_x = firsts(a.at, c.at), start_y = seconds(a.at, c.at);
+    const Pair end_x = firsts(b.at, d.at), end_y = seconds(b.at, d.at);
+    const Pair edge_x = end_x - start_x, edge_y = end_y - start_y;
+    const Pair start{a.square, c.square}, end{b.square, d.square}, edge = edge_x * edge_x + edge_y * edge_y;
+    const Orientation<Pair> turn(start_x, start_y, end_x, end_y);
+    Pair area = turn.determinant;
+    if (!all(turn.determinant > turn.error)) [[unlikely]] {
+      area = Pair{orientation_of(i, p), orientation_of(j, p)};
+      visible = visible && (mutated("orientation_of_the_fan_not_checked") || all(area > 0));
+    }
+    closest = least(closest, least(start, end));
+    const MeasureOf<Pair> both{{edge, end, start}, area};
+    const unsigned breaks = bits(criteria_.bad_shape(both)) | bits(criteria_.too_large(both));
+    measures_[i] = {{edge[0], end[0], start[0]}, area[0]};
+    measures_[j] = {{edge[1], end[1], start[1]}, area[1]};
+    // Without a branch: which triangles are bad is hard to foretell.
+    breaking_[breaking] = i;
+    breaking += breaks & 1;
+    breaking_[breaking] = j;
+    breaking += breaks >> 1 & static_cast<unsigned>(i < j);
+  }
+  breaking_count_ = breaking;
+  squared_closest_ = std::min(closest[0], closest[1]);
+  return visible;
+}
+
+double Insertion::orientation_of(std::size_t edge, Point p) const {
+  return orient2d(t_.points[cavity_.boundary()[edge].from], t_.points[cavity_.to(edge)], p);
+}
+
+EdgeRef Insertion::longest_encroached() const {
+  if (mutated("encroachment_skipped")) return {};
+  double longest = 0, longest_wide = 0;
+  EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
+  for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {
+    const CavityEdge& edge = cavity_.boundary()[i];
+    if (!edge.outer.constrained()) continue;
+    const Measure& m = measures_[i];
+    const double dot = m.dot_at(0), length = m.squared[0];
+    if ((m.twice_area <= 0 || criteria_.encroaches(dot, m.squared[1], m.squared[2])) && length > longest) {
+      longest = length;
+      found = edge.inner;
+    }
+    if (dot <= 0 && length > longest_wide) {
+      longest_wide = length;
+      wide = edge.inner;
+    }
+  }
+  // Where a constrained edge is not Delaunay the cavity may hold triangles that the point does not see.
+  return found.none() && !is_star_ ? wide : found;
+}
+
+Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
+  if (!box.contains(p)) return Outcome::leaves_box;
+  const Walk walk = cavity_.find(t_, first, DiskTest{t_, Pair{p.x, p.y}, box});
+  if (walk == Walk::elsewhere) return Outcome::refused;
+  if (walk == Walk::foreign) return Outcome::leaves_box;
+  is_star_ = measure_fan(p) && walk == Walk::complete;
+
+  blocker_ = cavity_.touches_constraint() ? longest_encroached() : EdgeRef();
+  if (!blocker_.none()) return Outcome::encroaches;
+  if (too_close()) return Outcome::too_close;
+  return walk == Walk::tangled ? Outcome::refused : Outcome::inserted;
+}
+
+Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
+  const Outcome outcome = try_in_face(p, first, box);
+  if (outcome != Outcome::inserted) return outcome;
+  if (!is_star_) return box.is_everything() ? face_by_flips(p) : Outcome::leaves_box;
+  commit(p, interior_vertex);
+  return outcome;
+}
+
+bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradius) const {
+  const auto is_it = [&](EdgeRef across) {
+    if (across.constrained()) return false;
+    const Slot& slot = t_.slot(across);
+    return !box.contains(t_.points[slot.v[across.side()]]) && in_disk(t_, slot, p) &&
+           Shape(t_, slot).squared_circumradius() <= squared_circumradius;
+  };
+  return std::any_of(cavity_.triangles().begin(), cavity_.triangles().end(), [&](TriangleId id) {
+    const auto& n = t_.slots[id].n;
+    return std::any_of(n.begin(), n.end(), is_it);
+  });
+}
+
+Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
+  const EdgeRef other = t_.slot(e).n[e.side()];
+  if (!box.contains(p)) return Outcome::leaves_box;
+  for (const EdgeRef side : {e, other})
+    if (!side.none())
+      for (const VertexId v : t_.slot(side).v)
+        if (!box.contains(t_.points[v])) return Outcome::leaves_box;
+  const Walk walk = cavity_.find_on_edge(t_, e, DiskTest{t_, Pair{p.x, p.y}, box});
+  if (walk == Walk::foreign) return Outcome::leaves_box;
+  // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, the fan need
+  // not be Delaunay, and the walk may come upon that triangle again from behind, around a vertex that is closer to the
+  // edge than p is. Inside all disks of the cavity, and with p seeing all of its boundary, the fan is Delaunay wherever
+  // rounding put p: lifted to the paraboloid, p lies below every triangle of the cavity.
+  const bool is_cavity =
+      walk == Walk::complete && in_disk(t_, t_.slot(e), p) && (other.none() || in_disk(t_, t_.slot(other), p));
+  is_star_ = measure_fan(p) && is_cavity;
+  return too_close() ? Outcome::too_close : Outcome::inserted;
+}
+
+Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
+  const Outcome outcome = try_on_edge(p, e, box);
+  if (outcome != Outcome::inserted) return outcome;
+  if (!is_star_) return box.is_everything() ? edge_by_flips(p, e, line) : Outcome::leaves_box;
+  commit(p, line);
+  return outcome;
+}
+
+void Insertion::commit(Point p, Index origin) {
+  const VertexId v = supply_->vertices.take();
+  t_.points[v] = p;
+  t_.origin[v] = origin;
+  changed_ = retriangulate(t_, cavity_, v, [this] { return supply_->triangles.take(); });
+  is_measured_ = true;
+}
+
+/// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.
+Outcome Insertion::face_by_flips(Point p) {
+  const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
+  for (const TriangleId id : candidates) {
+    const Slot& slot = t_.slots[id];
+    EdgeRef on;
+    bool inside = true;
+    for (unsigned side = 0; side < 3 && inside; ++side) {
+      const double o = orient2d(t_.points[slot.from(side)], t_.points[slot.to(side)], p);
+      inside = o >= 0;
+      if (o == 0) on = slot.n[side];
+    }
+    if (!inside) continue;
+    const auto across_only = [&](EdgeRef across) { return !on.none() && across.triangle() == on.triangle(); };
+    if (cavity_.find(t_, id, EachByItself(t_, across_only, corners_around(t_, p), any)) != Walk::complete ||
+        !measure_fan(p))
+      return Outcome::refused;
+    commit(p, interior_vertex);
+    finish_by_flips();
+    return Outcome::inserted;
+  }
+  return Outcome::refused;
+}
+
+Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
+  if (cavity_.find_on_edge(t_, e, EachByItself(t_, nothing_else, corners_around(t_, p), any)) != Walk::complete ||
+      !measure_fan(p))
+    return Outcome::refused;
+  commit(p, line);
+  finish_by_flips();
+  return Outcome::inserted;
+}
+
+void Insertion::finish_by_flips() {
+  has_flipped_ = true;
+  is_measured_ = false;
+  flipped_.assign(changed_.begin(), changed_.end());
+  std::vector<EdgeRef> suspects;
+  for (const TriangleId id : changed_) suspects.insert(suspects.end(), {EdgeRef(id, 0), EdgeRef(id, 1)});
+  restore_delaunay(t_, std::move(suspects), flipped_);
+  changed_ = flipped_;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,85 @@
+#include "small_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "../../core/mutants.hpp"
+#include "../arithmetic/expansion.hpp"
+#include "../arithmetic/predicates.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// Not std::hypot, which every library rounds in its own way: split points depend on it.
+double distance(Point a, Point b) {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+/// The power of two in [length/3, 2 length/3] that is nearest to the middle (Triangle's choice).
+double shell(double length) {
+  double radius = std::ldexp(1.0, std::ilogb(length));
+  while (length > 3 * radius) radius *= 2;
+  while (length < 1.5 * radius) radius *= 0.5;
+  return radius;
+}
+
+/// The foot of p on the line through a and b, rounded once: takes out the drift that repeated rounding would add up.
+/// Precondition: p is the line's but for rounding, so that the leading products all but cancel, and exactly.
+Point projected(Point p, Point a, Point b) {
+  using namespace exact;
+  const Two dx = two_difference(b.x, a.x), dy = two_difference(b.y, a.y);
+  const Two ex = two_difference(p.x, a.x), ey = two_difference(p.y, a.y);
+  const Two left = two_product(ex.head, dy.head), right = two_product(ey.head, dx.head);
+  const double rest = (ex.head * dy.tail + ex.tail * dy.head) - (ey.head * dx.tail + ey.tail * dx.head);
+  const double cross = (left.head - right.head) + ((left.tail - right.tail) + rest);
+  const double off = cross / (dx.head * dx.head + dy.head * dy.head);
+  return {p.x - off * dy.head, p.y + off * dx.head};
+}
+
+/// Equal but for the rounding of the coordinates.
+bool same_shell(Point apex, Point u, Point v) {
+  if (mutated("seditious_across_shells")) return true;
+  const double du = distance(apex, u), dv = distance(apex, v);
+  const double largest = std::max({std::abs(apex.x), std::abs(apex.y), std::abs(u.x), std::abs(u.y)});
+  return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
+}
+
+}  // namespace
+
+Point edge_split_point(const Triangulation& t, const Line& line, VertexId a, VertexId b) {
+  const bool shell_at_a = (a == line.a && line.acute_at_a) || (a == line.b && line.acute_at_b);
+  const bool shell_at_b = (b == line.a && line.acute_at_a) || (b == line.b && line.acute_at_b);
+  const Point pa = t.points[a], pb = t.points[b];
+  double fraction = 0.5;
+  if (shell_at_a != shell_at_b && !mutated("shells_off")) {
+    const double length = distance(pa, pb);
+    fraction = shell(length) / length;
+    if (shell_at_b) fraction = 1 - fraction;
+  }
+  const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
+  const Point on_line = mutated("split_points_drift") ? p : projected(p, t.points[line.a], t.points[line.b]);
+  return {snapped(on_line.x), snapped(on_line.y)};
+}
+
+std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines, const Slot& slot,
+                                      const Measure& measure) {
+  const unsigned corner = measure.shortest_side();
+  const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
+  if (slot.n[next_corner[corner]].constrained() && slot.n[previous_corner[corner]].constrained()) {
+    const Index first = lines.line_of(t, o, u), second = lines.line_of(t, o, v);
+    if (first != second && first != no_index && second != no_index)
+      return SmallAngle{ExemptReason::nestled, o, degrees(lines.cosine_at(t.points, o, first, second))};
+  }
+  const Index line_u = t.origin[u], line_v = t.origin[v];
+  if (line_u >= lines.size() || line_v >= lines.size() || line_u == line_v) return {};
+  const VertexId apex = lines.shared_end(line_u, line_v);
+  if (apex == no_index || mutated("seditious_rule_off")) return {};
+  const double cosine = lines.cosine_at(t.points, apex, line_u, line_v);
+  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
+  return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,46 @@
+#include "levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../core/mutants.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// From one lattice to the next finer one, the side of a cell shrinks by this factor.
+constexpr Index levels_apart = 4;
+
+}  // namespace
+
+Lattice finest_lattice(const Box& bounds, double estimate, const Options& options) {
+  if (options.decomposition == Decomposition::none) return {bounds, 1, 1};
+  if (options.cells[0] > 0 && options.cells[1] > 0 && !mutated("cells_asked_for_ignored"))
+    return {bounds, options.cells[0], options.cells[1]};
+  const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
+  const double tiles = std::max(1.0, estimate / options.triangles_per_tile);
+  const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
+  constexpr double most_along = 4096;
+  return Lattice::over(bounds, static_cast<Index>(std::clamp(std::sqrt(tiles * longer / shorter), 1.0, most_along)));
+}
+
+Lattice with_sides_of(const Box& bounds, const Lattice& wanted, double side) {
+  const auto at_most = [&](Index count, double extent) {
+    const double fitting = mutated("cells_narrower_than_asked") ? std::ceil(extent / side) : std::floor(extent / side);
+    return fitting < count ? std::max(Index{1}, static_cast<Index>(fitting)) : count;
+  };
+  return {bounds, at_most(wanted.columns(), bounds.max_x - bounds.min_x),
+          at_most(wanted.rows(), bounds.max_y - bounds.min_y)};
+}
+
+std::vector<Lattice> levels_down_to(const Box& bounds, const Lattice& finest) {
+  std::vector<Lattice> levels{finest};
+  while (levels.back().cells() > (mutated("coarsest_level_missing") ? levels_apart : 1)) {
+    const auto coarser = [](Index count) { return (count + levels_apart - 1) / levels_apart; };
+    levels.emplace_back(bounds, coarser(levels.back().columns()), coarser(levels.back().rows()));
+  }
+  std::reverse(levels.begin(), levels.end());
+  return levels;
+}
+
+}  // namespace pardel::engine

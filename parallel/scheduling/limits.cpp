@@ -1,0 +1,48 @@
+#include "limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "../../core/shortest.hpp"
+#include "../triangulation/triangulation.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// What the mesh takes for one triangle and its half of a vertex, markers included; more is needed, but not less.
+constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index) + sizeof(int));
+/// What the process takes at its peak for a vertex and its two triangles, as measured in large meshes.
+constexpr double peak_bytes_per_vertex = 2 * 40;
+
+double allowed_memory(const Options& options) { return static_cast<double>(options.max_memory); }
+
+std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30 * 100) / 100) + " GiB"; }
+
+}  // namespace
+
+Status check_size(double needed, const Options& options) {
+  double estimate = needed;
+  if (options.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options.max_vertices));
+  if (estimate > max_triangles) return too_many_triangles();
+  const double bytes = estimate * bytes_per_triangle;
+  if (options.max_memory == 0 || bytes <= allowed_memory(options)) return Done{};
+  return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(estimate / 1e4) / 100) +
+                                         " million triangles, which take at least " + gibibytes(bytes) +
+                                         " of memory, and there are " + gibibytes(allowed_memory(options))};
+}
+
+bool outgrows_memory(std::uint64_t vertices, const Options& options) {
+  return options.max_memory > 0 && peak_bytes_per_vertex * static_cast<double>(vertices) > allowed_memory(options);
+}
+
+Error too_many_triangles() {
+  return {ErrorKind::resources, "the mesh needs more triangles than can be numbered (2^29 - 1)"};
+}
+
+Error too_much_memory(const Options& options) {
+  return {ErrorKind::resources,
+          "the mesh has outgrown the memory that there is, " + gibibytes(allowed_memory(options))};
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,86 @@
+#include <cassert>
+
+#include "../../core/mutants.hpp"
+#include "../concurrency/in_order.hpp"
+#include "insert_constraints.hpp"
+#include "locate.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// Marks what can be reached from the triangles on the stack without crossing a constrained edge.
+void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>& label, Index value) {
+  while (!stack.empty()) {
+    const TriangleId id = stack.back();
+    stack.pop_back();
+    if (label[id] == value) continue;
+    label[id] = value;
+    if (value < t.slots.size() && mutated("region_does_not_spread")) continue;
+    for (const EdgeRef out : t.slots[id].n)
+      if (!out.constrained() && label[out.triangle()] != value) stack.push_back(out.triangle());
+  }
+}
+
+std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const TriangleId> ghosts) {
+  std::vector<Constraint> fresh;
+  for (const TriangleId id : ghosts) {
+    const Slot slot = t.slots[id];
+    const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
+    if (slot.n[corner].constrained() || (fresh.size() == 1 && mutated("hull_edge_not_constrained"))) continue;
+    t.constrain(EdgeRef(id, corner));
+    fresh.push_back({slot.to(corner), slot.from(corner)});
+  }
+  return fresh;
+}
+
+/// Takes the triangles so labelled out, by moving the last ones that stay into their places: those that stay
+/// keep their order, which follows a space-filling curve, but for as many as go.
+void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, int threads) {
+  const Array<TriangleId> holes =
+      indices_where(threads, t.slots.size(), [&](std::size_t id) { return label[id] == removed; });
+  for (const TriangleId id : holes)
+    for (const EdgeRef out : t.slots[id].n)
+      if (label[out.triangle()] != removed) t.slots[out.triangle()].n[out.side()] = EdgeRef();
+  const std::size_t kept = t.slots.size() - holes.size();
+  auto last = static_cast<TriangleId>(t.slots.size());
+  for (const TriangleId hole : holes) {
+    if (hole >= kept) break;
+    do --last;
+    while (label[last] == removed);
+    t.move_triangle(last, hole);
+    label[hole] = label[last];
+  }
+  t.slots.resize(kept);
+  label.resize(kept);
+}
+
+}  // namespace
+
+std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads) {
+  const std::size_t n = t.slots.size();
+  const Array<TriangleId> ghosts = indices_where(threads, n, [&](std::size_t id) { return t.slots[id].is_ghost(); });
+  std::vector<Constraint> hull;
+  if (rules.convex_hull) hull = constrain_hull(t, ghosts.span());
+
+  constexpr Index unlabelled = no_index, removed = no_index - 1;
+  Array<Index> label = make_array(threads, n, [](std::size_t) { return unlabelled; });
+  assert(ghosts.size() < n);
+  auto inside = static_cast<TriangleId>(n - 1);
+  while (t.slots[inside].is_ghost()) --inside;
+  std::vector<TriangleId> stack(ghosts.begin(), ghosts.end());
+  for (const Point hole : rules.holes)
+    if (!mutated("hole_not_carved")) stack.push_back(locate(t, hole, inside));
+  flood(t, stack, label, removed);
+  for (std::size_t r = 0; r < rules.region_seeds.size(); ++r) {
+    const TriangleId seed = locate(t, rules.region_seeds[r], inside);
+    if (label[seed] == removed) continue;
+    stack.push_back(seed);
+    flood(t, stack, label, static_cast<Index>(r));
+  }
+
+  remove_labelled(t, label, removed, threads);
+  if (!rules.region_seeds.empty()) t.region = std::move(label);
+  return hull;
+}
+
+}  // namespace pardel::engine

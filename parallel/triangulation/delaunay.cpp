@@ -1,0 +1,242 @@
+#include "delaunay.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "../../core/mutants.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "../concurrency/bounding_box.hpp"
+#include "../concurrency/hilbert_order.hpp"
+#include "../concurrency/in_order.hpp"
+#include "bowyer_watson.hpp"
+
+namespace pardel::engine {
+namespace {
+
+std::uint64_t mixed(std::uint64_t h) {
+  h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
+  h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
+  return h ^ h >> 32U;
+}
+
+/// The vertices in the order of their insertion; round r goes from start[r] to start[r + 1].
+struct Rounds {
+  static constexpr std::size_t count = 8;
+  Array<VertexId> order;
+  std::array<std::size_t, count + 1> start{};
+};
+
+/// Round r of the insertion holds about 16^-r of the points; the last rounds go first. Chance is a hash of a point's
+/// place on the curve: neither the order of the input nor its scale has a say.
+Rounds biased_random_order(std::size_t n, int threads) {
+  // How many of each round a block has, then where its next one goes.
+  std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
+  const auto for_each_point = [&](const auto& visit) {
+    parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto level = static_cast<std::size_t>(std::countr_zero(mixed(i + 1)) / 4);
+        visit(i, next[block][Rounds::count - 1 - std::min(Rounds::count - 1, level)]);
+      }
+    });
+  };
+  for_each_point([](std::size_t, std::size_t& number) { ++number; });
+  Rounds rounds;
+  std::size_t place = 0;
+  for (std::size_t r = 0; r < Rounds::count; ++r) {
+    rounds.start[r] = place;
+    for (auto& of_block : next) place += std::exchange(of_block[r], place);
+  }
+  rounds.start[Rounds::count] = n;
+  rounds.order.resize_uninitialised(n);
+  for_each_point([&](std::size_t i, std::size_t& to) { rounds.order[to++] = static_cast<VertexId>(i); });
+  return rounds;
+}
+
+/// One triangle and its three ghosts.
+void start_with(Triangulation& t, VertexId a, VertexId b, VertexId c) {
+  if (orient2d(t.points[a], t.points[b], t.points[c]) < 0) std::swap(b, c);
+  const std::array<VertexId, 3> v{a, b, c};
+  t.slots[0] = {v, {EdgeRef(1, 2), EdgeRef(2, 2), EdgeRef(3, 2)}};
+  for (unsigned i = 0; i < 3; ++i) {
+    // The ghost beyond side i: (to, from, ghost). Its next ghost around the hull shares `from`.
+    const VertexId from = v[next_corner[i]], to = v[previous_corner[i]];
+    const TriangleId before = 1 + previous_corner[i], after = 1 + next_corner[i];
+    t.slots[1 + i] = {{to, from, ghost}, {EdgeRef(before, 1), EdgeRef(after, 0), EdgeRef(0, i)}};
+  }
+}
+
+Error coordinates_error(const char* what, Point p) {
+  return {ErrorKind::invalid_input, std::string(what) + " (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"};
+}
+
+/// n points, the ghost vertex and the edges between them, on a sphere: the number of triangles. So the point that is
+/// k-th in order makes two more than there were, and they are numbered from here.
+constexpr TriangleId triangles_of(std::size_t n) { return static_cast<TriangleId>(2 * (n + 1) - 4); }
+
+/// Inserts rounds of points. A place is an index into the order of insertion.
+class Rounder {
+ public:
+  Rounder(Triangulation& t, const Array<VertexId>& order, int threads, std::size_t per_tile)
+      : t_(t),
+        order_(order),
+        bounds_(bounds_of(threads, t.points.size(), [&](std::size_t v) { return t.points[v]; })),
+        threads_(std::max(1, threads)),
+        per_tile_(per_tile) {
+    for (int i = 0; i < threads_; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
+  }
+
+  /// All places before `first` are in.
+  Status insert(std::size_t first, std::size_t last) {
+    const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::sqrt(tiles_for(last - first))));
+    Tile everything{};
+    if (lattice.cells() > 1) {
+      if (Status inserted = insert_on_tiles(lattice, first, last, everything.places); !inserted) return inserted;
+    } else {
+      everything.places.resize(last - first);
+      std::iota(everything.places.begin(), everything.places.end(), static_cast<Index>(first));
+    }
+    everything.near = some_triangle();
+    run(everything, Box{}, *workers_.front());
+    return everything.error ? Status(*everything.error) : Done{};
+  }
+
+ private:
+  struct Tile {
+    std::vector<Index> places;  ///< to be inserted; afterwards, what did not fit
+    TriangleId near = no_index;
+    double near_centre = INFINITY;  ///< squared distance of a corner of `near` from the centre of the cell
+    std::optional<Error> error{};
+  };
+
+  /// Few points still make several tiles of each colour, as long as not too many of them lie near borders.
+  [[nodiscard]] double tiles_for(std::size_t points) const {
+    constexpr double enough = 36, fraction_of_tile = 0.125;
+    const double full = static_cast<double>(points) / static_cast<double>(per_tile_);
+    return std::max({1.0, full, std::min(enough, full / fraction_of_tile)});
+  }
+
+  /// Appends to `outside` the places that leave the boxes of their tiles, in order.
+  Status insert_on_tiles(const Lattice& lattice, std::size_t first, std::size_t last, std::vector<Index>& outside) {
+    std::vector<Tile> tiles(lattice.cells());
+    file_by_cell(
+        threads_, last - first, tiles.size(),
+        [&](std::size_t i) { return lattice.cell_of(t_.points[order_[first + i]]); },
+        [&](Index cell, std::size_t i) { tiles[cell].places.push_back(static_cast<Index>(first + i)); });
+    find_starts(lattice, tiles, triangles_of(first));
+    for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
+      // Whether a tile's start is still in its box is asked here: a task of another cell may be at work on it later.
+      std::vector<Index> cells;
+      for (Index cell = 0; cell < lattice.cells(); ++cell)
+        if (lattice.colour_of(cell) == colour && starts_inside(tiles[cell], lattice.box_of(cell)))
+          cells.push_back(cell);
+      std::stable_sort(cells.begin(), cells.end(),
+                       [&](Index a, Index b) { return tiles[a].places.size() > tiles[b].places.size(); });
+      parallel_for(threads_, cells.size(), [&](std::size_t i, int thread) {
+        run(tiles[cells[i]], lattice.box_of(cells[i]), *workers_[static_cast<std::size_t>(thread)]);
+      });
+    }
+    for (const Tile& tile : tiles) {
+      if (tile.error) return *tile.error;
+      outside.insert(outside.end(), tile.places.begin(), tile.places.end());
+    }
+    std::sort(outside.begin(), outside.end());
+    return Done{};
+  }
+
+  /// For each tile a triangle in its box, near the centre of its cell: the tasks of other cells will leave one near
+  /// there with that number.
+  void find_starts(const Lattice& lattice, std::vector<Tile>& tiles, TriangleId triangles) const {
+    const auto cell_of = [&](std::size_t id) {
+      const Slot& slot = t_.slots[id];
+      return slot.is_ghost() ? no_index : lattice.cell_of(t_.points[slot.v[0]]);
+    };
+    file_by_cell(threads_, triangles, tiles.size(), cell_of, [&](Index cell, std::size_t id) {
+      const Slot& slot = t_.slots[id];
+      const Point p = t_.points[slot.v[0]], centre = lattice.centre_of(cell);
+      const double distance = (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
+      if (distance >= tiles[cell].near_centre) return;
+      if (!lies_inside(slot, lattice.box_of(cell))) return;
+      tiles[cell].near = static_cast<TriangleId>(id);
+      tiles[cell].near_centre = distance;
+    });
+  }
+
+  [[nodiscard]] bool starts_inside(const Tile& tile, const Box& box) const {
+    return tile.near != no_index && lies_inside(t_.slots[tile.near], box);
+  }
+  [[nodiscard]] bool lies_inside(const Slot& slot, const Box& box) const {
+    return std::ranges::all_of(slot.v, [&](VertexId v) { return v != ghost && box.contains(t_.points[v]); });
+  }
+
+  void run(Tile& tile, const Box& box, BowyerWatson& worker) const {
+    worker.start(box, tile.near);
+    std::erase_if(tile.places, [&](Index place) {
+      if (tile.error) return false;
+      const VertexId v = order_[place];
+      const Inserted inserted = worker.insert(v, triangles_of(place));
+      if (inserted == Inserted::duplicate)
+        tile.error = coordinates_error("two points share the coordinates", t_.points[v]);
+      if (inserted == Inserted::inconsistent)
+        tile.error = coordinates_error("the triangulation is inconsistent at", t_.points[v]);
+      return inserted == Inserted::yes;
+    });
+  }
+
+  [[nodiscard]] TriangleId some_triangle() const {
+    TriangleId id = 0;
+    while (t_.slots[id].is_ghost()) ++id;
+    return id;
+  }
+
+  Triangulation& t_;
+  const Array<VertexId>& order_;
+  Box bounds_;
+  int threads_;
+  std::size_t per_tile_;
+  std::vector<std::unique_ptr<BowyerWatson>> workers_;
+};
+
+}  // namespace
+
+Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_t per_tile) {
+  if (points.size() < 3) return Error{ErrorKind::invalid_input, "fewer than three points span no triangle"};
+  if (points.size() > max_triangles / 2 - 2)
+    return Error{ErrorKind::resources, "more points than the triangulation can number"};
+
+  Delaunay result;
+  result.input_of_vertex = hilbert_order(points, threads);
+  Triangulation& t = result.triangulation;
+  t.points = make_array(threads, points.size(), [&](std::size_t v) { return points[result.input_of_vertex[v]]; });
+  Rounds rounds = biased_random_order(t.points.size(), threads);
+  Array<VertexId>& order = rounds.order;
+
+  const Point a = t.points[order[0]], b = t.points[order[1]];
+  if (a == b) return coordinates_error("two points share the coordinates", a);
+  std::size_t third = 2;
+  while (third < order.size() && orient2d(a, b, t.points[order[third]]) == 0) ++third;
+  if (third == order.size()) return Error{ErrorKind::invalid_input, "all points are collinear"};
+  std::rotate(order.begin() + 2, order.begin() + third, order.begin() + third + 1);
+
+  if (order.size() > 3 && mutated("a_point_is_lost")) {
+    order.pop_back();
+    --rounds.start.back();
+  }
+  t.slots.resize_uninitialised(triangles_of(order.size()));
+  start_with(t, order[0], order[1], order[2]);
+  Rounder rounder(t, order, threads, per_tile);
+  std::size_t first = 3;
+  for (const std::size_t last : rounds.start) {
+    if (last <= first) continue;
+    if (Status inserted = rounder.insert(first, last); !inserted) return inserted.error();
+    first = last;
+  }
+  return result;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,184 @@
+#include "insert_constraints.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <string>
+
+#include "../../core/mutants.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "flips.hpp"
+
+namespace pardel::engine {
+namespace {
+
+std::string text(Point p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
+
+class ConstraintInserter {
+ public:
+  explicit ConstraintInserter(Triangulation& t) : t_(t), triangle_of_(t.points.size(), no_index) {
+    for (TriangleId id = 0; id < t.slots.size(); ++id) remember(id);
+  }
+
+  Status insert(Constraint c) {
+    Result<EdgeRef> first = first_crossing(c);
+    if (!first) return first.error();
+    if (first->none()) return Done{};  // the edge was there
+    crossing_.clear();
+    if (Status walked = collect_crossings(c, *first); !walked) return walked;
+    remove_crossings(c);
+    t_.constrain(edge(c.a, c.b));
+    suspects_.clear();
+    for (const auto& [u, v] : fresh_)
+      if (const EdgeRef e = edge(u, v); !e.none()) suspects_.push_back(e);
+    changed_.clear();
+    restore_delaunay(t_, suspects_, changed_);
+    for (const TriangleId id : changed_) remember(id);
+    return Done{};
+  }
+
+ private:
+  using VertexPair = std::pair<VertexId, VertexId>;
+
+  void remember(TriangleId id) {
+    for (const VertexId v : t_.slots[id].v)
+      if (v != ghost) triangle_of_[v] = id;
+  }
+
+  unsigned corner_of(TriangleId id, VertexId v) const {
+    const Slot& slot = t_.slots[id];
+    return slot.v[0] == v ? 0 : slot.v[1] == v ? 1 : 2;
+  }
+
+  /// Calls visit(triangle, corner) for the triangles around v, counter-clockwise, until it returns true.
+  template <class Visit>
+  void around(VertexId v, const Visit& visit) const {
+    const TriangleId start = triangle_of_[v];
+    TriangleId id = start;
+    do {
+      const unsigned corner = corner_of(id, v);
+      if (visit(id, corner)) return;
+      id = t_.slots[id].n[next_corner[corner]].triangle();
+    } while (id != start);
+  }
+
+  /// The edge u-v, its triangle having u as `to`, or none().
+  EdgeRef edge(VertexId u, VertexId v) const {
+    EdgeRef found;
+    around(u, [&](TriangleId id, unsigned corner) {
+      if (t_.slots[id].from(corner) != v) return false;
+      found = EdgeRef(id, previous_corner[corner]);
+      return true;
+    });
+    return found;
+  }
+
+  /// The side, opposite c.a, through which the constraint leaves c.a; none() when it is an edge already
+  /// (which is then marked).
+  Result<EdgeRef> first_crossing(Constraint c) {
+    EdgeRef out;
+    VertexId passed = no_index;
+    bool present = false;
+    const Point a = t_.points[c.a], b = t_.points[c.b];
+    around(c.a, [&](TriangleId id, unsigned corner) {
+      const Slot& slot = t_.slots[id];
+      const VertexId x = slot.from(corner), y = slot.to(corner);
+      if (x == c.b) {
+        t_.constrain(EdgeRef(id, previous_corner[corner]));
+        return present = true;
+      }
+      if (x == ghost) return false;
+      const double right = orient2d(a, t_.points[x], b);
+      const bool ahead = (t_.points[x].x - a.x) * (b.x - a.x) + (t_.points[x].y - a.y) * (b.y - a.y) > 0;
+      if (right == 0 && ahead) {
+        passed = x;
+        return true;
+      }
+      if (y != ghost && right > 0 && orient2d(a, t_.points[y], b) < 0) {
+        out = EdgeRef(id, corner);
+        return true;
+      }
+      return false;
+    });
+    if (passed != no_index) return through_vertex(c, passed);
+    if (out.none() && !present)
+      return Error{ErrorKind::invalid_input, "no triangle lies towards the end of the segment from " + text(a)};
+    return out;
+  }
+
+  Error through_vertex(Constraint c, VertexId v) const {
+    return {ErrorKind::invalid_input, "the segment from " + text(t_.points[c.a]) + " to " + text(t_.points[c.b]) +
+                                          " runs through the point " + text(t_.points[v])};
+  }
+
+  Status collect_crossings(Constraint c, EdgeRef e) {
+    const Point a = t_.points[c.a], b = t_.points[c.b];
+    for (;;) {
+      const Slot& slot = t_.slot(e);
+      const EdgeRef across = slot.n[e.side()];
+      if (across.constrained())
+        return Error{ErrorKind::invalid_input, "the segment from " + text(a) + " to " + text(b) +
+                                                   " crosses the one from " + text(t_.points[slot.from(e.side())]) +
+                                                   " to " + text(t_.points[slot.to(e.side())])};
+      crossing_.push_back({slot.from(e.side()), slot.to(e.side())});
+      const VertexId q = t_.slot(across).apex(across.side());
+      if (q == c.b) return Done{};
+      const double side = orient2d(a, b, t_.points[q]);
+      if (side == 0) return through_vertex(c, q);
+      // Seen from the far triangle, `from` lies to the left of the constraint and `to` to its right.
+      e = EdgeRef(across.triangle(), side > 0 ? next_corner[across.side()] : previous_corner[across.side()]);
+    }
+  }
+
+  /// Flips every crossing edge away. An edge in a quadrilateral that is not strictly convex waits its turn.
+  void remove_crossings(Constraint c) {
+    fresh_.clear();
+    const Point a = t_.points[c.a], b = t_.points[c.b];
+    while (!crossing_.empty()) {
+      const auto [u, v] = crossing_.front();
+      crossing_.pop_front();
+      const EdgeRef e = edge(u, v);
+      const EdgeRef across = t_.slot(e).n[e.side()];
+      const VertexId p = t_.slot(e).apex(e.side()), q = t_.slot(across).apex(across.side());
+      const Point pp = t_.points[p], qq = t_.points[q], uu = t_.points[u], vv = t_.points[v];
+      const double side_u = orient2d(pp, qq, uu), side_v = orient2d(pp, qq, vv);
+      if (!((side_u > 0 && side_v < 0) || (side_u < 0 && side_v > 0))) {
+        crossing_.push_back({u, v});
+        continue;
+      }
+      flip(t_, e);
+      remember(e.triangle());
+      remember(across.triangle());
+      const bool ends_here = p == c.a || p == c.b || q == c.a || q == c.b;
+      const double side_p = orient2d(a, b, pp), side_q = orient2d(a, b, qq);
+      if (!ends_here && ((side_p > 0 && side_q < 0) || (side_p < 0 && side_q > 0)))
+        crossing_.push_back({p, q});
+      else
+        fresh_.push_back({p, q});
+    }
+  }
+
+  Triangulation& t_;
+  std::vector<TriangleId> triangle_of_;
+  std::deque<VertexPair> crossing_;
+  std::vector<VertexPair> fresh_;
+  std::vector<EdgeRef> suspects_;
+  std::vector<TriangleId> changed_;
+};
+
+}  // namespace
+
+Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints) {
+  if (constraints.empty()) return Done{};
+  // In the order of their vertices, which follows from coordinates: that of the input has no say.
+  std::vector<std::pair<VertexId, VertexId>> ordered;
+  ordered.reserve(constraints.size());
+  for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));
+  std::sort(ordered.begin(), ordered.end());
+  if (mutated("last_segment_forgotten")) ordered.pop_back();
+  ConstraintInserter inserter(t);
+  for (const auto& [a, b] : ordered)
+    if (Status inserted = inserter.insert({a, b}); !inserted) return inserted;
+  return Done{};
+}
+
+}  // namespace pardel::engine

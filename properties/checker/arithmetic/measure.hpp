@@ -1,0 +1,25 @@
+// Lengths and angles in ordinary arithmetic: for reports, never for verdicts.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "../../../core/pslg.hpp"
+
+namespace pardel::checker {
+
+[[nodiscard]] inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// Twice the signed area of a, b, c.
+[[nodiscard]] inline double doubled_area(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The angle at `corner` between the rays to a and b, 0 to 180 degrees.
+[[nodiscard]] inline double angle_deg(Point corner, Point a, Point b) {
+  const double cross = std::abs(doubled_area(corner, a, b));
+  const double dot = (a.x - corner.x) * (b.x - corner.x) + (a.y - corner.y) * (b.y - corner.y);
+  return std::atan2(cross, dot) * 180 / std::numbers::pi;
+}
+
+}  // namespace pardel::checker

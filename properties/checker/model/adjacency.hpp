@@ -1,0 +1,118 @@
+// Adjacency: the triangles of a mesh with neighbours that can be relied on, its boundary edges, and the
+// triangles around each vertex.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "../../../core/mesh.hpp"
+
+namespace pardel::checker {
+
+/// Corners i + 1 and i + 2 of a triangle are the ends of its edge i.
+constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
+constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
+
+/// Which corner of the triangle this vertex is; the vertex must be one.
+inline int corner_at(const Triangle& triangle, Index vertex) {
+  return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
+}
+
+/// Edge `edge` of a triangle, which lies on the left of the edge from v[next(edge)] to v[previous(edge)].
+struct TriangleEdge {
+  Index triangle = no_index;
+  int edge = 0;
+  [[nodiscard]] bool exists() const { return triangle != no_index; }
+};
+
+struct BoundaryEdge {
+  Index from, to;
+  TriangleEdge left;
+};
+
+/// An edge with more than one triangle on a side: the triangles on both.
+struct NonManifoldEdge {
+  Index a, b;
+  std::vector<Index> triangles;
+};
+
+/// Sets every neighbour from the corners alone. Where an edge has more than one triangle on a side, one pair
+/// are neighbours, the others get none, and the edge is appended to `non_manifold`. O(n log n).
+void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold);
+
+class Adjacency {
+ public:
+  /// Corners must be distinct and in range, neighbours reciprocal. Linear time, and n log n in the boundary.
+  /// The mesh must outlive this. `rebuilt`: its triangles with neighbours set right, or empty.
+  Adjacency(Array<Triangle> rebuilt, const Mesh& mesh);
+  Adjacency(Adjacency&&) = default;
+
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  /// The edges without a neighbour, sorted by (from, to).
+  [[nodiscard]] std::span<const BoundaryEdge> boundary() const { return boundary_; }
+  [[nodiscard]] bool on_boundary(Index vertex) const { return on_boundary_[vertex] != 0; }
+  /// How many triangles have this vertex.
+  [[nodiscard]] Index corners(Index vertex) const { return corners_[vertex]; }
+  [[nodiscard]] std::span<const Index> corners() const { return corners_.span(); }  ///< the same for all vertices
+
+  /// visit(triangle, corner) for the triangles around a vertex, fan by fan, counter-clockwise; returns the
+  /// number of fans. Finds every open fan, and the closed one where there is no open one; where a vertex has
+  /// more than that it is irregular, see below.
+  template <class Visit>
+  int visit_fans(Index vertex, const Visit& visit) const {
+    if (start_[vertex] == no_index) return 0;
+    if (!irregular_.empty() && visit_irregular(vertex, visit)) return 1;
+    if (!on_boundary(vertex)) {
+      visit_fan(vertex, start_[vertex], visit);
+      return 1;
+    }
+    int fans = 0;
+    auto edge = std::lower_bound(boundary_.begin(), boundary_.end(), vertex,
+                                 [](const BoundaryEdge& e, Index v) { return e.from < v; });
+    for (; edge != boundary_.end() && edge->from == vertex; ++edge, ++fans)
+      visit_fan(vertex, edge->left.triangle, visit);
+    return fans;
+  }
+
+  /// Lists the triangles of the vertices whose triangles visit_fans() does not all find; from then on it
+  /// finds them all, in no order around the vertex. Linear time.
+  void index_irregular_vertices();
+
+  /// The triangle on the left of the edge from a to b, if any. Time: the degree of a.
+  [[nodiscard]] TriangleEdge left_of(Index a, Index b) const;
+
+ private:
+  template <class Visit>
+  void visit_fan(Index vertex, Index first, const Visit& visit) const {
+    Index t = first;
+    for (Index steps = 0; steps < corners_[vertex]; ++steps) {
+      const Triangle& triangle = triangles_[t];
+      const int corner = corner_at(triangle, vertex);
+      visit(t, corner);
+      t = triangle.n[next(corner)];
+      if (t == no_index || t == first) return;
+    }
+  }
+
+  template <class Visit>
+  bool visit_irregular(Index vertex, const Visit& visit) const {
+    auto entry = std::lower_bound(irregular_.begin(), irregular_.end(), std::pair(vertex, Index{0}));
+    if (entry == irregular_.end() || entry->first != vertex) return false;
+    for (; entry != irregular_.end() && entry->first == vertex; ++entry)
+      visit(entry->second, corner_at(triangles_[entry->second], vertex));
+    return true;
+  }
+
+  Array<Triangle> rebuilt_;
+  std::span<const Triangle> triangles_;
+  std::vector<BoundaryEdge> boundary_;
+  Array<Index> start_;  ///< per vertex, one of its triangles
+  Array<Index> corners_;
+  Array<char> on_boundary_;
+  std::vector<std::pair<Index, Index>> irregular_;  ///< (vertex, triangle), sorted
+};
+
+}  // namespace pardel::checker

@@ -1,0 +1,35 @@
+#include "box_tree.hpp"
+
+#include <numeric>
+
+namespace pardel::checker {
+
+BoxTree::BoxTree(std::vector<BoundingBox> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+  std::iota(order_.begin(), order_.end(), Index{0});
+  if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));
+}
+
+std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
+  const auto at = static_cast<std::uint32_t>(nodes_.size());
+  BoundingBox box;
+  for (std::uint32_t i = first; i < last; ++i) box.include(boxes_[order_[i]]);
+  nodes_.push_back({box, first, last, 0, 0});
+  if (last - first <= leaf_size) return at;
+
+  // Halve by the median centre along the longer side.
+  const bool wide = box.max_x - box.min_x >= box.max_y - box.min_y;
+  const auto centre = [&](Index item) {
+    const BoundingBox& b = boxes_[item];
+    return wide ? b.min_x / 2 + b.max_x / 2 : b.min_y / 2 + b.max_y / 2;
+  };
+  const std::uint32_t middle = first + (last - first) / 2;
+  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+                   [&](Index a, Index b) { return centre(a) < centre(b); });
+  const std::uint32_t left = build(first, middle);
+  const std::uint32_t right = build(middle, last);
+  nodes_[at].left = left;
+  nodes_[at].right = right;
+  return at;
+}
+
+}  // namespace pardel::checker

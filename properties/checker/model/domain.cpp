@@ -1,0 +1,99 @@
+#include "domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "../../../core/mutants.hpp"
+#include "../arithmetic/exact.hpp"
+#include "../check.hpp"
+
+namespace pardel::checker {
+namespace {
+
+/// The corners of the convex hull and all points on its edges, counter-clockwise (Andrew's monotone chain).
+/// Empty when all points are collinear.
+std::vector<Index> hull(std::span<const Point> points) {
+  std::vector<Index> sorted(points.size());
+  std::iota(sorted.begin(), sorted.end(), Index{0});
+  const auto less = [&](Index a, Index b) {
+    return points[a].x < points[b].x || (points[a].x == points[b].x && points[a].y < points[b].y);
+  };
+  std::sort(sorted.begin(), sorted.end(), less);
+  const auto is_turn = [&](Index a, Index b, Index c) { return exactly::orientation(points[a], points[b], points[c]); };
+  const auto half = [&](auto first, auto last) {
+    std::vector<Index> chain;
+    for (; first != last; ++first) {
+      if (!chain.empty() && points[chain.back()] == points[*first]) continue;
+      while (chain.size() >= 2 && is_turn(chain[chain.size() - 2], chain.back(), *first) < 0) chain.pop_back();
+      chain.push_back(*first);
+    }
+    return chain;
+  };
+  std::vector<Index> lower = half(sorted.begin(), sorted.end());
+  std::vector<Index> upper = half(sorted.rbegin(), sorted.rend());
+  const bool flat =
+      std::all_of(sorted.begin(), sorted.end(), [&](Index p) { return is_turn(lower.front(), lower.back(), p) == 0; });
+  if (flat) return {};
+  lower.pop_back();
+  upper.pop_back();
+  lower.insert(lower.end(), upper.begin(), upper.end());
+  return lower;
+}
+
+std::pair<Index, Index> ends(Index a, Index b) { return std::minmax(a, b); }
+
+std::vector<Segment> with_hull(const Pslg& pslg, bool convex_hull) {
+  std::vector<Segment> segments = pslg.segments;
+  if (!convex_hull && !segments.empty()) return segments;
+  std::vector<std::pair<Index, Index>> present;
+  for (const Segment& s : segments) present.push_back(ends(s.a, s.b));
+  std::sort(present.begin(), present.end());
+  const std::vector<Index> outline = hull(pslg.points);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Index a = outline[i];
+    const Index b = outline[(i + 1) % outline.size()];
+    if (!std::binary_search(present.begin(), present.end(), ends(a, b))) segments.push_back({a, b, 0});
+  }
+  return segments;
+}
+
+}  // namespace
+
+Domain::Domain(const Pslg& pslg, bool convex_hull)
+    : pslg_(pslg), segments_(with_hull(pslg, convex_hull)), faces_(pslg.points, segments_) {
+  inside_.assign(faces_.count(), 1);
+  inside_[PlanarFaces::exterior()] = 0;
+  for (const Point& hole : pslg.holes) {
+    const Index face = faces_.face_at(hole);
+    if (face != no_index) inside_[face] = 0;
+  }
+  for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
+    const Index face = faces_.face_at(pslg.regions[r].seed);
+    if (inside(face)) region_of_.emplace_back(face, static_cast<Index>(r));
+  }
+  std::sort(region_of_.begin(), region_of_.end());
+
+  double largest = 0;
+  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  ulp_ = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  tolerance_ = (mutated("chains_may_bend") ? 0x1p40 : 1) * chain_ulps * ulp_;
+}
+
+bool Domain::has_point(Index point) const {
+  const auto around = faces_.incident(point);
+  if (around.empty()) return inside(faces_.face_at(pslg_.points[point]));
+  return std::any_of(around.begin(), around.end(), [&](Index s) { return has(s); });
+}
+
+std::span<const std::pair<Index, Index>> Domain::regions_in(Index face) const {
+  const auto by_face = [](const std::pair<Index, Index>& a, const std::pair<Index, Index>& b) {
+    return a.first < b.first;
+  };
+  const auto [first, last] =
+      std::equal_range(region_of_.begin(), region_of_.end(), std::pair<Index, Index>{face, 0}, by_face);
+  return {first, last};
+}
+
+}  // namespace pardel::checker

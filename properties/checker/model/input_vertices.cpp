@@ -1,0 +1,37 @@
+#include "input_vertices.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pardel::checker {
+
+InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) {
+  InputVertices result;
+  result.vertex_.resize(inputs, no_index);
+  for (std::size_t i = 0; i < std::min(inputs, vertices); ++i) result.vertex_[i] = static_cast<Index>(i);
+  return result;
+}
+
+InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
+                                            std::span<const Index> corners_of_vertex) {
+  InputVertices result;
+  result.vertex_.resize(inputs.size(), no_index);
+  result.input_.resize(std::max<std::size_t>(vertices.size(), 1), no_index);
+  const auto less = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+  std::vector<Index> sorted(inputs.size());
+  std::iota(sorted.begin(), sorted.end(), Index{0});
+  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return less(inputs[a], inputs[b]); });
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const auto at = std::lower_bound(sorted.begin(), sorted.end(), vertices[v],
+                                     [&](Index i, Point p) { return less(inputs[i], p); });
+    if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;
+    Index& match = result.vertex_[*at];
+    if (match != no_index && (corners_of_vertex[match] > 0 || corners_of_vertex[v] == 0)) continue;
+    match = static_cast<Index>(v);
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (result.vertex_[i] != no_index) result.input_[result.vertex_[i]] = static_cast<Index>(i);
+  return result;
+}
+
+}  // namespace pardel::checker

@@ -1,0 +1,144 @@
+#include "planar_faces.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "../../../core/mutants.hpp"
+#include "../arithmetic/exact.hpp"
+
+namespace pardel::checker {
+namespace {
+
+/// Half-edges: 2 s runs from a to b, 2 s + 1 back; the face of each lies on its left.
+using HalfEdge = std::size_t;
+
+/// Directions from 0 (included) to 180 degrees (excluded) come first.
+bool in_lower_half(Point centre, Point p) { return p.y < centre.y || (p.y == centre.y && p.x < centre.x); }
+
+bool counter_clockwise_before(Point centre, Point a, Point b) {
+  const bool a_low = in_lower_half(centre, a);
+  const bool b_low = in_lower_half(centre, b);
+  if (a_low != b_low) return b_low;
+  return exactly::orientation(centre, a, b) > 0;
+}
+
+bool lexicographically_less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+Index root(std::vector<Index>& parent, Index i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+PlanarFaces::PlanarFaces(std::span<const Point> points, std::span<const Segment> segments)
+    : points_(points), segments_(segments), below_(points, segments) {
+  sort_around_vertices();
+  walk_cycles();
+  if (!mutated("islands_not_nested")) nest_components();
+}
+
+void PlanarFaces::sort_around_vertices() {
+  first_.assign(points_.size() + 1, 0);
+  for (const Segment& s : segments_) {
+    ++first_[s.a + 1];
+    ++first_[s.b + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  incident_.resize(2 * segments_.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    incident_[next[segments_[s].a]++] = static_cast<Index>(s);
+    incident_[next[segments_[s].b]++] = static_cast<Index>(s);
+  }
+  for (Index v = 0; v < points_.size(); ++v) {
+    const auto far_end = [&](Index s) { return points_[segments_[s].a == v ? segments_[s].b : segments_[s].a]; };
+    std::sort(incident_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
+              incident_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]),
+              [&](Index s, Index t) { return counter_clockwise_before(points_[v], far_end(s), far_end(t)); });
+  }
+}
+
+void PlanarFaces::walk_cycles() {
+  // The face on the left of h goes on, at h's head, with the half-edge next clockwise from h's twin.
+  const std::size_t half_edges = 2 * segments_.size();
+  std::vector<HalfEdge> next(half_edges);
+  for (Index v = 0; v < points_.size(); ++v) {
+    const auto around = incident(v);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Index s = around[i];
+      const Index t = around[(i + around.size() - 1) % around.size()];
+      const HalfEdge leaving = 2 * HalfEdge{t} + (segments_[t].a == v ? 0 : 1);
+      const HalfEdge arriving = 2 * HalfEdge{s} + (segments_[s].a == v ? 1 : 0);
+      next[arriving] = leaving;
+    }
+  }
+  face_.assign(half_edges, no_index);
+  for (HalfEdge start = 0; start < half_edges; ++start) {
+    if (face_[start] != no_index) continue;
+    for (HalfEdge h = start; face_[h] == no_index; h = next[h]) face_[h] = count_;
+    ++count_;
+  }
+}
+
+void PlanarFaces::nest_components() {
+  std::vector<Index> component(points_.size());
+  std::iota(component.begin(), component.end(), Index{0});
+  for (const Segment& s : segments_) {
+    const Index a = root(component, s.a);
+    const Index b = root(component, s.b);
+    component[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<Index> leftmost(points_.size(), no_index);
+  for (Index v = 0; v < points_.size(); ++v) {
+    if (incident(v).empty()) continue;
+    Index& best = leftmost[root(component, v)];
+    if (best == no_index || lexicographically_less(points_[v], points_[best])) best = v;
+  }
+
+  // One cycle of each component bounds it from outside: the one that looks left from its leftmost vertex.
+  // It is part of the face directly below that vertex.
+  std::vector<Index> same_as(count_);
+  std::iota(same_as.begin(), same_as.end(), Index{0});
+  for (const Index v : leftmost) {
+    if (v == no_index) continue;
+    const auto around = incident(v);
+    // All leave to the right or straight up, so the steepest has the outside on its left: the last one with
+    // a direction in [0, 180), or the last of all where every one goes down.
+    std::size_t last = around.size() - 1;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Segment& s = segments_[around[i]];
+      if (!in_lower_half(points_[v], points_[s.a == v ? s.b : s.a])) last = i;
+    }
+    const Index s = around[last];
+    const Index outer = face_[2 * std::size_t{s} + (segments_[s].a == v ? 0 : 1)];
+    const Index under = below_.directly_below(points_[v]);
+    Index around_it = exterior();
+    if (under != no_index) {
+      const Segment& lid = segments_[under];
+      const bool rightward = points_[lid.a].x < points_[lid.b].x;
+      around_it = face(under, rightward ? Side::left : Side::right);
+    }
+    const Index a = root(same_as, outer);
+    const Index b = root(same_as, around_it);
+    same_as[std::max(a, b)] = std::min(a, b);
+  }
+
+  // Number the faces anew without gaps; the exterior is 0 and stays 0, being the least of its class.
+  std::vector<Index> number(count_, no_index);
+  Index faces = 0;
+  for (Index i = 0; i < count_; ++i)
+    if (same_as[i] == i) number[i] = faces++;
+  for (Index& f : face_) f = number[root(same_as, f)];
+  count_ = faces;
+}
+
+Index PlanarFaces::face_at(Point p) const {
+  if (below_.through(p) != no_index) return no_index;
+  const Index under = below_.directly_below(p);
+  if (under == no_index) return exterior();
+  const bool rightward = points_[segments_[under].a].x < points_[segments_[under].b].x;
+  return face(under, rightward ? Side::left : Side::right);
+}
+
+}  // namespace pardel::checker

@@ -1,0 +1,265 @@
+// Do the triangles tile exactly the domain?
+//
+// The sum of the boundaries of positively oriented triangles, paired edge to edge, is the sum of the edges
+// without a partner. So how often the triangles cover a point is how often these boundary edges wind around
+// it. If the boundary edges are exactly the chain edges between the domain and the rest, with the domain on
+// their left, then every point further from the segments than the chains are is covered once in the domain
+// and never outside of it, since the chains can be moved onto the segments without passing over the point.
+// For the points in between, the winding number of every face of the boundary is computed: 0 or 1 in all.
+#include <algorithm>
+
+#include "../../../core/mutants.hpp"
+#include "../arithmetic/exact.hpp"
+#include "../arithmetic/exact_sum.hpp"
+#include "../model/box_tree.hpp"
+#include "stages.hpp"
+#include "text.hpp"
+
+namespace pardel::checker {
+namespace {
+
+std::string edge_text(Index from, Index to) { return to_text(from) + "-" + to_text(to); }
+
+Point midpoint(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}; }
+
+/// On each side of each chain edge there is a triangle if and only if that side belongs to the domain.
+void check_sides(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+  for (const ChainEdge& edge : chains.edges) {
+    for (const Side side : {Side::left, Side::right}) {
+      const TriangleEdge triangle = side == Side::left ? edge.left : edge.right;
+      const bool expected = domain.inside(edge.segment, side);
+      if (triangle.exists() == expected) continue;
+      const std::string place = std::string(side == Side::left ? "left" : "right") + " of edge " +
+                                edge_text(edge.from, edge.to) + " of segment " + to_text(edge.segment);
+      const std::vector<Point> where{subject.mesh.points[edge.from], subject.mesh.points[edge.to]};
+      if (expected)
+        found.add(ViolationKind::uncovered_domain, {edge.from, edge.to, edge.segment}, where,
+                  "no triangle on the " + place + ", where the domain is");
+      else
+        found.add(ViolationKind::covered_exterior, {triangle.triangle, edge.from, edge.to, edge.segment}, where,
+                  "triangle " + to_text(triangle.triangle) + " on the " + place + ", outside the domain");
+    }
+  }
+}
+
+/// Each face of the domain has a triangle at one of its segments at least.
+void check_faces(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+  std::vector<char> has_triangle(domain.faces().count(), 0);
+  for (const ChainEdge& edge : chains.edges) {
+    if (edge.left.exists()) has_triangle[domain.faces().face(edge.segment, Side::left)] = 1;
+    if (edge.right.exists()) has_triangle[domain.faces().face(edge.segment, Side::right)] = 1;
+  }
+  for (std::size_t s = 0; s < domain.segments().size(); ++s) {
+    const Segment& segment = domain.segments()[s];
+    for (const Side side : {Side::left, Side::right}) {
+      const Index face = domain.faces().face(static_cast<Index>(s), side);
+      if (!domain.inside(face) || has_triangle[face] != 0) continue;
+      has_triangle[face] = 1;  // said once is enough
+      found.add(ViolationKind::uncovered_domain, {static_cast<Index>(s)},
+                {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
+                "the face of the domain on the " + std::string(side == Side::left ? "left" : "right") + " of segment " +
+                    to_text(s) + " has no triangle at any of its segments");
+    }
+  }
+}
+
+/// Where two boundary edges have more in common than an end: an overlap, with the proof. `vertex`: the
+/// vertices of the mesh that `points` are.
+void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> vertex,
+                  Findings& found) {
+  std::vector<BoundingBox> boxes(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    boxes[e].include(points[edges[e].a]);
+    boxes[e].include(points[edges[e].b]);
+  }
+  const BoxTree tree(boxes);
+  judge_all(edges.size(), found, [&](std::size_t e, Findings& mine) {
+    const Segment s = edges[e];
+    const Point a = points[s.a], b = points[s.b];
+    tree.visit([&](const BoundingBox& box) { return box.meets(boxes[e]); },
+               [&](Index other) {
+                 if (other <= e) return;
+                 const Segment t = edges[other];
+                 const Point c = points[t.a], d = points[t.b];
+                 const int side_c = exactly::orientation(a, b, c), side_d = exactly::orientation(a, b, d);
+                 const int side_a = exactly::orientation(c, d, a), side_b = exactly::orientation(c, d, b);
+                 const bool share_an_end = s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
+                 bool meet = side_c * side_d <= 0 && side_a * side_b <= 0;  // boxes meet, so this holds if collinear
+                 if (share_an_end) {
+                   // Only collinear edges on the same side of the shared end overlap.
+                   const Index pivot = s.a == t.a || s.a == t.b ? s.a : s.b;
+                   const Index p = s.a == pivot ? s.b : s.a, q = t.a == pivot ? t.b : t.a;
+                   meet = side_c == 0 && side_d == 0 &&
+                          (p == q || exactly::progress(points[pivot], points[p], points[pivot], points[q]) > 0);
+                 }
+                 if (!meet) return;
+                 mine.add(ViolationKind::overlap, {vertex[s.a], vertex[s.b], vertex[t.a], vertex[t.b]}, {a, b, c, d},
+                          "boundary edges " + edge_text(vertex[s.a], vertex[s.b]) + " and " +
+                              edge_text(vertex[t.a], vertex[t.b]) + " intersect: the ends of each lie on sides " +
+                              to_text(side_c) + ", " + to_text(side_d) + " and " + to_text(side_a) + ", " +
+                              to_text(side_b) + " of the other");
+               });
+  });
+}
+
+/// The winding number of the boundary in each of its faces, from the exterior's 0 on: one more on the left
+/// of an edge than on its right.
+std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
+  struct Step {
+    Index from, to;
+    int change;
+  };
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < edges; ++i) {
+    const auto e = static_cast<Index>(i);
+    const Index left = faces.face(e, Side::left), right = faces.face(e, Side::right);
+    steps.push_back({left, right, -1});
+    steps.push_back({right, left, +1});
+  }
+  std::sort(steps.begin(), steps.end(), [](const Step& x, const Step& y) { return x.from < y.from; });
+  std::vector<int> winding(faces.count(), 0);
+  std::vector<char> known(faces.count(), 0);
+  std::vector<Index> stack{PlanarFaces::exterior()};
+  known[PlanarFaces::exterior()] = 1;
+  while (!stack.empty()) {
+    const Index face = stack.back();
+    stack.pop_back();
+    auto step = std::lower_bound(steps.begin(), steps.end(), face, [](const Step& s, Index f) { return s.from < f; });
+    for (; step != steps.end() && step->from == face; ++step) {
+      if (known[step->to] != 0) continue;
+      known[step->to] = 1;
+      winding[step->to] = winding[face] + step->change;
+      stack.push_back(step->to);
+    }
+  }
+  return winding;
+}
+
+/// Boundary edges that no chain explains, and faces covered more than once.
+void check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                    Findings& found) {
+  // The boundary as a plane graph on its own vertices.
+  const auto boundary = adjacency.boundary();
+  std::vector<Point> points;
+  std::vector<Index> vertex;  // of the mesh, ascending
+  for (const BoundaryEdge& edge : boundary) {
+    vertex.push_back(edge.from);
+    vertex.push_back(edge.to);
+  }
+  std::sort(vertex.begin(), vertex.end());
+  vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
+  for (const Index v : vertex) points.push_back(subject.mesh.points[v]);
+  const auto local = [&](Index v) {
+    return static_cast<Index>(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
+  };
+  std::vector<Segment> edges;
+  for (const BoundaryEdge& edge : boundary) edges.push_back({local(edge.from), local(edge.to), 0});
+
+  check_simple(points, edges, vertex, found);
+  const bool simple = found.count(ViolationKind::overlap) == 0;
+
+  const PlanarFaces faces(points, edges);
+  const std::vector<int> winding = winding_numbers(faces, edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto e = static_cast<Index>(i);
+    const BoundaryEdge& edge = boundary[i];
+    const std::vector<Point> where{subject.mesh.points[edge.from], subject.mesh.points[edge.to]};
+    const int left = winding[faces.face(e, Side::left)];
+    const int right = winding[faces.face(e, Side::right)];
+    if (simple && (left != 1 || right != 0)) {
+      found.add(ViolationKind::overlap, {edge.left.triangle, edge.from, edge.to}, where,
+                "the triangles cover the left of boundary edge " + edge_text(edge.from, edge.to) + " " + to_text(left) +
+                    " times and its right " + to_text(right) + " times");
+    }
+    if (chains.has(edge.left.triangle, edge.left.edge)) continue;
+    if (domain.inside(domain.faces().face_at(midpoint(where[0], where[1])))) {
+      if (!simple || right == 0)
+        found.add(ViolationKind::uncovered_domain, {edge.left.triangle, edge.from, edge.to}, where,
+                  "edge " + edge_text(edge.from, edge.to) + " of triangle " + to_text(edge.left.triangle) +
+                      " has no neighbour though it lies inside the domain and on no segment");
+    } else {
+      found.add(ViolationKind::covered_exterior, {edge.left.triangle, edge.from, edge.to}, where,
+                "triangle " + to_text(edge.left.triangle) + " ends at edge " + edge_text(edge.from, edge.to) +
+                    ", which lies on no chain and not inside the domain");
+    }
+  }
+}
+
+/// True where a chain that is off its segment by no more than rounding may have passed p.
+bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
+  return !exactly::line_distance_exceeds(p, a, b, tolerance) || !exactly::line_distance_exceeds(p, b, c, tolerance) ||
+         !exactly::line_distance_exceeds(p, c, a, tolerance);
+}
+
+/// No triangle contains a hole's seed, unless only the rounding of the hole's rim put it there.
+void check_holes(const Subject& subject, const Domain& domain, Findings& found) {
+  const auto& holes = subject.pslg.holes;
+  std::vector<Index> by_x;
+  for (std::size_t h = 0; h < holes.size(); ++h)
+    if (domain.faces().face_at(holes[h]) != no_index) by_x.push_back(static_cast<Index>(h));
+  if (by_x.empty()) return;
+  std::sort(by_x.begin(), by_x.end(), [&](Index g, Index h) { return holes[g].x < holes[h].x; });
+  judge_all(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+    const Triangle& triangle = subject.mesh.triangles[t];
+    const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
+    auto hole = std::lower_bound(by_x.begin(), by_x.end(), std::min({a.x, b.x, c.x}),
+                                 [&](Index h, double x) { return holes[h].x < x; });
+    for (; hole != by_x.end() && holes[*hole].x <= std::max({a.x, b.x, c.x}); ++hole) {
+      const Point p = holes[*hole];
+      if (p.y < std::min({a.y, b.y, c.y}) || p.y > std::max({a.y, b.y, c.y})) continue;
+      if (exactly::orientation(a, b, p) < 0 || exactly::orientation(b, c, p) < 0 || exactly::orientation(c, a, p) < 0)
+        continue;
+      if (within_rounding(p, a, b, c, domain.tolerance())) continue;
+      mine.add(ViolationKind::covered_exterior, {static_cast<Index>(t), *hole}, {p},
+               "triangle " + to_text(t) + " contains the seed of hole " + to_text(*hole));
+    }
+  });
+}
+
+/// The exact sum of the triangles' areas is the exact area within the chains that bound the domain.
+void check_area(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  std::vector<ExactSum> parts(static_cast<std::size_t>(omp_get_max_threads()));
+#pragma omp parallel if (mesh.triangles.size() >= worth_threads)
+  {
+    ExactSum& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(static)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& v = mesh.triangles[t].v;
+      for (int i = 0; i < 3; ++i) mine.add_cross(mesh.points[v[i]], mesh.points[v[next(i)]]);
+    }
+  }
+  ExactSum covered;
+  for (const ExactSum& part : parts) covered += part;
+
+  ExactSum enclosed;
+  for (const ChainEdge& edge : chains.edges) {
+    const Point a = mesh.points[edge.from], b = mesh.points[edge.to];
+    if (!domain.on_boundary(edge.segment)) continue;
+    if (domain.inside(edge.segment, Side::left))
+      enclosed.add_cross(a, b);
+    else
+      enclosed.add_cross(b, a);
+  }
+  ExactSum difference = covered;
+  difference -= enclosed;
+  if (difference.sign() != 0)
+    found.add(ViolationKind::area_mismatch, {}, {},
+              "the triangles' areas sum to " + to_text(covered.rounded() / 2) + ", the area within the boundary is " +
+                  to_text(enclosed.rounded() / 2) + "; the exact difference rounds to " +
+                  to_text(difference.rounded() / 2));
+}
+
+}  // namespace
+
+void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                    Findings& found) {
+  if (mutated("coverage_not_checked")) return;
+  check_sides(subject, domain, chains, found);
+  check_faces(subject, domain, chains, found);
+  check_boundary(subject, domain, adjacency, chains, found);
+  check_holes(subject, domain, found);
+  if (chains.broken.empty()) check_area(subject, domain, chains, found);
+}
+
+}  // namespace pardel::checker

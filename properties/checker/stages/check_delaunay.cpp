@@ -1,0 +1,42 @@
+// Locally Delaunay everywhere implies (constrained) Delaunay: Delaunay's lemma.
+#include <algorithm>
+
+#include "../../../core/mutants.hpp"
+#include "../arithmetic/exact.hpp"
+#include "stages.hpp"
+#include "text.hpp"
+
+namespace pardel::checker {
+
+void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, Findings& found) {
+  const auto triangles = adjacency.triangles();
+  const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
+  judge_all(triangles.size(), found, [&](std::size_t i, Findings& mine) {
+    const auto t = static_cast<Index>(i);
+    const Triangle& triangle = triangles[t];
+    const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
+    if (!trust_orientation && exactly::orientation(a, b, c) <= 0) return;
+    for (int edge = 0; edge < 3; ++edge) {
+      const Index other = triangle.n[edge];
+      if (other == no_index || other < t ||
+          (chains.has(t, edge) && (!subject.goal.conforming || mutated("checker_ignores_conforming"))))
+        continue;
+      const Triangle& across = triangles[other];
+      const Index from = triangle.v[next(edge)], to = triangle.v[previous(edge)];
+      const Index apex =
+          *std::find_if(across.v.begin(), across.v.end() - 1, [=](Index v) { return v != from && v != to; });
+      const Point d = subject.mesh.points[apex];
+      const int side = exactly::in_circle(a, b, c, d);
+      if (side <= 0 && !(side == 0 && mutated("checker_counts_the_circle_as_inside"))) continue;
+      if (mine.wants(ViolationKind::not_delaunay))
+        mine.keep({ViolationKind::not_delaunay,
+                   {from, to, t, other},
+                   {subject.mesh.points[from], subject.mesh.points[to]},
+                   "edge " + to_text(from) + "-" + to_text(to) + " of triangles " + to_text(t) + " and " +
+                       to_text(other) + " is not locally Delaunay: vertex " + to_text(apex) + " " + to_text(d) +
+                       " lies inside the circumcircle, in-circle determinant " + exactly::in_circle_text(a, b, c, d)});
+    }
+  });
+}
+
+}  // namespace pardel::checker

@@ -1,0 +1,232 @@
+// What the mesh says of itself: constrained edges, markers, origins, regions, attributes.
+#include <algorithm>
+
+#include "../../../core/mutants.hpp"
+#include "stages.hpp"
+#include "text.hpp"
+
+namespace pardel::checker {
+namespace {
+
+/// Triangle's rule: the segment's own non-zero marker, else 1 on the boundary of the domain, else 0.
+int expected_marker(const Domain& domain, Index segment) {
+  const int own = domain.segments()[segment].marker;
+  if (own == 0 && mutated("checker_forgets_boundary_markers")) return 0;
+  return own != 0 ? own : domain.on_boundary(segment) ? 1 : 0;
+}
+
+std::string edge_text(Index a, Index b) { return to_text(a) + "-" + to_text(b); }
+
+/// The mesh's list of constrained edges against the chains found by walking.
+class ConstrainedEdges {
+ public:
+  ConstrainedEdges(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found)
+      : mesh_(subject.mesh), foreign_(subject.options.foreign), domain_(domain), found_(found) {
+    for (const ChainEdge& edge : chains.edges)
+      expected_.push_back({std::min(edge.from, edge.to), std::max(edge.from, edge.to), edge.segment, false});
+    std::sort(expected_.begin(), expected_.end(),
+              [](const Expected& x, const Expected& y) { return std::pair(x.low, x.high) < std::pair(y.low, y.high); });
+    // A file may know which edges are constrained and not by which marker.
+    judge_markers_ = !foreign_ || std::any_of(mesh_.constrained_edges.begin(), mesh_.constrained_edges.end(),
+                                              [](const ConstrainedEdge& e) { return e.marker != 0; });
+  }
+
+  void judge(const ConstrainedEdge& edge, Index position, bool is_mesh_edge) {
+    const auto [low, high] = std::minmax(edge.a, edge.b);
+    const auto match = std::lower_bound(
+        expected_.begin(), expected_.end(), std::pair(low, high),
+        [](const Expected& e, const std::pair<Index, Index>& key) { return std::pair(e.low, e.high) < key; });
+    if (match == expected_.end() || match->low != low || match->high != high)
+      return report(ViolationKind::wrong_constrained_edge, edge, position,
+                    is_mesh_edge ? "is listed as constrained but is part of no segment"
+                                 : "is listed as constrained but is no edge of the mesh");
+    if (match->listed) return report(ViolationKind::wrong_constrained_edge, edge, position, "is listed twice");
+    match->listed = true;
+    const Index segment = domain_.is_hull_piece(match->segment) ? no_index : match->segment;
+    if (edge.segment != segment && !(foreign_ && edge.segment == no_index))
+      report(ViolationKind::wrong_constrained_edge, edge, position,
+             "names segment " + id_text(edge.segment) + " but is part of " + id_text(segment));
+    const int marker = expected_marker(domain_, match->segment);
+    if (judge_markers_ && edge.marker != marker)
+      report(ViolationKind::wrong_edge_marker, edge, position,
+             "has marker " + to_text(edge.marker) + " where " + to_text(marker) + " belongs");
+  }
+
+  void report_unlisted() {
+    for (const Expected& edge : expected_)
+      if (!edge.listed)
+        found_.add(ViolationKind::missing_constrained_edge, {edge.low, edge.high, edge.segment},
+                   {mesh_.points[edge.low], mesh_.points[edge.high]},
+                   "edge " + edge_text(edge.low, edge.high) + " is part of segment " + to_text(edge.segment) +
+                       " but is not listed as constrained");
+  }
+
+ private:
+  struct Expected {
+    Index low, high;
+    Index segment;
+    bool listed;
+  };
+
+  static std::string id_text(Index segment) { return segment == no_index ? "none" : to_text(segment); }
+
+  void report(ViolationKind kind, const ConstrainedEdge& edge, Index position, const std::string& what) {
+    found_.add(kind, {position, edge.a, edge.b}, {mesh_.points[edge.a], mesh_.points[edge.b]},
+               "constrained edge " + to_text(position) + " (" + edge_text(edge.a, edge.b) + ") " + what);
+  }
+
+  const Mesh& mesh_;
+  bool foreign_;
+  bool judge_markers_ = true;
+  const Domain& domain_;
+  Findings& found_;
+  std::vector<Expected> expected_;
+};
+
+void check_constrained_edges(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
+                             const Chains& chains, Findings& found) {
+  const auto& listed = subject.mesh.constrained_edges;
+  if (listed.empty() && subject.options.foreign) return;
+  ConstrainedEdges edges(subject, domain, chains, found);
+  for (std::size_t e = 0; e < listed.size(); ++e) {
+    const ConstrainedEdge& edge = listed[e];
+    const bool is_mesh_edge = adjacency.left_of(edge.a, edge.b).exists() || adjacency.left_of(edge.b, edge.a).exists();
+    edges.judge(edge, static_cast<Index>(e), is_mesh_edge);
+  }
+  edges.report_unlisted();
+}
+
+/// A vertex's own non-zero marker, else a non-zero marker of one of the constrained edges at it, else 0.
+/// (The edges carry 1 on the boundary already.) In a foreign mesh segments outside the domain count, too.
+void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
+                          const Adjacency& adjacency, const InputVertices& inputs, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  if (mesh.point_markers.empty()) return;
+  std::vector<std::pair<Index, int>> markers;  // (vertex, marker of an edge at it)
+  for (const ChainEdge& edge : chains.edges) {
+    const int marker = expected_marker(domain, edge.segment);
+    if (marker == 0) continue;
+    markers.emplace_back(edge.from, marker);
+    markers.emplace_back(edge.to, marker);
+  }
+  // Triangle marks the ends of segments before it removes those outside the domain.
+  for (Index s = 0; subject.options.foreign && s < subject.pslg.segments.size(); ++s) {
+    const Segment& segment = subject.pslg.segments[s];
+    if (domain.has(s) || segment.marker == 0) continue;
+    for (const Index end : {segment.a, segment.b}) {
+      if (inputs.vertex(end) != no_index) markers.emplace_back(inputs.vertex(end), segment.marker);
+    }
+  }
+  std::sort(markers.begin(), markers.end());
+  markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
+  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+    const auto vertex = static_cast<Index>(v);
+    const int given = mesh.point_markers[v];
+    const Index input = inputs.input(vertex);
+    const bool has_own = input != no_index && input < subject.pslg.point_markers.size();
+    const int own = has_own ? subject.pslg.point_markers[input] : 0;
+    std::string belongs;
+    if (own != 0) {
+      if (given == own) return;
+      belongs = to_text(own);
+    } else {
+      if (adjacency.corners(vertex) == 0) return;
+      const auto first = std::lower_bound(markers.begin(), markers.end(), vertex,
+                                          [](const auto& entry, Index key) { return entry.first < key; });
+      const bool none = first == markers.end() || first->first != vertex;
+      if (none && given == 0) return;
+      if (none) belongs = "0";
+      for (auto at = first; at != markers.end() && at->first == vertex; ++at) {
+        if (at->second == given) return;
+        belongs += (belongs.empty() ? "" : " or ") + to_text(at->second);
+      }
+    }
+    mine.add(ViolationKind::wrong_vertex_marker, {vertex}, {mesh.points[v]},
+             "vertex " + to_text(v) + " has marker " + to_text(given) + " where " + belongs + " belongs");
+  });
+}
+
+std::string origin_text(Index origin) {
+  if (origin == input_vertex) return "an input point";
+  if (origin == interior_vertex) return "put in the interior";
+  if (origin == hull_vertex) return "put on the hull";
+  return "put on segment " + to_text(origin);
+}
+
+void check_origins(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
+                   Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  if (mesh.origin.empty()) return;
+  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+    const auto vertex = static_cast<Index>(v);
+    const Index segment = chains.segment_of[v];
+    const Index expected = inputs.input(vertex) != no_index ? input_vertex
+                           : segment == no_index            ? interior_vertex
+                           : domain.is_hull_piece(segment)  ? hull_vertex
+                                                            : segment;
+    if (mesh.origin[v] != expected)
+      mine.add(ViolationKind::wrong_origin, {vertex}, {mesh.points[v]},
+               "vertex " + to_text(v) + " is said to be " + origin_text(mesh.origin[v]) + " but is " +
+                   origin_text(expected));
+  });
+}
+
+/// The attribute is what a region means; our own meshes number the regions as the input does, besides.
+void check_regions(const Subject& subject, const Domain& domain, std::span<const Index> faces, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  const auto& regions = subject.pslg.regions;
+  if (mesh.region.empty()) return;
+  const bool foreign = subject.options.foreign;
+  judge_all(mesh.region.size(), found, [&](std::size_t t, Findings& mine) {
+    const Index given = mesh.region[t];
+    const auto seeded = faces.empty() ? decltype(domain.regions_in(0)){} : domain.regions_in(faces[t]);
+    if (seeded.empty() && (foreign || given == no_index)) return;
+    const bool right =
+        given != no_index && std::any_of(seeded.begin(), seeded.end(), [&](const auto& entry) {
+          const Index region = entry.second;
+          return mesh.region_attributes[given] == regions[region].attribute && (foreign || given == region);
+        });
+    if (right) return;
+    const auto describe = [](Index region, double attribute) {
+      return "region " + to_text(region) + " (attribute " + to_text(attribute) + ")";
+    };
+    const std::string is = given == no_index ? "no region" : describe(given, mesh.region_attributes[given]);
+    const std::string belongs =
+        seeded.empty() ? "no region" : describe(seeded[0].second, regions[seeded[0].second].attribute);
+    mine.add(ViolationKind::wrong_region, {static_cast<Index>(t), given},
+             {subject.corner(mesh.triangles[t], 0), subject.corner(mesh.triangles[t], 1),
+              subject.corner(mesh.triangles[t], 2)},
+             "triangle " + to_text(t) + " is said to lie in " + is + " but lies in " + belongs);
+  });
+}
+
+void check_attributes(const Subject& subject, const InputVertices& inputs, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  const std::size_t n = mesh.attributes_per_point;
+  if (n == 0 || subject.pslg.point_attributes.size() != n * subject.pslg.points.size()) return;
+  for (std::size_t i = 0; i < subject.pslg.points.size(); ++i) {
+    const Index v = inputs.vertex(static_cast<Index>(i));
+    if (v == no_index) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double given = mesh.point_attributes[v * n + k];
+      const double belongs = subject.pslg.point_attributes[i * n + k];
+      if (given == belongs || (given != given && belongs != belongs)) continue;
+      found.add(ViolationKind::wrong_attribute, {v}, {mesh.points[v]},
+                "attribute " + to_text(k) + " of vertex " + to_text(v) + " is " + to_text(given) + " where " +
+                    to_text(belongs) + " belongs");
+    }
+  }
+}
+
+}  // namespace
+
+void check_labels(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                  const InputVertices& inputs, std::span<const Index> faces, Findings& found) {
+  check_constrained_edges(subject, domain, adjacency, chains, found);
+  check_vertex_markers(subject, domain, chains, adjacency, inputs, found);
+  check_origins(subject, domain, chains, inputs, found);
+  check_regions(subject, domain, faces, found);
+  check_attributes(subject, inputs, found);
+}
+
+}  // namespace pardel::checker

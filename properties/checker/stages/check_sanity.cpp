@@ -1,0 +1,120 @@
+// May the rest of the check look at this mesh at all?
+#include <cmath>
+
+#include "stages.hpp"
+#include "text.hpp"
+
+namespace pardel::checker {
+namespace {
+
+bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+bool pslg_is_usable(const Pslg& pslg, Findings& found) {
+  bool usable = true;
+  for (std::size_t i = 0; i < pslg.points.size(); ++i) {
+    if (is_finite(pslg.points[i])) continue;
+    usable = false;
+    found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {pslg.points[i]},
+              "point " + to_text(i) + " of the input is not finite");
+  }
+  const auto seed_is_usable = [&](Point seed, std::size_t i, const char* what) {
+    if (is_finite(seed)) return;
+    usable = false;
+    found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {seed},
+              what + to_text(i) + " of the input is not finite");
+  };
+  for (std::size_t i = 0; i < pslg.holes.size(); ++i) seed_is_usable(pslg.holes[i], i, "hole ");
+  for (std::size_t i = 0; i < pslg.regions.size(); ++i) seed_is_usable(pslg.regions[i].seed, i, "the seed of region ");
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const auto [a, b, marker] = pslg.segments[s];
+    if (a < pslg.points.size() && b < pslg.points.size()) continue;
+    usable = false;
+    found.add(ViolationKind::index_out_of_range, {static_cast<Index>(s), a, b}, {},
+              "segment " + to_text(s) + " of the input names a point that does not exist");
+  }
+  return usable;
+}
+
+bool corners_are_usable(const Mesh& mesh, Findings& found) {
+  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+    if (!is_finite(mesh.points[v]))
+      mine.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(v)}, {mesh.points[v]},
+               "vertex " + to_text(v) + " is not finite");
+  });
+  judge_all(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+    const auto [a, b, c] = mesh.triangles[t].v;
+    const std::size_t n = mesh.points.size();
+    if (a >= n || b >= n || c >= n)
+      mine.add(ViolationKind::index_out_of_range, {static_cast<Index>(t), a, b, c}, {},
+               "triangle " + to_text(t) + " names a vertex that does not exist (there are " + to_text(n) + ")");
+    else if (a == b || b == c || c == a)
+      mine.add(ViolationKind::degenerate_triangle, {static_cast<Index>(t), a, b, c}, {mesh.points[a]},
+               "triangle " + to_text(t) + " has one vertex twice");
+  });
+  return found.count(ViolationKind::non_finite_coordinate) == 0 &&
+         found.count(ViolationKind::index_out_of_range) == 0 && found.count(ViolationKind::degenerate_triangle) == 0;
+}
+
+bool neighbours_are_usable(const Mesh& mesh, Findings& found) {
+  const std::uint64_t before = found.count(ViolationKind::index_out_of_range);
+  judge_all(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+    for (const Index n : mesh.triangles[t].n)
+      if (n != no_index && n >= mesh.triangles.size())
+        mine.add(ViolationKind::index_out_of_range, {static_cast<Index>(t), n}, {},
+                 "triangle " + to_text(t) + " has a neighbour that does not exist");
+  });
+  return found.count(ViolationKind::index_out_of_range) == before;
+}
+
+bool labels_are_usable(const Subject& subject, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  bool usable = true;
+  const auto expect_count = [&](std::size_t size, std::size_t expected, bool may_be_empty, const std::string& what) {
+    if (size == expected || (size == 0 && may_be_empty)) return;
+    usable = false;
+    found.add(ViolationKind::wrong_count, {}, {},
+              what + ": " + to_text(size) + " entries where " + to_text(expected) + " belong");
+  };
+  // A mesh by another program may be silent on what our own has to say.
+  const bool foreign = subject.options.foreign;
+  expect_count(mesh.origin.size(), mesh.points.size(), foreign, "origin of points");
+  expect_count(mesh.region.size(), mesh.triangles.size(), foreign || subject.pslg.regions.empty(),
+               "region of triangles");
+  expect_count(mesh.point_markers.size(), mesh.points.size(), foreign || subject.pslg.point_markers.empty(),
+               "point markers");
+  expect_count(mesh.point_attributes.size(), mesh.points.size() * mesh.attributes_per_point, false, "point attributes");
+  if (!foreign || mesh.attributes_per_point != 0)
+    expect_count(mesh.attributes_per_point, subject.pslg.attributes_per_point, false, "attributes of a point");
+
+  const auto out_of_range = [&](std::vector<Index> ids, const std::string& what) {
+    usable = false;
+    found.add(ViolationKind::index_out_of_range, std::move(ids), {}, what);
+  };
+  for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
+    const ConstrainedEdge& edge = mesh.constrained_edges[e];
+    if (edge.a >= mesh.points.size() || edge.b >= mesh.points.size())
+      out_of_range({static_cast<Index>(e), edge.a, edge.b},
+                   "constrained edge " + to_text(e) + " names a vertex that does not exist");
+    else if (edge.segment != no_index && edge.segment >= subject.pslg.segments.size())
+      out_of_range({static_cast<Index>(e), edge.segment},
+                   "constrained edge " + to_text(e) + " names a segment that does not exist");
+  }
+  for (std::size_t t = 0; t < mesh.region.size(); ++t)
+    if (mesh.region[t] != no_index && mesh.region[t] >= mesh.region_attributes.size())
+      out_of_range({static_cast<Index>(t), mesh.region[t]},
+                   "triangle " + to_text(t) + " lies in a region that does not exist");
+  return usable;
+}
+
+}  // namespace
+
+Sanity check_sanity(const Subject& subject, Findings& found) {
+  Sanity sanity;
+  sanity.geometry = pslg_is_usable(subject.pslg, found);
+  sanity.geometry = corners_are_usable(subject.mesh, found) && sanity.geometry;
+  sanity.neighbours = neighbours_are_usable(subject.mesh, found);
+  sanity.labels = labels_are_usable(subject, found);
+  return sanity;
+}
+
+}  // namespace pardel::checker

@@ -1,0 +1,107 @@
+// Input points are vertices; input segments (and hull pieces) are chains of edges.
+#include "../arithmetic/exact.hpp"
+#include "stages.hpp"
+#include "text.hpp"
+
+namespace pardel::checker {
+
+InputVertices check_input_vertices(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
+                                   Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  const auto& points = subject.pslg.points;
+  const std::span<const Index> corners = adjacency.corners();
+  InputVertices inputs = subject.options.foreign ? InputVertices::by_coordinates(points, mesh.points.span(), corners)
+                                                 : InputVertices::by_index(points.size(), mesh.points.size());
+  judge_all(points.size(), found, [&](std::size_t i, Findings& mine) {
+    const auto input = static_cast<Index>(i);
+    const Index vertex = inputs.vertex(input);
+    const bool needed = domain.has_point(input);
+    const auto report = [&](const std::string& what) {
+      mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + to_text(i) + what);
+    };
+    if (vertex == no_index) {
+      if (needed) report(" of the domain is no vertex of the mesh");
+    } else if (!(mesh.points[vertex] == points[i])) {
+      report(" was moved or renumbered: vertex " + to_text(vertex) + " is " + to_text(mesh.points[vertex]));
+    } else if (needed && corners[vertex] == 0) {
+      report(" of the domain has no triangle");
+    }
+  });
+  for (std::size_t v = 0; v < corners.size(); ++v) {
+    const auto vertex = static_cast<Index>(v);
+    if (corners[v] == 0 && inputs.input(vertex) == no_index)
+      found.add(ViolationKind::unused_vertex, {vertex}, {mesh.points[v]},
+                "vertex " + to_text(v) + " has no triangle and is no input point");
+  }
+  return inputs;
+}
+
+namespace {
+
+void report_broken(Index s, const Subject& subject, const Domain& domain, Findings& found) {
+  const Segment& segment = domain.segments()[s];
+  const std::string what = domain.is_hull_piece(s) ? "the hull edge" : "segment " + to_text(s);
+  found.add(ViolationKind::broken_segment,
+            domain.is_hull_piece(s) ? std::vector<Index>{segment.a, segment.b} : std::vector<Index>{s},
+            {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
+            what + " from point " + to_text(segment.a) + " to " + to_text(segment.b) +
+                " is no chain of mesh edges within the rounding distance of it");
+}
+
+void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subject, const Domain& domain,
+                        Findings& found) {
+  const Point a = subject.mesh.points[chain.front().from];
+  const Point b = subject.mesh.points[chain.back().to];
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const Index vertex = chain[i].from;
+    const Point p = subject.mesh.points[vertex];
+    if (!exactly::line_distance_exceeds(p, a, b, domain.tolerance())) continue;
+    found.add(ViolationKind::chain_off_segment, {vertex, chain[i].segment}, {p},
+              "vertex " + to_text(vertex) + " on segment " + to_text(chain[i].segment) +
+                  ": its squared distance from the segment is " + exactly::squared_line_distance_text(p, a, b) +
+                  ", more than the square of " + to_text(domain.tolerance()));
+  }
+}
+
+}  // namespace
+
+Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
+                      const InputVertices& inputs, Findings& found) {
+  Chains chains;
+  chains.segment_of.resize(subject.mesh.points.size(), no_index);
+  chains.on_chain.resize(subject.mesh.triangles.size(), 0);
+  const std::size_t segments = domain.segments().size();
+
+  // Walked in blocks, a block on all threads at once, so that few chains wait to be joined in order.
+  constexpr std::size_t block = 4096;
+  std::vector<std::vector<ChainEdge>> walked(std::min(block, segments));
+  for (std::size_t first = 0; first < segments; first += block) {
+    const std::size_t size = std::min(block, segments - first);
+    judge_all(size, found, [&](std::size_t i, Findings& mine) {
+      const auto s = static_cast<Index>(first + i);
+      walked[i].clear();
+      if (!domain.has(s)) return;
+      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::rounding);
+      if (!walked[i].empty()) return;
+      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::likeness);
+      if (walked[i].empty())
+        report_broken(s, subject, domain, mine);
+      else
+        report_off_segment(walked[i], subject, domain, mine);
+    });
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto s = static_cast<Index>(first + i);
+      if (walked[i].empty() && domain.has(s)) chains.broken.push_back(s);
+      for (const ChainEdge& edge : walked[i]) {
+        chains.edges.push_back(edge);
+        if (inputs.input(edge.from) == no_index) chains.segment_of[edge.from] = s;
+        for (const TriangleEdge side : {edge.left, edge.right})
+          if (side.exists())
+            chains.on_chain[side.triangle] = static_cast<std::uint8_t>(chains.on_chain[side.triangle] | 1 << side.edge);
+      }
+    }
+  }
+  return chains;
+}
+
+}  // namespace pardel::checker

@@ -1,0 +1,116 @@
+#include "justified.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../../../core/mutants.hpp"
+#include "../arithmetic/exact.hpp"
+#include "../arithmetic/measure.hpp"
+
+namespace pardel::checker {
+namespace {
+
+Index other_end(const Segment& s, Index end) { return s.a == end ? s.b : s.a; }
+
+class Judge {
+ public:
+  Judge(Index t, const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+        const InputVertices& inputs)
+      : t_(t),
+        triangle_(adjacency.triangles()[t]),
+        subject_(subject),
+        domain_(domain),
+        chains_(chains),
+        inputs_(inputs) {}
+
+  /// Corner k is an input vertex with pieces of segments on both its edges.
+  [[nodiscard]] std::optional<Justified> nestled(int k) const {
+    const Index apex = inputs_.input(triangle_.v[k]);
+    const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
+    if (apex == no_index || !(between_segments || mutated("nestled_at_any_input_vertex"))) return std::nullopt;
+    // The edges along corner k: edge previous(k) runs to v[next(k)], edge next(k) to v[previous(k)].
+    return justified(apex, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
+  }
+
+  /// Edge k joins two vertices of one shell.
+  [[nodiscard]] std::optional<Justified> seditious(int k) const {
+    const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
+    for (const Index s : segments_at(p)) {
+      for (const Index r : segments_at(q)) {
+        if (s == r) continue;
+        const auto found = shell(p, s, q, r);
+        if (found) return found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Point corner(int k) const { return subject_.corner(triangle_, k); }
+
+ private:
+  [[nodiscard]] std::span<const Index> segments_at(Index vertex) const {
+    const Index input = inputs_.input(vertex);
+    if (input != no_index) return domain_.faces().incident(input);
+    const Index& segment = chains_.segment_of[vertex];
+    return segment == no_index ? std::span<const Index>{} : std::span<const Index>(&segment, 1);
+  }
+
+  /// p on segment s and q on segment r: do these share an apex, at the same distance from both?
+  [[nodiscard]] std::optional<Justified> shell(Index p, Index s, Index q, Index r) const {
+    const Segment& first = domain_.segments()[s];
+    const Segment& second = domain_.segments()[r];
+    for (const Index apex : {first.a, first.b}) {
+      if (apex != second.a && apex != second.b) continue;
+      if (!domain_.has(s) || !domain_.has(r)) continue;
+      if (inputs_.vertex(apex) == p || inputs_.vertex(apex) == q) continue;
+      const Point centre = subject_.pslg.points[apex];
+      const Point far_s = subject_.pslg.points[other_end(first, apex)];
+      const Point far_r = subject_.pslg.points[other_end(second, apex)];
+      constexpr double cosine_of_60_degrees = 0.5;
+      if (!exactly::cosine_exceeds(centre, far_s, far_r, cosine_of_60_degrees) &&
+          !mutated("checker_excuses_large_angles"))
+        continue;
+      const double to_p = distance(centre, subject_.mesh.points[p]);
+      const double to_q = distance(centre, subject_.mesh.points[q]);
+      if (std::abs(to_p - to_q) > shell_tolerance * std::max(to_p, to_q) + shell_ulps * domain_.ulp() &&
+          !mutated("checker_excuses_unlike_shells"))
+        continue;
+      return justified(apex, angle_deg(centre, far_s, far_r));
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Justified justified(Index apex, double input_angle) const {
+    double smallest = 180;
+    for (int k = 0; k < 3; ++k)
+      smallest = std::min(smallest, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
+    return {t_, apex, input_angle, smallest};
+  }
+
+  Index t_;
+  const Triangle& triangle_;
+  const Subject& subject_;
+  const Domain& domain_;
+  const Chains& chains_;
+  const InputVertices& inputs_;
+};
+
+}  // namespace
+
+std::optional<Justified> justification(Index t, const Subject& subject, const Domain& domain,
+                                       const Adjacency& adjacency, const Chains& chains, const InputVertices& inputs) {
+  const Judge judge(t, subject, domain, adjacency, chains, inputs);
+  // Edge k is opposite corner k: the smallest angle is opposite the shortest edge. Where two edges are
+  // equally short, either may justify.
+  for (int k = 0; k < 3; ++k) {
+    const Point from = judge.corner(next(k)), to = judge.corner(previous(k)), apex = judge.corner(k);
+    if (exactly::compare_lengths(from, to, to, apex) > 0 || exactly::compare_lengths(from, to, apex, from) > 0)
+      continue;
+    if (auto found = judge.nestled(k)) return found;
+    if (auto found = judge.seditious(k)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pardel::checker

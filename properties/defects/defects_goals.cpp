@@ -1,0 +1,179 @@
+// Defects of size and shape: bounds that are missed, by the least amount that can be told or by a lot.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../checker/arithmetic/exact.hpp"
+#include "defect_groups.hpp"
+
+namespace pardel {
+namespace {
+
+using edit::Side;
+using enum ViolationKind;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool exceeds_area(const Mesh& mesh, Index t, double cap) {
+  const auto& v = mesh.triangles[t].v;
+  return checker::exactly::area_exceeds(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], cap);
+}
+
+/// The triangle with the largest area among those in `region` (no_index: among all).
+Index largest(const Mesh& mesh, Index region) {
+  Index best = no_index;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    if (region != no_index && mesh.region[t] != region) continue;
+    if (best == no_index || edit::area(mesh, t) > edit::area(mesh, best)) best = t;
+  }
+  return best;
+}
+
+/// The largest double that `exceeds` says is exceeded; `about` is near it and positive.
+template <class Exceeds>
+double just_exceeded(double about, const Exceeds& exceeds) {
+  while (exceeds(about)) about = std::nextafter(about, infinity);
+  while (!exceeds(about)) about = std::nextafter(about, 0);
+  return about;
+}
+
+double just_too_small_a_cap(const Mesh& mesh, Index t) {
+  return just_exceeded(edit::area(mesh, t), [&](double cap) { return exceeds_area(mesh, t, cap); });
+}
+
+/// An area cap that holds now and no longer does when some vertex inside (of the region, or of the whole
+/// mesh for no_index) is deleted: deletes it, and returns the cap.
+double delete_vertex_against_cap(Mesh& mesh, Index region, std::uint64_t seed) {
+  const Index worst = largest(mesh, region);
+  if (worst == no_index) return 0;
+  const double cap = just_exceeded(edit::area(mesh, worst), [&](double c) { return exceeds_area(mesh, worst, c); });
+  const double kept = std::nextafter(cap, infinity);
+  const bool deleted = at_some_vertex(mesh, seed, [&](Index v) {
+    if (!is_interior(mesh, v)) return false;
+    const auto around = edit::neighbour_vertices(mesh, v);
+    return std::ranges::any_of(around, [&](Index to) {
+      Mesh merged = mesh;
+      if (!edit::collapse(merged, v, to)) return false;
+      edit::erase_unused_point(merged, v);
+      if (!exceeds_area(merged, largest(merged, region), kept)) return false;
+      mesh = std::move(merged);
+      return true;
+    });
+  });
+  return deleted ? kept : 0;
+}
+
+double longest_edge(const Mesh& mesh, Index t) {
+  const auto& v = mesh.triangles[t].v;
+  return std::max({edit::length(mesh, v[0], v[1]), edit::length(mesh, v[1], v[2]), edit::length(mesh, v[2], v[0])});
+}
+
+/// All corners are new vertices away from every segment, so that no input angle can excuse it.
+bool is_far_from_input(const Mesh& mesh, Index t) {
+  return std::ranges::all_of(mesh.triangles[t].v, [&](Index v) { return is_interior(mesh, v); });
+}
+
+/// Demands `more` degrees than the triangle far from the input with the smallest angle has.
+bool demand_more(const Mesh& mesh, Goal& goal, double more) {
+  double worst = 180;
+  for (Index t = 0; t < mesh.triangles.size(); ++t)
+    if (is_far_from_input(mesh, t)) worst = std::min(worst, edit::smallest_angle_deg(mesh, t));
+  if (worst > 60) return false;
+  goal.min_angle_deg = worst + more;
+  return true;
+}
+
+constexpr Defect group[] = {
+    {"an angle is a millionth of a degree below the bound", small_angle,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 1e-6); }},
+    {"an angle is two degrees below the bound", small_angle,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 2); }},
+    {"a triangle far from all segments is flattened as if a small input angle excused it", small_angle,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return goal.min_angle_deg > 0 && at_some_side(mesh, seed, [&](Side s) {
+                if (!is_far_from_input(mesh, s.t)) return false;
+                const Point foot = edit::between(mesh.points[edit::tail(mesh, s)], mesh.points[edit::head(mesh, s)]);
+                mesh.points[edit::apex(mesh, s)] = edit::between(foot, mesh.points[edit::apex(mesh, s)], 0.03125);
+                return edit::smallest_angle_deg(mesh, s.t) < goal.min_angle_deg / 2;
+              });
+     }},
+    {"the largest triangle exceeds the cap by as little as a double can tell", large_area,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
+       goal.max_area = just_too_small_a_cap(mesh, largest(mesh, no_index));
+       return true;
+     }},
+    {"half of the triangles are too large", large_area,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
+       goal.max_area = edit::area(mesh, largest(mesh, no_index)) / 2;
+       return true;
+     }},
+    {"a vertex is deleted, and its triangles merge beyond the cap", large_area,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       const double cap = delete_vertex_against_cap(mesh, no_index, seed);
+       if (cap > 0) goal.max_area = cap;
+       return cap > 0;
+     }},
+    {"a region's triangle exceeds its cap by as little as a double can tell", region_area,
+     [](Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return goal.region_caps && at_some(pslg.regions.size(), seed, [&](Index r) {
+                const Index t = largest(mesh, r);
+                if (t == no_index) return false;
+                pslg.regions[r].max_area = just_too_small_a_cap(mesh, t);
+                return true;
+              });
+     }},
+    {"a vertex is deleted in a region, and its triangles merge beyond the region's cap", region_area,
+     [](Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return goal.region_caps && at_some(pslg.regions.size(), seed, [&](Index r) {
+                const double cap = delete_vertex_against_cap(mesh, r, seed);
+                if (cap > 0) pslg.regions[r].max_area = cap;
+                return cap > 0;
+              });
+     }},
+    {"an edge is longer than its bound by as little as a double can tell", long_edge,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return at_some_side(mesh, seed, [&](Side s) {
+         const Point a = mesh.points[edit::tail(mesh, s)], b = mesh.points[edit::head(mesh, s)];
+         goal.max_edge = just_exceeded(edit::length(mesh, edit::tail(mesh, s), edit::head(mesh, s)),
+                                       [&](double bound) { return checker::exactly::length_exceeds(a, b, bound); });
+         return true;
+       });
+     }},
+    {"the sizing function asks for less everywhere", size_exceeded,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
+       const double wanted = longest_edge(mesh, largest(mesh, no_index)) / 2;
+       goal.size = [wanted](Point) { return wanted; };
+       return true;
+     }},
+    {"the sizing function asks for less at one triangle", size_exceeded,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return at_some_triangle(mesh, seed, [&](Index t) {
+         const Point at = edit::centroid(mesh, t);
+         const double near = longest_edge(mesh, t) * 0x1p-20, wanted = longest_edge(mesh, t) * 0.875;
+         goal.size = [=](Point p) { return std::hypot(p.x - at.x, p.y - at.y) < near ? wanted : 1e300; };
+         return true;
+       });
+     }},
+    {"an edge of a segment is not Delaunay though the goal is a conforming mesh", not_delaunay,
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       if (goal.conforming) return false;
+       const auto walls = edit::constrained(mesh);
+       return at_some_side(mesh, seed, [&](Side s) {
+         if (edit::across(mesh, s) == no_index) return false;
+         if (!walls.contains(edit::ends(edit::tail(mesh, s), edit::head(mesh, s)))) return false;
+         const auto& v = mesh.triangles[s.t].v;
+         const Index beyond = edit::apex(mesh, edit::opposite(mesh, s));
+         if (checker::exactly::in_circle(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]],
+                                         mesh.points[beyond]) <= 0)
+           return false;
+         goal.conforming = true;
+         return true;
+       });
+     }},
+};
+
+}  // namespace
+
+std::span<const Defect> defects_of_goals() { return group; }
+
+}  // namespace pardel

@@ -1,0 +1,144 @@
+#include "property.hpp"
+
+#include <rapidcheck/detail/TestListenerAdapter.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "../../../core/formats.hpp"
+
+namespace pardel::properties {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr int usual_cases = 2'000;
+constexpr std::uint64_t usual_seed = 20040626;
+
+std::string environment(const char* name, std::string otherwise = {}) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::move(otherwise) : std::string(value);
+}
+
+/// SUITE.NAME of the test that runs.
+std::string test_name() {
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  return std::string(test->test_suite_name()) + "." + test->name();
+}
+
+/// What RC_PARAMS says; what it leaves open is not as RapidCheck has it (100 cases, another seed each time).
+rc::detail::Configuration configuration() {
+  rc::detail::Configuration usual;
+  usual.testParams.maxSuccess = usual_cases;
+  usual.testParams.seed = usual_seed;
+  return rc::detail::configFromString(environment("RC_PARAMS"), usual);
+}
+
+std::string replay_line(const rc::detail::TestParams& params) {
+  std::ostringstream line;
+  std::error_code unknown;
+  line << "RC_PARAMS=\"seed=" << params.seed << " max_success=" << params.maxSuccess << "\" "
+       << fs::read_symlink("/proc/self/exe", unknown).string() << " --gtest_filter=" << test_name();
+  return line.str();
+}
+
+void record(const Statement& statement, std::uint64_t cases, const std::map<std::string, std::uint64_t>& shares,
+            const std::vector<std::string>& notes) {
+  const std::string folder = environment("PARDEL_RECORDS");
+  if (folder.empty()) return;
+  fs::create_directories(folder);
+  const nlohmann::json row{{"property", test_name()},
+                           {"statement", statement.statement},
+                           {"source", statement.source},
+                           {"families", statement.families},
+                           {"cases", cases},
+                           {"shares", shares},
+                           {"notes", notes}};
+  std::ofstream(fs::path(folder) / (test_name() + ".json")) << row.dump(1) << '\n';
+}
+
+std::map<std::string, std::uint64_t> shares_of(const rc::detail::Distribution& distribution) {
+  std::map<std::string, std::uint64_t> shares;
+  for (const auto& [tags, count] : distribution)
+    for (std::string tag : tags) {
+      std::erase(tag, '"');  // RapidCheck shows strings with quotes
+      shares[tag] += static_cast<std::uint64_t>(count);
+    }
+  return shares;
+}
+
+}  // namespace
+
+std::string Exhibit::write(const std::string& stem) const {
+  const fs::path poly = stem + ".poly", svg = stem + ".svg";
+  std::vector<Status> written;
+  if (const auto* scene = std::get_if<Scene>(&shown_)) {
+    written = {write_poly(to_pslg(*scene), poly), draw(*scene, svg)};
+  } else if (const auto* pslg = std::get_if<Pslg>(&shown_)) {
+    written = {write_poly(*pslg, poly), write_svg(*pslg, svg)};
+  } else if (const auto* both = std::get_if<std::pair<Pslg, Mesh>>(&shown_)) {
+    written = {write_poly(both->first, poly), write_svg(both->second, svg)};
+  } else {
+    return "The case has nothing to draw.";
+  }
+  std::string report = "Shrunk case: " + poly.string() + ", " + svg.string();
+  for (const Status& status : written)
+    if (!status) report += "\n  " + status.error().message;
+  return report;
+}
+
+void check_property(const Statement& statement, void (*body)(Exhibit&)) {
+  rc::detail::TestMetadata metadata;
+  metadata.id = test_name();
+  metadata.description = testing::UnitTest::GetInstance()->current_test_info()->name();
+
+  // Shrinking goes on from every case that fails, so the last one to fail is the smallest.
+  Exhibit smallest;
+  const auto one_case = [&] {
+    Exhibit exhibit;
+    try {
+      body(exhibit);
+    } catch (const rc::detail::CaseResult& result) {
+      if (result.type == rc::detail::CaseResult::Type::Failure) smallest = exhibit;
+      throw;
+    } catch (const rc::GenerationFailure&) {
+      throw;
+    } catch (...) {
+      smallest = exhibit;
+      throw;
+    }
+  };
+  const rc::detail::Configuration wanted = configuration();
+  rc::detail::TestListenerAdapter silent;
+  const rc::detail::TestResult result =
+      rc::detail::checkTestable(one_case, metadata, wanted.testParams, silent, wanted.reproduce);
+
+  if (result.is<rc::detail::SuccessResult>()) {
+    const auto& success = result.get<rc::detail::SuccessResult>();
+    record(statement, static_cast<std::uint64_t>(success.numSuccess), shares_of(success.distribution), {});
+    return;
+  }
+  std::ostringstream story;
+  rc::detail::printResultMessage(result, story);
+  if (result.is<rc::detail::FailureResult>()) {
+    const fs::path folder = environment("PARDEL_FAILURES", "property-failures");
+    std::error_code reported_by_write;
+    fs::create_directories(folder, reported_by_write);
+    story << '\n' << smallest.write((folder / test_name()).string());
+  }
+  FAIL() << statement.statement << "\n  (" << statement.source << ")\n\n"
+         << story.str() << "\nReplay: " << replay_line(wanted.testParams) << '\n';
+}
+
+void check_fact(const Statement& statement, void (*body)(Facts&)) {
+  Facts facts;
+  body(facts);
+  for (const std::string& note : facts.notes) std::cout << "  " << note << '\n';
+  if (!testing::Test::HasFailure()) record(statement, facts.cases, {}, facts.notes);
+}
+
+}  // namespace pardel::properties

@@ -1,0 +1,301 @@
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include "../../../ref/insertion.hpp"
+#include "rapidcheck_generators.hpp"
+#include "scene_layouts.hpp"
+
+namespace pardel::properties {
+namespace {
+using generators::Random;
+
+Point on_halves(double x, double y) { return {std::round(2 * x) / 2, std::round(2 * y) / 2}; }
+
+enum class Kind : std::uint8_t {
+  anywhere,
+  on_an_edge,
+  on_a_circumcircle,
+  above_a_vertex,
+  next_to_a_vertex,
+  facing_a_former_one,
+  beside_a_wall,
+  on_a_wall
+};
+
+const char* name(Kind kind) {
+  switch (kind) {
+    case Kind::anywhere:
+      return "inserted: anywhere";
+    case Kind::on_an_edge:
+      return "inserted: on an edge";
+    case Kind::on_a_circumcircle:
+      return "inserted: on a circumcircle";
+    case Kind::above_a_vertex:
+      return "inserted: above a vertex";
+    case Kind::next_to_a_vertex:
+      return "inserted: next to a vertex";
+    case Kind::facing_a_former_one:
+      return "inserted: on a circle through an edge and a former one";
+    case Kind::beside_a_wall:
+      return "inserted: beside a wall";
+    case Kind::on_a_wall:
+      return "inserted: on a wall";
+  }
+  return "";
+}
+
+/// Chooses positions for one scene; its points, relative to its lower left corner, are small integers or halves.
+class Positions {
+ public:
+  Positions(Random& random, const MeshedScene& scene)
+      : random_(random), scene_(scene), points_(scene.scene.points), hull_(hull_of(scene.mesh)) {
+    low_ = high_ = points_.front();
+    for (const Point& p : points_) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+  }
+
+  /// In the hull's box; its family is given back, too. `former` is one of the insertions so far, if any.
+  Point any(const SceneWish& wish, const Point* former, std::string& family) {
+    std::vector<Kind> kinds = {Kind::anywhere,          Kind::anywhere,       Kind::on_an_edge,
+                               Kind::on_a_circumcircle, Kind::above_a_vertex, Kind::next_to_a_vertex};
+    if (former != nullptr) kinds.push_back(Kind::facing_a_former_one);
+    if (!scene_.scene.walls.empty()) kinds.push_back(Kind::beside_a_wall);
+    if (!scene_.scene.walls.empty() && wish.on_walls) kinds.push_back(Kind::on_a_wall);
+    const Kind kind = random_.one_of(kinds);
+    family = name(kind);
+    switch (kind) {
+      case Kind::anywhere:
+        return anywhere();
+      case Kind::on_an_edge:
+        return middle_of_an_edge();
+      case Kind::on_a_circumcircle:
+        return on_a_circle(corners(random_.one_of(scene_.mesh.triangles)));
+      case Kind::above_a_vertex:
+        return {random_.one_of(points_).x, anywhere().y};
+      case Kind::next_to_a_vertex:
+        return moved(random_.one_of(points_), 1);
+      case Kind::facing_a_former_one:
+        return on_a_circle(facing(*former));
+      case Kind::beside_a_wall:
+        return moved(middle_of_a_wall(), 6);
+      case Kind::on_a_wall:
+        return middle_of_a_wall();
+    }
+    return {};
+  }
+
+  /// Is p in the mesh, and is it neither a vertex nor, where that is not wished, on a wall?
+  [[nodiscard]] bool is_free(Point p, bool on_walls) const {
+    const auto at = [&](Index v) { return points_[v]; };
+    return std::ranges::all_of(hull_, [&](const ref::Edge& e) { return orientation(at(e[0]), at(e[1]), p) >= 0; }) &&
+           std::ranges::count(points_, p) == 0 &&
+           (on_walls || std::ranges::none_of(scene_.scene.walls,
+                                             [&](const ref::Edge& e) { return lies_on(p, at(e[0]), at(e[1])); }));
+  }
+
+ private:
+  using Three = std::array<Point, 3>;
+
+  Three corners(const ref::Corners& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+
+  Point anywhere() {
+    const auto between = [&](double low, double high) {
+      return low + random_.between(0, static_cast<int>(2 * (high - low))) / 2.0;
+    };
+    const double x = between(low_.x, high_.x), y = between(low_.y, high_.y);
+    return {x, y};
+  }
+
+  static Point middle(Point a, Point b) { return on_halves((a.x + b.x) / 2, (a.y + b.y) / 2); }
+
+  Point middle_of_an_edge() {
+    const Three t = corners(random_.one_of(scene_.mesh.triangles));
+    return middle(t[0], t[1]);
+  }
+
+  Point middle_of_a_wall() {
+    const ref::Edge wall = random_.one_of(scene_.scene.walls);
+    return middle(points_[wall[0]], points_[wall[1]]);
+  }
+
+  /// By up to so many halves in either direction.
+  Point moved(Point from, int halves) {
+    const double dx = random_.between(-halves, halves) / 2.0, dy = random_.between(-halves, halves) / 2.0;
+    return {from.x + dx, from.y + dy};
+  }
+
+  /// p and an edge of its cavity's boundary: who lies inside of their circle is not independent of p.
+  Three facing(Point p) {
+    const auto edges = ref::boundary(scene_.mesh, ref::cavity(scene_.mesh, ref::exact(p)));
+    const ref::Edge e = random_.one_of(edges);
+    return {p, points_[e[0]], points_[e[1]]};
+  }
+
+  /// A position exactly on the circle through three points; one of the three where there is no other.
+  Point on_a_circle(const Three& t) {
+    const double bx = t[1].x - t[0].x, by = t[1].y - t[0].y, cx = t[2].x - t[0].x, cy = t[2].y - t[0].y;
+    const double twice = bx * cy - by * cx;
+    if (twice == 0) return t[0];
+    const double b = bx * bx + by * by, c = cx * cx + cy * cy;
+    // The circle is twice · (x² + y²) + u x + v y = 0, relative to t[0]; these are exact.
+    const double u = by * c - cy * b, v = cx * b - bx * c;
+    const double centre_x = -u / (2 * twice), centre_y = -v / (2 * twice), radius = std::hypot(centre_x, centre_y);
+    const double first = std::max(low_.x - t[0].x, std::ceil(2 * (centre_x - radius)) / 2);
+    const double last = std::min(high_.x - t[0].x, centre_x + radius);
+    std::vector<Point> found;
+    for (double x = first; x <= last; x += 0.5)
+      for (const double sign : {-1.0, 1.0}) {
+        const double dx = x - centre_x;
+        const Point at = on_halves(x, centre_y + sign * std::sqrt(std::max(0.0, radius * radius - dx * dx)));
+        const Point p{t[0].x + at.x, t[0].y + at.y};
+        if (twice * (at.x * at.x + at.y * at.y) + u * at.x + v * at.y == 0 && is_free(p, true)) found.push_back(p);
+      }
+    return found.empty() ? t[0] : random_.one_of(found);
+  }
+
+  Random& random_;
+  const MeshedScene& scene_;
+  const std::vector<Point>& points_;
+  std::vector<ref::Edge> hull_;
+  Point low_, high_;
+};
+
+ref::Number squared_distance(Point p, Point q) { return CGAL::squared_distance(ref::exact(p), ref::exact(q)); }
+
+/// Is p as far from the insertions before the k-th as the wish says?
+bool keeps_distance(const MeshedScene& meshed, const SceneWish& wish, Point p, std::size_t k) {
+  bool is_near_one = k == 0 || std::isinf(wish.most);
+  for (std::size_t i = 0; i < k; ++i) {
+    const ref::Number distance = squared_distance(p, meshed.scene.insertions[i]);
+    if (distance < wish.least * wish.least * meshed.squared_bound) return false;
+    is_near_one = is_near_one || distance < wish.most * wish.most * meshed.squared_bound;
+  }
+  return is_near_one;
+}
+
+bool may_encroach(const MeshedScene& meshed, const SceneWish& wish, Point at) {
+  if (wish.encroaching || meshed.mesh.constraints.empty()) return true;
+  const ref::ExactPoint p = ref::exact(at);
+  return std::ranges::none_of(ref::boundary(meshed.mesh, ref::cavity(meshed.mesh, p)), [&](const ref::Edge& e) {
+    return meshed.mesh.constraints.contains(ref::edge(e[0], e[1])) &&
+           ref::encroaches(p, meshed.mesh.points[e[0]], meshed.mesh.points[e[1]]);
+  });
+}
+
+/// How many lines of points a scene needs for so many insertions at such a distance, since r̄ is about a spacing.
+int lines_for(Random& random, const SceneWish& wish) {
+  const double count = std::max(2, wish.insertions);
+  return random.between(5, 7) + static_cast<int>(std::ceil(wish.least * (std::sqrt(count) - 1) / 2));
+}
+
+MeshedScene random_mesh(Random& random, const SceneWish& wish) {
+  Families families;
+  Scene layout = random_points(random, lines_for(random, wish), wish.least == 0, families);
+  if (wish.walls) add_random_walls(random, layout, families);
+  return meshed(std::move(layout), std::move(families));
+}
+
+/// Can two points of the mesh be as far apart as the wish says? Long walls make large circumradii.
+bool is_large_enough(const MeshedScene& meshed, const SceneWish& wish) {
+  const std::vector<Point>& points = meshed.scene.points;
+  const auto [low, high] = std::ranges::minmax(points, {}, [](Point p) { return p.x + p.y; });
+  return squared_distance(low, high) >= wish.least * wish.least * meshed.squared_bound;
+}
+
+/// Adds an insertion that grants the wish, if it finds one.
+bool add_insertion(Random& random, MeshedScene& meshed, const SceneWish& wish, Positions& positions) {
+  std::vector<Point>& insertions = meshed.scene.insertions;
+  constexpr int trials = 40;
+  for (int trial = 0; trial < trials; ++trial) {
+    std::string family;
+    const Point* former = insertions.empty() ? nullptr : &random.one_of(insertions);
+    const Point p = positions.any(wish, former, family);
+    if (positions.is_free(p, wish.on_walls) && std::ranges::count(insertions, p) == 0 &&
+        keeps_distance(meshed, wish, p, insertions.size()) && may_encroach(meshed, wish, p)) {
+      insertions.push_back(p);
+      meshed.families.push_back(std::move(family));
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed) { return out << meshed.scene; }
+
+std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh) {
+  std::vector<Index> all(mesh.triangles.size());
+  for (Index t = 0; t < all.size(); ++t) all[t] = t;
+  return ref::boundary(mesh, all);
+}
+
+MeshedScene meshed(Scene scene, Families families) {
+  MeshedScene result{std::move(scene), {}, 0, std::move(families)};
+  result.mesh = mesh_of(result.scene);
+  result.squared_bound = ref::squared_circumradius_bound(result.mesh);
+  return result;
+}
+
+MeshedScene random_scene(Random& random, const SceneWish& wish) {
+  const auto wanted = static_cast<std::size_t>(wish.insertions);
+  constexpr int attempts = 6, trials = 4;
+  MeshedScene result;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    result = random_mesh(random, wish);
+    if (!is_large_enough(result, wish)) continue;
+    const Families without_insertions = result.families;
+    Positions positions(random, result);
+    for (int trial = 0; trial < trials; ++trial) {
+      result.scene.insertions.clear();
+      result.families = without_insertions;
+      while (result.scene.insertions.size() < wanted && add_insertion(random, result, wish, positions)) {
+      }
+      if (result.scene.insertions.size() < wanted) continue;
+      for (int k = 0; k < wish.more && add_insertion(random, result, wish, positions);) ++k;
+      return result;
+    }
+  }
+  return result;
+}
+
+bool grants(const MeshedScene& meshed, const SceneWish& wish) {
+  Random unused(0);
+  const Positions positions(unused, meshed);
+  const std::vector<Point>& insertions = meshed.scene.insertions;
+  if (insertions.size() < static_cast<std::size_t>(wish.insertions)) return false;
+  for (std::size_t k = 0; k < insertions.size(); ++k)
+    if (!positions.is_free(insertions[k], wish.on_walls) || !keeps_distance(meshed, wish, insertions[k], k) ||
+        !may_encroach(meshed, wish, insertions[k]))
+      return false;
+  return true;
+}
+
+rc::Gen<MeshedScene> scenes(const SceneWish& wish) {
+  const auto make = [wish](Random& random, int /*size*/) {
+    MeshedScene scene = random_scene(random, wish);
+    if (scene.scene.insertions.size() < static_cast<std::size_t>(wish.insertions))
+      throw rc::GenerationFailure("no room for the insertions");
+    return scene;
+  };
+  const auto shrinks = [wish](const MeshedScene& large) {
+    std::vector<MeshedScene> result;
+    for (Scene& scene : simpler(large.scene))
+      if (MeshedScene small = meshed(std::move(scene), large.families); grants(small, wish))
+        result.push_back(std::move(small));
+    return result;
+  };
+  return generators::generator(make, shrinks);
+}
+
+void tag_families(const MeshedScene& meshed) {
+  for (const std::string& family : meshed.families) RC_TAG(family);
+}
+
+}  // namespace pardel::properties

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "../../../core/formats.hpp"
+#include "../folder.hpp"
+#include "../sample_mesh.hpp"
+
+namespace pardel {
+namespace {
+
+TEST(Off, is_counts_then_vertices_then_faces) {
+  const Folder folder;
+  ASSERT_TRUE(write_off(sample_mesh(), folder / "m.off").ok());
+  EXPECT_EQ(folder.read("m.off"),
+            "OFF\n6 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n5 5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
+  const auto read = read_mesh(folder / "m.off");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->points, sample_mesh().points);
+  EXPECT_EQ(read->triangles, sample_mesh().triangles);
+}
+
+TEST(Off, may_have_its_counts_on_the_first_line_comments_and_colours) {
+  const Folder folder;
+  const auto read =
+      read_mesh(folder.write("m.off", "# made by hand\nOFF 3 1 3\n\n0 0 1\n1 0 2\n0 1 3\n3 0 1 2 255 0 0\n"));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->points[2], (Point{0, 1}));
+  EXPECT_EQ(read->triangles.size(), 1u);
+}
+
+TEST(Off, says_what_is_wrong_in_which_line) {
+  const Folder folder;
+  const auto failure = [&](const char* text) { return message_of(read_mesh(folder.write("m.off", text)), folder); };
+  EXPECT_EQ(failure(""), "m.off:1: expected \"OFF\", found the end of the file");
+  EXPECT_EQ(failure("COFF\n"), "m.off:1: expected \"OFF\", found \"COFF\"");
+  EXPECT_EQ(failure("OFF\n3 x\n"), "m.off:2: expected the number of faces, a whole number, found \"x\"");
+  EXPECT_EQ(failure("OFF\n1 0 0\n0 nan 0\n"),
+            "m.off:3: expected a y coordinate, finite and within the range of a double, found \"nan\"");
+  EXPECT_EQ(failure("OFF\n1 1 0\n0 0 0\n4 0 0 0 0\n"),
+            "m.off:4: expected the number of corners, a whole number from 3 to 3, found \"4\"");
+  EXPECT_EQ(failure("OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
+            "m.off:4: expected a corner of a face, a whole number from 0 to 0, found \"1\"");
+  EXPECT_EQ(failure("OFF\n2 0 0\n0 0 0\n"), "m.off:4: expected vertex 2 of 2, found the end of the file");
+  EXPECT_EQ(failure("OFF\n4000000000 0 0\n0 0 0\n"),
+            "m.off:2: announces 4000000000 vertices, more than the 9 bytes that follow can hold");
+}
+
+}  // namespace
+}  // namespace pardel

@@ -1,0 +1,174 @@
+// What is written reads back as the same value, for values of every shape.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "../../../core/digest.hpp"
+#include "../../../core/formats.hpp"
+#include "../../../core/formats/mesh_readers.hpp"
+#include "../../../core/neighbours.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+#include "../folder.hpp"
+
+namespace pardel {
+namespace {
+
+/// A finite double of any size: either any bits at all, or a small whole number.
+double any_double() {
+  if (*rc::gen::inRange(0, 3) == 0) return *rc::gen::inRange(-20, 20);
+  const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+  return std::isfinite(value) ? value : 0.5;
+}
+Point any_point() {
+  const double x = any_double();
+  return {x, any_double()};
+}
+std::size_t up_to(std::size_t n) { return *rc::gen::inRange<std::size_t>(0, n + 1); }
+Index below(std::size_t n) { return static_cast<Index>(*rc::gen::inRange<std::size_t>(0, n)); }
+int any_marker() { return *rc::gen::inRange(0, 4) == 0 ? *rc::gen::arbitrary<int>() : *rc::gen::inRange(-3, 4); }
+bool either() { return *rc::gen::inRange(0, 2) == 1; }
+
+Pslg any_pslg() {
+  Pslg pslg;
+  const std::size_t points = 1 + up_to(12);
+  pslg.attributes_per_point = up_to(3);
+  for (std::size_t i = 0; i < points; ++i) pslg.points.push_back(any_point());
+  for (std::size_t i = 0; i < points * pslg.attributes_per_point; ++i) pslg.point_attributes.push_back(any_double());
+  if (either()) {
+    for (std::size_t i = 0; i < points; ++i) pslg.point_markers.push_back(any_marker());
+  }
+  pslg.has_segment_markers = either();
+  for (std::size_t i = up_to(10); i > 0; --i) {
+    const Index a = below(points);
+    const Index b = below(points);
+    pslg.segments.push_back({a, b, pslg.has_segment_markers ? any_marker() : 0});
+  }
+  for (std::size_t i = up_to(3); i > 0; --i) pslg.holes.push_back(any_point());
+  for (std::size_t i = up_to(3); i > 0; --i) {
+    const Point seed = any_point();
+    const double attribute = any_double();
+    const double cap = std::abs(any_double());
+    pslg.regions.push_back({seed, attribute, cap > 0 ? cap : std::numeric_limits<double>::infinity()});
+  }
+  return pslg;
+}
+
+/// Any triangles between any points, even where no geometry would have them: files do not care.
+Mesh any_mesh() {
+  Mesh mesh;
+  const std::size_t points = 3 + up_to(12);
+  for (std::size_t i = 0; i < points; ++i) mesh.points.push_back(any_point());
+  mesh.attributes_per_point = up_to(2);
+  for (std::size_t i = 0; i < points * mesh.attributes_per_point; ++i) mesh.point_attributes.push_back(any_double());
+  for (std::size_t i = 0; i < points; ++i) mesh.point_markers.push_back(any_marker());
+  std::vector<double> attributes;
+  for (std::size_t i = up_to(15); i > 0; --i) {
+    const Index first = below(points);
+    const Index second = below(points - 1);
+    const Index a = first;
+    const Index b = static_cast<Index>((first + 1 + second) % points);
+    Index c = below(points);
+    while (c == a || c == b) c = static_cast<Index>((c + 1) % points);
+    mesh.triangles.push_back({{a, b, c}, {}});
+    attributes.push_back(any_double());
+  }
+  rebuild_neighbours(mesh.triangles, points);
+  if (!attributes.empty() && either()) set_regions(mesh, attributes);
+  for (std::size_t i = up_to(8); i > 0; --i) {
+    const Index a = below(points);
+    const Index b = below(points);
+    mesh.constrained_edges.push_back({a, b, no_index, any_marker()});
+  }
+  return mesh;
+}
+
+Mesh read_back(const Folder& folder, const char* name) {
+  const auto read = read_mesh(folder / name);
+  RC_ASSERT(read.ok());
+  return *read;
+}
+
+PARDEL_PROPERTY(RoundTrip, of_a_pslg_through_a_poly_changes_nothing,
+                {.statement = "a domain written as .poly reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
+  const Folder folder;
+  const Pslg pslg = any_pslg();
+  RC_ASSERT(write_poly(pslg, folder / "p.poly", either() ? 1 : 0).ok());
+  const auto read = read_pslg(folder / "p.poly");
+  RC_ASSERT(read.ok());
+  RC_ASSERT(*read == pslg);
+}
+
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_triangles_files_changes_nothing,
+                {.statement = "a mesh written as .node, .ele, .edge, .neigh reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
+  const Folder folder;
+  const Mesh mesh = any_mesh();
+  TriangleFiles files;
+  files.base = either() ? 1 : 0;
+  files.write_edge = either();
+  files.write_neigh = either();
+  RC_ASSERT(write_triangle_files(mesh, {}, folder / "m", files).ok());
+  RC_ASSERT(read_back(folder, "m.ele") == mesh);
+}
+
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_vtu_changes_nothing,
+                {.statement = "a mesh written as .vtu reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
+  const Folder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_vtu(mesh, folder / "m.vtu").ok());
+  RC_ASSERT(read_back(folder, "m.vtu") == mesh);
+}
+
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest,
+                {.statement = "a mesh written as .msh reads back with the same points, regions and digest",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
+  const Folder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_msh(mesh, folder / "m.msh", either() ? MshEncoding::ascii : MshEncoding::binary).ok());
+  const Mesh read = read_back(folder, "m.msh");
+  RC_ASSERT(read.points == mesh.points);
+  RC_ASSERT(read.triangles.size() == mesh.triangles.size());
+  RC_ASSERT(read.region_attributes == mesh.region_attributes);
+  RC_ASSERT(digest(read) == digest(mesh));
+}
+
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles,
+                {.statement = "a mesh written as .off reads back with the same points and triangles",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
+  const Folder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_off(mesh, folder / "m.off").ok());
+  const Mesh read = read_back(folder, "m.off");
+  RC_ASSERT(read.points == mesh.points);
+  RC_ASSERT(read.triangles == mesh.triangles);
+}
+
+/// Bytes of a good file with a few of them changed: reading them ends with a value or an error, never otherwise.
+PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
+                {.statement = "a file with some bytes changed reads as a value or gives an error with a message",
+                 .source = "core/formats.hpp",
+                 .families = "files of four formats"}) {
+  const Folder folder;
+  const Mesh mesh = any_mesh();
+  const char* names[] = {"m.vtu", "m.off", "m.ele", "m.msh"};
+  const char* name = names[below(4)];
+  RC_ASSERT(write_mesh(mesh, {}, folder / name).ok());
+  std::string bytes = folder.read(name);
+  for (std::size_t i = 1 + up_to(4); i > 0; --i) {
+    bytes[below(bytes.size())] = "0123456789-.e <>\n\x00\xff"[below(19)];
+  }
+  folder.write(name, bytes);
+  const auto read = read_mesh(folder / name);
+  if (!read.ok()) RC_ASSERT(!read.error().message.empty());
+}
+
+}  // namespace
+}  // namespace pardel

@@ -1,0 +1,148 @@
+#include "../../../core/formats/text_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "../folder.hpp"
+
+namespace pardel {
+namespace {
+
+constexpr std::int64_t low = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max();
+
+std::string failure_of_number(std::string_view text) {
+  TextReader in(text, "f");
+  in.next_line();
+  in.number("a number");
+  return in.failed() ? in.error().message : "";
+}
+
+double number_in(std::string_view text) {
+  TextReader in(text, "f");
+  in.next_line();
+  const double value = in.number("a number");
+  EXPECT_FALSE(in.failed()) << in.error().message;
+  return value;
+}
+
+std::string failure_of_integer(std::string_view text) {
+  TextReader in(text, "f");
+  in.next_line();
+  in.integer("a count", 0, 9);
+  return in.failed() ? in.error().message : "";
+}
+
+TEST(TextReader, passes_over_blank_lines_and_comments) {
+  TextReader in("\n  \t\n# one\n   # two\n 7 # seven\r\n\r\n8#eight\n9", "f");
+  for (const int expected : {7, 8, 9}) {
+    ASSERT_TRUE(in.next_line());
+    EXPECT_EQ(in.integer("a number", low, high), expected);
+    EXPECT_FALSE(in.has_field());
+  }
+  EXPECT_FALSE(in.next_line());
+  EXPECT_FALSE(in.failed());
+}
+
+TEST(TextReader, ignores_the_fields_of_a_line_that_nobody_asks_for) {
+  TextReader in("1 garbage \x01\x02\n2\n", "f");
+  ASSERT_TRUE(in.next_line());
+  EXPECT_EQ(in.integer("a number", low, high), 1);
+  ASSERT_TRUE(in.next_line());
+  EXPECT_EQ(in.integer("a number", low, high), 2);
+}
+
+TEST(TextReader, reads_numbers_in_every_usual_spelling) {
+  EXPECT_EQ(number_in("+1.5"), 1.5);
+  EXPECT_EQ(number_in("-.5e+01"), -5);
+  EXPECT_EQ(number_in("1."), 1);
+  EXPECT_EQ(number_in("0.1"), 0.1);
+  EXPECT_EQ(number_in("4.9406564584124654e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(number_in("1.7976931348623157e308"), std::numeric_limits<double>::max());
+}
+
+TEST(TextReader, refuses_what_is_no_finite_number_and_says_what_it_found) {
+  for (const char* token : {"nan", "NaN", "inf", "-inf", "infinity", "1e400"}) {
+    EXPECT_EQ(failure_of_number(token),
+              "f:1: expected a number, finite and within the range of a double, found \"" + std::string(token) + "\"");
+  }
+  for (const char* token : {"abc", "1,5", "1d5", "0x10", "--1", "+-1", "++1", "+", "-", "1.5.2"}) {
+    EXPECT_EQ(failure_of_number(token), "f:1: expected a number, found \"" + std::string(token) + "\"");
+  }
+}
+
+TEST(TextReader, refuses_what_is_no_whole_number_in_range) {
+  EXPECT_EQ(failure_of_integer("3.0"), "f:1: expected a count, a whole number, found \"3.0\"");
+  EXPECT_EQ(failure_of_integer("x"), "f:1: expected a count, a whole number, found \"x\"");
+  EXPECT_EQ(failure_of_integer("10"), "f:1: expected a count, a whole number from 0 to 9, found \"10\"");
+  EXPECT_EQ(failure_of_integer("-1"), "f:1: expected a count, a whole number from 0 to 9, found \"-1\"");
+  EXPECT_EQ(failure_of_integer("99999999999999999999"),
+            "f:1: expected a count, a whole number from 0 to 9, found \"99999999999999999999\"");
+}
+
+TEST(TextReader, tells_the_end_of_a_line_from_the_end_of_the_file) {
+  EXPECT_EQ(failure_of_number("# only a comment\n"), "f:2: expected a number, found the end of the file");
+  TextReader in("1\n2", "f");
+  ASSERT_TRUE(in.next_line());
+  in.number("a number");
+  in.number("another");
+  ASSERT_TRUE(in.failed());
+  EXPECT_EQ(in.error().message, "f:1: expected another, found the end of the line");
+}
+
+TEST(TextReader, keeps_the_first_failure) {
+  TextReader in("a\nb\n", "f");
+  in.next_line();
+  in.number("a number");
+  in.next_line();
+  in.fail("something else");
+  EXPECT_EQ(in.error().message, "f:1: expected a number, found \"a\"");
+}
+
+TEST(TextReader, makes_room_for_no_more_than_the_text_can_hold) {
+  TextReader exact("1 2\n3 4", "f");  // two records of two fields, the last without its newline
+  EXPECT_TRUE(exact.room_for(2, text_bytes(2), "things"));
+  EXPECT_FALSE(exact.room_for(3, text_bytes(2), "things"));
+  EXPECT_EQ(exact.error().message, "f:1: announces 3 things, more than the 7 bytes that follow can hold");
+  TextReader absurd("1\n", "f");
+  EXPECT_FALSE(absurd.room_for(std::numeric_limits<std::size_t>::max(), text_bytes(2), "things"));
+}
+
+TEST(TextReader, shows_bytes_that_do_not_print_as_numbers_and_shortens_what_is_long) {
+  EXPECT_EQ(in_quotes(std::string_view("a\x1b[\0\"\\", 6)), "\"a\\x1b[\\x00\\x22\\x5c\"");
+  EXPECT_EQ(in_quotes(std::string(50, 'x')), "\"" + std::string(40, 'x') + "...\"");
+}
+
+TEST(TextReader, gives_places_in_bytes_once_data_are_binary) {
+  TextReader in("head\n12345678", "f");
+  in.next_line();
+  EXPECT_EQ(in.word(), "head");
+  in.end_line();
+  EXPECT_EQ(in.bytes(4, "data"), "1234");
+  EXPECT_TRUE(in.bytes(5, "more data").empty());
+  EXPECT_EQ(in.error().message, "f: byte 9: expected more data (5 bytes), found the end of the file after 4 bytes");
+}
+
+TEST(ReadFile, names_a_file_that_is_not_there) {
+  const auto result = read_file("/nowhere/a file.poly");
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().kind, ErrorKind::io);
+  EXPECT_EQ(result.error().message, "/nowhere/a file.poly: cannot be opened: No such file or directory");
+}
+
+TEST(ReadFile, refuses_a_folder) {
+  const Folder folder;
+  const auto result = read_file(folder / "");
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().kind, ErrorKind::io);
+}
+
+TEST(ReadFile, returns_all_bytes) {
+  const Folder folder;
+  const std::string bytes("\0\xff\r\n#", 5);
+  EXPECT_EQ(*read_file(folder.write("with spaces.bin", bytes)), bytes);
+}
+
+}  // namespace
+}  // namespace pardel

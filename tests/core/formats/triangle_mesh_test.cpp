@@ -1,0 +1,171 @@
+// Meshes in Triangle's files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "../../../core/formats.hpp"
+#include "../folder.hpp"
+#include "../sample_mesh.hpp"
+
+namespace pardel {
+namespace {
+
+/// The unit square in two triangles.
+constexpr const char* node = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+constexpr const char* ele = "2 3 0\n1 1 2 3\n2 1 3 4\n";
+
+std::string failure_of(const Folder& folder) { return message_of(read_mesh(folder / "m.ele"), folder); }
+
+TEST(TriangleFiles, say_all_that_the_formats_say) {
+  const Folder folder;
+  Pslg pslg;
+  pslg.holes = {{0.5, 0.25}};
+  pslg.regions = {{{1, 0.5}, 2.5, 0.125}, {{1.5, 1}, 7, std::numeric_limits<double>::infinity()}};
+  TriangleFiles all;
+  all.write_edge = true;
+  all.write_neigh = true;
+  ASSERT_TRUE(write_triangle_files(sample_mesh(), pslg, folder / "m.1", all).ok());
+  EXPECT_EQ(folder.names(), "m.1.edge m.1.ele m.1.neigh m.1.node m.1.poly ");
+  EXPECT_EQ(folder.read("m.1.node"),
+            "6 2 1 1\n1 0 0 0.5 1\n2 2 0 1.5 5\n3 2 2 0.1 5\n4 0 2 -3 1\n5 1 1 1e-300 9\n6 5 5 1e+300 0\n");
+  EXPECT_EQ(folder.read("m.1.ele"), "4 3 1\n1 1 2 5 2.5\n2 2 3 5 7\n3 3 4 5 2.5\n4 4 1 5 7\n");
+  EXPECT_EQ(folder.read("m.1.poly"),
+            "0 2 1 1\n5 1\n1 1 2 1\n2 2 3 5\n3 3 4 1\n4 4 1 -4\n5 3 5 0\n1\n1 0.5 0.25\n"
+            "2\n1 1 0.5 2.5 0.125\n2 1.5 1 7 -1\n");
+  EXPECT_EQ(folder.read("m.1.edge"), "8 1\n1 2 5 0\n2 5 1 0\n3 1 2 1\n4 3 5 0\n5 2 3 5\n6 4 5 0\n7 3 4 1\n8 4 1 -4\n");
+  EXPECT_EQ(folder.read("m.1.neigh"), "4 3\n1 2 4 -1\n2 3 1 -1\n3 4 2 -1\n4 1 3 -1\n");
+}
+
+TEST(TriangleFiles, leave_out_what_they_are_told_to) {
+  const Folder folder;
+  TriangleFiles files;
+  files.base = 0;
+  files.write_node = false;
+  files.markers = false;
+  files.holes = false;
+  Pslg pslg;
+  pslg.holes = {{0.5, 0.25}};
+  ASSERT_TRUE(write_triangle_files(sample_mesh(), pslg, folder / "m", files).ok());
+  EXPECT_EQ(folder.names(), "m.ele m.poly ");
+  EXPECT_EQ(folder.read("m.ele"), "4 3 1\n0 0 1 4 2.5\n1 1 2 4 7\n2 2 3 4 2.5\n3 3 0 4 7\n");
+  EXPECT_EQ(folder.read("m.poly"), "0 2 1 0\n5 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 2 4\n0\n");
+}
+
+TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corners) {
+  const Folder folder;
+  TriangleFiles files;
+  files.second_order = true;
+  ASSERT_TRUE(write_triangle_files(sample_mesh(), {}, folder / "m", files).ok());
+  EXPECT_EQ(folder.read("m.node").substr(0, 7), "14 2 1 ");
+  // Nodes 7 and up are the middles of (2,5), (5,1), (1,2), (3,5), (2,3), (4,5), (3,4), (4,1).
+  EXPECT_NE(folder.read("m.node").find("\n7 1.5 0.5 0.75 0\n"), std::string::npos);
+  EXPECT_NE(folder.read("m.node").find("\n9 1 0 1 1\n"), std::string::npos);
+  EXPECT_EQ(folder.read("m.ele"),
+            "4 6 1\n1 1 2 5 7 8 9 2.5\n2 2 3 5 10 7 11 7\n3 3 4 5 12 10 13 2.5\n4 4 1 5 8 12 14 7\n");
+  const auto read = read_mesh(folder / "m.ele");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->triangles, sample_mesh().triangles);
+  EXPECT_EQ(read->points.size(), 14u);
+}
+
+TEST(TriangleFiles, read_back_as_the_mesh_they_were) {
+  const Folder folder;
+  for (const int base : {0, 1}) {
+    TriangleFiles files;
+    files.base = base;
+    files.write_edge = true;
+    files.write_neigh = true;
+    ASSERT_TRUE(write_triangle_files(sample_mesh(), {}, folder / "m", files).ok());
+    const auto read = read_mesh(folder / "m.node");
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(*read, sample_mesh());
+  }
+}
+
+TEST(TriangleFiles, give_markers_to_vertices_by_their_constrained_edges_where_the_mesh_has_none) {
+  const Folder folder;
+  Mesh mesh = sample_mesh();
+  mesh.point_markers.clear();
+  ASSERT_TRUE(write_mesh(mesh, {}, folder / "m.node").ok());
+  const auto read = read_mesh(folder / "m.node");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(std::vector<int>(read->point_markers.begin(), read->point_markers.end()),
+            (std::vector<int>{1, 1, 5, 1, 0, 0}));
+}
+
+TEST(TriangleFiles, need_only_nodes_and_elements) {
+  const Folder folder;
+  folder.write("m.node", node);
+  folder.write("m.ele", ele);
+  const auto mesh = read_mesh(folder / "m.node");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->triangles[0], (Triangle{{0, 1, 2}, {no_index, 1, no_index}}));
+  EXPECT_EQ(mesh->triangles[1], (Triangle{{0, 2, 3}, {no_index, no_index, 0}}));
+  EXPECT_TRUE(mesh->region.empty());
+  EXPECT_TRUE(mesh->constrained_edges.empty());
+}
+
+TEST(TriangleFiles, take_constraints_from_the_edges_where_there_is_no_poly_of_the_mesh) {
+  const Folder folder;
+  folder.write("m.node", node);
+  folder.write("m.ele", ele);
+  folder.write("m.edge", "5 1\n1 1 2 1\n2 2 3 4\n3 3 4 1\n4 4 1 1\n5 1 3 0\n");
+  // This .poly has points of its own: it is what the mesh was made from, not the mesh's.
+  folder.write("m.poly", "3\n1 0 0\n2 1 0\n3 1 1\n1 0\n1 1 2\n0\n");
+  const auto mesh = read_mesh(folder / "m.ele");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->constrained_edges,
+            (std::vector<ConstrainedEdge>{
+                {0, 1, no_index, 1}, {1, 2, no_index, 4}, {2, 3, no_index, 1}, {3, 0, no_index, 1}}));
+}
+
+TEST(TriangleFiles, of_neighbours_must_say_what_the_triangles_say) {
+  const Folder folder;
+  folder.write("m.node", node);
+  folder.write("m.ele", ele);
+  folder.write("m.neigh", "2 3\n1 -1 2 -1\n2 -1 -1 1\n");
+  EXPECT_TRUE(read_mesh(folder / "m.ele").ok());
+  folder.write("m.neigh", "2 3\n1 -1 2 -1\n2 -1 1 -1\n");
+  EXPECT_EQ(failure_of(folder), "m.neigh:3: expected neighbour -1, as the triangles have it, found 1");
+  folder.write("m.neigh", "3 3\n");
+  EXPECT_EQ(failure_of(folder), "m.neigh:1: expected as many triangles as the .ele has, 2");
+  folder.write("m.neigh", "2 3\n1 -1 2 7\n");
+  EXPECT_EQ(failure_of(folder), "m.neigh:2: expected a neighbour, a whole number from -1 to 2, found \"7\"");
+}
+
+TEST(TriangleFiles, say_what_is_wrong_in_which_line) {
+  const Folder folder;
+  EXPECT_EQ(failure_of(folder), "m.node: cannot be opened: No such file or directory");
+  folder.write("m.node", node);
+  EXPECT_EQ(failure_of(folder), "m.ele: cannot be opened: No such file or directory");
+  const auto failure = [&](const char* text) {
+    folder.write("m.ele", text);
+    return failure_of(folder);
+  };
+  EXPECT_EQ(failure(""), "m.ele:1: expected the number of triangles, found the end of the file");
+  EXPECT_EQ(failure("1 4 0\n"), "m.ele:1: expected 3 or 6 nodes per triangle, found 4");
+  EXPECT_EQ(failure("1 3 0\n1 1 2 5\n"),
+            "m.ele:2: expected a corner of a triangle, a whole number from 1 to 4, found \"5\"");
+  EXPECT_EQ(failure("1 3 0\n1 1 2\n"),
+            "m.ele:2: expected a corner of a triangle, a whole number, found the end of the line");
+  EXPECT_EQ(failure("1 3 0\n0 1 2 3\n"), "m.ele:2: expected triangle 1 (numbers are consecutive), found 0");
+  EXPECT_EQ(failure("1 3 1\n1 1 2 3\n"), "m.ele:2: expected a triangle's attribute, found the end of the line");
+  EXPECT_EQ(failure("2 3 0\n1 1 2 3\n#...\n#...\n"), "m.ele:5: expected triangle 2 of 2, found the end of the file");
+  EXPECT_EQ(failure("100000 3 0\n1 1 2 3\n"),
+            "m.ele:1: announces 100000 triangles, more than the 9 bytes that follow can hold");
+  folder.write("m.ele", ele);
+  folder.write("m.poly", "0 2 0 0\n1 0\n1 1 9\n0\n");
+  EXPECT_EQ(failure_of(folder), "m.poly:3: expected an end of a segment, a whole number from 1 to 4, found \"9\"");
+}
+
+TEST(MeshFiles, are_known_by_their_suffix) {
+  for (const char* name : {"a.node", "a.ele", "a b.vtu", "x/a.msh", "a.off", "a.svg"})
+    EXPECT_TRUE(is_mesh_suffix(name));
+  for (const char* name : {"a.poly", "a", "vtu", "a.vtu.gz"}) EXPECT_FALSE(is_mesh_suffix(name));
+  EXPECT_EQ(write_mesh({}, {}, "a.gz").error().kind, ErrorKind::usage);
+  EXPECT_EQ(read_mesh("a.svg").error().kind, ErrorKind::usage);
+}
+
+}  // namespace
+}  // namespace pardel

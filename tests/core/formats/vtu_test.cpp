@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "../../../core/formats.hpp"
+#include "../../../core/formats/mesh_readers.hpp"
+#include "../folder.hpp"
+#include "../sample_mesh.hpp"
+
+namespace pardel {
+namespace {
+
+/// Two triangles, a line and a vertex, as another program might write them: as text, with what we do not know.
+constexpr const char* ascii = R"(<?xml version="1.0"?>
+<!-- <Piece> in a comment is none -->
+<VTKFile type='UnstructuredGrid' version="0.1" byte_order="LittleEndian">
+  <UnstructuredGrid>
+    <Piece NumberOfPoints="4" NumberOfCells="4">
+      <PointData Scalars="height">
+        <DataArray type="Float32" Name="height" format="ascii">1 2 3 4</DataArray>
+        <DataArray type="Int8" Name="marker" format="ascii">1 0 -3 1</DataArray>
+      </PointData>
+      <CellData>
+        <DataArray type="Float64" Name="region" format="ascii">9 2.5 9 1</DataArray>
+      </CellData>
+      <Points>
+        <DataArray type="Float64" Name="anything" NumberOfComponents="3" format="ascii">
+          <InformationKey name="L2_NORM_RANGE" location="vtkDataArray" length="1"><Value index="0">0</Value></InformationKey>
+          0 0 0  1 0 0
+          1 1 7  0 1 0
+        </DataArray>
+      </Points>
+      <Cells>
+        <DataArray type="Int64" Name="connectivity" format="ascii">
+          0 1  0 1 2
+          3
+          0 2 3
+        </DataArray>
+        <DataArray type="Int64" Name="offsets" format="ascii">2 5 6 9</DataArray>
+        <DataArray type="UInt8" Name="types" format="ascii">3 5 1 5</DataArray>
+      </Cells>
+    </Piece>
+  </UnstructuredGrid>
+</VTKFile>
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+std::string failure_of(const std::string& text) {
+  const auto mesh = parse_vtu(text, "f");
+  if (mesh.ok()) return "(no error)";
+  EXPECT_EQ(mesh.error().kind, ErrorKind::invalid_input);
+  return mesh.error().message;
+}
+
+TEST(Vtu, reads_back_as_the_mesh_it_was) {
+  const Folder folder;
+  ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
+  const auto read = read_mesh(folder / "m.vtu");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(*read, sample_mesh());
+}
+
+TEST(Vtu, tells_the_smallest_angle_of_each_triangle) {
+  const Folder folder;
+  Mesh mesh;
+  for (const Point& p : {Point{0, 0}, {1, 0}, {0, 1}, {2, 0}}) mesh.points.push_back(p);
+  mesh.triangles.push_back({{0, 1, 2}, {}});
+  mesh.triangles.push_back({{0, 1, 3}, {}});
+  ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu").ok());
+  const std::string file = folder.read("m.vtu");
+  const std::size_t element = file.find("Name=\"quality\"");
+  const std::size_t offset = std::stoul(file.substr(file.find("offset=\"", element) + 8));
+  const std::size_t data = file.find("\n_") + 2 + offset;
+  std::uint64_t length = 0;
+  std::memcpy(&length, &file[data], 8);
+  ASSERT_EQ(length, 16u);
+  double quality[2];
+  std::memcpy(quality, &file[data + 8], 16);
+  EXPECT_NEAR(quality[0], 45, 1e-12);
+  EXPECT_EQ(quality[1], 0);
+}
+
+TEST(Vtu, of_another_program_may_hold_text_lines_vertices_and_unknown_arrays) {
+  const auto mesh = parse_vtu(ascii, "f");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->points.size(), 4u);
+  EXPECT_EQ(mesh->points[2], (Point{1, 1}));
+  ASSERT_EQ(mesh->triangles.size(), 2u);
+  EXPECT_EQ(mesh->triangles[0], (Triangle{{0, 1, 2}, {no_index, 1, no_index}}));
+  EXPECT_EQ(mesh->region_attributes, (std::vector<double>{1, 2.5}));
+  EXPECT_EQ(mesh->region[0], 1u);
+  EXPECT_EQ(mesh->point_markers[2], -3);
+  EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 0}}));
+}
+
+TEST(Vtu, may_hold_base64_with_its_length_apart_or_not) {
+  // The coordinates 0 0 0 1 0 0 0 1 0 as Float32 behind the UInt32 36.
+  const std::string together = "JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==";
+  const std::string apart = "JAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  const std::string file = R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
+<Piece NumberOfPoints="3" NumberOfCells="1"><Points>
+<DataArray type="Float32" NumberOfComponents="3" format="binary">
+  DATA
+</DataArray></Points><Cells>
+<DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray>
+<DataArray type="Int32" Name="types" format="ascii">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>)";
+  for (const std::string& data : {together, apart}) {
+    const auto mesh = parse_vtu(replaced(file, "DATA", data), "f");
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    EXPECT_EQ(mesh->points[1], (Point{1, 0}));
+    EXPECT_EQ(mesh->points[2], (Point{0, 1}));
+    EXPECT_EQ(failure_of(replaced(file, "DATA", data.substr(0, 52))), "f:3: the data of this array are cut off");
+  }
+  EXPECT_EQ(failure_of(replaced(file, "DATA", "")), "f:3: the data of this array are cut off");
+  EXPECT_EQ(failure_of(replaced(file, "DATA", "/////w==")),
+            "f:3: this array announces 4294967295 bytes, but 12 follow");
+  // The same, appended in base64.
+  std::string appended =
+      replaced(file, "format=\"binary\">\n  DATA\n</DataArray>", "format=\"appended\" offset=\"3\"/>");
+  appended = replaced(appended, "</VTKFile>",
+                      "<AppendedData encoding=\"base64\">\n_xyz" + together + "</AppendedData></VTKFile>");
+  const auto mesh = parse_vtu(appended, "f");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->points[2], (Point{0, 1}));
+}
+
+TEST(Vtu, says_what_is_wrong_and_where) {
+  const auto failure = [&](const char* from, const char* to) { return failure_of(replaced(ascii, from, to)); };
+  EXPECT_EQ(failure_of(""), "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
+  EXPECT_EQ(failure_of("\x89PNG<\xff\xfe<<"),
+            "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
+  EXPECT_EQ(failure("'UnstructuredGrid'", "\"PolyData\""),
+            "f:3: expected type=\"UnstructuredGrid\", found \"PolyData\"");
+  EXPECT_EQ(failure("LittleEndian", "BigEndian"), "f:3: expected byte_order=\"LittleEndian\", found \"BigEndian\"");
+  EXPECT_EQ(failure("version=\"0.1\"", "version=\"0.1\" compressor=\"vtkZLibDataCompressor\""),
+            "f:3: the file is compressed (vtkZLibDataCompressor): write it without compression");
+  EXPECT_EQ(failure("Piece Num", "Peace Num"), "f:1: expected a <Piece>, found none");
+  EXPECT_EQ(failure("</UnstructuredGrid>", "<Piece/>"), "f:30: expected one piece, found a second");
+  EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
+            "f:5: expected the number of points, found \"-4\"");
+  EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
+            "f:15: array \"anything\": expected 15 values, found 12");
+  EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"4000000000\""),
+            "f:15: array \"anything\": expected 12000000000 values, found 12");
+  EXPECT_EQ(failure("1 1 7  0 1 0", "1 1 7  0 nan 0"),
+            "f:17: expected a value, finite and within the range of a double, found \"nan\"");
+  EXPECT_EQ(failure("0 2 3\n", "0 2 3.5\n"), "f:24: expected a value, a whole number, found \"3.5\"");
+  EXPECT_EQ(failure("0 2 3\n", "0 2 4\n"), "f:21: array \"connectivity\": expected value 8 from 0 to 3, found 4");
+  EXPECT_EQ(failure("2 5 6 9", "2 4 6 9"),
+            "f:26: array \"offsets\": expected cell 1 to end at 5 of 9 corners, found 4");
+  EXPECT_EQ(failure("2 5 6 9", "2 5 6"), "f:26: array \"offsets\": expected 4 values, found 3");
+  EXPECT_EQ(failure("3 5 1 5", "3 5 1 9"),
+            "f:27: array \"types\": cell 3 is of type 9, neither a triangle (5) nor a line (3) nor a vertex (1)");
+  EXPECT_EQ(failure("Name=\"types\"", "Name=\"kinds\""), "f:1: expected an array types in <Cells>");
+  EXPECT_EQ(failure("format=\"ascii\">2 5", "format=\"hex\">2 5"),
+            "f:26: expected format ascii, binary or appended, found \"hex\"");
+  EXPECT_EQ(failure("format=\"ascii\">2 5", "format=\"appended\" offset=\"0\">2 5"),
+            "f:26: there are no appended data at offset 0");
+}
+
+TEST(Vtu, cut_off_anywhere_is_refused) {
+  const Folder folder;
+  ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
+  const std::string file = folder.read("m.vtu");
+  const std::size_t data_end = file.size() - std::string("\n</AppendedData>\n</VTKFile>\n").size();
+  for (std::size_t length = 0; length < data_end; ++length) {
+    EXPECT_FALSE(parse_vtu(std::string_view(file).substr(0, length), "f").ok()) << length;
+  }
+  EXPECT_TRUE(parse_vtu(std::string_view(file).substr(0, data_end), "f").ok());
+}
+
+TEST(Vtu, with_a_number_that_is_not_finite_is_refused) {
+  const Folder folder;
+  Mesh mesh = sample_mesh();
+  mesh.points[3].y = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu").ok());
+  EXPECT_NE(message_of(read_mesh(folder / "m.vtu"), folder).find("value 10 of the array \"Points\" is not finite"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace pardel

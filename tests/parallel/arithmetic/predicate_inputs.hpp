@@ -1,0 +1,117 @@
+// Points that are hard on predicates, and the truth about them in rational arithmetic.
+#pragma once
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "../../../core/pslg.hpp"
+
+namespace pardel::engine {
+
+inline void showValue(const Point& p, std::ostream& out) {  // found by RapidCheck
+  out << std::hexfloat << "(" << p.x << ", " << p.y << ")" << std::defaultfloat;
+}
+
+}  // namespace pardel::engine
+
+namespace pardel::testing {
+
+using Rational = CGAL::Simple_cartesian<CGAL::Gmpq>;
+using Four = std::array<Point, 4>;
+
+inline Rational::Point_2 rational(Point p) { return {CGAL::Gmpq(p.x), CGAL::Gmpq(p.y)}; }
+inline int true_orientation(Point a, Point b, Point c) {
+  return CGAL::orientation(rational(a), rational(b), rational(c));
+}
+/// For a, b, c in any order: the sign of the determinant, not of the side.
+inline int true_incircle(Point a, Point b, Point c, Point d) {
+  return CGAL::side_of_oriented_circle(rational(a), rational(b), rational(c), rational(d));
+}
+inline int sign(double x) { return (x > 0) - (x < 0); }
+
+/// 0 to just below 1.
+inline rc::Gen<double> fraction() {
+  return rc::gen::map(rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 53),
+                      [](std::int64_t k) { return std::ldexp(static_cast<double>(k), -53); });
+}
+/// Every coordinate on its own.
+inline rc::Gen<Four> four(const rc::Gen<double>& x, const rc::Gen<double>& y) {
+  return rc::gen::container<Four>(rc::gen::map(rc::gen::pair(x, y), [](std::pair<double, double> p) {
+    return Point{p.first, p.second};
+  }));
+}
+inline rc::Gen<double> multiple_of(double unit, int most) {
+  return rc::gen::map(rc::gen::inRange(-most, most + 1), [=](int k) { return k * unit; });
+}
+
+inline rc::Gen<Four> uniform() { return four(fraction(), fraction()); }
+inline rc::Gen<Four> small_lattice() { return four(multiple_of(1, 8), multiple_of(1, 8)); }
+inline rc::Gen<Four> large_lattice() { return four(multiple_of(0x1p-60, 1 << 30), multiple_of(0x1p-60, 1 << 30)); }
+/// Multiples of a tenth are no lattice in binary.
+inline rc::Gen<Four> tenths() { return four(multiple_of(0.1, 30), multiple_of(0.1, 30)); }
+/// Metres in a national grid, to the millimetre.
+inline rc::Gen<Four> far_offset() {
+  const auto around = [](double centre) {
+    return rc::gen::map(multiple_of(0.001, 5000), [=](double x) { return centre + x; });
+  };
+  return four(around(654321), around(4987654));
+}
+/// The whole exponent range, signs and zero.
+inline rc::Gen<Four> extreme_exponents() {
+  const auto coordinate = rc::gen::apply([](int k, int exponent) { return std::ldexp(k, exponent); },
+                                         rc::gen::inRange(-1000000, 1000001), rc::gen::inRange(-140, 180));
+  return four(coordinate, coordinate);
+}
+/// Rounded points of the unit circle, some around a centre far away.
+inline rc::Gen<Four> on_a_circle() {
+  return rc::gen::apply(
+      [](std::array<int, 4> angle, double offset) {
+        Four points;
+        for (std::size_t i = 0; i < 4; ++i) points[i] = {offset + std::cos(angle[i] * 0.01), std::sin(angle[i] * 0.01)};
+        return points;
+      },
+      rc::gen::container<std::array<int, 4>>(rc::gen::inRange(0, 628)), rc::gen::element(0.0, 0.3, 1e5));
+}
+/// The corners of a rectangle are exactly cocircular, whatever its coordinates.
+inline rc::Gen<Four> rectangle() {
+  return rc::gen::map(uniform(), [](Four f) {
+    return Four{Point{f[0].x, f[0].y}, Point{f[1].x, f[0].y}, Point{f[1].x, f[1].y}, Point{f[0].x, f[1].y}};
+  });
+}
+/// Multiples of one vector are exactly collinear.
+inline rc::Gen<Four> on_a_line() {
+  return rc::gen::apply(
+      [](std::array<int, 4> k, int dx, int dy) {
+        Four points;
+        for (std::size_t i = 0; i < 4; ++i) points[i] = {1.0 * k[i] * dx, 1.0 * k[i] * dy};
+        return points;
+      },
+      rc::gen::container<std::array<int, 4>>(rc::gen::inRange(-1000, 1001)), rc::gen::inRange(-1000000, 1000001),
+      rc::gen::inRange(-1000000, 1000001));
+}
+/// The same with one coordinate moved to one of the doubles next to it.
+inline rc::Gen<Four> nudged(const rc::Gen<Four>& generator) {
+  return rc::gen::apply(
+      [](Four points, std::size_t which, bool up) {
+        Point& p = points[which];
+        if (p.x != 0) p.x = std::nextafter(p.x, up ? 1e300 : -1e300);
+        return points;
+      },
+      generator, rc::gen::inRange<std::size_t>(0, 4), rc::gen::arbitrary<bool>());
+}
+
+inline constexpr const char* hard_families =
+    "lattices, tenths, far offsets, extreme exponents, circles, rectangles, lines, and each nudged by one rounding";
+inline rc::Gen<Four> hard_points() {
+  return rc::gen::oneOf(uniform(), small_lattice(), large_lattice(), tenths(), far_offset(), extreme_exponents(),
+                        on_a_circle(), rectangle(), on_a_line(), nudged(rectangle()), nudged(on_a_line()),
+                        nudged(small_lattice()), nudged(far_offset()));
+}
+
+}  // namespace pardel::testing

@@ -1,0 +1,87 @@
+#include "../../../parallel/concurrency/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+const std::vector<Lattice>& lattices() {
+  static const std::vector<Lattice> all{
+      Lattice::over({0, 0, 1, 1}, 1),
+      Lattice::over({0, 0, 1, 1}, 2),
+      Lattice::over({0, 0, 1, 1}, 7),
+      Lattice::over({-3, 5, 4, 5.5}, 9),
+      Lattice::over({0, 0, 1e-6, 1}, 13),
+      Lattice::over({654321, 4987654, 654400, 4987754}, 6),
+      Lattice::over({0, 0, 0x1p-60, 0x1p-61}, 5),
+      Lattice::over({0, 0, 3, 1}, 3),
+      Lattice({0, 0, 3, 1}, 2, 5),
+      Lattice({-1, 2, 1, 3}, 1, 4),
+  };
+  return all;
+}
+
+TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
+  samples::Random random(1);
+  for (const Lattice& lattice : lattices()) {
+    const Box last = lattice.box_of(lattice.cells() - 1);
+    const Point corner = lattice.cells() == 1 ? Point{0, 0} : Point{last.min_x, last.min_y};
+    for (int round = 0; round < 2000; ++round) {
+      const double reach = round % 4 == 0 ? 100 : 3;
+      Point p{random.uniform(-reach, reach) * lattice.width(), random.uniform(-reach, reach) * lattice.height()};
+      if (std::isfinite(corner.x)) p.x += corner.x;
+      if (std::isfinite(corner.y)) p.y += corner.y;
+      const Index cell = lattice.cell_of(p);
+      ASSERT_LT(cell, lattice.cells());
+      EXPECT_TRUE(lattice.box_of(cell).contains(p)) << p.x << ' ' << p.y;
+    }
+  }
+}
+
+TEST(Lattice, gives_neighbours_four_different_colours) {
+  const Lattice lattice = Lattice::over({0, 0, 1, 1}, 6);
+  for (Index j = 0; j + 1 < lattice.rows(); ++j)
+    for (Index i = 0; i + 1 < lattice.columns(); ++i) {
+      const Index cell = j * lattice.columns() + i;
+      unsigned seen = 0;
+      for (const Index c : {cell, cell + 1, cell + lattice.columns(), cell + lattice.columns() + 1})
+        seen |= 1U << lattice.colour_of(c);
+      EXPECT_EQ(seen, 15U);
+    }
+}
+
+TEST(Lattice, has_as_many_cells_along_its_longer_side_as_was_asked_for) {
+  for (const Index along : {1U, 2U, 3U, 100U}) {
+    const Lattice wide = Lattice::over({0, 0, 10, 3}, along), high = Lattice::over({0, 0, 3, 10}, along);
+    EXPECT_EQ(wide.columns(), along);
+    EXPECT_EQ(high.rows(), along);
+    EXPECT_LE(wide.rows(), wide.columns());
+  }
+}
+
+TEST(Lattice, sums_what_is_spread_evenly_to_the_part_that_a_box_covers) {
+  for (const Lattice& lattice : lattices()) {
+    const std::vector<double> one_per_cell(lattice.cells(), 1);
+    for (Index cell = 0; cell < lattice.cells(); ++cell) {
+      const auto covered = [](Index at, Index count) { return 1 + (at > 0 ? 0.5 : 0) + (at + 1 < count ? 0.5 : 0); };
+      EXPECT_EQ(lattice.sum_over_box(cell, one_per_cell), covered(cell % lattice.columns(), lattice.columns()) *
+                                                              covered(cell / lattice.columns(), lattice.rows()));
+    }
+  }
+}
+
+/// A circumcentre of a needle can be anywhere, or nowhere.
+TEST(Lattice, has_a_cell_for_points_beyond_all_bounds) {
+  const Lattice lattice = Lattice::over({0, 0, 1, 1}, 4);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : {-1e300, 1e300, -infinity, infinity, nan})
+    for (const double y : {-1e300, 1e300, 0.5}) EXPECT_LT(lattice.cell_of({x, y}), lattice.cells());
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,97 @@
+#include "../../../parallel/conversion/background.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+Background background_of(const samples::Sample& sample) {
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Slot& slot : sample.triangulation.slots) triangles.push_back(slot.v);
+  return {sample.triangulation.points.span(), std::move(triangles)};
+}
+
+TEST(Background, interpolates_a_linear_function_exactly_up_to_rounding) {
+  const samples::Sample sample = samples::triangulated(samples::lattice_points(9));
+  const Background background = background_of(sample);
+  std::vector<double> value;
+  for (const Point p : sample.triangulation.points) value.push_back(5 * p.x - 3 * p.y + 1);
+  samples::Random random(1);
+  for (int i = 0; i < 5000; ++i) {
+    const Point p{random.uniform(0, 8), random.uniform(0, 8)};
+    EXPECT_NEAR(background.interpolate(p, value), 5 * p.x - 3 * p.y + 1, 1e-12);
+  }
+}
+
+TEST(Background, gives_the_value_of_a_vertex_at_the_vertex) {
+  const samples::Sample sample = samples::triangulated(samples::uniform_points(300, 2));
+  const Background background = background_of(sample);
+  std::vector<double> value(300);
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = static_cast<double>(i);
+  for (std::size_t i = 0; i < value.size(); ++i)
+    EXPECT_NEAR(background.interpolate(sample.triangulation.points[i], value), value[i], 1e-6);
+}
+
+TEST(Background, finds_a_triangle_that_contains_the_point) {
+  const samples::Sample sample = samples::triangulated(samples::uniform_points(500, 3));
+  const Background background = background_of(sample);
+  const Triangulation& t = sample.triangulation;
+  samples::Random random(4);
+  for (int i = 0; i < 5000; ++i) {
+    const auto& v = t.slots[random.below(t.slots.size())].v;
+    const double f = random.uniform(0, 0.5), g = random.uniform(0, 0.5);
+    const Point a = t.points[v[0]], b = t.points[v[1]], c = t.points[v[2]];
+    const Point p{a.x + f * (b.x - a.x) + g * (c.x - a.x), a.y + f * (b.y - a.y) + g * (c.y - a.y)};
+    const Located at = background.locate(p);
+    EXPECT_EQ(at.v, t.slots[at.triangle].v) << "triangles keep their numbers";
+    Point q{0, 0};
+    double sum = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      EXPECT_GE(at.weight[k], 0);
+      sum += at.weight[k];
+      q.x += at.weight[k] * t.points[at.v[k]].x;
+      q.y += at.weight[k] * t.points[at.v[k]].y;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_NEAR(q.x, p.x, 1e-12);
+    EXPECT_NEAR(q.y, p.y, 1e-12);
+  }
+}
+
+TEST(Background, takes_the_nearest_point_where_no_triangle_contains_the_point) {
+  const samples::Sample sample = samples::triangulated({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const Background background = background_of(sample);
+  const std::vector<double> x{0, 4, 4, 0}, y{0, 0, 4, 4};
+  EXPECT_EQ(background.interpolate({3, -1}, x), 3);
+  EXPECT_EQ(background.interpolate({3, -1}, y), 0);
+  EXPECT_EQ(background.interpolate({9, 9}, x), 4);
+  EXPECT_EQ(background.interpolate({9, 9}, y), 4);
+  EXPECT_EQ(background.interpolate({-5, 1}, x), 0);
+  EXPECT_EQ(background.interpolate({-5, 1}, y), 1);
+}
+
+TEST(Background, of_slivers_interpolates_within_the_values_of_their_corners) {
+  const samples::Family nearly_collinear = samples::families(60, 5)[4];
+  const samples::Sample sample = samples::triangulated(nearly_collinear.points);
+  const Background background = background_of(sample);
+  std::vector<double> value;
+  for (const Point p : sample.triangulation.points) value.push_back(p.x);
+  samples::Random random(6);
+  for (int i = 0; i < 2000; ++i) {
+    const double v = background.interpolate({random.uniform(-1, 2), random.uniform(-1, 8)}, value);
+    EXPECT_TRUE(v >= -1e-12 && v <= 1 + 1e-12) << v;
+  }
+}
+
+TEST(Background, of_one_triangle_works) {
+  const Background background(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
+  EXPECT_EQ(background.locate({0.25, 0.25}).triangle, 0U);
+  EXPECT_EQ(background.locate({7, 7}).triangle, 0U);
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,101 @@
+// When a vertex encroaches, and where the point goes that splits a bad triangle.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "../../../parallel/refinement/criteria.hpp"
+#include "../../../properties/checker/arithmetic/exact.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+
+namespace pardel::engine {
+namespace {
+
+Point some_point() { return {double(*rc::gen::inRange(-12, 13)), double(*rc::gen::inRange(-12, 13))}; }
+
+Shape some_triangle() {
+  const Point a = some_point(), b = some_point(), c = some_point();
+  const int turn = checker::exactly::orientation(a, b, c);
+  RC_PRE(turn != 0);
+  return turn > 0 ? Shape(a, b, c) : Shape(a, c, b);
+}
+
+/// What the shortest side of a triangle and its split point make; nothing where that is the circumcentre.
+std::optional<Shape> made_by_an_off_centre(const Shape& s, const Goal& goal) {
+  const Point p = Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
+  if (p == Criteria(goal, Placement::circumcentre, {}).split_point(s, no_index)) return std::nullopt;
+  const unsigned o = s.shortest_side();
+  return Shape(s.p[next_corner[o]], s.p[previous_corner[o]], p);
+}
+
+PARDEL_PROPERTY(Encroachment, of_a_conforming_goal_is_the_closed_diametral_disk,
+                {.statement = "for a conforming goal a vertex encroaches upon a side of its triangle if and only if it "
+                              "lies inside or on the circle that has the side as its diameter",
+                 .source = "properties/THEORY.md, conventions",
+                 .families = "lattice triangles, many of them right-angled"}) {
+  const Criteria criteria({.conforming = true}, Placement::circumcentre, {});
+  const Shape s = some_triangle();
+  for (unsigned i = 0; i < 3; ++i) {
+    const Point p = s.p[i], a = s.p[next_corner[i]], b = s.p[previous_corner[i]];
+    const double dot = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);  // exact for small integers
+    RC_ASSERT(criteria.encroaches(s.dot_at(i), s.squared[next_corner[i]], s.squared[previous_corner[i]]) == (dot <= 0));
+  }
+}
+
+PARDEL_PROPERTY(SplitPoint, of_a_bad_triangle_makes_a_good_one_of_its_shortest_side,
+                {.statement = "the shortest side of a bad triangle and its split point make a triangle that keeps the "
+                              "angle bound, unless the split point is the circumcentre",
+                 .source = "Ungor, Off-centers, 2004",
+                 .families = "lattice triangles"}) {
+  const double bound = *rc::gen::element(10.0, 20.7, 25.0, 30.0);
+  const Goal goal{.min_angle_deg = bound};
+  const Criteria criteria(goal, Placement::off_centre, {});
+  const Shape s = some_triangle();
+  RC_PRE(criteria.bad_shape(s));
+  const std::optional<Shape> made = made_by_an_off_centre(s, goal);
+  if (!made) return;
+  RC_ASSERT(made->twice_area > 0);
+  RC_ASSERT(!criteria.bad_shape(*made));
+}
+
+PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortest_side,
+                {.statement = "the shortest side of a triangle above the bound on areas and its split point make a "
+                              "triangle that keeps that bound and the bound on angles, unless the split point is the "
+                              "circumcentre, or the side's diametral circle leaves no room for it",
+                 .source = "after Engwirda and Ivers, Off-centre Steiner points, 2016",
+                 .families = "lattice triangles"}) {
+  const Shape s = some_triangle();
+  const double times = *rc::gen::element(1.25, 1.5, 2.0, 3.0, 5.0);
+  const Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.7, 30.0), .max_area = s.twice_area / 2 / times};
+  const Criteria criteria(goal, Placement::off_centre, {});
+  const std::optional<Shape> made = made_by_an_off_centre(s, goal);
+  if (!made) return;
+  RC_ASSERT(made->twice_area > 0);
+  RC_ASSERT(!criteria.bad_shape(*made));
+  RC_ASSERT(!criteria.too_large(*made) || 0.25 * s.shortest_squared() > 0.98 * goal.max_area);
+}
+
+PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_is_far_from_all_vertices,
+                {.statement = "no vertex of a Delaunay triangulation is nearer to the split point of a triangle whose "
+                              "area exceeds its bound, where angles have none, than the circumradius and than the "
+                              "square root of 0.99 of the bound, whichever is less",
+                 .source = "properties/THEORY.md, refinement",
+                 .families = "lattice triangles; points beyond their shortest sides"}) {
+  const Shape s = some_triangle();
+  const double times = *rc::gen::element(1.25, 1.5, 2.0, 3.0, 5.0, 8.0);
+  const Goal goal{.min_angle_deg = 0, .max_area = s.twice_area / 2 / times};
+  const Point p = Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
+  const unsigned o = s.shortest_side();
+  const Point q = s.p[next_corner[o]], r = s.p[previous_corner[o]];
+  const double along = *rc::gen::inRange(0, 65) / 64.0, beyond = *rc::gen::inRange(0, 65) / 128.0;
+  const Point below{q.x + along * (r.x - q.x) + beyond * (r.y - q.y), q.y + along * (r.y - q.y) - beyond * (r.x - q.x)};
+  for (const Point vertex : {s.p[0], s.p[1], s.p[2], below}) {
+    if (checker::exactly::in_circle(s.p[0], s.p[1], s.p[2], vertex) > 0) continue;
+    const double dx = vertex.x - p.x, dy = vertex.y - p.y;
+    RC_ASSERT(dx * dx + dy * dy > 0.999999 * std::min(0.99 * goal.max_area, s.squared_circumradius()));
+  }
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,225 @@
+#include "../../../parallel/refinement/criteria.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "../../../properties/checker/arithmetic/exact.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// The smallest angle as the checker judges it.
+bool sharper_than(const Shape& s, double degrees) {
+  for (unsigned i = 0; i < 3; ++i)
+    if (checker::exactly::cosine_exceeds(s.p[i], s.p[(i + 1) % 3], s.p[(i + 2) % 3], angle_cosine_bound(degrees)))
+      return true;
+  return false;
+}
+
+Shape moved(const Shape& s, Point by) {
+  return {{s.p[0].x + by.x, s.p[0].y + by.y}, {s.p[1].x + by.x, s.p[1].y + by.y}, {s.p[2].x + by.x, s.p[2].y + by.y}};
+}
+
+/// Isosceles, with the angle at the top.
+Shape isosceles(double degrees, double height) {
+  const double half = height * std::tan(radians(degrees / 2));
+  return {{-half, 0}, {half, 0}, {0, height}};
+}
+
+TEST(BadShape, is_every_triangle_that_an_exact_comparison_rejects) {
+  for (const double bound : {5.0, 20.7, 25.0, 30.0, 33.0}) {
+    const Criteria criteria({.min_angle_deg = bound}, Placement::circumcentre, {});
+    for (int i = -2000; i <= 2000; ++i)
+      for (const double height : {1.0, 1e-9, 3e7}) {
+        const Shape s = isosceles(bound * (1 + i * 0x1p-52), height);
+        EXPECT_TRUE(criteria.bad_shape(s) || !sharper_than(s, bound)) << bound << ' ' << i;
+      }
+  }
+}
+
+TEST(BadShape, is_no_triangle_that_is_a_hair_better_than_the_bound) {
+  for (const double bound : {5.0, 20.7, 25.0, 30.0, 33.0}) {
+    const Criteria criteria({.min_angle_deg = bound}, Placement::circumcentre, {});
+    EXPECT_FALSE(criteria.bad_shape(isosceles(bound * (1 + 0x1p-36), 1)));
+    EXPECT_TRUE(criteria.bad_shape(isosceles(bound * (1 - 0x1p-36), 1)));
+  }
+}
+
+TEST(BadShape, is_decided_safely_far_from_the_origin_too) {
+  samples::Random random(1);
+  const Criteria criteria({.min_angle_deg = 20.7}, Placement::circumcentre, {});
+  for (int i = 0; i < 20'000; ++i) {
+    const Shape s = moved(isosceles(20.7 * (1 + random.uniform(-1e-9, 1e-9)), 1), {654321, 4987654});
+    EXPECT_TRUE(criteria.bad_shape(s) || !sharper_than(s, 20.7));
+  }
+}
+
+TEST(BadShape, is_none_without_a_bound) {
+  const Criteria criteria({.min_angle_deg = 0}, Placement::circumcentre, {});
+  EXPECT_FALSE(criteria.bad_shape(Shape({0, 0}, {1, 0}, {0.5, 1e-300})));
+}
+
+TEST(TooLarge, is_what_exceeds_a_cap_and_no_less) {
+  for (const double cap : {0.1, 1.0, 3e-7}) {
+    const Criteria criteria({.max_area = cap}, Placement::circumcentre, {});
+    for (int i = -3; i <= 3; ++i) {
+      const double leg = std::sqrt(2 * cap) * (1 + i * 0x1p-52);
+      const Shape s({0, 0}, {leg, 0}, {0, leg});
+      EXPECT_TRUE(criteria.too_large(s) || !checker::exactly::area_exceeds(s.p[0], s.p[1], s.p[2], cap));
+    }
+    const double less = std::sqrt(2 * cap) * (1 - 0x1p-39);
+    EXPECT_FALSE(criteria.too_large(Shape({0, 0}, {less, 0}, {0, less})));
+  }
+}
+
+TEST(TooLarge, depends_on_the_place_where_the_goal_does) {
+  Goal goal{.max_edge = 2};
+  goal.size = [](Point p) { return p.x < 0 ? 0.5 : 10.0; };
+  const Criteria criteria(goal, Placement::circumcentre, {0.25, 100.0}, [](Point p) { return p.y > 50 ? 0.01 : 1e9; });
+  ASSERT_TRUE(criteria.has_local_size());
+  const Shape small({0, 0}, {0.9, 0}, {0, 0.8}), large({0, 0}, {1.9, 0}, {0, 1.9}), longer({0, 0}, {2.1, 0}, {0, 0.1});
+  EXPECT_FALSE(criteria.too_large_locally(small, no_index));
+  EXPECT_TRUE(criteria.too_large_locally(small, 0)) << "region 0 has a cap of 0.25";
+  EXPECT_FALSE(criteria.too_large_locally(small, 1));
+  EXPECT_FALSE(criteria.too_large_locally(small, 7)) << "no such region, no cap";
+  EXPECT_TRUE(criteria.too_large_locally(large, no_index)) << "its hypotenuse is longer than 2";
+  EXPECT_TRUE(criteria.too_large_locally(longer, no_index));
+  EXPECT_TRUE(criteria.too_large_locally(moved(small, {-5, 0}), no_index)) << "the size there is 0.5";
+  EXPECT_TRUE(criteria.too_large_locally(moved(small, {0, 60}), no_index)) << "the cap there is 0.01";
+
+  goal.region_caps = false;
+  EXPECT_FALSE(Criteria(goal, Placement::circumcentre, {0.25}).too_large_locally(small, 0));
+}
+
+bool encroaches(const Criteria& criteria, Point p, Point a, Point b) {
+  const Shape s(p, a, b);
+  return criteria.encroaches(s.dot_at(0), s.squared[1], s.squared[2]);
+}
+
+TEST(Encroachment, of_a_conforming_goal_is_the_closed_diametral_disk) {
+  const Criteria criteria({.conforming = true}, Placement::circumcentre, {});
+  EXPECT_TRUE(criteria.conforming());
+  EXPECT_TRUE(encroaches(criteria, {0, 1}, {-1, 0}, {1, 0}));
+  EXPECT_TRUE(encroaches(criteria, {3, 4}, {-5, 0}, {5, 0}));
+  EXPECT_TRUE(encroaches(criteria, {0.3, -0.2}, {-1, 0}, {1, 0}));
+  EXPECT_FALSE(encroaches(criteria, {0, 1.0001}, {-1, 0}, {1, 0}));
+  EXPECT_FALSE(encroaches(criteria, {1.0001, 0}, {-1, 0}, {1, 0}));
+}
+
+/// The lens is bounded by arcs from which the segment is seen under 180 degrees less twice the bound.
+TEST(Encroachment, of_a_constrained_goal_is_the_diametral_lens) {
+  for (const double bound : {20.7, 30.0, 33.0}) {
+    const Criteria criteria({.min_angle_deg = bound}, Placement::circumcentre, {});
+    EXPECT_FALSE(criteria.conforming());
+    const double tip = std::tan(radians(bound));
+    EXPECT_TRUE(encroaches(criteria, {0, 0.999 * tip}, {-1, 0}, {1, 0})) << bound;
+    EXPECT_FALSE(encroaches(criteria, {0, 1.001 * tip}, {-1, 0}, {1, 0})) << bound;
+  }
+  const Criteria none({.min_angle_deg = 0}, Placement::circumcentre, {});
+  EXPECT_TRUE(encroaches(none, {0, 0.37}, {-1, 0}, {1, 0})) << "never thinner than for the proven bound";
+}
+
+TEST(SplitPoint, is_the_circumcentre) {
+  const Criteria criteria({}, Placement::circumcentre, {});
+  EXPECT_EQ(criteria.split_point(Shape({0, 0}, {4, 0}, {0, 2}), no_index), (Point{2, 1}));
+  samples::Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    std::array<Point, 3> p{};
+    for (Point& q : p) q = {random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double turn = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    if (std::abs(turn) < 0.01) continue;
+    if (turn < 0) std::swap(p[1], p[2]);
+    const Point c = criteria.split_point(Shape(p[0], p[1], p[2]), no_index);
+    const double r = std::hypot(c.x - p[0].x, c.y - p[0].y);
+    for (const Point q : p) EXPECT_NEAR(std::hypot(c.x - q.x, c.y - q.y), r, 1e-9 * (1 + r * r));
+  }
+}
+
+/// With the shortest side it makes a triangle that just meets the bound; and it is never beyond the circumcentre.
+TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bound) {
+  for (const double bound : {10.0, 20.7, 30.0, 33.0}) {
+    const Criteria off({.min_angle_deg = bound}, Placement::off_centre, {});
+    const Criteria centre({.min_angle_deg = bound}, Placement::circumcentre, {});
+    for (double top = 0.1; top < bound; top *= 1.3) {
+      const Shape s = isosceles(top, 1);
+      const Point p = off.split_point(s, no_index), c = centre.split_point(s, no_index);
+      const Shape made(s.p[0], s.p[1], p);
+      EXPECT_FALSE(sharper_than(made, bound)) << bound << ' ' << top;
+      EXPECT_LE(p.y, c.y);
+      EXPECT_TRUE(p.y == c.y || sharper_than(made, bound * 1.01)) << "no further than it has to be";
+    }
+    const Shape fat = isosceles(50, 1);
+    EXPECT_EQ(off.split_point(fat, no_index), centre.split_point(fat, no_index)) << "a triangle that is only too large";
+  }
+}
+
+/// Its shortest side has length 1, the others 2.3, its area is 1.13.
+Shape tall() { return isosceles(25, 0.5 / std::tan(radians(12.5))); }
+/// What the shortest side of a triangle, the first, and its split point make.
+Shape made_of_the_shortest_side(const Criteria& criteria, const Shape& s, Index region) {
+  return {s.p[0], s.p[1], criteria.split_point(s, region)};
+}
+
+TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_on_areas) {
+  const Shape s = tall();
+  for (const double cap : {0.3, 0.4, 0.5}) {
+    const auto at_most = [&](Point) { return cap; };
+    const std::vector<std::pair<Criteria, Index>> places{{{{.max_area = cap}, Placement::off_centre, {}}, no_index},
+                                                         {{{}, Placement::off_centre, {9.0, cap}}, 1},
+                                                         {{{}, Placement::off_centre, {}, at_most}, no_index}};
+    for (const auto& [criteria, region] : places) {
+      const double area = made_of_the_shortest_side(criteria, s, region).twice_area / 2;
+      EXPECT_LT(area, cap);
+      EXPECT_GT(area, 0.98 * cap);
+    }
+  }
+}
+
+TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_on_lengths) {
+  const Shape s = tall();
+  for (const double longest : {1.15, 1.0, 0.8}) {
+    const auto at_most = [&](Point) { return longest; };
+    for (const Criteria& criteria : {Criteria({.max_edge = longest}, Placement::off_centre, {}),
+                                     Criteria({.size = at_most}, Placement::off_centre, {})}) {
+      const Shape made = made_of_the_shortest_side(criteria, s, no_index);
+      EXPECT_LT(made.squared[0], longest * longest);
+      EXPECT_GT(made.squared[0], 0.98 * longest * longest);
+    }
+  }
+}
+
+/// On the diametral circle of the side, where that would still be too large.
+TEST(SplitPoint, of_a_triangle_that_is_too_large_lies_no_lower_than_the_diametral_circle) {
+  const Criteria criteria({.max_area = 0.2}, Placement::off_centre, {});
+  const Point p = criteria.split_point(tall(), no_index);
+  EXPECT_NEAR(p.x, 0, 1e-15);
+  EXPECT_NEAR(p.y, 0.5, 1e-15);
+}
+
+TEST(SplitPoint, of_what_is_much_too_large_is_the_circumcentre) {
+  const Criteria off({.max_area = 0.15}, Placement::off_centre, {});
+  const Criteria centre({.max_area = 0.15}, Placement::circumcentre, {});
+  const Shape s = tall();
+  EXPECT_EQ(off.split_point(s, no_index), centre.split_point(s, no_index));
+}
+
+/// There, meshes would get larger by filled areas.
+TEST(SplitPoint, above_thirty_one_degrees_fills_lengths_but_no_areas) {
+  const Shape s = tall();
+  const auto point = [&](double bound, double area, double length) {
+    const Goal goal{.min_angle_deg = bound, .max_area = area, .max_edge = length};
+    return Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
+  };
+  EXPECT_EQ(point(32, 0.4, INFINITY), point(32, INFINITY, INFINITY));
+  EXPECT_NE(point(31, 0.4, INFINITY), point(31, INFINITY, INFINITY));
+  EXPECT_NE(point(32, INFINITY, 0.9), point(32, INFINITY, INFINITY));
+}
+
+}  // namespace
+}  // namespace pardel::engine

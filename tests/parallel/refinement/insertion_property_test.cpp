@@ -1,0 +1,208 @@
+// One insertion into the triangulation of a random domain: what it may touch and what it may make.
+#include <algorithm>
+#include <cmath>
+
+#include "../../../parallel/conversion/assemble.hpp"
+#include "../../../parallel/refinement/insertion.hpp"
+#include "../../../parallel/refinement/small_angles.hpp"
+#include "../../../parallel/triangulation/delaunay.hpp"
+#include "../../../parallel/triangulation/locate.hpp"
+#include "../../../properties/checker/arithmetic/exact.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+#include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
+
+namespace pardel::engine {
+namespace {
+
+using properties::Exhibit;
+
+constexpr const char* families = "lattice domains of every family";
+const Box everywhere;
+
+Assembled some_triangulation(Exhibit& exhibit) {
+  const Pslg pslg = generators::to_pslg(*generators::domains());
+  exhibit.show(pslg);
+  Result<Assembled> domain = assemble(pslg, /*convex_hull=*/false);
+  RC_ASSERT(domain.ok());
+  return std::move(domain).value();
+}
+
+double length(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// Tries to insert the circumcentre of each triangle in turn, until one is inserted; then calls inserted(before).
+template <class Inserted>
+void insert_some_circumcentre(Triangulation& t, double min_edge, const Box& box, const Inserted& inserted) {
+  const Criteria criteria({}, Placement::circumcentre, {});
+  const auto vertices = static_cast<Index>(t.points.size()), triangles = static_cast<Index>(t.slots.size());
+  t.points.resize(vertices + 1U);
+  t.origin.resize(vertices + 1U);
+  t.slots.resize(triangles + 2U);
+  if (!t.region.empty()) t.region.resize(triangles + 2U);
+  Insertion insertion(t, criteria, min_edge);
+  Supply supply{Numbers({{vertices, vertices + 1}}), Numbers({{triangles, triangles + 2}})};
+  insertion.start(supply);
+  const Triangulation before = t;
+  for (TriangleId id = 0; id < triangles; ++id) {
+    const auto& v = t.slots[id].v;
+    if (!std::all_of(v.begin(), v.end(), [&](VertexId c) { return box.contains(t.points[c]); })) continue;
+    if (insertion.insert_in_face(criteria.split_point(Shape(t, t.slots[id]), no_index), id, box) != Outcome::inserted)
+      continue;
+    RC_TAG(std::string("inserted"));
+    inserted(before, triangles);
+    return;
+  }
+}
+
+PARDEL_PROPERTY(EngineInsertion, changes_only_triangles_with_all_corners_in_its_box,
+                {.statement = "an insertion replaces only triangles whose three corners lie in its box, and links to "
+                              "new neighbours only triangles with two corners there",
+                 .source = "properties/THEORY.md, T-region",
+                 .families = families}) {
+  Assembled domain = some_triangulation(exhibit);
+  Triangulation& t = domain.triangulation;
+  const auto some_vertex = [&] { return t.points[*rc::gen::inRange<std::size_t>(0, t.points.size())]; };
+  const Point p = some_vertex(), q = some_vertex();
+  const Box box{std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+  insert_some_circumcentre(t, 0, box, [&](const Triangulation& before, TriangleId triangles) {
+    for (TriangleId id = 0; id < triangles; ++id) {
+      const auto& v = before.slots[id].v;
+      const auto inside = std::count_if(v.begin(), v.end(), [&](VertexId c) { return box.contains(t.points[c]); });
+      RC_ASSERT(t.slots[id].v == v || inside == 3);
+      RC_ASSERT(t.slots[id].n == before.slots[id].n || inside >= 2);
+    }
+  });
+}
+
+PARDEL_PROPERTY(EngineInsertion, makes_no_edge_shorter_than_the_floor,
+                {.statement = "no edge that an insertion makes is shorter than the floor",
+                 .source = "properties/THEORY.md, refinement: the floor",
+                 .families = families}) {
+  Assembled domain = some_triangulation(exhibit);
+  Triangulation& t = domain.triangulation;
+  const auto& v = t.slots[*rc::gen::inRange<std::size_t>(0, t.slots.size())].v;
+  const double floor = length(t.points[v[0]], t.points[v[1]]) * 0.01 * *rc::gen::inRange(10, 200);
+  insert_some_circumcentre(t, floor, everywhere, [&](const Triangulation& before, TriangleId /*triangles*/) {
+    const auto fresh = static_cast<VertexId>(before.points.size() - 1);
+    for (const Slot& slot : t.slots)
+      for (unsigned side = 0; side < 3; ++side)
+        if (slot.from(side) == fresh)
+          RC_ASSERT(length(t.points[fresh], t.points[slot.to(side)]) >= floor * (1 - 1e-12));
+  });
+}
+
+PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
+                {.statement = "however often the pieces of a segment are split, the points lie on it to within the "
+                              "rounding of coordinates: 2 units in the last place of the largest",
+                 .source = "parallel/refinement/small_angles.hpp",
+                 .families = "segments in all directions, near and far"}) {
+  const auto coordinate = [] { return 1e-3 * *rc::gen::inRange(-1000000, 1000000) + *rc::gen::element(0., 654321.1); };
+  Triangulation t;
+  t.points.push_back({coordinate(), coordinate()});
+  t.points.push_back({coordinate(), coordinate()});
+  const Point a = t.points[0], b = t.points[1];
+  RC_PRE(length(a, b) > 1);
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  const double tolerance = 2 * (std::nextafter(largest, INFINITY) - largest);
+  const Line line{0, 1, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+  VertexId from = 0, to = 1;
+  for (int i = 0; i < 20; ++i) {
+    const auto middle = static_cast<VertexId>(t.points.size());
+    t.points.push_back(edge_split_point(t, line, from, to));
+    RC_ASSERT(!checker::exactly::line_distance_exceeds(t.points[middle], a, b, tolerance));
+    (*rc::gen::arbitrary<bool>() ? from : to) = middle;
+  }
+}
+
+/// Makes room for one insertion, attempts it, and takes back what it did not use.
+template <class Attempt>
+Outcome with_room(Triangulation& t, Insertion& insertion, const Attempt& attempt) {
+  const auto vertices = static_cast<Index>(t.points.size()), triangles = static_cast<Index>(t.slots.size());
+  t.points.resize(vertices + 1U);
+  t.origin.resize(vertices + 1U);
+  t.slots.resize(triangles + 2U);
+  Supply supply{Numbers({{vertices, vertices + 1}}), Numbers({{triangles, triangles + 2}})};
+  insertion.start(supply);
+  const Outcome outcome = attempt();
+  t.points.resize(vertices + 1U - supply.vertices.left());
+  t.origin.resize(vertices + 1U - supply.vertices.left());
+  t.slots.resize(triangles + 2U - supply.triangles.left());
+  return outcome;
+}
+
+/// Positively oriented and constrained Delaunay, by the checker's arithmetic.
+bool is_right(const Triangulation& t) {
+  const auto point = [&](VertexId v) { return t.points[v]; };
+  for (const Slot& slot : t.slots) {
+    if (checker::exactly::orientation(point(slot.v[0]), point(slot.v[1]), point(slot.v[2])) <= 0) return false;
+    for (const EdgeRef across : slot.n)
+      if (!across.constrained() && checker::exactly::in_circle(point(slot.v[0]), point(slot.v[1]), point(slot.v[2]),
+                                                               point(t.slot(across).apex(across.side()))) > 0)
+        return false;
+  }
+  return true;
+}
+
+Assembled hull_of(const std::vector<Point>& points, Segment segment, Exhibit& exhibit) {
+  Pslg pslg;
+  pslg.points = points;
+  pslg.segments = {segment};
+  exhibit.show(pslg);
+  Result<Assembled> domain = assemble(pslg, /*convex_hull=*/true);
+  RC_PRE(domain.ok());
+  return std::move(domain).value();
+}
+
+double some_number(double low, double high) { return low + (high - low) * 1e-6 * *rc::gen::inRange(0, 1000001); }
+
+/// Disks of the triangles beside such a segment reach through it and around its ends.
+PARDEL_PROPERTY(EngineInsertion, beside_a_segment_that_is_not_delaunay_leaves_a_right_triangulation,
+                {.statement = "points inserted beside a segment with vertices in its diametral circle on both sides "
+                              "leave the triangulation positively oriented and constrained Delaunay",
+                 .source = "parallel/refinement/insertion.hpp",
+                 .families = "a free segment in a square, six points close to it"}) {
+  std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};
+  for (int i = 0; i < 6; ++i)
+    points.push_back({some_number(-0.9, 0.9), some_number(0.15, 0.6) * (i % 2 == 0 ? 1 : -1)});
+  Assembled domain = hull_of(points, {4, 5, 0}, exhibit);
+  Triangulation& t = domain.triangulation;
+  const Criteria criteria({}, Placement::circumcentre, {});
+  Insertion insertion(t, criteria, 0);
+  for (int i = 0; i < 10; ++i) {
+    const Point p{some_number(-1.6, 1.6), some_number(-0.8, 0.8)};
+    with_room(t, insertion, [&] { return insertion.insert_in_face(p, locate(t, p, 0), everywhere); });
+    RC_ASSERT(is_right(t));
+  }
+}
+
+/// Corners far away see pieces of a slanted segment under angles smaller than those by which rounding bends it.
+PARDEL_PROPERTY(
+    EngineInsertion, splitting_a_segment_far_from_the_origin_leaves_a_right_triangulation,
+    {.statement = "splitting a segment at points that rounding put beside it leaves the triangulation "
+                  "positively oriented and constrained Delaunay",
+     .source = "parallel/refinement/insertion.hpp",
+     .families = "a slanted segment and four points, one of them almost on it or not, far from the origin"}) {
+  std::vector<Point> points;
+  for (int i = 0; i < 6; ++i) points.push_back({some_number(654320, 654321), some_number(4987654, 4987655)});
+  const Point middle{(points[0].x + points[1].x) / 2, (points[0].y + points[1].y) / 2};
+  if (*rc::gen::arbitrary<bool>()) points[5] = {middle.x, std::nextafter(middle.y, INFINITY)};
+  Assembled domain = hull_of(points, {0, 1, 0}, exhibit);
+  Triangulation& t = domain.triangulation;
+  const Criteria criteria({}, Placement::circumcentre, {});
+  Insertion insertion(t, criteria, 0);
+  VertexId a = domain.lines[0].a, b = domain.lines[0].b;
+  for (int i = 0; i < 16; ++i) {
+    EdgeRef e;
+    for (TriangleId id = 0; id < t.slots.size(); ++id)
+      for (unsigned side = 0; side < 3; ++side)
+        if (t.slots[id].from(side) == a && t.slots[id].to(side) == b) e = EdgeRef(id, side);
+    if (e.none()) std::swap(a, b);
+    if (e.none()) continue;
+    const Point p{(t.points[a].x + t.points[b].x) / 2, (t.points[a].y + t.points[b].y) / 2};
+    if (with_room(t, insertion, [&] { return insertion.split_edge(p, e, 0, everywhere); }) != Outcome::inserted) return;
+    RC_ASSERT(is_right(t));
+    (*rc::gen::arbitrary<bool>() ? a : b) = static_cast<VertexId>(t.points.size() - 1);
+  }
+}
+
+}  // namespace
+}  // namespace pardel::engine

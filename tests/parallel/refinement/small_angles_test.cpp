@@ -1,0 +1,188 @@
+#include "../../../parallel/refinement/small_angles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../../properties/checker/arithmetic/exact.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+bool is_power_of_two(double x, double tolerance) {
+  const double nearest = std::exp2(std::round(std::log2(x)));
+  return std::abs(x - nearest) <= tolerance;
+}
+
+/// Two segments from vertex 0, to 1 and to 2, and one from 1 on to 3.
+struct Corner {
+  Triangulation t;
+  Lines lines;
+
+  Corner(Point apex, Point first, Point second, Point on) {
+    for (const Point p : {apex, first, second, on}) t.points.push_back(p);
+    t.origin.resize(4, input_vertex);
+    const std::vector<Constraint> constraints{{0, 1}, {0, 2}, {1, 3}};
+    lines = Lines(t.points, constraints);
+  }
+  /// Splits the piece u-v of a line, and adds the point.
+  VertexId split(Index line, VertexId u, VertexId v) {
+    const Point p = edge_split_point(t, lines[line], u, v);
+    t.points.push_back(p);
+    t.origin.push_back(line);
+    return static_cast<VertexId>(t.points.size() - 1);
+  }
+};
+
+TEST(EdgeSplitPoint, of_a_segment_acute_at_one_end_lies_on_a_shell_between_a_third_and_two_thirds) {
+  for (double length = 0.01; length < 100; length *= 1.07) {
+    Corner corner({0, 0}, {length, 0}, {1, 0.5}, {length, length});
+    const Point p = edge_split_point(corner.t, corner.lines[0], 0, 1);
+    EXPECT_TRUE(is_power_of_two(p.x, 1e-15 * p.x)) << p.x;
+    EXPECT_GE(p.x, length / 3 * (1 - 1e-15));
+    EXPECT_LE(p.x, 2 * length / 3 * (1 + 1e-15));
+    const Point reversed = edge_split_point(corner.t, corner.lines[0], 1, 0);
+    EXPECT_NEAR(reversed.x, p.x, 1e-15 * length) << "whichever way the piece is seen";
+  }
+}
+
+TEST(EdgeSplitPoint, of_a_segment_that_is_acute_nowhere_or_at_both_ends_is_its_midpoint) {
+  Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
+  EXPECT_EQ(edge_split_point(blunt.t, blunt.lines[0], 0, 1), (Point{2.5, 0}));
+  Corner acute({0, 0}, {5, 0}, {3, 1}, {2, 1});
+  EXPECT_EQ(edge_split_point(acute.t, acute.lines[0], 0, 1), (Point{2.5, 0}));
+}
+
+TEST(EdgeSplitPoint, of_a_right_angle_is_the_midpoint) {
+  Corner right({0, 0}, {5, 0}, {0, 3}, {5, 3});
+  EXPECT_EQ(edge_split_point(right.t, right.lines[0], 0, 1), (Point{2.5, 0}));
+}
+
+TEST(EdgeSplitPoint, puts_the_pieces_at_one_apex_on_shared_shells) {
+  Corner corner({0, 0}, {3, 1}, {1.7, 0.9}, {3, 9});
+  VertexId u = 1, v = 2;
+  for (int i = 0; i < 12; ++i) {
+    u = corner.split(0, 0, u);
+    EXPECT_TRUE(is_power_of_two(distance(corner.t.points[0], corner.t.points[u]), 1e-14));
+    v = corner.split(1, 0, v);
+    EXPECT_TRUE(is_power_of_two(distance(corner.t.points[0], corner.t.points[v]), 1e-14));
+  }
+}
+
+/// In units in the last place of the largest coordinate of the line's ends, as the checker measures.
+void expect_on_line(const Corner& corner, const std::string& what) {
+  double largest = 0;
+  for (VertexId v = 0; v < 2; ++v)
+    largest = std::max({largest, std::abs(corner.t.points[v].x), std::abs(corner.t.points[v].y)});
+  const double ulp = std::nextafter(largest, 2 * largest) - largest;
+  for (std::size_t v = 4; v < corner.t.points.size(); ++v)
+    EXPECT_FALSE(checker::exactly::line_distance_exceeds(corner.t.points[v], corner.t.points[0], corner.t.points[1],
+                                                         chain_ulps * ulp))
+        << what << ", after split " << v - 3;
+}
+
+/// The differences of coordinates of unlike signs are rounded themselves.
+TEST(EdgeSplitPoint, is_rounded_once_across_the_origin_too) {
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    samples::Random random(seed);
+    const auto near = [&] { return Point{random.uniform(-0.499, 0.499), random.uniform(-0.499, 0.499)}; };
+    Corner corner(near(), near(), near(), near());
+    VertexId u = 0, v = 1;
+    for (int i = 0; i < 20; ++i) (random.below(2) == 0 ? u : v) = corner.split(0, u, v);
+    expect_on_line(corner, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(EdgeSplitPoint, stays_on_its_line_however_often_the_line_is_split) {
+  for (const Point offset : {Point{0, 0}, Point{654321, 4987654}, Point{-1e-3, 1e9}})
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      samples::Random random(seed);
+      const auto near = [&] { return Point{offset.x + random.uniform(-9, 9), offset.y + random.uniform(-9, 9)}; };
+      Corner towards_apex(near(), near(), near(), near());
+      VertexId v = 1;
+      for (int i = 0; i < 40 && distance(towards_apex.t.points[0], towards_apex.t.points[v]) > 1e-6; ++i)
+        v = towards_apex.split(0, 0, v);
+      expect_on_line(towards_apex, "towards the apex");
+
+      Corner inwards(near(), near(), near(), near());
+      VertexId u = 0;
+      v = 1;
+      for (int i = 0; i < 40 && distance(inwards.t.points[u], inwards.t.points[v]) > 1e-6; ++i)
+        (random.below(2) == 0 ? u : v) = inwards.split(0, u, v);
+      expect_on_line(inwards, "towards a point inside");
+    }
+}
+
+/// The corners of one triangle, given sides that are constrained.
+struct OneTriangle {
+  Triangulation t;
+  Slot slot;
+
+  OneTriangle(const Triangulation& from, std::array<VertexId, 3> v, std::array<bool, 3> constrained) : t(from) {
+    slot.v = v;
+    for (unsigned side = 0; side < 3; ++side) slot.n[side] = constrained[side] ? EdgeRef() : EdgeRef(0, 0);
+  }
+  [[nodiscard]] std::optional<SmallAngle> judge(const Lines& lines) const {
+    return small_angle(t, lines, slot, Shape(t, slot));
+  }
+};
+
+TEST(SmallAngle, between_two_segments_makes_a_triangle_nestled) {
+  Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
+  const auto found = OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.lines);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->reason, ExemptReason::nestled);
+  EXPECT_EQ(found->apex, 0U);
+  EXPECT_NEAR(found->angle_deg, std::atan2(1, 4) * 180 / std::acos(-1.0), 1e-9);
+}
+
+TEST(SmallAngle, between_a_segment_and_an_edge_excuses_nothing) {
+  Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, false}).judge(corner.lines));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, false, false}).judge(corner.lines));
+}
+
+TEST(SmallAngle, at_another_corner_than_the_smallest_excuses_nothing) {
+  // The segments meet at 0 under 76 degrees; the smallest angle is at 1.
+  Corner corner({0, 0}, {4, 0}, {0.25, 1}, {9, 9});
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.lines));
+}
+
+TEST(SmallAngle, across_one_shell_makes_a_triangle_seditious) {
+  Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
+  const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
+  const auto found = OneTriangle(corner.t, {1, v, u}, {false, true, false}).judge(corner.lines);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->reason, ExemptReason::seditious);
+  EXPECT_EQ(found->apex, 0U);
+}
+
+TEST(SmallAngle, between_two_shells_excuses_nothing) {
+  Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
+  const VertexId outer = corner.split(0, 0, 1), first = corner.split(1, 0, 2), inner = corner.split(1, 0, first);
+  ASSERT_LT(distance(corner.t.points[0], corner.t.points[inner]), distance(corner.t.points[0], corner.t.points[outer]));
+  corner.t.points.push_back({40, 4});
+  corner.t.origin.push_back(interior_vertex);
+  const auto far = static_cast<VertexId>(corner.t.points.size() - 1);
+  EXPECT_FALSE(OneTriangle(corner.t, {inner, outer, far}, {false, false, false}).judge(corner.lines));
+}
+
+TEST(SmallAngle, of_sixty_degrees_is_none) {
+  // One shell, but the segments meet at more than 60 degrees: to split goes on only finitely often.
+  Corner corner({0, 0}, {4, 0}, {2, 3.5}, {9, 9});
+  const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
+  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.lines));
+}
+
+TEST(SmallAngle, needs_an_apex_that_the_segments_share) {
+  // Vertices on 0-1 and 1-3 share apex 1; those on 0-2 and 1-3 share none.
+  Corner corner({0, 0}, {4, 0}, {4, 1}, {0, 1});
+  const VertexId u = corner.split(1, 0, 2), v = corner.split(2, 1, 3);
+  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.lines));
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,75 @@
+// The lattices that a refinement goes through.
+#include "../../../parallel/scheduling/levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include "many_tasks.hpp"
+
+namespace pardel::engine {
+namespace {
+
+const std::vector<Box>& bounds() {
+  static const std::vector<Box> all{{0, 0, 1, 1}, {-3, 5, 4, 5.5}, {0, 0, 1e-6, 1}, {654321, 4987654, 654400, 4987754}};
+  return all;
+}
+
+TEST(Lattices, end_at_the_finest_and_begin_with_one_cell_over_everything) {
+  for (const Box& box : bounds())
+    for (const Index columns : {1U, 2U, 5U, 64U})
+      for (const Index rows : {1U, 3U, 4U, 17U}) {
+        const std::vector<Lattice> levels = levels_down_to(box, Lattice(box, columns, rows));
+        EXPECT_EQ(levels.front().cells(), 1U);
+        EXPECT_EQ(levels.back().columns(), columns);
+        EXPECT_EQ(levels.back().rows(), rows);
+        for (std::size_t i = 1; i < levels.size(); ++i) EXPECT_GT(levels[i].cells(), levels[i - 1].cells());
+      }
+}
+
+TEST(Lattices, have_as_many_cells_as_the_caller_asks_for) {
+  for (const Box& box : bounds()) {
+    const Lattice lattice = finest_lattice(box, 1e6, {.cells = {7, 3}});
+    EXPECT_EQ(lattice.columns(), 7U);
+    EXPECT_EQ(lattice.rows(), 3U);
+  }
+}
+
+TEST(Lattices, have_cells_enough_for_the_work_and_a_single_one_without_decomposition) {
+  for (const double triangles : {1e3, 1e5, 1e7}) {
+    const Options options;
+    const Lattice lattice = finest_lattice({0, 0, 2, 1}, triangles, options);
+    const double tiles = std::max(1.0, triangles / options.triangles_per_tile);
+    EXPECT_LE(lattice.cells(), 2 * tiles);
+    EXPECT_GE(lattice.cells(), tiles / 2);
+    EXPECT_EQ(finest_lattice({0, 0, 2, 1}, triangles, {.decomposition = Decomposition::none}).cells(), 1U);
+  }
+}
+
+TEST(Lattices, are_widened_no_more_than_asked) {
+  for (const Box& box : bounds()) {
+    const Lattice wanted(box, 40, 30);
+    for (const double sides : {0.1, 1.5, 3.1, 29.9, 1e6}) {
+      const double side = sides * wanted.side();
+      const Lattice lattice = with_sides_of(box, wanted, side);
+      EXPECT_GE(lattice.side(), side);  // INFINITY where there is but one cell
+      EXPECT_LE(lattice.columns(), wanted.columns());
+      EXPECT_LE(lattice.rows(), wanted.rows());
+      if (side <= wanted.side()) {
+        EXPECT_EQ(lattice.cells(), wanted.cells());
+      }
+    }
+  }
+}
+
+/// The hypothesis of the theorem (THEORY, Lattice), in runs.
+TEST(Lattices, of_the_paper_have_cells_of_four_circumradii) {
+  for (const samples::Case& c : samples::cases()) {
+    const Tiling tiling = samples::refined(c, samples::options_for(c, Decomposition::paper), {}).counts.tiling;
+    const Lattice finest({0, 0, tiling.columns * tiling.cell_width, tiling.rows * tiling.cell_height}, tiling.columns,
+                         tiling.rows);
+    EXPECT_GE(finest.side(), 4 * tiling.largest_radius * (1 - 1e-12)) << c.name;
+    EXPECT_GT(tiling.largest_radius, 0) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,77 @@
+// Small meshes cut into many tiles, so that tasks meet often; refined with a schedule of the test's own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../../../parallel/conversion/assemble.hpp"
+#include "../../../parallel/scheduling/refine_by_sweeps.hpp"
+#include "../../../properties/domains/domains.hpp"
+#include "../../../properties/domains/generators/random.hpp"
+
+namespace pardel::engine::samples {
+
+struct Case {
+  std::string name;
+  Pslg pslg;
+  Goal goal;
+  std::array<Index, 2> cells;
+};
+
+inline const std::vector<Case>& cases() {
+  static const std::vector<Case> all = [] {
+    std::vector<Case> list{
+        {"square", domains::square(), {.max_area = 0.00035}, {5, 5}},
+        {"pipe", domains::pipe(), {.min_angle_deg = 25}, {7, 8}},
+        {"cracks", domains::cracks(), {.min_angle_deg = 30, .max_area = 0.005, .conforming = true}, {3, 3}},
+        {"wedge", domains::wedge(12, 7), {.min_angle_deg = 28, .max_area = 0.005}, {3, 4}},
+        {"points", domains::random_points(300, 3), {.min_angle_deg = 30}, {8, 8}},
+        {"lattice", domains::grid_points(9), {.max_area = 0.026}, {4, 4}},
+        {"far", domains::moved(domains::cracks(), 654321, 4987654), {.min_angle_deg = 25, .max_area = 0.005}, {3, 3}},
+    };
+    return list;
+  }();
+  return all;
+}
+
+/// The engine's part of mesh(), with a schedule.
+struct Refined {
+  Mesh mesh;
+  RefineCounts counts;
+};
+inline Refined refined(const Case& c, const Options& options, const Schedule& schedule) {
+  Result<Assembled> domain = assemble(c.pslg, c.goal.convex_hull, options.threads);
+  EXPECT_TRUE(domain);
+  std::vector<double> attributes, caps;
+  for (const Region& region : c.pslg.regions) {
+    attributes.push_back(region.attribute);
+    caps.push_back(region.max_area);
+  }
+  const Criteria criteria(c.goal, options.placement, caps);
+  auto counts = refine_by_sweeps(domain->triangulation, domain->lines, criteria, options, schedule);
+  EXPECT_TRUE(counts);
+  return {disassemble(std::move(domain).value(), attributes, {}, {}, options.threads), std::move(counts).value()};
+}
+
+inline Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {
+  Options options{.threads = threads, .decomposition = decomposition, .min_edge = 1e-6};
+  options.cells = c.cells;
+  return options;
+}
+
+/// The tasks of a phase in random order, one in four after a delay of up to 60 microseconds.
+inline Schedule shuffled(std::uint64_t seed) {
+  return {
+      .order = [random = generators::Random(seed)](std::vector<std::size_t>& order) mutable { random.shuffle(order); },
+      .before_task =
+          [seed](std::size_t task) {
+            generators::Random random(seed + task);
+            if (random.chance(4)) std::this_thread::sleep_for(std::chrono::microseconds(random.below(60)));
+          }};
+}
+
+}  // namespace pardel::engine::samples

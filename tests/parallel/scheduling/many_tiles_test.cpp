@@ -1,0 +1,96 @@
+// Meshes large enough for several tiles and levels of lattices: the seams leave no trace, and neither do threads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../../core/digest.hpp"
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/domains/domains.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// Certified, and the same on one, two and three threads.
+void expect_same_on_threads(const Pslg& pslg, const Goal& goal) {
+  const Result<Meshed> one = mesh(pslg, goal);
+  ASSERT_TRUE(one) << one.error().message;
+  ASSERT_GT(one->mesh.triangles.size(), 50'000U) << "less does not fill several tiles";
+  EXPECT_TRUE(one->report.goal_met());
+  const Certificate certificate = check(pslg, one->mesh, goal, {.max_violations = 2});
+  EXPECT_TRUE(certificate.valid) << to_text(certificate);
+  for (const int threads : {2, 3}) {
+    const Result<Meshed> other = mesh(pslg, goal, {.threads = threads});
+    ASSERT_TRUE(other) << other.error().message;
+    EXPECT_TRUE(other->mesh == one->mesh) << threads << " threads";
+  }
+}
+
+TEST(ManyTiles, of_one_size_leave_no_seam) { expect_same_on_threads(domains::pipe(), {.max_area = 4e-5}); }
+
+TEST(ManyTiles, of_a_conforming_mesh_leave_no_seam) {
+  expect_same_on_threads(domains::key(), {.min_angle_deg = 30, .max_area = 1e-4, .conforming = true});
+}
+
+TEST(ManyTiles, of_a_graded_mesh_leave_no_seam) {
+  Goal goal{.min_angle_deg = 25};
+  goal.size = [](Point p) { return 0.0006 + 0.02 * std::hypot(p.x, p.y); };
+  expect_same_on_threads(domains::square(), goal);
+}
+
+TEST(ManyTiles, of_random_points_leave_no_seam) {
+  expect_same_on_threads(domains::random_points(30'000, 4), {.min_angle_deg = 30});
+}
+
+TEST(ManyTiles, far_from_the_origin_leave_no_seam) {
+  expect_same_on_threads(domains::moved(domains::pipe(), 654321, 4987654), {.min_angle_deg = 25, .max_area = 4e-5});
+}
+
+TEST(ManyTiles, of_a_long_thin_domain_leave_no_seam) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1000, 0}, {1000, 1}, {0, 1}, {0, 0.5}, {999.5, 0.501}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {4, 5}};
+  expect_same_on_threads(pslg, {.min_angle_deg = 30, .max_area = 0.02});
+}
+
+TEST(ManyTiles, keep_the_budget_to_the_vertex) {
+  for (const int threads : {1, 2, 3}) {
+    const Result<Meshed> meshed =
+        mesh(domains::pipe(), {.max_area = 4e-5}, {.threads = threads, .max_vertices = 30'000});
+    ASSERT_TRUE(meshed);
+    EXPECT_LE(meshed->mesh.points.size(), 30'000U);
+    EXPECT_GE(meshed->mesh.points.size(), 29'000U);
+    EXPECT_GT(meshed->report.count(ExemptReason::budget), 0U);
+    EXPECT_TRUE(check(domains::pipe(), meshed->mesh, {.min_angle_deg = 0}).valid);
+  }
+}
+
+/// Kept boundaries: a triangle that asked for a point in one tile, and there for a point in the other, was sent to and
+/// fro for ever.
+TEST(ManyTiles, do_not_send_a_triangle_to_and_fro) {
+  Pslg pslg;
+  pslg.points = {{1, 7},  {3, 3},  {5, 3},  {7, 8},  {9, 5},  {10, 4}, {14, 0}, {15, 5}, {16, 1}, {16, 5},
+                 {16, 8}, {18, 7}, {19, 3}, {19, 7}, {20, 3}, {21, 5}, {22, 5}, {22, 6}, {26, 2}, {29, 0},
+                 {29, 1}, {31, 0}, {31, 2}, {33, 3}, {38, 6}, {40, 4}, {41, 3}, {42, 1}, {42, 5}, {43, 5},
+                 {45, 0}, {46, 5}, {47, 1}, {51, 7}, {52, 4}, {54, 7}, {57, 3}};
+  for (Point& p : pslg.points) p = {p.x / 8, p.y / 64};
+  pslg.segments = {{11, 25}, {16, 5},  {6, 34}, {23, 5},  {7, 11}, {26, 6},  {29, 28}, {26, 28}, {2, 12},
+                   {35, 26}, {29, 11}, {23, 8}, {29, 13}, {7, 10}, {36, 20}, {19, 20}, {6, 19},  {4, 7}};
+  const Goal goal{.min_angle_deg = 30, .max_area = 0.01, .convex_hull = true};
+  const Result<Meshed> meshed = mesh(pslg, goal, {.no_boundary_splits = true});
+  ASSERT_TRUE(meshed);
+  EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0, .convex_hull = true}).valid);
+}
+
+TEST(ManyTiles, stop_when_the_caller_says_so) {
+  int calls = 0;
+  Options options{.threads = 2};
+  options.progress = [&](const Progress&) { return ++calls < 5; };
+  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-6}, options);
+  ASSERT_FALSE(meshed);
+  EXPECT_EQ(meshed.error().kind, ErrorKind::cancelled);
+  EXPECT_EQ(calls, 5);
+}
+
+}  // namespace
+}  // namespace pardel::engine

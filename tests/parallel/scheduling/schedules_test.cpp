@@ -1,0 +1,81 @@
+// However the tasks of a phase take turns, the mesh is the same: in any order, with delays, on threads, and with single
+// insertions of different tasks interleaved at random.
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "../../../core/digest.hpp"
+#include "../samples.hpp"
+#include "many_tasks.hpp"
+
+namespace pardel::engine {
+namespace {
+
+using samples::Case;
+using samples::cases;
+using samples::options_for;
+using samples::refined;
+
+/// Without several tasks that meet at their borders a schedule would have nothing to choose.
+void expect_tasks_that_meet(const RefineCounts& counts) {
+  EXPECT_GT(2 * (counts.inserted + counts.segment_splits), 3 * counts.tiling.vertices_before);
+  std::uint64_t handed_on = 0;
+  for (const Sweep& sweep : counts.tiling.sweeps) handed_on += sweep.to_other_cells + sweep.beyond_box;
+  EXPECT_GE(handed_on, 5U);
+}
+
+class Schedules : public testing::TestWithParam<std::size_t> {
+ protected:
+  const Case& case_ = cases()[GetParam()];
+};
+
+TEST_P(Schedules, have_tasks_that_meet) { expect_tasks_that_meet(refined(case_, options_for(case_), {}).counts); }
+
+TEST_P(Schedules, in_any_order_and_with_delays_give_one_mesh_on_any_number_of_threads) {
+  const Mesh expected = refined(case_, options_for(case_), {}).mesh;
+  samples::Random random(7);
+  for (const int threads : {1, 2, 3, 4, 8, 16}) {
+    const Schedule schedule = samples::shuffled(random.next());
+    const Mesh found = refined(case_, options_for(case_, Decomposition::automatic, threads), schedule).mesh;
+    EXPECT_TRUE(found == expected) << threads << " threads";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Schedules, testing::Range(std::size_t{0}, cases().size()),
+                         [](const auto& parameter) { return cases()[parameter.param].name; });
+
+/// A domain, and which tenth of its 1430 schedules: single tests stay short under sanitizers.
+class Interleavings : public testing::TestWithParam<std::tuple<std::size_t, int>> {
+ protected:
+  const Case& case_ = cases()[std::get<0>(GetParam())];
+  const int tenth_ = std::get<1>(GetParam());
+};
+
+TEST_P(Interleavings, of_single_insertions_give_one_mesh) {
+  samples::Random random(20040626 + static_cast<std::uint64_t>(tenth_));
+  for (const Decomposition decomposition : {Decomposition::automatic, Decomposition::paper}) {
+    const Options options = options_for(case_, decomposition);
+    const Digest expected = digest(refined(case_, options, {}).mesh);
+    const int schedules = decomposition == Decomposition::automatic ? 100 : 43;
+    for (int i = 0; i < schedules; ++i) {
+      // Turns of one insertion, and now and then long runs of one task.
+      const std::size_t sticky = 1 + random.below(4);
+      std::size_t turn = 0;
+      const Schedule schedule{.next = [&](std::size_t n) {
+        if (turn >= n || random.below(sticky) == 0) turn = random.below(n);
+        return turn;
+      }};
+      ASSERT_EQ(digest(refined(case_, options, schedule).mesh), expected) << "schedule " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Interleavings,
+                         testing::Combine(testing::Range(std::size_t{0}, cases().size()), testing::Range(0, 10)),
+                         [](const auto& parameter) {
+                           return cases()[std::get<0>(parameter.param)].name + "_" +
+                                  std::to_string(std::get<1>(parameter.param));
+                         });
+
+}  // namespace
+}  // namespace pardel::engine

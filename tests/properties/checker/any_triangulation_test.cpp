@@ -1,0 +1,60 @@
+// Whatever it is given as a mesh, the checker ends with a verdict.
+#include <bit>
+#include <random>
+
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+#include "meshes.hpp"
+
+namespace pardel::checker {
+namespace {
+
+using testing::Case;
+
+PARDEL_PROPERTY(
+    Check, neither_crashes_nor_accepts_when_ids_are_scrambled,
+    {.statement = "a right mesh with vertices or neighbours changed at random is refused, with an explanation",
+     .source = "properties/checker/check.hpp",
+     .families = "a square in eight triangles, spoiled"}) {
+  Case c = testing::square_in_eight();
+  std::mt19937_64 random(*rc::gen::arbitrary<std::uint32_t>());
+  const int changes = 1 + static_cast<int>(random() % 8);
+  for (int i = 0; i < changes; ++i) {
+    Triangle& t = c.mesh.triangles[random() % c.mesh.triangles.size()];
+    const auto id = static_cast<Index>(random() % 10 == 0 ? random() : random() % 9);
+    (random() % 2 == 0 ? t.v : t.n)[random() % 3] = id;
+  }
+  const Case original = testing::square_in_eight();
+  RC_PRE(!(c.mesh.triangles == original.mesh.triangles));
+  const bool foreign = random() % 2 == 0;
+  CheckOptions options;
+  options.foreign = foreign;
+  const Certificate certificate = check(c.pslg, c.mesh, Goal{}, options);
+  RC_ASSERT(!certificate.valid);
+  RC_ASSERT(!to_text(certificate).empty());
+}
+
+PARDEL_PROPERTY(Check, does_not_crash_on_arbitrary_numbers,
+                {.statement = "any bits as coordinates, caps and goals give a certificate, valid or not",
+                 .source = "properties/checker/check.hpp",
+                 .families = "a square in eight triangles, spoiled"}) {
+  std::mt19937_64 random(*rc::gen::arbitrary<std::uint32_t>());
+  const auto number = [&] { return random() % 2 == 0 ? std::bit_cast<double>(random()) : double(random() % 4); };
+  Case c = testing::square_in_eight();
+  for (int i = 0; i < 3; ++i) {
+    c.mesh.points[random() % 9] = {number(), number()};
+    c.pslg.points[random() % 6] = {number(), number()};
+  }
+  c.pslg.holes.push_back({number(), number()});
+  c.pslg.regions[0].max_area = number();
+  Goal goal;
+  goal.min_angle_deg = number();
+  goal.max_area = number();
+  goal.max_edge = number();
+  CheckOptions options;
+  options.max_circumradius = number();
+  RC_ASSERT(!to_json(check(c.pslg, c.mesh, goal, options)).empty());
+}
+
+}  // namespace
+}  // namespace pardel::checker

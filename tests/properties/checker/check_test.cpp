@@ -1,0 +1,534 @@
+// The checker accepts right meshes and says of each wrong one what is wrong with it.
+#include "../../../properties/checker/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "../../../properties/domains/domains.hpp"
+#include "meshes.hpp"
+#include "verdicts.hpp"
+
+namespace pardel::checker {
+namespace {
+
+using Kind = ViolationKind;
+using testing::Case;
+using testing::count;
+using testing::is_valid;
+using testing::reports;
+using testing::reports_only;
+
+Goal no_angle_bound() {
+  Goal goal;
+  goal.min_angle_deg = 0;
+  return goal;
+}
+
+Certificate check(const Case& c, const Goal& goal = no_angle_bound(), const CheckOptions& options = {}) {
+  return pardel::check(c.pslg, c.mesh, goal, options);
+}
+
+TEST(Check, accepts_right_meshes_made_by_hand) {
+  EXPECT_TRUE(is_valid(check(testing::square_in_two())));
+  EXPECT_TRUE(is_valid(check(testing::square_in_eight())));
+}
+
+TEST(Check, accepts_what_CGAL_makes_of_every_domain) {
+  for (const std::string& name : domains::names()) {
+    Case c;
+    c.pslg = domains::generate(name, 0, 1).value();
+    c.mesh = testing::triangulated_by_cgal(c.pslg);
+    Goal goal = no_angle_bound();
+    goal.region_caps = false;
+    EXPECT_TRUE(is_valid(check(c, goal))) << name;
+  }
+}
+
+TEST(Check, accepts_meshes_far_from_the_origin) {
+  Case c;
+  c.pslg = domains::moved(domains::key(), 654321, 4987654, 0.01);
+  c.mesh = testing::triangulated_by_cgal(c.pslg);
+  EXPECT_TRUE(is_valid(check(c)));
+}
+
+TEST(Check, of_an_empty_mesh_of_nothing_is_content) { EXPECT_TRUE(is_valid(check(Case{}))); }
+
+TEST(Check, gives_the_same_certificate_again) {
+  Case c;
+  c.pslg = domains::random_points(20'000, 3);
+  c.mesh = testing::triangulated_by_cgal(c.pslg);
+  Goal goal;
+  goal.max_area = 1e-5;
+  CheckOptions options;
+  options.max_violations = 7;
+  const std::string first = to_json(check(c, goal, options));
+  EXPECT_EQ(first, to_json(check(c, goal, options)));
+}
+
+// Ids, counts, numbers.
+
+TEST(Check, survives_and_reports_ids_out_of_range) {
+  for (const Index id : {Index{4}, Index{1'000'000'000}, no_index}) {
+    Case c = testing::square_in_two();
+    c.mesh.triangles[1].v[2] = id;
+    EXPECT_TRUE(reports(check(c), Kind::index_out_of_range)) << id;
+  }
+  Case c = testing::square_in_two();
+  c.mesh.triangles[0].n[0] = 77;
+  EXPECT_TRUE(reports(check(c), Kind::index_out_of_range));
+  c = testing::square_in_two();
+  c.mesh.constrained_edges[0].a = 99;
+  EXPECT_TRUE(reports_only(check(c), Kind::index_out_of_range));
+  c = testing::square_in_eight();
+  c.mesh.region[3] = 2;
+  EXPECT_TRUE(reports_only(check(c), Kind::index_out_of_range));
+  c = testing::square_in_two();
+  c.pslg.segments[0].b = 4;
+  EXPECT_TRUE(reports_only(check(c), Kind::index_out_of_range));
+}
+
+TEST(Check, reports_coordinates_that_are_no_numbers) {
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Case c = testing::square_in_two();
+    c.mesh.points[2].y = x;
+    EXPECT_TRUE(reports_only(check(c), Kind::non_finite_coordinate));
+    c = testing::square_in_two();
+    c.pslg.points[2].y = x;
+    EXPECT_TRUE(reports_only(check(c), Kind::non_finite_coordinate));
+    c = testing::square_in_two();
+    c.pslg.holes.push_back({x, 0});
+    EXPECT_TRUE(reports_only(check(c), Kind::non_finite_coordinate));
+  }
+}
+
+TEST(Check, reports_arrays_of_the_wrong_length) {
+  Case c = testing::square_in_eight();
+  c.mesh.origin.pop_back();
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
+  c = testing::square_in_eight();
+  c.mesh.region.clear();
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
+  c = testing::square_in_eight();
+  c.mesh.point_markers.clear();
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
+  c = testing::square_in_eight();
+  c.mesh.attributes_per_point = 3;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
+}
+
+// Triangles and links.
+
+TEST(Check, reports_clockwise_and_flat_triangles) {
+  Case c = testing::square_in_two();
+  std::swap(c.mesh.triangles[0].v[0], c.mesh.triangles[0].v[1]);
+  std::swap(c.mesh.triangles[0].n[0], c.mesh.triangles[0].n[1]);
+  EXPECT_TRUE(reports(check(c), Kind::degenerate_triangle));
+  c = testing::square_in_eight();
+  c.mesh.points[6] = {2, 0};
+  EXPECT_TRUE(reports(check(c), Kind::degenerate_triangle));
+  c = testing::square_in_two();
+  c.mesh.triangles[0].v[1] = c.mesh.triangles[0].v[0];
+  EXPECT_TRUE(reports(check(c), Kind::degenerate_triangle));
+}
+
+TEST(Check, reports_a_triangle_that_is_there_twice) {
+  for (const bool linked : {true, false}) {
+    Case c = testing::square_in_eight();
+    Triangle copy = c.mesh.triangles[2];
+    if (!linked) copy.n = {no_index, no_index, no_index};
+    c.mesh.triangles.push_back(copy);
+    c.mesh.region.push_back(1);
+    const Certificate certificate = check(c);
+    EXPECT_TRUE(reports(certificate, Kind::duplicate_triangle));
+    EXPECT_TRUE(reports(certificate, Kind::non_manifold_edge));
+    EXPECT_TRUE(reports(certificate, Kind::area_mismatch));
+  }
+}
+
+TEST(Check, reports_links_that_are_lost_or_wrong) {
+  Case c = testing::square_in_eight();
+  c.mesh.triangles[3].n = {no_index, no_index, no_index};
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour));
+  c = testing::square_in_eight();
+  std::swap(c.mesh.triangles[3].n[0], c.mesh.triangles[3].n[1]);
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour));
+  c = testing::square_in_two();
+  c.mesh.triangles[0].n = {no_index, no_index, no_index};
+  c.mesh.triangles[1].n = {no_index, no_index, no_index};
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour)) << "lost on both sides";
+}
+
+TEST(Check, reports_a_second_sheet_hung_from_a_vertex) {
+  // A triangle that shares only the middle vertex of the square, and lies upon it.
+  Case c = testing::square_in_eight();
+  c.mesh.points.push_back({3, 2.25});
+  c.mesh.points.push_back({3, 2.5});
+  c.mesh.origin.resize(11, interior_vertex);
+  c.mesh.point_markers.resize(11, 0);
+  c.mesh.triangles.push_back({{6, 9, 10}, {no_index, no_index, no_index}});
+  c.mesh.region.push_back(1);
+  const Certificate certificate = check(c);
+  EXPECT_TRUE(reports(certificate, Kind::non_manifold_vertex));
+  EXPECT_TRUE(reports(certificate, Kind::overlap));
+  EXPECT_TRUE(reports(certificate, Kind::area_mismatch));
+}
+
+TEST(Check, reports_a_surface_that_is_no_disk_with_holes) {
+  // A torus of nine vertices: three by three squares, glued at opposite sides. It cannot lie in the plane,
+  // so other things are wrong with it as well.
+  Mesh torus;
+  for (Index v = 0; v < 9; ++v) torus.points.push_back({double(v % 3), double(v / 3)});
+  for (Index j = 0; j < 3; ++j)
+    for (Index i = 0; i < 3; ++i) {
+      const Index a = 3 * j + i, b = 3 * j + (i + 1) % 3, c = 3 * ((j + 1) % 3) + (i + 1) % 3,
+                  d = 3 * ((j + 1) % 3) + i;
+      torus.triangles.push_back({{a, b, c}, {}});
+      torus.triangles.push_back({{a, c, d}, {}});
+    }
+  testing::relink(torus);
+  Case c;
+  c.mesh = torus;
+  EXPECT_TRUE(reports(check(c), Kind::euler_characteristic));
+}
+
+// The domain.
+
+TEST(Check, reports_a_triangle_that_is_missing) {
+  Case c = testing::square_in_two();
+  c.mesh.triangles.pop_back();
+  testing::relink(c.mesh);
+  const Certificate certificate = check(c);
+  EXPECT_TRUE(reports(certificate, Kind::uncovered_domain));
+  EXPECT_TRUE(reports(certificate, Kind::broken_segment));
+  EXPECT_TRUE(reports(certificate, Kind::missing_input_vertex));
+}
+
+TEST(Check, reports_a_face_without_any_triangle) {
+  Case c = testing::square_in_two();
+  c.mesh.triangles.clear();
+  EXPECT_TRUE(reports(check(c), Kind::uncovered_domain));
+}
+
+TEST(Check, reports_a_hole_that_is_filled) {
+  Case c = testing::square_in_eight();
+  c.pslg.holes = {{1, 2}};
+  EXPECT_TRUE(reports(check(c), Kind::covered_exterior));
+  c.pslg.regions.clear();
+  c.mesh.region.clear();
+  EXPECT_TRUE(reports(check(c), Kind::covered_exterior));
+}
+
+TEST(Check, reports_a_triangle_outside_the_outline) {
+  Case c = testing::square_in_two();
+  c.mesh.points.push_back({2, 0.5});
+  c.mesh.origin.push_back(interior_vertex);
+  c.mesh.triangles.push_back({{1, 4, 2}, {}});
+  testing::relink(c.mesh);
+  const Certificate certificate = check(c);
+  EXPECT_TRUE(reports(certificate, Kind::covered_exterior));
+  EXPECT_TRUE(reports(certificate, Kind::area_mismatch));
+}
+
+TEST(Check, reports_a_triangle_that_lies_upon_others) {
+  Case c = testing::square_in_two();
+  c.mesh.points.append(std::vector<Point>{{0.25, 0.125}, {0.5, 0.125}, {0.5, 0.25}});
+  c.mesh.origin.resize(7, interior_vertex);
+  c.mesh.triangles.push_back({{4, 5, 6}, {no_index, no_index, no_index}});
+  EXPECT_TRUE(reports(check(c), Kind::overlap));
+}
+
+TEST(Check, reports_boundary_edges_that_cross) {
+  Case c = testing::square_in_two();
+  c.mesh.points.append(std::vector<Point>{{0.5, 0.5}, {2, 0.25}, {2, 0.75}});
+  c.mesh.origin.resize(7, interior_vertex);
+  c.mesh.triangles.push_back({{4, 5, 6}, {no_index, no_index, no_index}});
+  EXPECT_TRUE(reports(check(c), Kind::overlap));
+}
+
+// Points and segments.
+
+TEST(Check, reports_an_input_point_that_was_moved_or_renumbered) {
+  Case c = testing::square_in_two();
+  c.mesh.points[2].x = std::nextafter(1.0, 2.0);
+  EXPECT_TRUE(reports(check(c), Kind::missing_input_vertex));
+  c = testing::square_in_two();
+  std::swap(c.mesh.points[1], c.mesh.points[3]);
+  EXPECT_TRUE(reports(check(c), Kind::missing_input_vertex));
+}
+
+TEST(Check, reports_an_input_point_without_triangles_only_where_the_domain_is) {
+  Case c = testing::square_in_two();
+  c.pslg.points.push_back({5, 5});
+  c.mesh.points.push_back({5, 5});
+  c.mesh.origin.push_back(input_vertex);
+  EXPECT_TRUE(is_valid(check(c))) << "the exterior may have points";
+  c.pslg.points[4] = c.mesh.points[4] = {0.5, 0.25};
+  EXPECT_TRUE(reports_only(check(c), Kind::missing_input_vertex));
+}
+
+TEST(Check, reports_a_vertex_without_triangles) {
+  Case c = testing::square_in_two();
+  c.mesh.points.push_back({0.5, 0.25});
+  c.mesh.origin.push_back(interior_vertex);
+  EXPECT_TRUE(reports_only(check(c), Kind::unused_vertex));
+}
+
+TEST(Check, reports_a_segment_that_is_no_chain) {
+  Case c = testing::square_in_two();
+  c.pslg.segments.push_back({1, 3, 0});
+  EXPECT_TRUE(reports(check(c), Kind::broken_segment));
+}
+
+TEST(Check, allows_a_chain_the_rounding_distance_and_no_more) {
+  const double ulp = 0x1p-50;  // the spacing of doubles at 4
+  for (const auto& [distance, right] : {std::pair(2 * ulp, true), std::pair(2.5 * ulp, false)}) {
+    Case c = testing::square_in_eight();
+    c.mesh.points[6].x = 2 + distance;
+    const Certificate certificate = check(c);
+    EXPECT_EQ(count(certificate, Kind::chain_off_segment), right ? 0u : 1u) << to_text(certificate);
+    EXPECT_EQ(count(certificate, Kind::broken_segment), 0u);
+  }
+}
+
+TEST(Check, does_not_miss_segments_that_are_rightly_absent) {
+  Case c = testing::square_in_two();
+  c.pslg.points.insert(c.pslg.points.end(), {{3, 3}, {4, 4}});
+  c.pslg.segments.push_back({4, 5, 0});
+  for (const Point p : {Point{3, 3}, Point{4, 4}}) c.mesh.points.push_back(p);
+  c.mesh.origin.resize(6, input_vertex);
+  EXPECT_TRUE(is_valid(check(c)));
+}
+
+// Labels.
+
+TEST(Check, reports_constrained_edges_that_are_wrong_or_missing) {
+  Case c = testing::square_in_two();
+  c.mesh.constrained_edges[1].segment = 0;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_constrained_edge));
+  c = testing::square_in_two();
+  c.mesh.constrained_edges.push_back({0, 2, 0, 1});
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_constrained_edge)) << "an edge, but no segment";
+  c = testing::square_in_two();
+  c.mesh.constrained_edges.push_back({1, 3, 0, 1});
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_constrained_edge)) << "no edge";
+  c = testing::square_in_two();
+  c.mesh.constrained_edges.push_back(c.mesh.constrained_edges[0]);
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_constrained_edge)) << "twice";
+  c = testing::square_in_two();
+  c.mesh.constrained_edges.pop_back();
+  EXPECT_TRUE(reports_only(check(c), Kind::missing_constrained_edge));
+}
+
+TEST(Check, reports_markers_that_are_lost_or_wrong) {
+  Case c = testing::square_in_eight();
+  for (ConstrainedEdge& edge : c.mesh.constrained_edges) edge.marker = 0;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_edge_marker));
+  for (Index v = 0; v < 9; ++v) {
+    c = testing::square_in_eight();
+    c.mesh.point_markers[v] = 0;
+    EXPECT_TRUE(reports_only(check(c), Kind::wrong_vertex_marker)) << v;
+  }
+  c = testing::square_in_eight();
+  c.mesh.point_markers[4] = 5;
+  EXPECT_TRUE(is_valid(check(c))) << "a vertex on two segments may have the marker of either";
+}
+
+TEST(Check, reports_regions_that_are_wrong) {
+  Case c = testing::square_in_eight();
+  c.mesh.region[2] = 0;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_region));
+  c = testing::square_in_eight();
+  c.mesh.region[2] = no_index;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_region));
+  c = testing::square_in_eight();
+  c.mesh.region_attributes[1] = 9;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_region));
+}
+
+TEST(Check, reports_origins_that_are_wrong) {
+  for (const Index vertex : {0, 6, 7}) {
+    Case c = testing::square_in_eight();
+    c.mesh.origin[vertex] = interior_vertex;
+    EXPECT_TRUE(reports_only(check(c), Kind::wrong_origin)) << vertex;
+  }
+}
+
+TEST(Check, reports_attributes_that_are_lost) {
+  Case c = testing::square_in_two();
+  c.pslg.attributes_per_point = c.mesh.attributes_per_point = 1;
+  c.pslg.point_attributes = {1, 2, 3, 4};
+  c.mesh.point_attributes.append(c.pslg.point_attributes);
+  EXPECT_TRUE(is_valid(check(c)));
+  c.mesh.point_attributes[2] = 0;
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_attribute));
+}
+
+// Delaunay.
+
+TEST(Check, takes_cocircular_points_either_way_and_one_unit_more_only_one_way) {
+  Case c = testing::square_in_two();
+  EXPECT_TRUE(is_valid(check(c)));
+  c.pslg.points[2] = c.mesh.points[2] = {std::nextafter(1.0, 2.0), 1};
+  EXPECT_TRUE(reports_only(check(c), Kind::not_delaunay)) << "the diagonal got longer";
+}
+
+TEST(Check, judges_constrained_edges_only_for_a_conforming_goal) {
+  Case c = testing::square_in_two();
+  c.pslg.points[2] = c.mesh.points[2] = {2, 2};
+  c.pslg.segments.push_back({0, 2, 0});
+  c.mesh.constrained_edges.push_back({0, 2, 4, 0});
+  EXPECT_TRUE(is_valid(check(c)));
+  Goal goal = no_angle_bound();
+  goal.conforming = true;
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::not_delaunay));
+}
+
+// Bounds.
+
+TEST(Check, compares_angles_with_the_bound_exactly) {
+  const Case c = testing::square_in_two();  // angles of 45 and 90 degrees
+  Goal goal;
+  goal.min_angle_deg = 44.999999;
+  EXPECT_TRUE(is_valid(check(c, goal)));
+  goal.min_angle_deg = 45.000001;
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::small_angle));
+  EXPECT_EQ(count(check(c, goal), Kind::small_angle), 2u);
+}
+
+TEST(Check, compares_areas_edges_and_radii_exactly) {
+  const Case c = testing::square_in_eight();  // right triangles with legs of 2
+  Goal goal = no_angle_bound();
+  goal.max_area = 2;
+  EXPECT_TRUE(is_valid(check(c, goal)));
+  goal.max_area = std::nextafter(2.0, 0.0);
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::large_area));
+  EXPECT_EQ(count(check(c, goal), Kind::large_area), 8u);
+
+  goal = no_angle_bound();
+  goal.max_edge = std::sqrt(8) * (1 + 1e-15);
+  EXPECT_TRUE(is_valid(check(c, goal)));
+  goal.max_edge = std::sqrt(8) * (1 - 1e-15);
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::long_edge));
+  EXPECT_EQ(count(check(c, goal), Kind::long_edge), 4u) << "four diagonals, each once";
+
+  CheckOptions options;
+  options.max_circumradius = std::sqrt(2) * (1 + 1e-15);
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), options)));
+  options.max_circumradius = std::sqrt(2) * (1 - 1e-15);
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), options), Kind::large_circumradius));
+}
+
+TEST(Check, compares_with_the_cap_of_the_region_a_triangle_lies_in) {
+  Case c = testing::square_in_eight();
+  c.pslg.regions[1].max_area = 1.5;
+  EXPECT_TRUE(reports_only(check(c), Kind::region_area));
+  EXPECT_EQ(count(check(c), Kind::region_area), 4u);
+  Goal goal = no_angle_bound();
+  goal.region_caps = false;
+  EXPECT_TRUE(is_valid(check(c, goal)));
+}
+
+TEST(Check, asks_the_sizing_function_at_centroids) {
+  const Case c = testing::square_in_eight();
+  Goal goal = no_angle_bound();
+  goal.size = [](Point p) { return p.x < 2 ? 3.0 : 2.5; };
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::size_exceeded));
+  EXPECT_EQ(count(check(c, goal), Kind::size_exceeded), 4u);
+}
+
+// Meshes by other programs.
+
+TEST(Check, matches_the_vertices_of_a_foreign_mesh_by_coordinates) {
+  Case c = testing::square_in_eight();
+  std::vector<Point> points;
+  std::vector<std::array<Index, 3>> triangles;
+  for (std::size_t v = 9; v-- > 0;) points.push_back(c.mesh.points[v]);
+  for (const Triangle& t : c.mesh.triangles) triangles.push_back({8 - t.v[0], 8 - t.v[1], 8 - t.v[2]});
+  c.mesh = testing::mesh_of(points, triangles);
+  c.mesh.origin.clear();
+  CheckOptions options;
+  EXPECT_TRUE(reports(check(c, no_angle_bound(), options), Kind::missing_input_vertex));
+  options.foreign = true;
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), options)));
+  for (Triangle& t : c.mesh.triangles) t.n = {no_index, no_index, no_index};
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), options))) << "it need not know neighbours";
+  c.mesh.points[2] = {2 + 1e-7, 2};
+  EXPECT_TRUE(reports(check(c, no_angle_bound(), options), Kind::chain_off_segment));
+}
+
+TEST(Check, certifies_what_Mesh_2_promises_and_no_more) {
+  Case c;
+  c.pslg = domains::pipe();
+  c.mesh = testing::refined_by_cgal(c.pslg, 0.05);
+  CheckOptions options;
+  options.foreign = true;
+  Goal goal;
+  goal.min_angle_deg = 20.6;
+  goal.max_edge = 0.05;
+  goal.conforming = true;
+  EXPECT_TRUE(is_valid(check(c, goal, options)));
+  goal.min_angle_deg = 33;
+  EXPECT_TRUE(reports_only(check(c, goal, options), Kind::small_angle));
+}
+
+// The certificate.
+
+TEST(Certificate, states_extremes_with_their_witnesses) {
+  const Certificate certificate = check(testing::square_in_eight());
+  EXPECT_EQ(certificate.vertices, 9u);
+  EXPECT_EQ(certificate.triangles, 8u);
+  EXPECT_EQ(certificate.area, 16);
+  EXPECT_NEAR(certificate.min_angle_deg.value, 45, 1e-12);
+  EXPECT_NEAR(certificate.max_angle_deg.value, 90, 1e-12);
+  EXPECT_EQ(certificate.max_area.value, 2);
+  EXPECT_EQ(certificate.min_edge.value, 2);
+  EXPECT_NEAR(certificate.max_edge.value, std::sqrt(8), 1e-12);
+  EXPECT_NEAR(certificate.max_circumradius.value, std::sqrt(2), 1e-12);
+  EXPECT_EQ(certificate.max_area.triangle, 0u);
+  std::uint64_t angles = 0;
+  for (const std::uint64_t bin : certificate.angle_histogram) angles += bin;
+  EXPECT_EQ(certificate.angle_histogram.size(), 18u);
+  EXPECT_EQ(angles, 24u);
+  EXPECT_EQ(certificate.digest, digest(testing::square_in_eight().mesh));
+}
+
+TEST(Certificate, is_JSON_that_can_be_read) {
+  Case c = testing::square_in_eight();
+  c.mesh.region[2] = 0;
+  const auto json = nlohmann::json::parse(to_json(check(c)));
+  EXPECT_EQ(json["schema"], "pardel.certificate/1");
+  EXPECT_EQ(json["valid"], false);
+  EXPECT_EQ(json["goal"]["max_area"], nullptr);
+  EXPECT_EQ(json["mesh"]["triangles"], 8);
+  EXPECT_EQ(json["violation_counts"]["wrong_region"], 1);
+  EXPECT_EQ(json["violations"][0]["kind"], "wrong_region");
+  EXPECT_EQ(json["angle_histogram"].size(), 18u);
+  EXPECT_EQ(json["digest"].get<std::string>().size(), 32u);
+}
+
+TEST(Certificate, is_text_that_says_what_is_wrong_and_where) {
+  Case c = testing::square_in_two();
+  c.pslg.points[2] = c.mesh.points[2] = {1.25, 1};
+  const std::string text = to_text(check(c));
+  EXPECT_EQ(text.substr(0, 9), "NOT VALID");
+  EXPECT_NE(text.find("in-circle determinant"), std::string::npos) << text;
+  EXPECT_NE(text.find("(1.25, 1)"), std::string::npos) << text;
+  EXPECT_EQ(to_text(check(testing::square_in_two())).substr(0, 6), "valid:");
+}
+
+TEST(Certificate, lists_as_many_violations_as_asked_and_counts_all) {
+  Goal goal = no_angle_bound();
+  goal.max_area = 1e-3;
+  CheckOptions options;
+  options.max_violations = 3;
+  const Certificate certificate = check(testing::square_in_eight(), goal, options);
+  EXPECT_EQ(certificate.violations.size(), 3u);
+  EXPECT_EQ(count(certificate, Kind::large_area), 8u);
+}
+
+}  // namespace
+}  // namespace pardel::checker

@@ -1,0 +1,112 @@
+// The checker's arithmetic is exact at the very places where floating point is not.
+#include "../../../properties/checker/arithmetic/exact.hpp"
+
+#include <CGAL/Gmpq.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../../../properties/checker/arithmetic/exact_sum.hpp"
+
+namespace pardel::checker {
+namespace {
+
+double up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+double down(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
+
+TEST(Orientation, tells_one_unit_in_the_last_place_from_collinear) {
+  const Point a{12, 12}, b{24, 24};
+  EXPECT_EQ(checker::exactly::orientation(a, b, {0.5, 0.5}), 0);
+  EXPECT_EQ(checker::exactly::orientation(a, b, {0.5, up(0.5)}), 1);
+  EXPECT_EQ(checker::exactly::orientation(a, b, {0.5, down(0.5)}), -1);
+}
+
+TEST(Orientation, holds_for_the_least_and_the_largest_doubles) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(checker::exactly::orientation({0, 0}, {tiny, 0}, {0, tiny}), 1);
+  EXPECT_EQ(checker::exactly::orientation({0, 0}, {tiny, tiny}, {3 * tiny, 3 * tiny}), 0);
+  EXPECT_EQ(checker::exactly::orientation({0, 0}, {1e308, 0}, {0, tiny}), 1);
+  EXPECT_EQ(checker::exactly::orientation({-1e308, -1e308}, {1e308, 1e308}, {tiny, 0}), -1);
+}
+
+TEST(InCircle, is_zero_exactly_on_the_circle) {
+  // Points of the circle x^2 + y^2 = 25^2, far from the origin.
+  const auto on = [](double x, double y) { return Point{x + 0x1p40, y + 0x1p40}; };
+  EXPECT_EQ(checker::exactly::in_circle(on(25, 0), on(7, 24), on(-15, 20), on(-24, -7)), 0);
+  Point d = on(-24, -7);
+  d.x = up(d.x);
+  EXPECT_EQ(checker::exactly::in_circle(on(25, 0), on(7, 24), on(-15, 20), d), 1);
+  d.x = down(down(d.x));
+  EXPECT_EQ(checker::exactly::in_circle(on(25, 0), on(7, 24), on(-15, 20), d), -1);
+}
+
+TEST(Cosine, is_compared_as_a_rational_number) {
+  // cos 45 degrees is irrational: every double is on one side of it, and its square tells which.
+  const double near = std::sqrt(0.5);
+  for (double c : {down(near), near, up(near)}) {
+    const bool below = CGAL::Gmpq(c) * CGAL::Gmpq(c) < CGAL::Gmpq(1, 2);
+    EXPECT_EQ(checker::exactly::cosine_exceeds({0, 0}, {1, 1}, {1, 0}, c), below) << c;
+  }
+  EXPECT_FALSE(checker::exactly::cosine_exceeds({0, 0}, {0, 3}, {5, 0}, 0)) << "a right angle has cosine 0";
+  EXPECT_TRUE(checker::exactly::cosine_exceeds({0, 0}, {0x1p-1000, 3}, {5, 0}, 0))
+      << "by a hair less than a right angle";
+  EXPECT_FALSE(checker::exactly::cosine_exceeds({0, 0}, {-1, 0}, {1, 0}, 0.5))
+      << "an obtuse angle has a negative cosine";
+}
+
+TEST(Area, exceeds_its_bound_by_a_unit_in_the_last_place_or_not_at_all) {
+  EXPECT_FALSE(checker::exactly::area_exceeds({0, 0}, {1, 0}, {0, 1}, 0.5));
+  EXPECT_TRUE(checker::exactly::area_exceeds({0, 0}, {1, 0}, {0, 1}, down(0.5)));
+}
+
+TEST(Length, exceeds_its_bound_by_a_unit_in_the_last_place_or_not_at_all) {
+  EXPECT_FALSE(checker::exactly::length_exceeds({0, 0}, {3, 4}, 5));
+  EXPECT_TRUE(checker::exactly::length_exceeds({0, 0}, {3, 4}, down(5)));
+  EXPECT_EQ(checker::exactly::compare_lengths({0, 0}, {3, 4}, {1, 1}, {6, 1}), 0);
+  EXPECT_EQ(checker::exactly::compare_lengths({0, 0}, {3, up(4)}, {1, 1}, {6, 1}), 1);
+}
+
+TEST(Circumradius, of_a_right_triangle_is_half_its_hypotenuse) {
+  EXPECT_FALSE(checker::exactly::circumradius_exceeds({0, 0}, {3, 0}, {0, 4}, 2.5));
+  EXPECT_TRUE(checker::exactly::circumradius_exceeds({0, 0}, {3, 0}, {0, 4}, down(2.5)));
+}
+
+TEST(LineDistance, is_exact) {
+  EXPECT_FALSE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, 5));
+  EXPECT_TRUE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, down(5)));
+}
+
+TEST(Witnesses, are_fractions_where_these_can_be_read) {
+  EXPECT_EQ(checker::exactly::orientation_text({0, 0}, {1, 0}, {0, 0.125}), "1/8");
+  EXPECT_EQ(checker::exactly::squared_circumradius_text({0, 0}, {3, 0}, {0, 4}), "25/4");
+  EXPECT_EQ(checker::exactly::squared_cosine_text({0, 0}, {1, 1}, {1, 0}), "1/2");
+  EXPECT_EQ(checker::exactly::in_circle_text({0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}), "1/2");
+}
+
+TEST(ExactSum, keeps_the_product_of_the_least_doubles_beside_that_of_the_largest) {
+  const double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
+  ExactSum sum;
+  for (int i = 0; i < 1000; ++i) sum.add_product(huge, huge);
+  sum.subtract_product(tiny, tiny);
+  for (int i = 0; i < 1000; ++i) sum.subtract_product(huge, huge);
+  EXPECT_EQ(sum.sign(), -1);
+  sum.add_product(tiny, tiny);
+  EXPECT_EQ(sum.sign(), 0);
+}
+
+TEST(ExactSum, of_parts_is_the_sum_of_all) {
+  ExactSum whole, part;
+  for (int i = 1; i <= 100; ++i) {
+    whole.add_cross({0.1 * i, 0.7}, {0.3, 1.1 * i});
+    (i % 3 == 0 ? part : whole).add_cross({i / 7.0, 2}, {3, i / 9.0});
+  }
+  ExactSum sum = whole;
+  sum += part;
+  sum -= whole;
+  sum -= part;
+  EXPECT_EQ(sum.sign(), 0);
+}
+
+}  // namespace
+}  // namespace pardel::checker

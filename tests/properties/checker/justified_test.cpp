@@ -1,0 +1,90 @@
+// Which triangles the checker excuses for a small input angle, and which not.
+#include <cmath>
+
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+#include "meshes.hpp"
+#include "verdicts.hpp"
+
+namespace pardel::checker {
+namespace {
+
+using Kind = ViolationKind;
+using testing::Case;
+using testing::is_valid;
+using testing::reports;
+using testing::reports_only;
+
+Certificate check(const Case& c, const Goal& goal) { return pardel::check(c.pslg, c.mesh, goal); }
+
+/// A wedge at the origin, the second leg longer by a quarter, both legs cut at distance 1.
+Case wedge_with_shell(double degrees = 10, double leg = 2) {
+  const double angle = degrees * 3.14159265358979323846 / 180;
+  Case c;
+  c.pslg.points = {{0, 0}, {leg, 0}, {1.25 * leg * std::cos(angle), 1.25 * leg * std::sin(angle)}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
+  std::vector<Point> points = c.pslg.points;
+  points.push_back({1, 0});
+  points.push_back({std::cos(angle), std::sin(angle)});
+  c.mesh = testing::mesh_of(points, {{0, 3, 4}, {3, 1, 4}, {1, 2, 4}});
+  c.mesh.origin[3] = 0;
+  c.mesh.origin[4] = 2;
+  c.mesh.constrained_edges = {{0, 3, 0, 1}, {3, 1, 0, 1}, {1, 2, 1, 1}, {2, 4, 2, 1}, {4, 0, 2, 1}};
+  return c;
+}
+
+TEST(Check, excuses_triangles_that_a_small_input_angle_explains) {
+  Goal goal;
+  goal.min_angle_deg = 9.8;
+  EXPECT_EQ(check(wedge_with_shell(), goal).justified.size(), 1u) << "3-1-4 has an angle of 9.7 degrees";
+  goal.min_angle_deg = 15;
+  const Certificate certificate = check(wedge_with_shell(), goal);
+  EXPECT_TRUE(is_valid(certificate));
+  ASSERT_EQ(certificate.justified.size(), 2u);
+  EXPECT_EQ(certificate.justified[0].triangle, 0u) << "nestled";
+  EXPECT_EQ(certificate.justified[1].triangle, 1u) << "seditious: 3-4 is on one shell";
+  for (const Justified& j : certificate.justified) {
+    EXPECT_EQ(j.apex, 0u);
+    EXPECT_NEAR(j.input_angle_deg, 10, 1e-12);
+  }
+}
+
+PARDEL_FACT(
+    Check, excuses_nothing_that_is_not_on_one_shell,
+    {.statement = "a triangle that does not lie in the corner of two segments is not excused by their small angle "
+                  "if no edge of it joins points of both at one distance from the corner",
+     .source = "properties/checker/stages/justified.cpp",
+     .families = "a wedge of 10 degrees, its legs cut at 1 and at 0.9"}) {
+  Case c = wedge_with_shell();
+  const double shorter = 0.9;
+  c.mesh.points[4] = {c.mesh.points[4].x * shorter, c.mesh.points[4].y * shorter};
+  Goal goal;
+  goal.min_angle_deg = 15;
+  EXPECT_TRUE(reports(check(c, goal), Kind::small_angle));
+  facts.cases = 1;
+}
+
+PARDEL_FACT(
+    Check, excuses_nothing_beside_a_large_input_angle,
+    {.statement = "where no input angle is below 60 degrees, a triangle with an angle below the bound is reported",
+     .source = "properties/checker/stages/justified.cpp",
+     .families = "a sliver on a side of a square; a corner of 90 degrees cut at one distance"}) {
+  // One sliver far from any small angle.
+  Case c;
+  c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
+  c.pslg.points.push_back({2, 0.125});
+  c.mesh = testing::triangulated_by_cgal(c.pslg);
+  Goal goal;
+  goal.min_angle_deg = 20;
+  const Certificate certificate = check(c, goal);
+  EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
+  EXPECT_TRUE(certificate.justified.empty());
+  // The shortest side of 3-1-4 is on one shell, but about a right angle.
+  goal.min_angle_deg = 15;
+  EXPECT_TRUE(reports(check(wedge_with_shell(90, 8), goal), Kind::small_angle));
+  facts.cases = 2;
+}
+
+}  // namespace
+}  // namespace pardel::checker

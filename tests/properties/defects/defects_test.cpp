@@ -1,0 +1,241 @@
+// The checker can say no: every seeded defect, at several places of several meshes, is found for what it is.
+#include "../../../properties/defects/defects.hpp"
+
+#include <set>
+#include <string>
+#include <utility>
+
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/checker/stages/findings.hpp"
+#include "../../../properties/domains/domains.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+
+namespace pardel {
+namespace {
+
+struct Subject {
+  std::string name;
+  Pslg pslg;
+  Goal goal;
+  Mesh mesh;
+};
+
+Goal goal_of(double min_angle_deg, double max_area = std::numeric_limits<double>::infinity()) {
+  Goal goal;
+  goal.min_angle_deg = min_angle_deg;
+  goal.max_area = max_area;
+  return goal;
+}
+
+/// A unit square that carries all that a point can carry: attributes and markers.
+Pslg labelled_square() {
+  Pslg pslg = domains::square();
+  pslg.attributes_per_point = 2;
+  pslg.point_attributes = {0, 1, 2, 3, 4, 5, 6, 7};
+  pslg.point_markers = {11, 0, 13, 0};
+  pslg.points.push_back({0.25, 0.625});
+  pslg.point_attributes.insert(pslg.point_attributes.end(), {8, 9});
+  pslg.point_markers.push_back(15);
+  return pslg;
+}
+
+/// The last of its three faces belongs to no region.
+Pslg two_regions_of_three() {
+  Pslg pslg = domains::regions();
+  pslg.regions.pop_back();
+  return pslg;
+}
+
+/// Two points closer to a wall between them than the wall is long: Delaunay on either side, not across.
+Pslg points_beside_a_wall() {
+  Pslg pslg = domains::square();
+  pslg.points.insert(pslg.points.end(), {{0.125, 0.5}, {0.875, 0.5}, {0.5, 0.5625}, {0.5, 0.4375}});
+  pslg.segments.push_back({4, 5, 0});
+  return pslg;
+}
+
+Subject meshed(std::string name, Pslg pslg, Goal goal) {
+  auto result = mesh(pslg, goal);
+  EXPECT_TRUE(result.ok()) << name << ": " << (result ? "" : result.error().message);
+  if (!result) return {std::move(name), std::move(pslg), std::move(goal), {}};
+  return {std::move(name), std::move(pslg), std::move(goal), std::move(result->mesh)};
+}
+
+/// Constrained Delaunay only: no point added, no angle promised.
+Subject triangulated(std::string name, Pslg pslg) {
+  auto result = triangulate(pslg);
+  EXPECT_TRUE(result.ok()) << name;
+  if (!result) return {std::move(name), std::move(pslg), goal_of(0), {}};
+  return {std::move(name), std::move(pslg), goal_of(0), std::move(result->mesh)};
+}
+
+const std::vector<Subject>& subjects() {
+  static const std::vector<Subject> all = {
+      meshed("square", domains::square(), goal_of(25, 0.02)),
+      meshed("labelled_square", labelled_square(), goal_of(20.7, 0.05)),
+      meshed("regions", two_regions_of_three(), goal_of(20.7)),
+      meshed("touching_holes", domains::touching_holes(), goal_of(20.7, 0.5)),
+      meshed("cracks", domains::cracks(), goal_of(20.7)),
+      meshed("pipe", domains::pipe(), goal_of(20.7)),
+      meshed("random_points", domains::random_points(60, 1), goal_of(20.7)),
+      triangulated("triangulated_cracks", domains::cracks()),
+      triangulated("triangulated_wedge", domains::wedge(50, 1.8)),
+      triangulated("triangulated_grid", domains::grid(3)),
+      triangulated("triangulated_points_beside_a_wall", points_beside_a_wall()),
+  };
+  return all;
+}
+
+constexpr std::uint64_t seeds[] = {1, 2, 3};
+constexpr const char* defective_meshes = "eleven meshes, each defect at up to three places of each";
+
+std::uint64_t count(const Certificate& certificate, ViolationKind kind) {
+  return certificate.violation_counts.at(static_cast<std::size_t>(kind));
+}
+
+std::string report(const Certificate& certificate) {
+  std::string text;
+  for (std::size_t kind = 0; kind < certificate.violation_counts.size(); ++kind)
+    if (certificate.violation_counts[kind] != 0)
+      text += std::string(name(static_cast<ViolationKind>(kind))) + " x" +
+              std::to_string(certificate.violation_counts[kind]) + " ";
+  return text.empty() ? "nothing" : text;
+}
+
+std::string identifier(std::string_view sentence) {
+  std::string id;
+  for (char c : sentence) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) id += c;
+    if (c == ' ') id += '_';
+  }
+  return id;
+}
+
+PARDEL_FACT(Checker, accepts_right_meshes,
+            {.statement = "the checker accepts the meshes that the seeded defects are put into",
+             .source = "properties/checker/check.hpp",
+             .families = defective_meshes}) {
+  for (const Subject& subject : subjects()) {
+    ASSERT_FALSE(subject.mesh.triangles.empty());
+    const Certificate certificate = check(subject.pslg, subject.mesh, subject.goal);
+    EXPECT_TRUE(certificate.valid) << subject.name << ": " << report(certificate);
+    ++facts.cases;
+  }
+}
+
+/// Makes the defect at several places of every mesh and expects the verdict; returns at how many places.
+std::uint64_t expect_verdict(const Defect& defect) {
+  std::uint64_t places = 0;
+  for (const Subject& subject : subjects()) {
+    for (const std::uint64_t seed : seeds) {
+      Pslg pslg = subject.pslg;
+      Mesh mesh = subject.mesh;
+      Goal goal = subject.goal;
+      if (!defect.inject(pslg, mesh, goal, seed)) continue;
+      ++places;
+      const Certificate certificate = check(pslg, mesh, goal);
+      EXPECT_FALSE(certificate.valid) << defect.name << " in " << subject.name << ", seed " << seed;
+      EXPECT_GT(count(certificate, defect.expected), 0u)
+          << defect.name << " in " << subject.name << ", seed " << seed << ": expected " << name(defect.expected)
+          << ", found " << report(certificate);
+    }
+  }
+  EXPECT_GT(places, 0u) << defect.name << ": no mesh offered a place";
+  return places;
+}
+
+template <ViolationKind kind>
+void reports(properties::Facts& facts) {
+  for (const Defect& defect : defects())
+    if (defect.expected == kind) facts.cases += expect_verdict(defect);
+  EXPECT_GT(facts.cases, 0U);
+}
+
+/// Areas differ wherever something else is wrong, so no defect is expected to be told by them alone.
+template <>
+void reports<ViolationKind::area_mismatch>(properties::Facts& facts) {
+  Subject square = subjects().front();
+  square.mesh.triangles[0].v = square.mesh.triangles[1].v;
+  EXPECT_GT(count(check(square.pslg, square.mesh, square.goal), ViolationKind::area_mismatch), 0U);
+  ++facts.cases;
+}
+
+/// The bound on circumradii is an option of the check and no part of a goal.
+template <>
+void reports<ViolationKind::large_circumradius>(properties::Facts& facts) {
+  for (const Subject& subject : subjects()) {
+    const double largest = check(subject.pslg, subject.mesh, subject.goal).max_circumradius.value;
+    CheckOptions options;
+    options.max_circumradius = largest * (1 - 0x1p-40);
+    EXPECT_EQ(count(check(subject.pslg, subject.mesh, subject.goal, options), ViolationKind::large_circumradius) > 0,
+              true)
+        << subject.name;
+    ++facts.cases;
+  }
+}
+
+template <ViolationKind kind>
+properties::Statement statement_about() {
+  static const std::string text = "every seeded defect that makes a mesh wrong by " + std::string(name(kind)) +
+                                  " is reported as that, wherever it is";
+  return {text.c_str(), "properties/defects/defects.hpp", defective_meshes};
+}
+template <>
+properties::Statement statement_about<ViolationKind::area_mismatch>() {
+  return {"a mesh in which one triangle stands in the place of another is reported as area_mismatch",
+          "properties/checker/check.hpp", "the mesh of a square"};
+}
+template <>
+properties::Statement statement_about<ViolationKind::large_circumradius>() {
+  return {"a right mesh is reported as large_circumradius once circumradii are bounded by 1 - 2^-40 of its largest",
+          "properties/checker/check.hpp", "the eleven meshes that the defects are put into"};
+}
+
+/// One property per kind of violation, Checker.reports_KIND.
+template <ViolationKind kind>
+class Verdict : public testing::Test {
+  void TestBody() override { properties::check_fact(statement_about<kind>(), &reports<kind>); }
+};
+
+template <ViolationKind kind>
+void add_verdict() {
+  testing::RegisterTest("Checker", ("reports_" + std::string(name(kind))).c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                        []() -> testing::Test* { return new Verdict<kind>; });
+}
+template <std::size_t... kinds>
+bool add_verdicts(std::index_sequence<kinds...> /*of all kinds*/) {
+  (add_verdict<static_cast<ViolationKind>(kinds)>(), ...);
+  return true;
+}
+const bool verdicts_are_added = add_verdicts(std::make_index_sequence<checker::violation_kinds>());
+
+class SeededDefect : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(SeededDefect, that_finds_no_place_changes_nothing_and_one_that_does_is_reproducible) {
+  const Defect& defect = defects()[GetParam()];
+  for (const Subject& subject : subjects()) {
+    Pslg pslg = subject.pslg, same_pslg = subject.pslg;
+    Mesh mesh = subject.mesh, same_mesh = subject.mesh;
+    Goal goal = subject.goal, same_goal = subject.goal;
+    const bool injected = defect.inject(pslg, mesh, goal, 5);
+    EXPECT_EQ(injected, defect.inject(same_pslg, same_mesh, same_goal, 5));
+    EXPECT_EQ(pslg, same_pslg) << subject.name;
+    EXPECT_EQ(mesh.triangles, same_mesh.triangles) << subject.name;
+    if (injected) continue;
+    EXPECT_EQ(pslg, subject.pslg) << subject.name;
+    EXPECT_EQ(mesh, subject.mesh) << subject.name;
+    EXPECT_EQ(goal.max_area, subject.goal.max_area) << subject.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Defects, SeededDefect, testing::Range<std::size_t>(0, defects().size()),
+                         [](const auto& instance) { return identifier(defects()[instance.param].name); });
+
+TEST(Defects, are_at_least_seventy_and_each_has_its_own_name) {
+  std::set<std::string> names;
+  for (const Defect& defect : defects()) EXPECT_TRUE(names.insert(identifier(defect.name)).second) << defect.name;
+  EXPECT_GE(names.size(), 70u);
+}
+
+}  // namespace
+}  // namespace pardel
