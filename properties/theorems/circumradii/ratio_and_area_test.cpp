@@ -1,0 +1,322 @@
+// T3 and T3-sharp: a bound on the ratio of circumradius to shortest edge and one on the area give one on the
+// circumradius.
+//
+// Everything is squared until no root is left, so that the numbers stay rational and equality means equality: with
+// s = ρ̄², T3 reads r⁴ ≤ 16 s³ Δ̄², T3-sharp r⁴ ≤ 16 s⁴ Δ̄² / (4s - 1).
+//
+// Why T3-sharp: let α ≤ β, γ be the angles, so sin α = 1 / 2ρ. The area is 2r² sin α sin β sin γ, and
+// sin β sin γ = (cos(β - γ) + cos α) / 2 is least where β and γ lie farthest apart, β = α. There the area is
+// 2r² sin² α sin 2α = r² sqrt(4ρ² - 1) / 4ρ⁴, which is the bound with equality. In ρ² it grows from 1/3 on.
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "../../../core/goal.hpp"
+#include "../../../ref/definitions.hpp"
+#include "../../../ref/ruppert.hpp"
+#include "../../domains/domains.hpp"
+#include "../framework/property.hpp"
+#include "../framework/rapidcheck_generators.hpp"
+
+namespace pardel::properties {
+namespace {
+using generators::Random;
+using ref::Number;
+
+/// What the theorem knows of a triangle, squared: r², the shortest edge's l², A².
+struct Squares {
+  Number radius, shortest, area;
+  [[nodiscard]] Number ratio() const { return radius / shortest; }
+};
+
+Squares squares_of(const ref::PlainMesh& mesh, const ref::Corners& t) {
+  const Number area = ref::area(mesh, t);
+  return {ref::squared_circumradius(mesh, t), ref::squared_shortest_edge(mesh, t), area * area};
+}
+
+/// From the squared sides, by Heron's formula; a the shortest.
+Squares squares_of_sides(const Number& aa, const Number& bb, const Number& cc) {
+  const Number area = (2 * (aa * bb + bb * cc + cc * aa) - aa * aa - bb * bb - cc * cc) / 16;
+  return {aa * bb * cc / (16 * area), aa, area};
+}
+
+/// The triangle with two angles arcsin(1 / 2ρ), of shortest edge 1; `ratio` is ρ² > 1/4.
+Squares isosceles(const Number& ratio) { return squares_of_sides(1, 1, (4 * ratio - 1) / ratio); }
+
+/// The fourth powers of three bounds on r; `ratio` is ρ̄², `area` is Δ̄².
+Number paper_bound(const Number& ratio, const Number& area) { return 16 * ratio * ratio * ratio * area; }
+Number sharp_bound(const Number& ratio, const Number& area) {
+  return 16 * ratio * ratio * ratio * ratio * area / (4 * ratio - 1);
+}
+Number root_two_bound(const Number& ratio, const Number& area) { return 4 * ratio * ratio * ratio * area; }
+Number fourth_power(const Number& squared) { return squared * squared; }
+
+/// Values of ρ² from 1/3, the least there is, to about 1000, finer where the bounds change faster.
+std::vector<Number> ratios() {
+  std::vector<Number> grid;
+  for (int k = 0; k <= 400; ++k) grid.push_back(Number(1) / 3 + Number(k * k * k) / 64'000);
+  grid.push_back(2);  // 20.7 degrees
+  return grid;
+}
+
+/// Integer corners, counter-clockwise.
+struct LatticeTriangle {
+  ref::PlainMesh mesh;
+  const char* family = "";
+};
+
+std::ostream& operator<<(std::ostream& out, const LatticeTriangle& triangle) {
+  out << triangle.family;
+  for (const ref::ExactPoint& p : triangle.mesh.points) out << " (" << p << ')';
+  return out;
+}
+
+struct Vector {
+  int x, y;
+};
+
+bool is_flat(const std::array<Vector, 3>& v) {
+  const auto cross = [](Vector a, Vector b) { return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x; };
+  return cross({v[1].x - v[0].x, v[1].y - v[0].y}, {v[2].x - v[0].x, v[2].y - v[0].y}) == 0;
+}
+
+LatticeTriangle triangle_of(const std::array<Vector, 3>& v, double offset, const char* family) {
+  LatticeTriangle triangle{{{}, {{0, 1, 2}}, {}}, family};
+  for (const Vector& p : v) triangle.mesh.points.push_back(ref::exact({offset + p.x, offset + p.y}));
+  if (CGAL::right_turn(triangle.mesh.points[0], triangle.mesh.points[1], triangle.mesh.points[2]))
+    std::swap(triangle.mesh.points[1], triangle.mesh.points[2]);
+  return triangle;
+}
+
+LatticeTriangle some_triangle(Random& random, int /*size*/) {
+  const int extent = 1 << random.between(2, 20);
+  const auto any = [&](int most) { return Vector{random.between(-most, most), random.between(-most, most)}; };
+  const double offset = random.chance(4) ? 0x1p40 : 0;
+  for (;;) {
+    const Vector o{0, 0}, u = any(extent), small = any(3);
+    const int i = random.between(1, 8), k = random.between(1, 20);
+    std::array<Vector, 3> corners{};
+    const char* family = "";
+    switch (random.below(6)) {
+      case 0:
+        family = "general", corners = {o, u, any(extent)};
+        break;
+      case 1:
+        family = "needle", corners = {o, small, u};
+        break;
+      case 2:
+        family = "cap", corners = {o, Vector{2 * u.x, 2 * u.y}, Vector{u.x + small.x, u.y + small.y}};
+        break;
+      case 3:  // base 2k|u|, height i|u|
+        family = "isosceles",
+        corners = {o, Vector{2 * k * u.x, 2 * k * u.y}, Vector{k * u.x - i * u.y, k * u.y + i * u.x}};
+        break;
+      case 4:
+        family = "right", corners = {o, Vector{k * u.x, k * u.y}, Vector{-i * u.y, i * u.x}};
+        break;
+      default: {
+        const int half = random.between(1, extent);
+        const auto height = static_cast<int>(std::lround(std::sqrt(3.0) * half));
+        family = "nearly equilateral", corners = {o, Vector{2 * half, 0}, Vector{half, height}};
+      }
+    }
+    if (!is_flat(corners)) return triangle_of(corners, offset, family);
+  }
+}
+
+/// At half the size, and at the origin.
+std::vector<LatticeTriangle> simpler(const LatticeTriangle& triangle) {
+  std::vector<LatticeTriangle> simpler;
+  const ref::ExactPoint o = triangle.mesh.points[0];
+  std::array<Vector, 3> whole{}, halved{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point p = ref::rounded(CGAL::ORIGIN + (triangle.mesh.points[i] - o));
+    whole[i] = {static_cast<int>(p.x), static_cast<int>(p.y)};
+    halved[i] = {whole[i].x / 2, whole[i].y / 2};
+  }
+  if (!is_flat(halved)) simpler.push_back(triangle_of(halved, 0, triangle.family));
+  if (o != CGAL::ORIGIN) simpler.push_back(triangle_of(whole, 0, triangle.family));
+  return simpler;
+}
+
+/// A triangle and bounds on its ρ² and A², both attained now and then.
+struct Bounded {
+  Squares triangle;
+  bool has_two_shortest_sides;
+  Number ratio, area;
+};
+
+bool has_two_shortest_sides(const ref::PlainMesh& mesh) {
+  std::array<Number, 3> sides;
+  for (std::size_t i = 0; i < 3; ++i) sides[i] = CGAL::squared_distance(mesh.points[i], mesh.points[(i + 1) % 3]);
+  std::sort(sides.begin(), sides.end());
+  return sides[0] == sides[1];
+}
+
+Bounded some_bounded_triangle(Exhibit& exhibit) {
+  const LatticeTriangle triangle = *generators::generator(some_triangle, simpler).as("triangle");
+  const int ratio_slack = *rc::gen::inRange(0, 4).as("sixteenths by which the bound on ρ² exceeds it");
+  const int area_slack = *rc::gen::inRange(0, 4).as("sixteenths by which the bound on A² exceeds it");
+  Scene scene;
+  for (const ref::ExactPoint& p : triangle.mesh.points) scene.points.push_back(ref::rounded(p));
+  exhibit.show(scene);
+  RC_TAG(std::string(triangle.family));
+  const Squares squares = squares_of(triangle.mesh, triangle.mesh.triangles[0]);
+  return {squares, has_two_shortest_sides(triangle.mesh), squares.ratio() * (16 + ratio_slack) / 16,
+          squares.area * (16 + area_slack) / 16};
+}
+
+constexpr const char* triangle_families =
+    "integer triangles: general, needles, caps, isosceles, right, nearly equilateral; at the origin and far from it; "
+    "bounds that are attained and bounds that are not";
+
+PARDEL_PROPERTY(T3, the_circumradius_is_at_most_twice_the_ratio_to_the_three_halves_times_the_root_of_the_area,
+                {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ its area, "
+                              "then r ≤ 2 ρ̄^(3/2) sqrt(Δ̄).",
+                 .source = "[CC]; THEORY.md, T3",
+                 .families = triangle_families}) {
+  const Bounded given = some_bounded_triangle(exhibit);
+  RC_ASSERT(fourth_power(given.triangle.radius) <= paper_bound(given.ratio, given.area));
+}
+
+PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_the_isosceles_triangles_with_equality_for_it_alone,
+                {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ its area, "
+                              "then r ≤ 2 ρ̄² sqrt(Δ̄) / (4ρ̄² - 1)^(1/4). Equality holds if and only if both bounds "
+                              "are attained and the two shorter sides are equal.",
+                 .source = "THEORY.md, T3-sharp",
+                 .families = triangle_families}) {
+  const Bounded given = some_bounded_triangle(exhibit);
+  const Squares& t = given.triangle;
+  const Number power = fourth_power(t.radius), bound = sharp_bound(given.ratio, given.area);
+  RC_ASSERT(power <= bound);
+
+  const bool attained = given.ratio == t.ratio() && given.area == t.area;
+  RC_CLASSIFY(given.has_two_shortest_sides && attained, "equality");
+  RC_ASSERT((power == bound) == (given.has_two_shortest_sides && attained));
+}
+
+PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_it_at_every_ratio,
+            {.statement = "For every ρ̄ ≥ 1/sqrt(3) the isosceles triangle with two angles arcsin(1/2ρ̄) has ratio ρ̄ "
+                          "and exactly the circumradius that T3-sharp allows for its area, so no smaller bound holds.",
+             .source = "THEORY.md, T3-sharp",
+             .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
+  for (const Number& ratio : ratios()) {
+    const Squares t = isosceles(ratio);
+    ASSERT_EQ(t.ratio(), ratio);
+    ASSERT_EQ(fourth_power(t.radius), sharp_bound(ratio, t.area)) << "ρ̄² = " << ratio;
+    ++facts.cases;
+  }
+  const auto factor = [](const Number& power) { return std::to_string(std::pow(CGAL::to_double(power), 0.25)); };
+  facts.notes.push_back("at ρ̄ = sqrt 2: r ≤ " + factor(sharp_bound(2, 1)) + " sqrt(Δ̄), against the paper's " +
+                        factor(paper_bound(2, 1)));
+  facts.notes.push_back("the same bound on r allows " +
+                        std::to_string(std::sqrt(CGAL::to_double(paper_bound(2, 1) / sharp_bound(2, 1)))) +
+                        " times the area at ρ̄ = sqrt 2");
+}
+
+PARDEL_FACT(T3, it_is_attained_by_the_equilateral_triangle_alone,
+            {.statement = "T3's bound is attained at ρ̄ = 1/sqrt(3), by the equilateral triangle. For every larger ρ̄ "
+                          "T3-sharp's bound is smaller, so that even the worst triangle stays below T3's.",
+             .source = "THEORY.md, T3",
+             .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
+  for (const Number& ratio : ratios()) {
+    const Squares t = isosceles(ratio);
+    const Number bound = paper_bound(ratio, t.area);
+    if (3 * ratio == 1) {
+      ASSERT_EQ(fourth_power(t.radius), bound);
+    } else {
+      ASSERT_LT(fourth_power(t.radius), bound);
+      ASSERT_LT(sharp_bound(ratio, t.area), bound);
+    }
+    ++facts.cases;
+  }
+}
+
+PARDEL_FACT(T3, the_reading_with_root_two_is_false_at_every_ratio,
+            {.statement = "r ≤ sqrt(2) ρ̄^(3/2) sqrt(Δ̄) is false for every ρ̄ ≥ 1/sqrt(3): the isosceles triangle "
+                          "with two angles arcsin(1/2ρ̄) exceeds it.",
+             .source = "THEORY.md, T3",
+             .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
+  for (const Number& ratio : ratios()) {
+    const Squares t = isosceles(ratio);
+    ASSERT_GT(fourth_power(t.radius), root_two_bound(ratio, t.area)) << "ρ̄² = " << ratio;
+    ++facts.cases;
+  }
+}
+
+PARDEL_FACT(T3Sharp, it_fails_where_a_bound_is_not_one,
+            {.statement = "Fails when ρ̄ is less than the ratio, or Δ̄ less than the area: by however little, the "
+                          "isosceles triangle's circumradius exceeds T3-sharp's bound.",
+             .source = "THEORY.md, T3-sharp",
+             .families = "402 exact values of ρ̄² from 1/3 to 1000, bounds too small by 2^-60 of their value"}) {
+  const Number a_little_less = 1 - Number(0x1p-60);
+  for (const Number& ratio : ratios()) {
+    const Squares t = isosceles(ratio);
+    ASSERT_GT(fourth_power(t.radius), sharp_bound(ratio, t.area * a_little_less));
+    if (3 * ratio * a_little_less >= 1) {
+      ASSERT_GT(fourth_power(t.radius), sharp_bound(ratio * a_little_less, t.area));
+    }
+    ++facts.cases;
+  }
+}
+
+PARDEL_FACT(T3Sharp, it_grows_with_the_ratio_from_the_equilateral_one_on,
+            {.statement = "T3-sharp's bound falls in ρ̄ between 1/2 and 1/sqrt(3), which no triangle has for its "
+                          "ratio, and grows from there; so it holds for every upper bound ρ̄ on ratios.",
+             .source = "THEORY.md, T3-sharp",
+             .families = "402 exact values of ρ̄² from 1/3 to 1000, and 80 from 1/4 to 1/3"}) {
+  const std::vector<Number> grid = ratios();
+  for (std::size_t k = 1; k + 1 < grid.size(); ++k) {
+    ASSERT_LT(sharp_bound(grid[k - 1], 1), sharp_bound(grid[k], 1));
+    ++facts.cases;
+  }
+  for (int k = 1; k < 80; ++k) {
+    const Number below = Number(1) / 4 + Number(k) / 960;
+    ASSERT_GT(sharp_bound(below, 1), sharp_bound(below + Number(1) / 960, 1));
+    ++facts.cases;
+  }
+}
+
+/// The largest ρ², A² and r² of a mesh.
+Squares largest(const Mesh& mesh) {
+  ref::PlainMesh plain;
+  for (const Point& p : mesh.points) plain.points.push_back(ref::exact(p));
+  Squares most{0, 1, 0};
+  Number ratio = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Squares squares = squares_of(plain, t.v);
+    ratio = std::max(ratio, squares.ratio());
+    most.radius = std::max(most.radius, squares.radius);
+    most.area = std::max(most.area, squares.area);
+  }
+  most.shortest = most.radius / ratio;
+  return most;
+}
+
+PARDEL_FACT(T3Sharp, it_bounds_the_circumradii_of_whole_meshes,
+            {.statement = "In a mesh with angles of at least 20.7 degrees (ρ̄ = sqrt 2), every circumradius is at "
+                          "most 2.459 sqrt(Δ̄), Δ̄ being its largest area.",
+             .source = "THEORY.md, T3-sharp",
+             .families = "meshes of two domains by ref::ruppert, under three bounds on the area each"}) {
+  const double proven = 180 / std::acos(-1.0) * std::asin(1 / (2 * std::sqrt(2.0)));
+  const std::vector<std::pair<const char*, Pslg>> inputs = {{"square", domains::square()},
+                                                            {"comb", domains::comb(2, 0.25)}};
+  for (const auto& [name, pslg] : inputs)
+    for (const double area : {0.05, 0.01, 0.004}) {
+      Goal goal;
+      goal.min_angle_deg = proven;
+      goal.max_area = area;
+      const Result<Mesh> mesh = ref::ruppert(pslg, goal);
+      ASSERT_TRUE(mesh) << mesh.error().message;
+      const Squares most = largest(*mesh);
+      ASSERT_LE(fourth_power(most.radius), sharp_bound(most.ratio(), most.area));
+      ASSERT_LE(fourth_power(most.radius), sharp_bound(2, most.area));
+      ++facts.cases;
+      facts.notes.push_back(std::string(name) + ", area ≤ " + std::to_string(area) + ": largest circumradius " +
+                            std::to_string(std::pow(CGAL::to_double(fourth_power(most.radius) / most.area), 0.25)) +
+                            " sqrt(Δ̄) of 2.459 sqrt(Δ̄), " + std::to_string(mesh->triangles.size()) + " triangles");
+    }
+}
+
+}  // namespace
+}  // namespace pardel::properties

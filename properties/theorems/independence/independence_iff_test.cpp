@@ -1,0 +1,111 @@
+// Exactly when points are independent: what is left when no distance is known.
+#include <algorithm>
+
+#include "../../../ref/independent.hpp"
+#include "../../../ref/insertion.hpp"
+#include "../framework/property.hpp"
+#include "pairs.hpp"
+
+namespace pardel::properties {
+namespace {
+
+constexpr const char* near_and_far =
+    "pairs below 2.5 r̄ and at any distance; all layouts of points; with and without walls; degenerate positions";
+
+/// At any distance, but half of them near each other, where it matters.
+MeshedScene at_any_distance(int insertions, int more) {
+  const bool walls = *rc::gen::arbitrary<bool>(), near = *rc::gen::arbitrary<bool>();
+  SceneWish wish{.walls = walls, .insertions = insertions, .more = more};
+  wish.on_walls = true;
+  if (near) wish.most = 2.5;
+  return *scenes(wish);
+}
+
+/// The edges on the boundaries of both cavities, as p's sees them.
+std::vector<ref::Edge> common_edges(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref::ExactPoint& q) {
+  std::vector<ref::Edge> common = ref::boundary(mesh, ref::cavity(mesh, p));
+  const std::vector<ref::Edge> of_q = ref::boundary(mesh, ref::cavity(mesh, q));
+  std::erase_if(common, [&](const ref::Edge& e) { return std::ranges::count(of_q, ref::Edge{e[1], e[0]}) == 0; });
+  return common;
+}
+
+/// Where p is with respect to the circle through q, m and n.
+CGAL::Bounded_side side(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref::ExactPoint& q,
+                        const ref::Edge& mn) {
+  return CGAL::side_of_bounded_circle(q, mesh.points[mn[0]], mesh.points[mn[1]], p);
+}
+
+/// Counts what the equivalence is about, so that no side of it goes untested.
+void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::ExactPoint& q) {
+  const Contact meet = contact(scene.mesh, p, q);
+  RC_TAG(name(meet));
+  RC_CLASSIFY(ref::are_independent(scene.mesh, p, q), "independent");
+  if (meet != Contact::edge) return;
+  for (const ref::Edge& e : common_edges(scene.mesh, p, q)) {
+    const bool wall = scene.mesh.constraints.contains(ref::edge(e[0], e[1]));
+    const CGAL::Bounded_side where = side(scene.mesh, p, q, e);
+    RC_CLASSIFY(wall && where == CGAL::ON_BOUNDED_SIDE, "a wall between: inside the circle");
+    RC_CLASSIFY(!wall && where == CGAL::ON_BOUNDED_SIDE, "a common edge: inside the circle");
+    RC_CLASSIFY(!wall && where == CGAL::ON_BOUNDARY, "a common edge: on the circle");
+    RC_CLASSIFY(!wall && where == CGAL::ON_UNBOUNDED_SIDE, "a common edge: outside of the circle");
+  }
+}
+
+PARDEL_PROPERTY(
+    T1Iff, two_points_are_independent_iff_no_triangle_is_common_and_circles_on_common_edges_part_them,
+    {.statement = "Let p and q be distinct points of a constrained Delaunay mesh, and none of its vertices. These are "
+                  "equivalent: (a) their cavities have no triangle in common, and p is not strictly inside the "
+                  "circumcircle of q, m and n for any unconstrained edge mn on the boundaries of both; (b) "
+                  "inserting them independently leaves the mesh conformal and constrained Delaunay; (c) doing so "
+                  "makes the mesh of inserting one after the other, in either order. Ties are independent; across "
+                  "a constrained edge no circle matters.",
+     .source = "properties/THEORY.md, T1-iff",
+     .families = near_and_far}) {
+  const MeshedScene scene = at_any_distance(2, 0);
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  const auto points = insertions_of(scene.scene);
+  classify(scene, points[0], points[1]);
+  const bool independent = ref::are_independent(scene.mesh, points[0], points[1]);
+  const Outcomes made = outcomes(scene.mesh, points);
+  RC_ASSERT(is_conformal_and_delaunay(made.at_once) == independent);
+  RC_ASSERT(made.are_one_mesh() == independent);
+}
+
+PARDEL_PROPERTY(T1Iff, independence_is_mutual,
+                {.statement = "Let p and q lie in a constrained Delaunay mesh. If p is independent of q, then q is "
+                              "independent of p: for an edge mn on the boundaries of both cavities, p is inside the "
+                              "circumcircle of q, m and n if and only if q is inside that of p, m and n.",
+                 .source = "properties/THEORY.md, T1-iff",
+                 .families = near_and_far}) {
+  const MeshedScene scene = at_any_distance(2, 0);
+  exhibit.show(scene.scene);
+  const auto points = insertions_of(scene.scene);
+  const ref::ExactPoint &p = points[0], &q = points[1];
+  RC_TAG(name(contact(scene.mesh, p, q)));
+  RC_ASSERT(ref::are_independent(scene.mesh, p, q) == ref::are_independent(scene.mesh, q, p));
+  for (const ref::Edge& e : common_edges(scene.mesh, p, q))
+    RC_ASSERT(side(scene.mesh, p, q, e) == side(scene.mesh, q, p, e));
+}
+
+PARDEL_PROPERTY(T1Iff, a_set_of_points_is_independent_iff_every_two_of_them_are,
+                {.statement = "Let points be distinct, in a constrained Delaunay mesh, and none of its vertices. "
+                              "Inserting all of them independently makes a conformal and constrained Delaunay mesh, "
+                              "the one that inserting one after the other makes, if and only if every two of the "
+                              "points are independent.",
+                 .source = "properties/THEORY.md, T1-iff",
+                 .families = "three to five points below 2.5 r̄ from another, or at any distance; all layouts, walls, "
+                             "positions"}) {
+  const MeshedScene scene = at_any_distance(3, 2);
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  const auto points = insertions_of(scene.scene);
+  const bool independent = are_pairwise_independent(scene.mesh, points);
+  RC_CLASSIFY(independent, "independent");
+  const Outcomes made = outcomes(scene.mesh, points);
+  RC_ASSERT(is_conformal_and_delaunay(made.at_once) == independent);
+  RC_ASSERT(made.are_one_mesh() == independent);
+}
+
+}  // namespace
+}  // namespace pardel::properties

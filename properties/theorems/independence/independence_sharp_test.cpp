@@ -1,0 +1,159 @@
+// T1-sharp: as a statement about meshes, twice the largest circumradius is enough, and no less.
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+#include "../../../ref/independent.hpp"
+#include "../../../ref/insertion.hpp"
+#include "../framework/property.hpp"
+#include "pairs.hpp"
+#include "widest_pairs.hpp"
+
+namespace pardel::properties {
+namespace {
+
+constexpr const char* two_to_four = "pairs at 2 to 4 r̄; all layouts; with and without walls; degenerate positions";
+
+MeshedScene two_apart(const SceneWish& otherwise) {
+  SceneWish wish = otherwise;
+  wish.walls = *rc::gen::arbitrary<bool>();
+  wish.least = 2;
+  wish.on_walls = true;
+  return *scenes(wish);
+}
+
+bool encroaches_on_its_cavity(const MeshedScene& scene) {
+  return !grants(scene, {.walls = true, .on_walls = true, .encroaching = false});
+}
+
+PARDEL_PROPERTY(T1Sharp, from_two_circumradii_two_points_make_one_mesh_in_either_order_and_at_once,
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. "
+                              "Inserting p and q independently makes the "
+                              "conformal and constrained Delaunay mesh of either order; their cavities have no "
+                              "triangle in common, but may touch. That a point encroaches upon a constrained edge of "
+                              "its cavity does no harm.",
+                 .source = "properties/THEORY.md, T1-sharp",
+                 .families = two_to_four}) {
+  const MeshedScene scene = two_apart({.most = 4});
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  const auto points = insertions_of(scene.scene);
+  RC_TAG(name(contact(scene.mesh, points[0], points[1])));
+  RC_CLASSIFY(encroaches_on_its_cavity(scene), "encroaching upon a wall of its cavity");
+  RC_ASSERT(contact(scene.mesh, points[0], points[1]) != Contact::triangle);
+  RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
+  const Outcomes made = outcomes(scene.mesh, points);
+  RC_ASSERT(is_conformal_and_delaunay(made.at_once));
+  RC_ASSERT(made.are_one_mesh());
+}
+
+PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inserted_independently,
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let points be "
+                              "pairwise at least 2 r̄ apart. Inserting all of them independently "
+                              "makes the conformal and constrained Delaunay mesh of inserting one after the other.",
+                 .source = "properties/THEORY.md, T1-sharp",
+                 .families = "three to six points, each below 4 r̄ from another; all layouts, walls, positions"}) {
+  const MeshedScene scene = two_apart({.insertions = 3, .more = 3, .most = 4});
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  RC_TAG(std::to_string(scene.scene.insertions.size()) + " insertions");
+  const Outcomes made = outcomes(scene.mesh, insertions_of(scene.scene));
+  RC_ASSERT(is_conformal_and_delaunay(made.at_once));
+  RC_ASSERT(made.are_one_mesh());
+}
+
+PARDEL_PROPERTY(T1Sharp, after_the_first_insertion_the_cavity_of_a_point_two_circumradii_away_is_what_it_was,
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. The "
+                              "cavity of q after the insertion of p has the triangles that it had before.",
+                 .source = "properties/THEORY.md, Lemma 5",
+                 .families = two_to_four}) {
+  const MeshedScene scene = two_apart({.most = 4});
+  exhibit.show(scene.scene);
+  const auto points = insertions_of(scene.scene);
+  const auto cavity_of_q = [&](const ref::PlainMesh& mesh) {
+    ref::PlainMesh only{mesh.points, {}, {}};
+    for (const Index t : ref::cavity(mesh, points[1])) only.triangles.push_back(mesh.triangles[t]);
+    return ref::triangles_as_points(only);
+  };
+  ref::PlainMesh after = scene.mesh;
+  ref::insert(after, points[0]);
+  RC_ASSERT(cavity_of_q(after) == cavity_of_q(scene.mesh));
+}
+
+/// The largest squared circumradius in the cavity of p.
+ref::Number squared_radius_of_cavity(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
+  ref::PlainMesh cavity{mesh.points, {}, {}};
+  for (const Index t : ref::cavity(mesh, p)) cavity.triangles.push_back(mesh.triangles[t]);
+  return ref::squared_circumradius_bound(cavity);
+}
+
+PARDEL_PROPERTY(T1Sharp, the_circumradii_of_the_two_cavities_are_all_that_counts,
+                {.statement = "Let R be the largest circumradius in the cavities of p and q in a constrained Delaunay "
+                              "mesh. If |pq| >= 2 R, then p and q are independent, however large other circumradii "
+                              "of the mesh are.",
+                 .source = "properties/THEORY.md, T1-sharp",
+                 .families = "pairs below 2 r̄; all layouts; with and without walls; degenerate positions"}) {
+  const bool walls = *rc::gen::arbitrary<bool>();
+  const MeshedScene scene = *scenes({.walls = walls, .most = 2, .on_walls = true});
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  const auto points = insertions_of(scene.scene);
+  const ref::Number bound =
+      std::max(squared_radius_of_cavity(scene.mesh, points[0]), squared_radius_of_cavity(scene.mesh, points[1]));
+  const bool far_enough = CGAL::squared_distance(points[0], points[1]) >= 4 * bound;
+  RC_CLASSIFY(far_enough, "at least 2 R apart");
+  RC_CLASSIFY(far_enough && contact(scene.mesh, points[0], points[1]) == Contact::edge,
+              "at least 2 R apart, with a common edge");
+  if (far_enough) RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
+}
+
+/// Follows one kind of pair over finer and finer lattices; the separations grow towards `limit`.
+void approach(Facts& facts, const char* kind, MeshedScene (*widest)(int), double limit) {
+  double former = 0;
+  for (const int scale : {4, 16, 64, 256, 1024}) {
+    const double found = separation(widest(scale));
+    EXPECT_GT(found, former) << "scale " << scale;
+    EXPECT_LT(found, limit) << "scale " << scale;
+    former = found;
+    ++facts.cases;
+  }
+  EXPECT_GT(former, limit - 0.01);
+  std::ostringstream note;
+  note << kind << ": found up to a separation of " << std::setprecision(7) << former << " r̄";
+  facts.notes.push_back(note.str());
+}
+
+PARDEL_FACT(T1Sharp, just_below_two_circumradii_independent_insertion_may_be_non_conformal,
+            {.statement = "For every s < 2 there are a Delaunay mesh and points p and q at least s r̄ apart such that "
+                          "inserting them independently leaves the mesh non-conformal.",
+             .source = "properties/THEORY.md, T1-sharp, tightness; [CC] Figure 1a",
+             .families = "a square grid, points near antipodes of the circle of one square"}) {
+  approach(facts, "non-conformal", widest_non_conformal, 2);
+}
+
+PARDEL_FACT(T1Sharp, just_below_two_circumradii_independent_insertion_may_be_conformal_but_not_delaunay,
+            {.statement = "For every s < 2 there are a Delaunay mesh and points p and q at least s r̄ apart such that "
+                          "inserting them independently leaves the mesh conformal, but not Delaunay.",
+             .source = "properties/THEORY.md, T1-sharp, tightness; [CC] Figure 1b",
+             .families = "a square grid, points near antipodes of the circle of one square"}) {
+  approach(facts, "conformal but not Delaunay", widest_not_delaunay, 2);
+}
+
+PARDEL_FACT(T1Sharp, just_below_four_circumradii_two_cavities_may_share_an_edge,
+            {.statement = "For every s < 4 there are a Delaunay mesh and points p and q at least s r̄ apart whose "
+                          "cavities share an edge.",
+             .source = "properties/THEORY.md, T1-sharp, tightness",
+             .families = "two octagons with a short common side, points near the opposite sides"}) {
+  approach(facts, "cavities that share an edge", widest_shared_edge, 4);
+}
+
+PARDEL_FACT(T1Sharp, just_below_four_circumradii_two_cavities_may_share_a_vertex,
+            {.statement = "For every s < 4 there are a Delaunay mesh and points p and q at least s r̄ apart whose "
+                          "cavities share a vertex and no edge.",
+             .source = "properties/THEORY.md, T1-sharp, tightness",
+             .families = "two dodecagons with a common corner, points near the opposite corners"}) {
+  approach(facts, "cavities that share a vertex only", widest_shared_vertex, 4);
+}
+
+}  // namespace
+}  // namespace pardel::properties

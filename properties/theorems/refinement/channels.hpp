@@ -1,0 +1,143 @@
+// Domains for the parallel refiner: so long and narrow that few triangles make many cells. Integer coordinates; no
+// two segments meet at less than 60 degrees, since Ruppert's proof covers no more.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+#include "../../../core/goal.hpp"
+#include "../../../core/pslg.hpp"
+#include "../../../ref/refinement.hpp"
+#include "../../domains/generators/random.hpp"
+
+namespace pardel::properties {
+
+enum class Shape : std::uint8_t {
+  bar,    ///< straight
+  bend,   ///< an L
+  ring,   ///< around a square hole
+  slant,  ///< a short parallelogram with corners of 63 degrees, at which a split may raise the largest circumradius
+};
+
+inline const char* name(Shape shape) {
+  constexpr std::array names = {"bar", "bend", "ring", "slant"};
+  return names.at(static_cast<std::size_t>(shape));
+}
+
+struct Channel {
+  Shape shape = Shape::bar;
+  int width = 6;                  ///< lattice units, even, at least 6
+  int length = 12;                ///< of a bar, of an arm of a bend, of a side of a ring; in widths
+  std::array<Point, 8> nudges{};  ///< added to the corners, -1, 0 or 1 each
+  bool has_wall = false;          ///< across a bar; triangles are to be smaller on its right
+  bool has_crack = false;         ///< a segment of one width along the middle that touches nothing
+  double max_area = 8;
+  double coarse_area = 16;  ///< of the preprocessing
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Channel& c) {
+  return out << name(c.shape) << " of " << c.length << " widths of " << c.width << (c.has_wall ? ", a wall" : "")
+             << (c.has_crack ? ", a crack" : "") << ", areas up to " << c.max_area << ", first up to " << c.coarse_area;
+}
+
+/// Adds a polygon with these corners, nudged.
+inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& channel) {
+  const auto first = static_cast<Index>(pslg.points.size()), n = static_cast<Index>(corners.size());
+  for (Index k = 0; k < n; ++k) {
+    const Point nudge = channel.nudges.at(first + k);
+    pslg.points.push_back({corners[k].x + nudge.x, corners[k].y + nudge.y});
+    pslg.segments.push_back({first + k, first + (k + 1) % n});
+  }
+}
+
+[[nodiscard]] inline Pslg to_pslg(const Channel& channel) {
+  const double w = channel.width, l = channel.width * channel.length;
+  Pslg pslg;
+  if (channel.shape == Shape::bend) {
+    add_polygon(pslg, {{0, 0}, {l, 0}, {l, w}, {w, w}, {w, l}, {0, l}}, channel);
+  } else if (channel.shape == Shape::ring) {
+    add_polygon(pslg, {{0, 0}, {l, 0}, {l, l}, {0, l}}, channel);
+    add_polygon(pslg, {{w, w}, {l - w, w}, {l - w, l - w}, {w, l - w}}, channel);
+    pslg.holes.push_back({l / 2, l / 2});
+  } else if (channel.shape == Shape::slant) {
+    add_polygon(pslg, {{0, 0}, {l, 0}, {l + w / 2, w}, {w / 2, w}}, channel);
+  } else if (channel.has_wall) {
+    add_polygon(pslg, {{0, 0}, {l / 2, 0}, {l, 0}, {l, w}, {l / 2, w}, {0, w}}, channel);
+    pslg.segments.push_back({1, 4});
+    pslg.regions.push_back({{l - 2, w / 2}, 1, channel.max_area / 2});
+  } else {
+    add_polygon(pslg, {{0, 0}, {l, 0}, {l, w}, {0, w}}, channel);
+  }
+  if (channel.has_crack) {
+    const auto first = static_cast<Index>(pslg.points.size());
+    pslg.points.insert(pslg.points.end(), {{l / 2 + w, w / 2}, {l / 2 + 2 * w, w / 2}});
+    pslg.segments.push_back({first, first + 1});
+  }
+  return pslg;
+}
+
+[[nodiscard]] inline Goal goal_with(double max_area) {
+  Goal goal;
+  goal.max_area = max_area;
+  goal.conforming = true;
+  return goal;
+}
+[[nodiscard]] inline Goal goal_of(const Channel& channel) { return goal_with(channel.max_area); }
+[[nodiscard]] inline Goal coarse_goal_of(const Channel& channel) {
+  Goal goal = goal_with(channel.coarse_area);
+  goal.region_caps = false;
+  return goal;
+}
+
+[[nodiscard]] inline Channel random_channel(generators::Random& random, int /*size*/) {
+  Channel channel;
+  channel.shape = random.one_of<Shape>({Shape::bar, Shape::bar, Shape::bar, Shape::bar, Shape::bar, Shape::bar,
+                                        Shape::bend, Shape::bend, Shape::ring, Shape::slant, Shape::slant});
+  channel.width = 6 + 2 * random.between(0, 1);
+  const double square = channel.width * channel.width;
+  switch (channel.shape) {
+    case Shape::bar:
+      channel.length = random.between(8, 14);
+      break;
+    case Shape::bend:
+      channel.length = random.between(6, 8);
+      break;
+    case Shape::ring:
+      channel.length = random.between(6, 7);
+      break;
+    case Shape::slant:
+      channel.length = random.between(1, 3);
+      break;
+  }
+  channel.has_wall = channel.shape == Shape::bar && random.chance(2);
+  channel.has_crack = channel.shape != Shape::slant && random.chance(4);
+  channel.coarse_area = channel.shape == Shape::slant ? 2 * square : square / random.between(1, 3);
+  channel.max_area = channel.coarse_area / random.between(2, channel.shape == Shape::slant ? 16 : 3);
+  const Channel straight = channel;
+  if (random.chance(4)) return straight;
+  for (Point& nudge : channel.nudges)
+    nudge = {static_cast<double>(random.between(-1, 1)), static_cast<double>(random.between(-1, 1))};
+  return ref::refused(to_pslg(channel), goal_of(channel)) ? straight : channel;
+}
+
+/// Fewer features first, then shorter, then coarser.
+[[nodiscard]] inline std::vector<Channel> simpler(const Channel& channel) {
+  std::vector<Channel> all;
+  const auto offer = [&](auto change) {
+    Channel changed = channel;
+    change(changed);
+    if (!ref::refused(to_pslg(changed), goal_of(changed))) all.push_back(changed);
+  };
+  if (channel.shape == Shape::bend || channel.shape == Shape::ring) offer([](Channel& c) { c.shape = Shape::bar; });
+  if (channel.has_wall) offer([](Channel& c) { c.has_wall = false; });
+  if (channel.has_crack) offer([](Channel& c) { c.has_crack = false; });
+  for (std::size_t k = 0; k < channel.nudges.size(); ++k)
+    if (channel.nudges[k] != Point{}) offer([k](Channel& c) { c.nudges[k] = {}; });
+  if (channel.length > (channel.shape == Shape::slant ? 1 : 5)) offer([](Channel& c) { --c.length; });
+  if (channel.max_area < channel.coarse_area / 2) offer([](Channel& c) { c.max_area *= 1.5; });
+  return all;
+}
+
+}  // namespace pardel::properties

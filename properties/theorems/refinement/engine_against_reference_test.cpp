@@ -1,0 +1,214 @@
+// The engine beside the executable specification: the same mesh wherever there is only one right answer, the same
+// guarantees and like sizes wherever the order of insertions decides.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <ostream>
+#include <set>
+#include <vector>
+
+#include "../../../core/digest.hpp"
+#include "../../../ref/constrained.hpp"
+#include "../../../ref/faces.hpp"
+#include "../../../ref/ruppert.hpp"
+#include "meshing.hpp"
+
+namespace pardel {
+
+static void showValue(const Pslg& pslg, std::ostream& out) {  // found by RapidCheck
+  for (const Point& p : pslg.points) out << "(" << p.x << ", " << p.y << ") ";
+}
+
+}  // namespace pardel
+
+namespace pardel::properties {
+namespace {
+
+using generators::LatticeDomain;
+using generators::Random;
+
+ref::PlainMesh plain(const Mesh& mesh) {
+  ref::PlainMesh result;
+  for (const Point& p : mesh.points) result.points.push_back(ref::exact(p));
+  for (const Triangle& t : mesh.triangles) result.triangles.push_back(t.v);
+  for (const ConstrainedEdge& e : mesh.constrained_edges) result.constraints.insert(ref::edge(e.a, e.b));
+  return result;
+}
+
+/// By definition: the constrained Delaunay triangulation of the domain inside a box, without what the outside and the
+/// holes can reach. The box keeps out of the domain by the domain's own outline.
+ref::PlainMesh triangulation_by_definition(const Pslg& pslg) {
+  std::vector<ref::Edge> walls;
+  for (const Segment& s : pslg.segments) walls.push_back(ref::edge(s.a, s.b));
+  if (walls.empty()) return ref::constrained_delaunay(pslg.points, walls);
+  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
+  const double width = std::max(right.x - left.x, high.y - low.y);
+  std::vector<Point> points = pslg.points;
+  points.insert(points.end(), {{left.x - width, low.y - width},
+                               {right.x + width, low.y - width},
+                               {right.x + width, high.y + width},
+                               {left.x - width, high.y + width}});
+  ref::PlainMesh mesh = ref::constrained_delaunay(points, walls);
+  ref::carve(mesh, ref::exact(points.back()), pslg.holes);
+  return mesh;
+}
+
+template <class Triangles, class CornersOf>
+std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corners_of) {
+  std::set<ref::Corners> result;
+  for (const auto& t : triangles) {
+    ref::Corners corners = corners_of(t);
+    std::ranges::sort(corners);
+    result.insert(corners);
+  }
+  return result;
+}
+
+/// Two triangles side by side on one circle. Where there are none, no other triangulation is Delaunay.
+bool has_cocircular_neighbours(const ref::PlainMesh& mesh) {
+  std::map<ref::Edge, std::vector<Index>> apices;
+  for (const ref::Corners& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) apices[ref::edge_of(t, i)].push_back(t[i]);
+  return std::ranges::any_of(apices, [&](const auto& at) {
+    const auto& [e, tips] = at;
+    return tips.size() == 2 && !mesh.constraints.contains(e) &&
+           CGAL::side_of_oriented_circle(mesh.points[e[0]], mesh.points[e[1]], mesh.points[tips[0]],
+                                         mesh.points[tips[1]]) == CGAL::ON_ORIENTED_BOUNDARY;
+  });
+}
+
+/// A third as large as elsewhere, since the reference takes cubic time; where the unit of the lattice is 1.
+LatticeDomain small_domain(Exhibit& exhibit) {
+  const auto make = [](Random& random, int size) {
+    LatticeDomain domain = generators::any_domain(random, size / 3);
+    domain.exponent = 0;
+    return domain;
+  };
+  const auto simpler = [](const LatticeDomain& domain) { return generators::shrinks(domain); };
+  const LatticeDomain domain = *generators::generator(make, simpler);
+  RC_TAG(std::string(generators::name(domain.family)));
+  exhibit.show(to_pslg(domain));
+  return domain;
+}
+
+PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_the_same_where_only_one_is_delaunay,
+                {.statement = "the engine's triangulation of a domain is the constrained Delaunay triangulation of the "
+                              "reference, and where cocircular neighbours allow several, as large",
+                 .source = "ref/constrained.hpp",
+                 .families = "small lattice domains of every family"}) {
+  const Pslg pslg = to_pslg(small_domain(exhibit));
+  const Mesh found = value_of(triangulate(pslg)).mesh;
+  const ref::PlainMesh expected = triangulation_by_definition(pslg);
+  RC_ASSERT(found.triangles.size() == expected.triangles.size());
+  const bool ambiguous = has_cocircular_neighbours(expected);
+  RC_CLASSIFY(!ambiguous, "only one Delaunay triangulation");
+  if (ambiguous) return;
+  RC_ASSERT(sorted(found.triangles, [](const Triangle& t) { return t.v; }) ==
+            sorted(expected.triangles, [](const ref::Corners& t) { return t; }));
+}
+
+PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_constrained_delaunay_by_definition,
+                {.statement = "the engine's triangulation is conformal, and the open circumdisk of each triangle is "
+                              "empty of vertices that see it",
+                 .source = "[CC], the empty circumdisk property; ref/definitions.hpp",
+                 .families = "small lattice domains of every family"}) {
+  const Pslg pslg = to_pslg(small_domain(exhibit));
+  const Mesh found = value_of(triangulate(pslg)).mesh;
+  exhibit.show(pslg, found);
+  RC_ASSERT(ref::is_conformal(plain(found)));
+  RC_ASSERT(ref::is_constrained_delaunay(plain(found)));
+}
+
+/// Does an angle of 138 degrees or more face a segment? Its corner lies in the segment's diametral lens, the narrowest
+/// that the engine uses.
+bool has_a_vertex_in_a_lens(const Mesh& mesh) {
+  std::set<ref::Edge> segments;
+  for (const ConstrainedEdge& e : mesh.constrained_edges) segments.insert(ref::edge(e.a, e.b));
+  return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
+    for (int i = 0; i < 3; ++i) {
+      if (!segments.contains(ref::edge_of(t.v, i))) continue;
+      const Point p = mesh.points[t.v[i]], a = mesh.points[t.v[(i + 1) % 3]], b = mesh.points[t.v[(i + 2) % 3]];
+      const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+      if (std::atan2(ax * by - ay * bx, ax * bx + ay * by) >= 138 * std::numbers::pi / 180) return true;
+    }
+    return false;
+  });
+}
+
+PARDEL_PROPERTY(EngineAgainstReference, with_nothing_asked_for_the_mesh_is_the_triangulation,
+                {.statement = "a goal without bounds gives the constrained Delaunay triangulation, nothing inserted, "
+                              "where no vertex encroaches upon a segment",
+                 .source = "properties/THEORY.md, refinement",
+                 .families = every_family}) {
+  const Pslg pslg = to_pslg(some_case(exhibit).domain);
+  const Mesh expected = value_of(triangulate(pslg)).mesh;
+  const bool encroached = has_a_vertex_in_a_lens(expected);
+  RC_CLASSIFY(!encroached, "no segment encroached upon");
+  const Meshed found = value_of(mesh(pslg, {.min_angle_deg = 0, .region_caps = false}));
+  if (!encroached) RC_ASSERT(found.report.inserted + found.report.segment_splits == 0U);
+  if (found.report.segment_splits == 0) RC_ASSERT(digest(found.mesh) == digest(expected));
+}
+
+/// What the reference refines: no two segments at less than 60 degrees. A square of side 2^k, perhaps with a square
+/// hole or island, and a few points, all of a lattice fine enough for every midpoint to be a double.
+Pslg right_angled_domain(Random& random, int size) {
+  Pslg pslg;
+  const auto add_square = [&](double low, double high) {
+    const auto n = static_cast<Index>(pslg.points.size());
+    pslg.points.insert(pslg.points.end(), {{low, low}, {high, low}, {high, high}, {low, high}});
+    for (Index i = 0; i < 4; ++i) pslg.segments.push_back({n + i, n + (i + 1) % 4, 0});
+  };
+  add_square(0, 16);
+  const double low = random.between(3, 7), high = random.between(8, 13);
+  const bool has_square = random.chance(2);
+  if (has_square) {
+    add_square(low, high);
+    if (random.chance(2)) pslg.holes.push_back({(low + high) / 2, (low + high) / 2});
+  }
+  std::set<std::pair<int, int>> used;
+  for (int i = size / 25; i > 0; --i) {
+    const int x = random.between(1, 15), y = random.between(1, 15);
+    const auto beside = [&](int k) { return double(k) < low || double(k) > high; };
+    const bool free = !has_square || beside(x) || beside(y);
+    if (free && used.insert({x, y}).second) pslg.points.push_back({double(x), double(y)});
+  }
+  return pslg;
+}
+
+std::vector<Pslg> with_fewer_points(const Pslg& pslg) {
+  std::vector<Pslg> simpler;
+  Index first_free = 0;
+  for (const Segment& s : pslg.segments) first_free = std::max({first_free, s.a + 1, s.b + 1});
+  for (Index i = first_free; i < pslg.points.size(); ++i) {
+    simpler.push_back(pslg);
+    simpler.back().points.erase(simpler.back().points.begin() + i);
+  }
+  return simpler;
+}
+
+PARDEL_PROPERTY(EngineAgainstReference, both_refiners_certify_and_make_meshes_of_like_size,
+                {.statement = "where no two segments meet at less than 60 degrees and the bound is at most 20.7 "
+                              "degrees, the engine and Ruppert's algorithm both reach the goal without exemption, with "
+                              "numbers of triangles that differ by a factor of at most 2 (and 16 triangles)",
+                 .source = "Ruppert 1995; ref/ruppert.hpp",
+                 .families = "squares with a square hole or island and isolated points"}) {
+  const Pslg pslg = *generators::generator(right_angled_domain, with_fewer_points);
+  const Goal goal{.min_angle_deg = *rc::gen::element(10.0, 20.7), .conforming = *rc::gen::arbitrary<bool>()};
+  exhibit.show(pslg);
+  const Result<Mesh> reference = ref::ruppert(pslg, goal);
+  RC_ASSERT(reference.ok());
+  const Meshed engine = value_of(mesh(pslg, goal));
+  exhibit.show(pslg, engine.mesh);
+  const Certificate certificate = check(pslg, engine.mesh, goal);
+  require_valid(certificate);
+  require_valid(check(pslg, *reference, goal));
+  RC_ASSERT(certificate.justified.empty() && engine.report.exempt.empty());
+  const std::size_t ours = engine.mesh.triangles.size(), theirs = reference->triangles.size();
+  RC_ASSERT(ours <= 2 * theirs + 16);
+  RC_ASSERT(theirs <= 2 * ours + 16);
+}
+
+}  // namespace
+}  // namespace pardel::properties

@@ -1,0 +1,222 @@
+// Lattice: [CC]'s decomposition and the refinement over it, by the reference that runs it without threads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "../../../ref/independent.hpp"
+#include "../../../ref/insertion.hpp"
+#include "../../../ref/lattice_refiner.hpp"
+#include "../../checker/check.hpp"
+#include "../framework/property.hpp"
+#include "../framework/rapidcheck_generators.hpp"
+#include "channels.hpp"
+
+namespace pardel::properties {
+namespace {
+using generators::Random;
+using ref::ExactPoint;
+using ref::Kernel;
+using ref::Number;
+using ref::PlainMesh;
+
+constexpr const char* families = "bars, bends, rings and slants, with walls, cracks, area caps and uneven corners";
+
+/// A random channel, refined on a lattice.
+struct Refined {
+  Pslg pslg;
+  Goal goal;
+  ref::LatticeRefinement result;
+};
+
+Refined refined_channel(Exhibit& exhibit) {
+  const Channel channel = *generators::generator(random_channel, simpler);
+  RC_TAG(std::string(name(channel.shape)));
+  Refined refined{to_pslg(channel), goal_of(channel), {}};
+  exhibit.show(refined.pslg);
+  auto result = ref::refine_on_lattice(refined.pslg, refined.goal, coarse_goal_of(channel));
+  if (!result) RC_FAIL(result.error().message);
+  refined.result = std::move(*result);
+  exhibit.show(refined.pslg, refined.result.mesh);
+  return refined;
+}
+
+/// Visits every phase with its sweep and with the mesh in which it began.
+template <class Visit>
+void for_each_phase(const ref::LatticeRefinement& refinement, Visit visit) {
+  const PlainMesh* before = &refinement.preprocessed;
+  for (const ref::Sweep& sweep : refinement.sweeps)
+    for (const ref::Phase& phase : sweep.phases) {
+      visit(sweep, phase, *before);
+      before = &phase.after;
+    }
+}
+
+std::size_t insertions_of(const ref::Sweep& sweep) {
+  std::size_t count = 0;
+  for (const ref::Phase& phase : sweep.phases) count += phase.insertions.size();
+  return count;
+}
+
+/// Some of the cell's points are on its lower sides, some just below its upper ones.
+ExactPoint random_point_of(const ref::Cell& cell, const ref::Lattice& lattice, Random& random) {
+  const auto fraction = [&] { return random.one_of<double>({0, 0x1p-40, 0.5, 1 - 0x1p-40}); };
+  return lattice.corner + Kernel::Vector_2((static_cast<double>(cell.i) + fraction()) * lattice.side,
+                                           (static_cast<double>(cell.j) + fraction()) * lattice.side);
+}
+
+PARDEL_PROPERTY(
+    Lattice, points_in_two_cells_of_one_colour_are_four_circumradii_apart,
+    {.statement = "In a lattice of cells with sides of at least 4 r̄, coloured by (i mod 2, j mod 2), points in "
+                  "two cells of one colour, or in any two that do not touch, are at least 4 r̄ apart, and the lattice "
+                  "over a mesh is such a one",
+     .source = "[CC], the uniform lattice",
+     .families = "random points, many cocircular; points on the sides of cells and just off them"}) {
+  const auto scene = *generators::generator(
+      [](Random& random, int) {
+        Scene made{{{0, 0}, {4, 0}, {0, 3}}, {}, {}};
+        const double x = random.between(-1000, 1000);
+        for (int k = random.between(0, 9); k > 0; --k)
+          made.points.push_back({x + random.between(5, 14), static_cast<double>(random.between(5, 14))});
+        std::ranges::sort(made.points, {}, [](Point p) { return std::pair(p.x, p.y); });
+        made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());
+        return made;
+      },
+      [](const Scene& larger) {
+        std::vector<Scene> smaller;
+        if (larger.points.size() > 3) smaller.push_back({{larger.points.begin(), larger.points.end() - 1}, {}, {}});
+        return smaller;
+      });
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  exhibit.show(scene);
+  const PlainMesh mesh = mesh_of(scene);
+  RC_PRE(!mesh.triangles.empty());
+  const ref::Lattice lattice = lattice_over(mesh);
+  const Number bound = 16 * squared_circumradius_bound(mesh);
+
+  const ref::Cell cell{random.between(-5, 5), random.between(-5, 5)};
+  for (std::int64_t i = cell.i - 3; i <= cell.i + 3; ++i)
+    for (std::int64_t j = cell.j - 3; j <= cell.j + 3; ++j) {
+      const ref::Cell other{i, j};
+      const bool are_neighbours = std::abs(i - cell.i) <= 1 && std::abs(j - cell.j) <= 1;
+      if (other == cell || (are_neighbours && colour_of(other) != colour_of(cell))) continue;
+      const ExactPoint p = random_point_of(cell, lattice, random), q = random_point_of(other, lattice, random);
+      RC_ASSERT(cell_of(lattice, p) == cell);
+      RC_ASSERT(cell_of(lattice, q) == other);
+      RC_ASSERT(CGAL::squared_distance(p, q) >= bound);
+    }
+}
+
+PARDEL_PROPERTY(
+    Lattice, a_cell_inserts_its_own_points_in_the_phase_of_its_colour_while_it_is_large_enough,
+    {.statement = "Every point is inserted by the cell in which it lies, in a phase of that cell's colour, and "
+                  "no phase begins in a mesh for which 4 r̄ is more than the side of a cell",
+     .source = "[CC], the uniform lattice; that the point inserted counts, not its triangle, and that r̄ is "
+               "measured again, is ours",
+     .families = families}) {
+  const Refined refined = refined_channel(exhibit);
+  bool was_outgrown = false;
+  for_each_phase(refined.result, [&](const ref::Sweep& sweep, const ref::Phase& phase, const PlainMesh& before) {
+    was_outgrown |= sweep.phases.size() < ref::all_colours.size();
+    RC_ASSERT(sweep.lattice.side * sweep.lattice.side >= 16 * squared_circumradius_bound(before));
+    for (const auto& [cell, point] : phase.insertions) {
+      RC_ASSERT(cell_of(sweep.lattice, point) == cell);
+      RC_ASSERT((phase.colour == ref::Colour{static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}));
+    }
+  });
+  RC_CLASSIFY(was_outgrown, "circumradii grew, and a new lattice was laid");
+}
+
+PARDEL_PROPERTY(
+    Lattice, cells_of_one_colour_touch_no_common_vertex_in_a_phase,
+    {.statement = "In a phase, over all that the cells of its colour insert or try, the closures of the cavities "
+                  "of two cells share no vertex, and no triangle is read or written by both, the triangles "
+                  "around the cavities included",
+     .source = "[CC], Theorem 1 and the uniform lattice",
+     .families = families}) {
+  const Refined refined = refined_channel(exhibit);
+  std::size_t cells_at_once = 0;
+  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh&) {
+    std::map<Index, ref::Cell> vertex_of;
+    std::map<ref::Corners, ref::Cell> triangle_of;
+    for (const auto& [cell, touched] : phase.touched) {
+      for (Index v : touched.vertices) RC_ASSERT(vertex_of.try_emplace(v, cell).first->second == cell);
+      for (const ref::Corners& t : touched.triangles) RC_ASSERT(triangle_of.try_emplace(t, cell).first->second == cell);
+    }
+    cells_at_once = std::max(cells_at_once, phase.touched.size());
+  });
+  RC_CLASSIFY(cells_at_once >= 2, "two cells or more work at once");
+  RC_CLASSIFY(cells_at_once >= 3, "three cells or more work at once");
+}
+
+/// The points of a phase in another order: that of each cell is kept, the cells take turns at random.
+std::vector<ExactPoint> interleaved(const ref::Phase& phase, Random& random) {
+  std::map<ref::Cell, std::vector<ExactPoint>> of_cell;
+  std::vector<ref::Cell> turns;
+  for (const auto& [cell, point] : phase.insertions) {
+    of_cell[cell].push_back(point);
+    turns.push_back(cell);
+  }
+  random.shuffle(turns);
+  std::map<ref::Cell, std::size_t> done;
+  std::vector<ExactPoint> points;
+  for (const ref::Cell& cell : turns) points.push_back(of_cell[cell][done[cell]++]);
+  return points;
+}
+
+PARDEL_PROPERTY(
+    Lattice, one_after_the_other_in_any_order_makes_the_mesh_that_a_phase_makes,
+    {.statement = "Inserting a phase's points one after the other, the cells in any order and taking turns at "
+                  "random, makes the mesh that inserting them independently makes",
+     .source = "[CC], Theorem 1",
+     .families = families}) {
+  const Refined refined = refined_channel(exhibit);
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh& before) {
+    PlainMesh mesh = before;
+    for (const ExactPoint& p : interleaved(phase, random)) insert(mesh, p);
+    RC_ASSERT(triangles_as_points(mesh) == triangles_as_points(phase.after));
+  });
+}
+
+PARDEL_PROPERTY(
+    Lattice, refinement_makes_a_conformal_delaunay_mesh_that_meets_the_goal,
+    {.statement = "The result is conformal and Delaunay by definition, no subsegment is encroached, and the "
+                  "independent checker finds every bound met with no triangle exempt",
+     .source = "[CC]; Ruppert 1995",
+     .families = families}) {
+  const Refined refined = refined_channel(exhibit);
+  const PlainMesh& mesh = refined.result.sweeps.back().phases.back().after;
+  RC_ASSERT(is_conformal(mesh));
+  RC_ASSERT(is_delaunay(mesh));
+  for (const ref::Edge& e : mesh.constraints) RC_ASSERT(!is_encroached(mesh, e));
+  const Certificate certificate = check(refined.pslg, refined.result.mesh, refined.goal);
+  if (!certificate.valid) RC_FAIL(certificate.violations.at(0).message());
+  RC_ASSERT(certificate.justified.empty());
+}
+
+PARDEL_PROPERTY(
+    Lattice, sweeps_end_and_leave_nothing_that_was_handed_on,
+    {.statement = "Sweeps over the four colours come to an end; every split point that was handed on to another "
+                  "cell is inserted by a later phase; the cell to which it is handed on is another colour's",
+     .source = "[CC] speaks of four iterations; how many sweeps it takes is measured",
+     .families = families}) {
+  const Refined refined = refined_channel(exhibit);
+  std::set<ExactPoint> waiting;
+  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh&) {
+    for (const ref::HandedOn& handed : phase.handed_on) {
+      RC_ASSERT(colour_of(handed.from) != colour_of(handed.to));
+      waiting.insert(handed.point);
+    }
+    for (const ref::Insertion& insertion : phase.insertions) waiting.erase(insertion.point);
+    RC_CLASSIFY(!phase.handed_on.empty(), "handed on");
+  });
+  RC_ASSERT(waiting.empty());
+  std::vector<std::size_t> inserted;
+  for (const ref::Sweep& sweep : refined.result.sweeps) inserted.push_back(insertions_of(sweep));
+  RC_ASSERT(inserted.back() == 0u);
+  RC_TAG(std::to_string(inserted.size() - 1) + " sweeps that insert");
+}
+
+}  // namespace
+}  // namespace pardel::properties

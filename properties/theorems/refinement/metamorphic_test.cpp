@@ -1,0 +1,241 @@
+// How the mesh of a changed input follows from the mesh of the input.
+//
+// Exact laws. A power of two scales every coordinate and every intermediate result without rounding. The order in
+// which things are listed and the direction of a segment decide nothing, since every order that the engine follows
+// comes from coordinates. Isometries of the lattice (translations, quarter turns, reflections) move no input point by
+// a rounding, so they keep a triangulation wherever it is the only constrained Delaunay one.
+// No exact laws: new points are rounded, which a translation changes, and a turn or a reflection changes the
+// space-filling curve and with it the order of insertions. What isometries keep of a refined mesh are its guarantees
+// and, about, its size: nearly always within a tenth, but where rounding decides whether a segment at a small angle is
+// split, shell by shell all of it is.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "../../../core/digest.hpp"
+#include "../../checker/arithmetic/exact.hpp"
+#include "meshing.hpp"
+
+namespace pardel::properties {
+namespace {
+
+using generators::Random;
+
+constexpr const char* source = "properties/THEORY.md, Metamorphic";
+
+/// Where every point of the plane goes.
+template <class Map>
+Pslg mapped(Pslg pslg, const Map& map) {
+  for (Point& p : pslg.points) p = map(p);
+  for (Point& p : pslg.holes) p = map(p);
+  for (Region& r : pslg.regions) r.seed = map(r.seed);
+  return pslg;
+}
+template <class Map>
+Mesh mapped(Mesh mesh, const Map& map, bool turns_over = false) {
+  for (Point& p : mesh.points) p = map(p);
+  if (turns_over)
+    for (Triangle& t : mesh.triangles) {
+      std::swap(t.v[1], t.v[2]);
+      std::swap(t.n[1], t.n[2]);
+    }
+  return mesh;
+}
+
+/// That the engine makes the mesh of this problem, whatever its numbering.
+void require_mesh(const Problem& problem, const Options& options, const Mesh& expected) {
+  RC_ASSERT(digest(value_of(mesh(problem.pslg, problem.goal, options)).mesh) == digest(expected));
+}
+
+Random some_random() { return Random(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>())); }
+
+PARDEL_PROPERTY(Metamorphic, scaling_by_a_power_of_two_scales_the_mesh,
+                {.statement = "the mesh of a domain times 2^k, for bounds on areas times 4^k, is the mesh times 2^k",
+                 .source = source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  const Options options = some_options();
+  const Mesh expected = meshed(problem, exhibit, options).mesh;
+  const double scale = std::ldexp(1, *rc::gen::inRange(-40, 41));
+  const auto map = [&](Point p) { return Point{p.x * scale, p.y * scale}; };
+  problem.pslg = mapped(problem.pslg, map);
+  for (Region& region : problem.pslg.regions) region.max_area *= scale * scale;
+  problem.goal.max_area *= scale * scale;
+  require_mesh(problem, options, mapped(expected, map));
+}
+
+PARDEL_PROPERTY(Metamorphic, the_numbering_of_points_decides_nothing,
+                {.statement = "points listed in another order give the same mesh",
+                 .source = source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  const Options options = some_options();
+  const Mesh expected = meshed(problem, exhibit, options).mesh;
+  Random random = some_random();
+  std::vector<Index> place(problem.pslg.points.size());
+  std::iota(place.begin(), place.end(), Index{0});
+  random.shuffle(place);
+  const Pslg original = problem.pslg;
+  for (std::size_t i = 0; i < place.size(); ++i) problem.pslg.points[place[i]] = original.points[i];
+  for (Segment& s : problem.pslg.segments) s = {place[s.a], place[s.b], s.marker};
+  require_mesh(problem, options, expected);
+}
+
+PARDEL_PROPERTY(Metamorphic, the_order_of_segments_holes_and_regions_decides_nothing,
+                {.statement = "segments, holes and regions listed in another order give the same mesh",
+                 .source = source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  const Options options = some_options();
+  const Mesh expected = meshed(problem, exhibit, options).mesh;
+  Random random = some_random();
+  random.shuffle(problem.pslg.segments);
+  random.shuffle(problem.pslg.holes);
+  random.shuffle(problem.pslg.regions);
+  require_mesh(problem, options, expected);
+}
+
+PARDEL_PROPERTY(Metamorphic, the_direction_of_segments_decides_nothing,
+                {.statement = "segments given from b to a instead of from a to b give the same mesh",
+                 .source = source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  const Options options = some_options();
+  const Mesh expected = meshed(problem, exhibit, options).mesh;
+  Random random = some_random();
+  for (Segment& s : problem.pslg.segments)
+    if (random.chance(2)) std::swap(s.a, s.b);
+  require_mesh(problem, options, expected);
+}
+
+/// One of the eight symmetries of the square, and then a translation by whole units of the lattice.
+struct Isometry {
+  bool swaps = false, flips_x = false, flips_y = false;
+  Point by{};
+
+  [[nodiscard]] bool turns_over() const { return swaps ^ flips_x ^ flips_y; }
+  Point operator()(Point p) const {
+    if (swaps) std::swap(p.x, p.y);
+    return {(flips_x ? -p.x : p.x) + by.x, (flips_y ? -p.y : p.y) + by.y};
+  }
+};
+
+/// That moves no point of the domain by a rounding.
+Isometry some_isometry(const generators::LatticeDomain& domain) {
+  const auto either = rc::gen::arbitrary<bool>();
+  const auto units =
+      rc::gen::map(rc::gen::inRange(-100'000, 100'001), [&](int k) { return std::ldexp(double(k), -domain.exponent); });
+  return {*either, *either, *either, {*units, *units}};
+}
+
+/// Every edge that is no constraint is locally Delaunay strictly: no other triangulation has this property.
+bool is_the_only_delaunay_one(const Mesh& mesh) {
+  std::set<std::array<Index, 2>> constrained;
+  for (const ConstrainedEdge& e : mesh.constrained_edges) constrained.insert({std::min(e.a, e.b), std::max(e.a, e.b)});
+  const auto at = [&](Index v) { return mesh.points[v]; };
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const Index a = t.v[(i + 1) % 3], b = t.v[(i + 2) % 3];
+      if (t.n[i] == no_index || constrained.contains({std::min(a, b), std::max(a, b)})) continue;
+      for (const Index across : mesh.triangles[t.n[i]].v)
+        if (across != a && across != b &&
+            checker::exactly::in_circle(at(t.v[0]), at(t.v[1]), at(t.v[2]), at(across)) == 0)
+          return false;
+    }
+  return true;
+}
+
+PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_triangulation,
+                {.statement = "translations by lattice vectors, quarter turns and reflections map the triangulation of "
+                              "a domain to that of its image, if no two triangles side by side are cocircular",
+                 .source = source,
+                 .families = every_family}) {
+  const generators::Case c = some_case(exhibit);
+  const Pslg pslg = to_pslg(c.domain);
+  const Isometry map = some_isometry(c.domain);
+  const Mesh here = value_of(triangulate(pslg)).mesh;
+  const Mesh there = value_of(triangulate(mapped(pslg, map))).mesh;
+  const bool unique = is_the_only_delaunay_one(here);
+  RC_CLASSIFY(unique, "only one Delaunay triangulation");
+  RC_ASSERT(there.triangles.size() == here.triangles.size());
+  if (unique) RC_ASSERT(digest(there) == digest(mapped(here, map, map.turns_over())));
+}
+
+PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_guarantees_and_about_the_size,
+                {.statement = "the mesh of a domain that was translated by a lattice vector, turned by 90 degrees or "
+                              "reflected is certified, and at most 8 times as large or small",
+                 .source = source,
+                 .families = every_family}) {
+  const generators::Case c = some_case(exhibit);
+  const Problem problem = to_problem(c);
+  const Isometry map = some_isometry(c.domain);
+  const std::size_t here = meshed(problem, exhibit).mesh.triangles.size();
+  const Problem image{mapped(problem.pslg, map), problem.goal};
+  const Mesh there = meshed(image, exhibit).mesh;
+  require_valid(check(image.pslg, there, image.goal));
+  RC_ASSERT(there.triangles.size() <= 8 * here);
+  RC_ASSERT(here <= 8 * there.triangles.size());
+}
+
+std::set<std::array<Index, 3>> corners(const Mesh& mesh) {
+  std::set<std::array<Index, 3>> result;
+  for (const Triangle& t : mesh.triangles) {
+    std::array<Index, 3> v = t.v;
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    result.insert(v);
+  }
+  return result;
+}
+
+/// The triangles that can be reached from `start` without crossing a constrained edge.
+std::vector<bool> face_of(const Mesh& mesh, Index start) {
+  std::set<std::array<Index, 2>> walls;
+  for (const ConstrainedEdge& e : mesh.constrained_edges) walls.insert({std::min(e.a, e.b), std::max(e.a, e.b)});
+  std::vector<bool> reached(mesh.triangles.size(), false);
+  std::vector<Index> frontier{start};
+  reached[start] = true;
+  while (!frontier.empty()) {
+    const Triangle t = mesh.triangles[frontier.back()];
+    frontier.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      const Index a = t.v[(i + 1) % 3], b = t.v[(i + 2) % 3];
+      if (t.n[i] == no_index || reached[t.n[i]] || walls.contains({std::min(a, b), std::max(a, b)})) continue;
+      reached[t.n[i]] = true;
+      frontier.push_back(t.n[i]);
+    }
+  }
+  return reached;
+}
+
+PARDEL_PROPERTY(Metamorphic, a_hole_takes_away_its_face_and_nothing_else,
+                {.statement = "with one more hole, the triangulation has lost the triangles that the hole's triangle "
+                              "can reach without crossing a segment, and keeps all others",
+                 .source = source,
+                 .families = every_family}) {
+  const generators::Case c = some_case(exhibit);
+  Pslg pslg = to_pslg(c.domain);
+  pslg.regions.clear();
+  const Mesh before = value_of(triangulate(pslg)).mesh;
+  const Index start = *rc::gen::inRange(Index{0}, static_cast<Index>(before.triangles.size()));
+  const std::vector<bool> lost = face_of(before, start);
+  const auto& v = before.triangles[start].v;
+  const Point a = before.points[v[0]], b = before.points[v[1]], d = before.points[v[2]];
+  const auto middle = [&](double Point::*x) { return (2 * (a.*x) + b.*x + d.*x) / 4; };
+  pslg.holes.push_back({middle(&Point::x), middle(&Point::y)});
+  const bool all_lost = std::ranges::find(lost, false) == lost.end();
+  const Result<Meshed> after = triangulate(pslg);
+  RC_ASSERT(after.ok() != all_lost);
+  if (all_lost) return;
+  Mesh rest = before;
+  rest.triangles.clear();
+  for (Index t = 0; t < before.triangles.size(); ++t)
+    if (!lost[t]) rest.triangles.push_back(before.triangles[t]);
+  RC_ASSERT(corners(after->mesh) == corners(rest));
+}
+
+}  // namespace
+}  // namespace pardel::properties

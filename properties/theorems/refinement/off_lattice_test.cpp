@@ -1,0 +1,103 @@
+// What lattice domains and their goals do not have: coordinates that have to be rounded, labels of points, bounds on
+// lengths.
+#include <algorithm>
+#include <cmath>
+
+#include "../../../core/digest.hpp"
+#include "../../../parallel/validate.hpp"
+#include "meshing.hpp"
+
+namespace pardel::properties {
+namespace {
+
+constexpr const char* source = "properties/THEORY.md, refinement";
+
+/// The domain in a square of side 1000, turned and moved far from the origin, each coordinate rounded.
+Pslg turned(const generators::LatticeDomain& domain, double angle, Point to) {
+  generators::LatticeDomain near = domain;
+  near.offset = {};
+  near.exponent = 0;
+  Pslg pslg = generators::to_pslg(near);
+  double largest = 1;
+  for (const Point p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double c = 1000 / largest * std::cos(angle), s = 1000 / largest * std::sin(angle);
+  const auto turn = [&](Point& p) { p = {to.x + c * p.x - s * p.y, to.y + s * p.x + c * p.y}; };
+  for (Point& p : pslg.points) turn(p);
+  for (Point& p : pslg.holes) turn(p);
+  for (Region& r : pslg.regions) {
+    turn(r.seed);
+    r.max_area = std::numeric_limits<double>::infinity();
+  }
+  return pslg;
+}
+
+constexpr const char* turned_families = "lattice domains of every family, turned and far from the origin";
+
+/// Rounding bends what was straight, so validity is asked for anew.
+Problem some_turned_problem(Exhibit& exhibit) {
+  const generators::Case c = some_case(exhibit);
+  const Point to{*rc::gen::element(0.0, 654321.0), *rc::gen::element(0.0, 4987654.0)};
+  Problem problem{turned(c.domain, 0.01 * *rc::gen::inRange(0, 157), to),
+                  {.min_angle_deg = c.goal.min_angle_deg, .conforming = c.goal.conforming}};
+  RC_PRE(validate(problem.pslg).empty());
+  exhibit.show(problem.pslg);
+  return problem;
+}
+
+PARDEL_PROPERTY(Refinement, does_not_depend_on_the_direction_of_segments_where_coordinates_are_rounded,
+                {.statement = "segments given from b to a instead of from a to b give the same mesh, rounding included",
+                 .source = source,
+                 .families = turned_families}) {
+  Problem problem = some_turned_problem(exhibit);
+  const Mesh expected = meshed(problem, exhibit).mesh;
+  for (Segment& s : problem.pslg.segments) std::swap(s.a, s.b);
+  RC_ASSERT(digest(meshed(problem, exhibit).mesh) == digest(expected));
+}
+
+PARDEL_PROPERTY(
+    Refinement, gives_a_certified_mesh_where_coordinates_are_rounded,
+    {.statement = "the mesh of a valid domain is certified where every split point has to be rounded; where "
+                  "rounding leaves angles below the bound, the report says so",
+     .source = source,
+     .families = turned_families}) {
+  const Problem problem = some_turned_problem(exhibit);
+  const Meshed result = meshed(problem, exhibit, some_options());
+  RC_CLASSIFY(!result.report.goal_met(), "rounding leaves something");
+  Goal kept = problem.goal;
+  if (!result.report.goal_met()) kept = {.min_angle_deg = 0};
+  require_valid(check(problem.pslg, result.mesh, kept));
+}
+
+PARDEL_PROPERTY(Refinement, keeps_bounds_on_lengths,
+                {.statement = "no edge is longer than the goal's bound, nor than the sizing function allows at the "
+                              "centroids of its triangles",
+                 .source = source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  double width = 0;
+  const Point centre = problem.pslg.points[0];
+  for (const Point p : problem.pslg.points)
+    width = std::max({width, std::abs(p.x - centre.x), std::abs(p.y - centre.y)});
+  const double least = width * 0.01 * *rc::gen::inRange(8, 50);
+  if (*rc::gen::arbitrary<bool>())
+    problem.goal.max_edge = least;
+  else
+    problem.goal.size = [=](Point p) { return least + 0.3 * std::hypot(p.x - centre.x, p.y - centre.y); };
+  require_valid(check(problem.pslg, meshed(problem, exhibit).mesh, problem.goal));
+}
+
+PARDEL_PROPERTY(Refinement, keeps_the_labels_of_points,
+                {.statement = "input points keep their markers and attributes",
+                 .source = source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  problem.pslg.attributes_per_point = 2;
+  for (std::size_t i = 0; i < problem.pslg.points.size(); ++i) {
+    problem.pslg.point_markers.push_back(*rc::gen::inRange(0, 4));
+    problem.pslg.point_attributes.insert(problem.pslg.point_attributes.end(), {double(i), 0.5 * double(i * i)});
+  }
+  require_valid(check(problem.pslg, meshed(problem, exhibit).mesh, problem.goal));
+}
+
+}  // namespace
+}  // namespace pardel::properties

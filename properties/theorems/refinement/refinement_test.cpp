@@ -1,0 +1,140 @@
+// What refinement promises of every domain and goal: it ends, its mesh is right, what breaks the goal is excused by a
+// small input angle, and there is nothing left to do.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "../../../core/digest.hpp"
+#include "../../../core/formats.hpp"
+#include "meshing.hpp"
+#include "thirty_degrees.hpp"
+
+namespace pardel::properties {
+namespace {
+
+/// A vertex or a segment of the domain.
+struct Feature {
+  Index a, b;  ///< vertices; the same one twice for a vertex alone
+};
+
+double distance_to(const Mesh& domain, const Feature& feature, Point p) {
+  const Point a = domain.points[feature.a], b = domain.points[feature.b];
+  const double ux = b.x - a.x, uy = b.y - a.y, wx = p.x - a.x, wy = p.y - a.y;
+  const double along = feature.a == feature.b ? 0 : std::clamp((ux * wx + uy * wy) / (ux * ux + uy * uy), 0.0, 1.0);
+  return std::hypot(wx - along * ux, wy - along * uy);
+}
+
+/// Ruppert's local feature size: the radius of the least disk about p that meets two features which do not touch.
+double local_feature_size(const Mesh& domain, const std::vector<Feature>& features, Point p) {
+  std::vector<std::pair<double, Feature>> nearest;
+  for (const Feature& f : features) nearest.emplace_back(distance_to(domain, f, p), f);
+  std::ranges::sort(nearest, {}, [](const auto& entry) { return entry.first; });
+  const auto touch = [](const Feature& f, const Feature& g) {
+    return f.a == g.a || f.a == g.b || f.b == g.a || f.b == g.b;
+  };
+  for (std::size_t i = 1; i < nearest.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!touch(nearest[i].second, nearest[j].second)) return nearest[i].first;
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The number of triangles that sizes ask for: the integral over the mesh of 1 / (the square of the local feature
+/// size), or 1 / (the largest area allowed) where that is more.
+double triangles_asked_for(const Problem& problem, const Mesh& mesh) {
+  const Mesh domain = value_of(triangulate(problem.pslg)).mesh;
+  std::vector<Feature> features;
+  for (const ConstrainedEdge& e : domain.constrained_edges) features.push_back({e.a, e.b});
+  for (Index v = 0; v < domain.points.size(); ++v) features.push_back({v, v});
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh.triangles[t].v;
+    const Point p = mesh.points[a], q = mesh.points[b], r = mesh.points[c];
+    const double area = ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 2;
+    const double size = local_feature_size(domain, features, {(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3});
+    const double cap = problem.goal.region_caps && !mesh.region.empty() && mesh.region[t] != no_index
+                           ? problem.pslg.regions[mesh.region[t]].max_area
+                           : std::numeric_limits<double>::infinity();
+    sum += area * std::max({1 / (size * size), 1 / problem.goal.max_area, 1 / cap});
+  }
+  return sum;
+}
+
+PARDEL_PROPERTY(Refinement, ends_with_as_many_triangles_as_sizes_ask_for,
+                {.statement = "refinement ends, with at most 64 triangles and 256 times the integral of 1 / lfs^2, "
+                              "or of 1 / (the largest area) where that is more; most of the factor is for small input "
+                              "angles, of which the integral knows nothing",
+                 .source = "Ruppert 1995, Theorem 2; the factor as measured",
+                 .families = every_family}) {
+  const Problem problem = some_problem(exhibit);
+  const Options options = some_options();
+  const Meshed result = meshed(problem, exhibit, options);
+  const auto triangles = static_cast<double>(result.mesh.triangles.size());
+  RC_ASSERT(triangles <= 64 + 256 * triangles_asked_for(problem, result.mesh));
+}
+
+PARDEL_PROPERTY(Refinement, gives_a_mesh_that_the_checker_certifies,
+                {.statement = "the mesh of a valid domain conforms to it, is (constrained) Delaunay and keeps the "
+                              "bounds on angles, areas and regions, but for angles that a small input angle excuses",
+                 .source = "properties/THEORY.md, refinement",
+                 .families = every_family}) {
+  const Problem problem = some_problem(exhibit);
+  const Options options = some_options();
+  const Meshed result = meshed(problem, exhibit, options);
+  require_valid(check(problem.pslg, result.mesh, problem.goal));
+}
+
+PARDEL_PROPERTY(Refinement, exempts_exactly_what_the_checker_finds_justified,
+                {.statement = "the triangles that the engine reports as exempt are those that the checker, from "
+                              "coordinates alone, finds below the angle bound and justified",
+                 .source = "properties/THEORY.md, refinement",
+                 .families = every_family}) {
+  const Problem problem = some_problem(exhibit);
+  const Meshed result = meshed(problem, exhibit);
+  const Certificate certificate = check(problem.pslg, result.mesh, problem.goal);
+  std::set<Index> reported, found;
+  for (const Exemption& e : result.report.exempt) reported.insert(e.triangle);
+  for (const Justified& j : certificate.justified) found.insert(j.triangle);
+  RC_CLASSIFY(!found.empty(), "some triangle exempt");
+  RC_ASSERT(result.report.goal_met());
+  RC_ASSERT(reported == found);
+}
+
+PARDEL_PROPERTY(Refinement, done_twice_is_done_once,
+                {.statement = "refining the mesh to the same goal changes nothing",
+                 .source = "properties/THEORY.md, refinement",
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  problem.goal.region_caps = false;  // a mesh carries no caps
+  const Options options = some_options();
+  const Mesh once = meshed(problem, exhibit, options).mesh;
+  const Meshed twice = value_of(refine(once, {}, problem.goal, options));
+  RC_ASSERT(twice.report.inserted + twice.report.segment_splits == 0U);
+  RC_ASSERT(digest(twice.mesh) == digest(once));
+}
+
+PARDEL_PROPERTY(Refinement, does_not_depend_on_threads,
+                {.statement = "one, two and three threads give the same mesh, numbering included",
+                 .source = "properties/THEORY.md, refinement",
+                 .families = every_family}) {
+  const Problem problem = some_problem(exhibit);
+  Options options = some_options();
+  const Mesh one = meshed(problem, exhibit, options).mesh;
+  options.threads = *rc::gen::element(2, 3);
+  RC_ASSERT(value_of(mesh(problem.pslg, problem.goal, options)).mesh == one);
+}
+
+PARDEL_FACT(Refinement, at_thirty_degrees_may_halve_triangles_down_to_the_floor,
+            {.statement = "fails when the bound is 30 degrees: there is a domain without a small angle in which "
+                          "refinement ends by the floor on edges only; the report says so",
+             .source = "properties/THEORY.md, refinement"}) {
+  const Result<Pslg> domain = read_pslg(PARDEL_WITNESSES "/halved_down_to_the_floor_at_thirty_degrees.poly");
+  ASSERT_TRUE(domain);
+  EXPECT_TRUE(is_halved_down_to_the_floor(*domain));
+  facts.cases = 3;
+}
+
+}  // namespace
+}  // namespace pardel::properties
