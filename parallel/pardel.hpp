@@ -6,7 +6,6 @@
 #include <pardel/core/formats.hpp>
 #include <pardel/core/goal.hpp>
 #include <pardel/core/mesh.hpp>
-#include <pardel/core/mesh_edges.hpp>
 #include <pardel/core/neighbours.hpp>
 #include <pardel/core/pslg.hpp>
 #include <pardel/core/result.hpp>
