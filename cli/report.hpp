@@ -1,7 +1,6 @@
 // What `pardel mesh` tells about its run: to people, and as JSON with the schema pardel.report/1.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -17,18 +16,6 @@
 #include "../properties/checker/statistics.hpp"
 
 namespace pardel::cli {
-
-class Stopwatch {
- public:
-  /// Since the construction, or since the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 struct Seconds {
   double read = 0, validate = 0, triangulate = 0, refine = 0, check = 0, write = 0;

@@ -1,12 +1,12 @@
 #include "mesher.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
 #include "../core/mutants.hpp"
 #include "../core/shortest.hpp"
+#include "../core/stopwatch.hpp"
 #include "conversion/assemble.hpp"
 #include "conversion/background.hpp"
 #include "refinement/criteria.hpp"
@@ -18,18 +18,6 @@ namespace pardel {
 using namespace engine;
 
 namespace {
-
-class Stopwatch {
- public:
-  /// Seconds since the last call.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 constexpr double largest_min_angle_deg = 33;
 

@@ -2,10 +2,21 @@
 
 #include <algorithm>
 
+#include "../core/enum_names.hpp"
 #include "concurrency/lattice.hpp"
 
 namespace pardel {
 namespace {
+
+constexpr auto reason_names = enum_names<ExemptReason>({
+    {ExemptReason::nestled, "nestled"},
+    {ExemptReason::seditious, "seditious"},
+    {ExemptReason::budget, "budget"},
+    {ExemptReason::min_edge, "min_edge"},
+    {ExemptReason::precision, "precision"},
+    {ExemptReason::kept_segment, "kept_segment"},
+});
+static_assert(reason_names.size() == exempt_reasons);
 
 engine::Lattice lattice_of(const Tiling& tiling) {
   return {{tiling.low.x, tiling.low.y, tiling.high.x, tiling.high.y}, tiling.columns, tiling.rows};
@@ -17,23 +28,7 @@ Index Tiling::cell_of(Point p) const { return lattice_of(*this).cell_of(p); }
 
 unsigned Tiling::colour_of(Index cell) const { return lattice_of(*this).colour_of(cell); }
 
-const char* name(ExemptReason reason) {
-  switch (reason) {
-    case ExemptReason::nestled:
-      return "nestled";
-    case ExemptReason::seditious:
-      return "seditious";
-    case ExemptReason::budget:
-      return "budget";
-    case ExemptReason::min_edge:
-      return "min_edge";
-    case ExemptReason::precision:
-      return "precision";
-    case ExemptReason::kept_segment:
-      return "kept_segment";
-  }
-  return "";
-}
+const char* name(ExemptReason reason) { return reason_names[reason]; }
 
 std::uint64_t Report::count(ExemptReason reason) const {
   return static_cast<std::uint64_t>(

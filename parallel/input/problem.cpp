@@ -1,4 +1,5 @@
 // What a problem is called, and the sentence that tells it.
+#include "../../core/enum_names.hpp"
 #include "../../core/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../validate.hpp"
@@ -8,6 +9,28 @@ namespace pardel {
 using namespace engine;
 
 namespace {
+
+constexpr auto kind_names = enum_names<ProblemKind>({
+    {ProblemKind::non_finite_coordinate, "non_finite_coordinate"},
+    {ProblemKind::coordinate_out_of_range, "coordinate_out_of_range"},
+    {ProblemKind::wrong_count, "wrong_count"},
+    {ProblemKind::index_out_of_range, "index_out_of_range"},
+    {ProblemKind::duplicate_points, "duplicate_points"},
+    {ProblemKind::zero_length_segment, "zero_length_segment"},
+    {ProblemKind::duplicate_segments, "duplicate_segments"},
+    {ProblemKind::crossing_segments, "crossing_segments"},
+    {ProblemKind::overlapping_segments, "overlapping_segments"},
+    {ProblemKind::point_on_segment, "point_on_segment"},
+    {ProblemKind::all_points_collinear, "all_points_collinear"},
+    {ProblemKind::unclosed_outline, "unclosed_outline"},
+    {ProblemKind::no_domain, "no_domain"},
+    {ProblemKind::hole_outside, "hole_outside"},
+    {ProblemKind::hole_on_segment, "hole_on_segment"},
+    {ProblemKind::region_outside, "region_outside"},
+    {ProblemKind::region_on_segment, "region_on_segment"},
+    {ProblemKind::regions_share_face, "regions_share_face"},
+    {ProblemKind::bad_region_cap, "bad_region_cap"},
+});
 
 std::string text(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
 
@@ -29,49 +52,7 @@ std::string outside(const std::string& what, Point where, const char* otherwise)
 
 }  // namespace
 
-const char* name(ProblemKind kind) {
-  switch (kind) {
-    case ProblemKind::non_finite_coordinate:
-      return "non_finite_coordinate";
-    case ProblemKind::coordinate_out_of_range:
-      return "coordinate_out_of_range";
-    case ProblemKind::wrong_count:
-      return "wrong_count";
-    case ProblemKind::index_out_of_range:
-      return "index_out_of_range";
-    case ProblemKind::duplicate_points:
-      return "duplicate_points";
-    case ProblemKind::zero_length_segment:
-      return "zero_length_segment";
-    case ProblemKind::duplicate_segments:
-      return "duplicate_segments";
-    case ProblemKind::crossing_segments:
-      return "crossing_segments";
-    case ProblemKind::overlapping_segments:
-      return "overlapping_segments";
-    case ProblemKind::point_on_segment:
-      return "point_on_segment";
-    case ProblemKind::all_points_collinear:
-      return "all_points_collinear";
-    case ProblemKind::unclosed_outline:
-      return "unclosed_outline";
-    case ProblemKind::no_domain:
-      return "no_domain";
-    case ProblemKind::hole_outside:
-      return "hole_outside";
-    case ProblemKind::hole_on_segment:
-      return "hole_on_segment";
-    case ProblemKind::region_outside:
-      return "region_outside";
-    case ProblemKind::region_on_segment:
-      return "region_on_segment";
-    case ProblemKind::regions_share_face:
-      return "regions_share_face";
-    case ProblemKind::bad_region_cap:
-      return "bad_region_cap";
-  }
-  return "unknown";
-}
+const char* name(ProblemKind kind) { return kind_names[kind]; }
 
 std::string Problem::message(int base) const {
   const std::string id = list(ids, base), at = text(where);
