@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "../core/formats.hpp"
-#include "../core/stopwatch.hpp"
+#include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check.hpp"
 #include "choice.hpp"

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "../core/formats.hpp"
-#include "../core/output_file.hpp"
+#include "../core/support/output_file.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;

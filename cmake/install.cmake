@@ -1,6 +1,5 @@
-# Installation in two parts. `pardel` is what links nothing but the standard library and OpenMP; the component
-# `properties` (the checker, the domains and their generators) needs CGAL as well, so that a user of the mesher alone
-# does not. Public headers only: what is private stays in the source tree.
+# Installation in two parts. The package `pardel` needs the standard library and OpenMP only. Its component `properties`
+# (the checker, the domains and their generators) also needs CGAL, so users of the mesher alone do not need CGAL.
 include(CMakePackageConfigHelpers)
 set(PARDEL_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pardel)
 
@@ -9,21 +8,13 @@ function(pardel_install_libraries export)
   install(EXPORT ${export} NAMESPACE pardel:: DESTINATION ${PARDEL_CMAKE_DIR})
 endfunction()
 
-# The headers of these folders, without those of the folders below: include/pardel/FOLDER, as in the repository, since
-# headers include each other by relative paths.
-function(pardel_install_headers)
-  foreach(folder ${ARGN})
-    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
-    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel/${folder})
-  endforeach()
-endfunction()
-
 pardel_install_libraries(pardelTargets pardel_settings pardel_core pardel_parallel)
-pardel_install_headers(core parallel)
+pardel_install_headers(${PARDEL_MESHER_FOLDERS})
+install(FILES ${PROJECT_SOURCE_DIR}/parallel/pardel.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel)
 
 if(TARGET pardel_checker)
   pardel_install_libraries(pardelCheckerTargets pardel_checker pardel_domains pardel_generators pardel_properties)
-  pardel_install_headers(properties/checker properties/domains properties/domains/generators)
+  pardel_install_headers(${PARDEL_CHECKER_FOLDERS})
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pardelConfig.cmake.in

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "../core/mutants.hpp"
-#include "../core/shortest.hpp"
-#include "../core/stopwatch.hpp"
+#include "../core/support/shortest.hpp"
+#include "../core/support/stopwatch.hpp"
 #include "conversion/assemble.hpp"
 #include "conversion/background.hpp"
 #include "refinement/criteria.hpp"

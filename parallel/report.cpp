@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../core/enum_names.hpp"
+#include "../core/support/enum_names.hpp"
 #include "concurrency/lattice.hpp"
 
 namespace pardel {

@@ -7,6 +7,7 @@
 #include "text_reader.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 enum class Format : std::uint8_t { unknown, triangle, vtu, msh, off, svg };
@@ -29,7 +30,7 @@ Error unknown_suffix(const std::filesystem::path& file, const char* known) {
 
 bool is_mesh_suffix(const std::filesystem::path& file) { return format_of(file) != Format::unknown; }
 
-void set_regions(Mesh& mesh, std::span<const double> attributes) {
+void files::set_regions(Mesh& mesh, std::span<const double> attributes) {
   std::vector<double> distinct;
   for (const double attribute : attributes) {
     if (!std::isnan(attribute) && (distinct.empty() || distinct.back() != attribute)) distinct.push_back(attribute);

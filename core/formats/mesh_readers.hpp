@@ -10,7 +10,7 @@
 #include "../mesh.hpp"
 #include "../result.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 [[nodiscard]] Result<Mesh> read_triangle_mesh(const std::filesystem::path& file);
 [[nodiscard]] Result<Mesh> parse_msh(std::string_view text, const std::string& name);
@@ -21,4 +21,4 @@ namespace pardel {
 /// where it has no region.
 void set_regions(Mesh& mesh, std::span<const double> attributes);
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -11,7 +11,7 @@
 #include "msh_source.hpp"
 #include "triangle_sections.hpp"
 
-namespace pardel {
+namespace pardel::files {
 namespace {
 
 constexpr double no_region = std::numeric_limits<double>::quiet_NaN();
@@ -307,4 +307,4 @@ class MshReader {
 
 Result<Mesh> parse_msh(std::string_view text, const std::string& name) { return MshReader(text, name).read(); }
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -11,7 +11,7 @@
 #include "../pslg.hpp"
 #include "text_reader.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 /// Values in rows of text or as bytes one after the other.
 class MshSource {
@@ -97,4 +97,4 @@ class MshNodes {
   Array<Node> nodes_;
 };
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -10,6 +10,7 @@
 #include "records.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 /// A physical group and its only entity, which has the same tag.

@@ -7,8 +7,9 @@
 #include "triangle_sections.hpp"
 
 namespace pardel {
+using namespace files;
 
-Result<Mesh> parse_off(std::string_view text, const std::string& name) {
+Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
   TextReader in(text, name);
   Mesh mesh;
   in.expect_line("\"OFF\"");

@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "../mutants.hpp"
-#include "../output_file.hpp"
+#include "../support/output_file.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 /// Bytes under construction. Numbers take the fewest digits that read back to the same value.
 class Bytes {
@@ -59,4 +59,4 @@ void write_records(OutputFile& out, std::size_t n, const Format& format) {
   out.write(bytes.view());
 }
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -8,6 +8,7 @@
 #include "records.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 /// Maps the data onto a canvas whose longer side has 1000 units, with a margin around.

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-namespace pardel {
+namespace pardel::files {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -217,4 +217,4 @@ void TextReader::fail_expected(std::string_view what) {
   fail("expected " + std::string(what) + ", found " + found);
 }
 
-}  // namespace pardel
+}  // namespace pardel::files

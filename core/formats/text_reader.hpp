@@ -9,7 +9,7 @@
 
 #include "../result.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 /// The whole file as bytes; an `io` error that names the file if it cannot be opened or read.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file);
@@ -90,4 +90,4 @@ class TextReader {
 /// Bytes that a record of `fields` fields takes at least: a digit and a separator each.
 constexpr std::size_t text_bytes(std::size_t fields) { return 2 * fields; }
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -5,6 +5,7 @@
 #include "triangle_sections.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include "mesh_readers.hpp"
 #include "triangle_sections.hpp"
 
-namespace pardel {
+namespace pardel::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ Result<Mesh> read_triangle_mesh(const fs::path& file) {
   return std::move(read.mesh);
 }
 
-}  // namespace pardel
+}  // namespace pardel::files

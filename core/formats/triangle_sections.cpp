@@ -1,6 +1,6 @@
 #include "triangle_sections.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 PointHeader read_point_header(TextReader& in) {
   PointHeader header;
@@ -34,4 +34,4 @@ SegmentSection read_segments(TextReader& in, std::size_t points, int base) {
   return section;
 }
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -8,7 +8,7 @@
 #include "../pslg.hpp"
 #include "text_reader.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 /// The most points a mesh can index; the three largest indices have other meanings (see mesh.hpp).
 inline constexpr std::size_t max_points = no_index - 3;
@@ -83,4 +83,4 @@ inline Index read_point_index(TextReader& in, std::string_view what, std::size_t
   return static_cast<Index>(in.integer(what, base, static_cast<std::int64_t>(points) - 1 + base) - base);
 }
 
-}  // namespace pardel
+}  // namespace pardel::files

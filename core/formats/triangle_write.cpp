@@ -2,10 +2,11 @@
 #include <cmath>
 
 #include "../formats.hpp"
-#include "../mesh_edges.hpp"
+#include "../support/mesh_edges.hpp"
 #include "records.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 
 #include "text_reader.hpp"
 
-namespace pardel {
+namespace pardel::files {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
@@ -271,4 +271,4 @@ Result<Array<Value>> VtuFile::values(const VtuArray& array) const {
 template Result<Array<double>> VtuFile::values(const VtuArray& array) const;
 template Result<Array<std::int64_t>> VtuFile::values(const VtuArray& array) const;
 
-}  // namespace pardel
+}  // namespace pardel::files

@@ -8,7 +8,7 @@
 #include "../array.hpp"
 #include "../result.hpp"
 
-namespace pardel {
+namespace pardel::files {
 
 /// One <DataArray>, its values still where they are.
 struct VtuArray {
@@ -58,4 +58,4 @@ class VtuFile {
   std::size_t header_bytes_ = 4;
 };
 
-}  // namespace pardel
+}  // namespace pardel::files

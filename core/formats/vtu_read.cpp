@@ -9,7 +9,7 @@
 #include "triangle_sections.hpp"
 #include "vtu_arrays.hpp"
 
-namespace pardel {
+namespace pardel::files {
 namespace {
 
 /// Fills a mesh from the arrays of a file. The first failure is kept; after it, every step does nothing.
@@ -158,4 +158,4 @@ Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
   return VtuMesh(*file).read();
 }
 
-}  // namespace pardel
+}  // namespace pardel::files

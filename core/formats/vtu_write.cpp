@@ -7,10 +7,11 @@
 #include <numbers>
 
 #include "../formats.hpp"
-#include "../mesh_edges.hpp"
+#include "../support/mesh_edges.hpp"
 #include "records.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 /// One array: its element in the header, and what to write for it behind the header.

@@ -1,6 +1,6 @@
 // What a problem is called, and the sentence that tells it.
-#include "../../core/enum_names.hpp"
-#include "../../core/shortest.hpp"
+#include "../../core/support/enum_names.hpp"
+#include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../validate.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "../../core/shortest.hpp"
+#include "../../core/support/shortest.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <sstream>
 
-#include "../../core/output_file.hpp"
+#include "../../core/support/output_file.hpp"
 
 namespace pardel::properties {
 namespace {

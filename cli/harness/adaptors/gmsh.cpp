@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "../../../core/formats.hpp"
-#include "../../../core/output_file.hpp"
+#include "../../../core/support/output_file.hpp"
 #include "../../../properties/checker/model/domain.hpp"
 
 namespace pardel::harness {

@@ -11,6 +11,7 @@
 #include "../sample_mesh.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 /// As Gmsh writes it: points, bounding entities, a node that is parametric, a section of no interest to us.

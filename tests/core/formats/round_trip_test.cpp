@@ -12,6 +12,7 @@
 #include "../folder.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 /// A finite double of any size: either any bits at all, or a small whole number.

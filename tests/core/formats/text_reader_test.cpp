@@ -6,7 +6,7 @@
 
 #include "../folder.hpp"
 
-namespace pardel {
+namespace pardel::files {
 namespace {
 
 constexpr std::int64_t low = std::numeric_limits<std::int64_t>::min();
@@ -145,4 +145,4 @@ TEST(ReadFile, returns_all_bytes) {
 }
 
 }  // namespace
-}  // namespace pardel
+}  // namespace pardel::files

@@ -10,6 +10,7 @@
 #include "../sample_mesh.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 /// Two triangles, a line and a vertex, as another program might write them: as text, with what we do not know.

@@ -1,7 +1,7 @@
 // The edges of a mesh, as writers need them: each once, with its constraint and marker.
 #pragma once
 
-#include "mesh.hpp"
+#include "../mesh.hpp"
 
 namespace pardel {
 

@@ -1,8 +1,8 @@
-#include "../../core/mesh_edges.hpp"
+#include "../../../core/support/mesh_edges.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sample_mesh.hpp"
+#include "../sample_mesh.hpp"
 
 namespace pardel {
 namespace {

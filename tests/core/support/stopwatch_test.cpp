@@ -1,5 +1,5 @@
 // Elapsed time.
-#include "../../core/stopwatch.hpp"
+#include "../../../core/support/stopwatch.hpp"
 
 #include <gtest/gtest.h>
 

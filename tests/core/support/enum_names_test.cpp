@@ -1,5 +1,5 @@
 // Tables of names of enumerators.
-#include "../../core/enum_names.hpp"
+#include "../../../core/support/enum_names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,14 @@
-#include "../../core/output_file.hpp"
+#include "../../../core/support/output_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "../../core/formats.hpp"
-#include "../../core/formats/records.hpp"
-#include "folder.hpp"
-#include "sample_mesh.hpp"
+#include "../../../core/formats.hpp"
+#include "../../../core/formats/records.hpp"
+#include "../folder.hpp"
+#include "../sample_mesh.hpp"
 
 namespace pardel {
+using namespace files;
 namespace {
 
 namespace fs = std::filesystem;
