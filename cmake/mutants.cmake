@@ -1,18 +1,56 @@
-# The mutated twin of a target: the same sources with known mistakes compiled in (core/mutants.hpp), asleep until
-# the environment variable PARDEL_MUTANT names one, and linked to the mutated twins of the project's libraries.
+# The mutated twin of a target is built from a copy of the same sources with all mutants in it
+# (properties/mutants/patch.hpp). A mutant is off unless the environment variable PARDEL_MUTANT names it. A twin links to
+# the mutated twins of the project's libraries.
+
+# Where the copy is, and the folders of the sources that it contains.
+set(PARDEL_MUTATED_SOURCES ${PROJECT_BINARY_DIR}/mutated_sources)
+set(PARDEL_MUTATED_FOLDERS core parallel properties ref tests)
+
+# The libraries that have a mutated twin.
+set(PARDEL_MUTATED "core|parallel|checker|domains|defects|generators|ref|framework|samples")
+
+# Defines the target that makes the copy. It is made again when a source, a patch or the registry changes. Files that stay
+# the same are not written, so that the build compiles again only what has changed.
+function(pardel_copy_sources_with_mutants)
+  set(mutants ${PROJECT_SOURCE_DIR}/properties/mutants)
+  set(patterns)
+  foreach(folder ${PARDEL_MUTATED_FOLDERS})
+    list(APPEND patterns ${PROJECT_SOURCE_DIR}/${folder}/*.hpp ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  endforeach()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
+  file(GLOB patches CONFIGURE_DEPENDS ${mutants}/patches/*)
+  list(TRANSFORM sources REPLACE "^${PROJECT_SOURCE_DIR}/" "${PARDEL_MUTATED_SOURCES}/" OUTPUT_VARIABLE copies)
+  set(stamp ${PARDEL_MUTATED_SOURCES}.stamp)
+  add_custom_command(
+    OUTPUT ${stamp}
+    BYPRODUCTS ${copies}
+    COMMAND apply_patches ${PROJECT_SOURCE_DIR} ${PARDEL_MUTATED_SOURCES} ${PARDEL_MUTATED_FOLDERS}
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    DEPENDS apply_patches ${sources} ${patches} ${mutants}/registry
+    COMMENT "Copying the sources with all mutants"
+    VERBATIM)
+  add_custom_target(mutated_sources DEPENDS ${stamp})
+endfunction()
+
 function(pardel_mutated_twin target)
   get_target_property(type ${target} TYPE)
   get_target_property(folder ${target} SOURCE_DIR)
   get_target_property(sources ${target} SOURCES)
-  list(TRANSFORM sources PREPEND ${folder}/ REGEX "^[^/]")
+  set(copies)
+  foreach(source ${sources})
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    list(APPEND copies ${PARDEL_MUTATED_SOURCES}/${source})
+  endforeach()
   if(type STREQUAL "EXECUTABLE")
-    add_executable(${target}_mutated ${sources})
+    add_executable(${target}_mutated ${copies})
   else()
-    add_library(${target}_mutated STATIC ${sources})
-    target_compile_definitions(${target}_mutated PUBLIC PARDEL_MUTANTS)
+    add_library(${target}_mutated STATIC ${copies})
   endif()
-  # The compiler has a right to wonder about mistakes; and these programs run shorter than they take to optimise.
-  target_compile_options(${target}_mutated PRIVATE -w -O1)
+  add_dependencies(${target}_mutated mutated_sources)
+  # Mutants cause warnings that say nothing. And these programs run for less time than it takes to optimise them.
+  target_compile_options(${target}_mutated PRIVATE -w -O1
+                                                   "SHELL:-include ${PROJECT_SOURCE_DIR}/properties/mutants/mutated.hpp")
   foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS LINK_LIBRARIES INTERFACE_LINK_LIBRARIES INTERFACE_COMPILE_OPTIONS)
     get_target_property(value ${target} ${property})
     if(value)
@@ -21,6 +59,3 @@ function(pardel_mutated_twin target)
     endif()
   endforeach()
 endfunction()
-
-# The libraries that have a mutated twin.
-set(PARDEL_MUTATED "core|parallel|checker|domains|defects|generators|ref|framework|samples")

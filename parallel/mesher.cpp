@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "../core/mutants.hpp"
 #include "../core/support/shortest.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "conversion/assemble.hpp"
@@ -83,8 +82,7 @@ Status refine_domain(Assembled& domain, const Criteria& criteria, const Heritage
   report.segment_splits = counts->segment_splits;
   report.refused = counts->refused;
   report.tiling = std::move(counts->tiling);
-  if (counts->left_alone && !mutated("exemptions_not_reported"))
-    report.exempt = exemptions(t, domain.lines, criteria, options, counts->budget_reached);
+  if (counts->left_alone) report.exempt = exemptions(t, domain.lines, criteria, options, counts->budget_reached);
   for (Exemption& e : report.exempt)
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
   return Done{};

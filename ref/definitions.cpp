@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "../core/mutants.hpp"
-
 namespace pardel::ref {
 namespace {
 
@@ -83,12 +81,11 @@ Number squared_shortest_edge(const PlainMesh& mesh, const Corners& t) {
   Number shortest = CGAL::squared_distance(corner(mesh, t, 0), corner(mesh, t, 1));
   for (int i = 1; i < 3; ++i)
     shortest = std::min(shortest, Number(CGAL::squared_distance(corner(mesh, t, i), corner(mesh, t, i + 1))));
-  return mutated("ref_shortest_edge_doubled") ? 4 * shortest : shortest;
+  return shortest;
 }
 
 Number area(const PlainMesh& mesh, const Corners& t) {
-  const Number area = CGAL::area(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
-  return mutated("ref_area_halved") ? area / 2 : area;
+  return CGAL::area(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
 }
 
 bool circumdisk_contains(const PlainMesh& mesh, const Corners& t, const ExactPoint& p) {
@@ -165,30 +162,21 @@ bool is_conformal(const PlainMesh& mesh) {
 }
 
 std::vector<Index> cavity(const PlainMesh& mesh, const ExactPoint& p) {
-  const auto disk_contains_p = [&](const Corners& t) {
-    if (mutated("ref_cavity_of_closed_disks"))
-      return CGAL::side_of_bounded_circle(corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2), p) !=
-             CGAL::ON_UNBOUNDED_SIDE;
-    return circumdisk_contains(mesh, t, p);
-  };
   std::vector<Index> triangles;
   for (Index i = 0; i < mesh.triangles.size(); ++i) {
     const Corners& t = mesh.triangles[i];
-    if (disk_contains_p(t) && (mutated("ref_cavity_through_walls") || sees(mesh, p, t))) triangles.push_back(i);
+    if (circumdisk_contains(mesh, t, p) && sees(mesh, p, t)) triangles.push_back(i);
   }
   return triangles;
 }
 
 std::set<Index> closure(const PlainMesh& mesh, const std::vector<Index>& triangles) {
   std::set<Index> vertices;
-  for (Index i : triangles)
-    vertices.insert(mesh.triangles[i].begin(),
-                    mesh.triangles[i].end() - (mutated("ref_closure_without_a_corner") ? 1 : 0));
+  for (Index i : triangles) vertices.insert(mesh.triangles[i].begin(), mesh.triangles[i].end());
   return vertices;
 }
 
 bool encroaches(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) {
-  if (mutated("ref_points_inside_do_not_encroach")) return CGAL::angle(a, p, b) == CGAL::RIGHT;
   return p != a && p != b && CGAL::angle(a, p, b) != CGAL::ACUTE;
 }
 

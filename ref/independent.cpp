@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "../core/mutants.hpp"
 #include "insertion.hpp"
 
 namespace pardel::ref {
@@ -15,8 +14,7 @@ PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoi
   std::set<Index> deleted;
   std::vector<Corners> added;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::vector<Index> hole = cavity(mesh, points[i]);
-    if (hole.size() > 3 && mutated("ref_cavity_cut_short")) hole.pop_back();
+    const std::vector<Index> hole = cavity(mesh, points[i]);
     const auto vertex = static_cast<Index>(mesh.points.size() + i);
     const auto fan = retriangulation(numbered, hole, vertex);
     if (const auto split = constraint_through(mesh, points[i])) split_constraint(result, *split, vertex);
@@ -49,18 +47,15 @@ bool are_independent(const PlainMesh& mesh, const ExactPoint& p, const ExactPoin
   const std::vector<Index> of_p = cavity(mesh, p), of_q = cavity(mesh, q);
   if (std::ranges::any_of(of_p, [&](Index t) { return std::ranges::count(of_q, t) != 0; })) return false;
 
-  if (mutated("ref_independence_of_disjoint_cavities")) return true;
-
   const std::vector<Edge> around_q = boundary(mesh, of_q);
   return std::ranges::none_of(boundary(mesh, of_p), [&](const Edge& e) {
     const bool is_common = std::ranges::count(around_q, Edge{e[1], e[0]}) != 0;
-    const bool is_wall = mesh.constraints.contains(edge(e[0], e[1])) && !mutated("ref_circles_matter_across_walls");
+    const bool is_wall = mesh.constraints.contains(edge(e[0], e[1]));
     if (!is_common || is_wall) return false;
     const ExactPoint &m = mesh.points[e[0]], &n = mesh.points[e[1]];
     // On the line through m and n, q makes no triangle of them, and p's touches none.
     if (CGAL::collinear(q, m, n)) return false;
-    const CGAL::Bounded_side side = CGAL::side_of_bounded_circle(q, m, n, p);
-    return side == CGAL::ON_BOUNDED_SIDE || (side == CGAL::ON_BOUNDARY && mutated("ref_cocircular_points_depend"));
+    return CGAL::side_of_bounded_circle(q, m, n, p) == CGAL::ON_BOUNDED_SIDE;
   });
 }
 

@@ -3,13 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "../core/mutants.hpp"
-
 namespace pardel::ref {
 namespace {
 
 /// How far apart points in cells that are no neighbours are at least, in units of r̄ [CC, Theorem 1].
-double separation() { return mutated("ref_cells_too_small") ? 1.99 : 4; }
+constexpr double separation = 4;
 
 std::int64_t floor_of(const Number& x) {
   double below = std::floor(CGAL::to_double(x));  // or one beside it, where x is all but an integer
@@ -25,24 +23,19 @@ Lattice lattice_over(const PlainMesh& mesh) {
   for (const Corners& t : mesh.triangles)
     for (Index v : t) box += mesh.points[v].bbox();
 
-  Number squared = squared_circumradius_bound(mesh);
-  if (mutated("ref_bound_of_one_triangle")) squared = squared_circumradius(mesh, mesh.triangles.front());
-  const double bound = std::sqrt(CGAL::to_interval(squared).second);
-  const double side = std::nextafter(separation() * bound, std::numeric_limits<double>::infinity());
+  const double bound = std::sqrt(CGAL::to_interval(squared_circumradius_bound(mesh)).second);
+  const double side = std::nextafter(separation * bound, std::numeric_limits<double>::infinity());
   return {{box.xmin(), box.ymin()}, side};
 }
 
 bool allows(const Lattice& lattice, const Number& squared_circumradius) {
-  return lattice.side * lattice.side >= separation() * separation() * squared_circumradius;
+  return lattice.side * lattice.side >= separation * separation * squared_circumradius;
 }
 
 Cell cell_of(const Lattice& lattice, const ExactPoint& p) {
   return {floor_of((p.x() - lattice.corner.x()) / lattice.side), floor_of((p.y() - lattice.corner.y()) / lattice.side)};
 }
 
-Colour colour_of(const Cell& cell) {
-  if (mutated("ref_colour_by_row")) return {0, static_cast<int>(cell.j & 1)};
-  return {static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)};
-}
+Colour colour_of(const Cell& cell) { return {static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}; }
 
 }  // namespace pardel::ref

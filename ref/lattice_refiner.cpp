@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "../core/mutants.hpp"
 #include "independent.hpp"
 #include "insertion.hpp"
 #include "ruppert.hpp"
@@ -18,10 +17,7 @@ struct Work {
 };
 
 /// Only the cells of the phase's colour are at work [CC].
-bool is_at_work(const Cell& cell, const Phase& phase) {
-  if (mutated("ref_no_colour_barrier")) return colour_of(cell)[0] == phase.colour[0];
-  return colour_of(cell) == phase.colour;
-}
+bool is_at_work(const Cell& cell, const Phase& phase) { return colour_of(cell) == phase.colour; }
 
 /// Notes what p has to do with; returns its cavity.
 std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
@@ -44,19 +40,7 @@ void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
   const ExactPoint middle = work.state.waiting.at(e);
   const Cell to = cell_of(work.lattice, middle);
   if (to == from) return;
-  if (mutated("ref_handed_on_dropped"))
-    work.state.waiting.erase(e);
-  else
-    phase.handed_on.push_back({from, to, middle});
-}
-
-/// In which cell's phase a poor triangle is split: the one in which its circumcentre lies.
-Cell cell_of_candidate(const Work& work, const Corners& t, const ExactPoint& centre) {
-  if (mutated("ref_candidate_filed_by_triangle")) {
-    const auto& points = work.state.mesh.points;
-    return cell_of(work.lattice, CGAL::centroid(points[t[0]], points[t[1]], points[t[2]]));
-  }
-  return cell_of(work.lattice, centre);
+  phase.handed_on.push_back({from, to, middle});
 }
 
 /// For each cell at work the point that it inserts next, if it has one left: the midpoint of a subsegment that waits,
@@ -73,12 +57,13 @@ std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
   for (const Corners& t : mesh.triangles) {
     const std::optional<ExactPoint>& centre = work.criteria.split_point(mesh, t);
     if (!centre) continue;
-    const Cell cell = cell_of_candidate(work, t, *centre);
+    // A poor triangle is split in the phase of the cell in which its circumcentre lies.
+    const Cell cell = cell_of(work.lattice, *centre);
     if (!is_at_work(cell, phase) || found.contains(cell)) continue;
     // Where a subsegment hides the circumcentre from its triangle, some subsegment is encroached and waits.
     if (!circumdisk_contains(mesh, t, *centre) || !sees(mesh, *centre, t)) continue;
     const std::vector<Edge> upon = encroached_by(mesh, *centre);
-    if (upon.empty() || mutated("ref_encroachment_skipped")) {
+    if (upon.empty()) {
       found.emplace(cell, *centre);
       continue;
     }
@@ -126,7 +111,6 @@ Round insert_round(const Work& work, Phase& phase) {
   const auto fits = [&](const Corners& t) { return allows(work.lattice, squared_circumradius(state.mesh, t)); };
   const auto is_new = [&](const Corners& t) { return std::ranges::any_of(t, [&](Index v) { return v >= first; }); };
   const bool all_fit =
-      mutated("ref_bound_not_measured_again") ||
       std::ranges::all_of(state.mesh.triangles, [&](const Corners& t) { return !is_new(t) || fits(t); });
   return all_fit ? Round::inserted : Round::outgrown;
 }
@@ -165,7 +149,6 @@ Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, 
   do {
     result.sweeps.push_back(run_sweep({state, criteria, lattice}));
     if (state.failure) return *state.failure;
-    if (mutated("ref_one_sweep_only")) break;
     if (!allows(lattice, squared_circumradius_bound(state.mesh))) lattice = lattice_over(state.mesh);
   } while (!did_nothing(result.sweeps.back()) || !state.waiting.empty());
 

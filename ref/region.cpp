@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "../core/mutants.hpp"
-
 namespace pardel::ref {
 namespace {
 
@@ -21,9 +19,7 @@ struct Disk {
 
 Disk circumdisk(const PlainMesh& mesh, const Corners& t) {
   const ExactPoint centre = circumcentre(mesh, t);
-  const ExactPoint rim =
-      mutated("ref_region_is_met_by_half_the_disk") ? CGAL::midpoint(centre, mesh.points[t[0]]) : mesh.points[t[0]];
-  return {centre, CGAL::squared_distance(centre, rim)};
+  return {centre, CGAL::squared_distance(centre, mesh.points[t[0]])};
 }
 
 /// The open disk meets the polygon.
@@ -106,10 +102,9 @@ std::set<Edge> free_edges(const PlainMesh& mesh, const std::vector<Index>& trian
 }
 
 bool owns(const PlainMesh& mesh, const Box& box, const std::vector<Index>& triangles) {
-  const auto least = mutated("ref_box_asks_for_two_corners") ? 2 : 3;
   return std::all_of(triangles.begin(), triangles.end(), [&](Index i) {
     const Corners& t = mesh.triangles[i];
-    return std::count_if(t.begin(), t.end(), [&](Index v) { return contains(box, mesh.points[v]); }) >= least;
+    return std::all_of(t.begin(), t.end(), [&](Index v) { return contains(box, mesh.points[v]); });
   });
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "../mutants.hpp"
 #include "../support/output_file.hpp"
 
 namespace pardel::files {
@@ -18,7 +17,6 @@ class Bytes {
   template <class Number>
   requires(std::integral<Number> || std::floating_point<Number>) &&
       (!std::same_as<Number, char>)Bytes& operator<<(Number value) {
-    if (std::floating_point<Number> && mutated("numbers_lose_digits")) value = static_cast<Number>(float(value));
     char digits[40];
     const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
     bytes_.append(digits, static_cast<std::size_t>(end - digits));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "../../core/mutants.hpp"
 #include "expansion.hpp"
 #include "predicate_stages.hpp"
 
@@ -63,7 +62,7 @@ bool on_small_lattice(const Difference& a, const Difference& b, const Difference
   const std::initializer_list<double> heads = {a.x.head, a.y.head, b.x.head, b.y.head, c.x.head, c.y.head};
   double largest = 0;
   for (const double head : heads) largest = std::max(largest, std::abs(head));
-  const double shift = (mutated("small_lattice_too_large") ? 0x1p35 : 0x1p41) * largest;
+  const double shift = 0x1p41 * largest;
   bool survives = true;
   for (const double head : heads) survives &= (head + shift) - shift == head;
   return survives;
@@ -87,7 +86,7 @@ Decision decide_orient2d(Point a, Point b, Point c) {
 
   const double uncertainty = orient2d_bound_c * magnitude + estimate_bound * std::abs(value);
   value += correction_of_cross(p, q);
-  if (std::abs(value) > uncertainty || mutated("orient2d_skips_its_last_stage")) return {value, Stage::corrected};
+  if (std::abs(value) > uncertainty) return {value, Stage::corrected};
 
   return {cross(p, q).estimate(), Stage::expansions};
 }
@@ -101,7 +100,7 @@ Decision decide_incircle(Point a, Point b, Point c, Point d) {
   const Expansion<96> of_heads = lifted_by_heads(cross_of_heads(q, r), p) + lifted_by_heads(cross_of_heads(r, p), q) +
                                  lifted_by_heads(cross_of_heads(p, q), r);
   double value = of_heads.estimate();
-  if (exact || mutated("incircle_forgets_what_differences_lost")) return {value, Stage::exact_differences};
+  if (exact) return {value, Stage::exact_differences};
 
   const double magnitude = magnitude_of_cross(q, r) * p.square() + magnitude_of_cross(r, p) * q.square() +
                            magnitude_of_cross(p, q) * r.square();
@@ -112,16 +111,12 @@ Decision decide_incircle(Point a, Point b, Point c, Point d) {
     return u.square() * correction_of_cross(v, w) + 2 * (u.x.head * u.x.tail + u.y.head * u.y.tail) * vw;
   };
   value += correction(p, qr, q, r) + correction(q, rp, r, p) + correction(r, pq, p, q);
-  if (std::abs(value) > uncertainty || mutated("incircle_skips_its_last_stage")) return {value, Stage::corrected};
+  if (std::abs(value) > uncertainty) return {value, Stage::corrected};
 
   return incircle_by_expansions(p, q, r);
 }
 
 double orient2d(Point a, Point b, Point c) { return decide_orient2d(a, b, c).value; }
-double incircle(Point a, Point b, Point c, Point d) {
-  const double value = decide_incircle(a, b, c, d).value;
-  if (value == 0 && mutated("incircle_closed")) return 1;
-  return value;
-}
+double incircle(Point a, Point b, Point c, Point d) { return decide_incircle(a, b, c, d).value; }
 
 }  // namespace pardel::engine::exact

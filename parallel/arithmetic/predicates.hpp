@@ -9,7 +9,6 @@
 
 #include <cmath>
 
-#include "../../core/mutants.hpp"
 #include "../../core/pslg.hpp"
 #include "pair.hpp"
 
@@ -43,9 +42,7 @@ struct Orientation {
     error = bound * (magnitude(left) + magnitude(right));
   }
   /// The sign of the determinant is right; of both.
-  [[nodiscard]] bool is_certain() const {
-    return mutated("orient2d_trusts_its_filter") || all(magnitude(determinant) > error);
-  }
+  [[nodiscard]] bool is_certain() const { return all(magnitude(determinant) > error); }
 };
 
 /// Positive when a, b, c make a left turn (counter-clockwise), negative for a right turn, zero if and only
@@ -71,14 +68,11 @@ struct InCircle {
 
   InCircle(T ux, T uy, T vx, T vy, T wx, T wy, T u2, T v2) : square(wx * wx + wy * wy) {
     determinant = square * (vx * uy - vy * ux) + (wx * (u2 * vy - v2 * uy) - wy * (u2 * vx - v2 * ux));
-    if (mutated("incircle_sign_flipped")) determinant = -determinant;
     constexpr double bound = 12 * 0x1p-53;
     error = bound * (u2 * v2 + square * (u2 + v2));
   }
   /// The sign of the determinant is right; of both.
-  [[nodiscard]] bool is_certain() const {
-    return mutated("incircle_trusts_its_filter") || all(magnitude(determinant) > error);
-  }
+  [[nodiscard]] bool is_certain() const { return all(magnitude(determinant) > error); }
 };
 
 /// For counter-clockwise a, b, c: positive when d lies strictly inside their circumcircle, negative

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "../../core/mutants.hpp"
 #include "../../core/pslg.hpp"
 
 namespace pardel::engine {
@@ -72,10 +71,7 @@ class Lattice {
   [[nodiscard]] Point centre_of(Index cell) const {
     return {bounds_.min_x + (cell % columns_ + 0.5) * width_, bounds_.min_y + (cell / columns_ + 0.5) * height_};
   }
-  [[nodiscard]] unsigned colour_of(Index cell) const {
-    if (mutated("colours_by_row_only")) return cell / columns_ % 2 * 2;
-    return (cell / columns_ % 2) * 2 + cell % columns_ % 2;
-  }
+  [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
   /// What the task of a cell may touch. Boxes at the rim extend to infinity.
   [[nodiscard]] Box box_of(Index cell) const {
     const Index i = cell % columns_, j = cell / columns_;
@@ -84,10 +80,6 @@ class Lattice {
     if (j > 0) box.min_y = bounds_.min_y + (j - 0.5) * height_;
     if (i + 1 < columns_) box.max_x = bounds_.min_x + (i + 1.5) * width_;
     if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * height_;
-    if (mutated("boxes_end_at_the_rim") && i == 0) box.min_x = bounds_.min_x;
-    if (mutated("margin_missing_on_the_left") && i > 0) box.min_x = bounds_.min_x + i * width_;
-    if (mutated("margin_halved") && j + 1 < rows_) box.max_y -= 0.25 * height_;
-    if (mutated("boxes_overlap") && i + 1 < columns_) box.max_x += 0.25 * width_;
     return box;
   }
 
@@ -96,7 +88,7 @@ class Lattice {
   [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     double sum = 0;
-    for (Index y = j > 0 && !mutated("sum_without_the_row_below") ? j - 1 : j; y <= std::min(j + 1, rows_ - 1); ++y)
+    for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows_ - 1); ++y)
       for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns_ - 1); ++x)
         sum += per_cell[y * columns_ + x] * (x == i ? 1 : 0.5) * (y == j ? 1 : 0.5);
     return sum;
@@ -105,7 +97,6 @@ class Lattice {
  private:
   [[nodiscard]] static Index clamped(double offset, Index count) {
     const double index = std::floor(offset);
-    if (mutated("cells_beyond_the_bounds")) return static_cast<Index>(std::clamp(index, 0.0, 4e9));
     return !(index > 0) ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
   }
 

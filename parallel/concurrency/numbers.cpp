@@ -1,7 +1,5 @@
 #include "numbers.hpp"
 
-#include "../../core/mutants.hpp"
-
 namespace pardel::engine {
 
 void NumberLedger::assign(std::size_t count, std::vector<NumberRange>& ranges) {
@@ -16,7 +14,7 @@ void NumberLedger::assign(std::size_t count, std::vector<NumberRange>& ranges) {
   }
   const auto fresh = static_cast<Index>(std::min<std::size_t>(count, limit_ - end_));
   if (fresh > 0) ranges.push_back({end_, end_ + fresh});
-  end_ += fresh - (mutated("number_given_out_twice") && fresh > 0 ? 1 : 0);
+  end_ += fresh;
 }
 
 void NumberLedger::take_back(const Numbers& numbers) {
@@ -51,8 +49,7 @@ std::vector<NumberMove> moves_into_holes(const NumberLedger& ledger) {
   const Index in_use = ledger.in_use();
   std::vector<Index> targets;
   for (const NumberRange hole : holes)
-    for (Index n = hole.begin + (mutated("first_of_a_hole_not_filled") ? 1 : 0); n < std::min(hole.end, in_use); ++n)
-      targets.push_back(n);
+    for (Index n = hole.begin; n < std::min(hole.end, in_use); ++n) targets.push_back(n);
 
   std::vector<NumberMove> moves;
   moves.reserve(targets.size());

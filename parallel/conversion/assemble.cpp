@@ -3,7 +3,6 @@
 #include <bit>
 #include <string>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/in_order.hpp"
 #include "../triangulation/delaunay.hpp"
@@ -99,7 +98,7 @@ void mark_vertices(Mesh& mesh, const PointData& data, int threads) {
       if (e.marker != 0 && (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1)))
         mesh.point_markers[v] = e.marker;
   for (std::size_t v = 0; v < data.markers.size(); ++v)
-    if (data.markers[v] != 0 && !mutated("vertex_marker_lost")) mesh.point_markers[v] = data.markers[v];
+    if (data.markers[v] != 0) mesh.point_markers[v] = data.markers[v];
 }
 
 void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::array<Index, 3>> background) {
@@ -206,10 +205,9 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
   const auto number = [&](VertexId v) { return v < inputs ? domain.input_of_vertex[v] : v; };
   const auto triangle_of = [&](EdgeRef out) { return out.none() ? no_index : out.triangle(); };
   const auto constrained_edge = [&](const Slot& slot, unsigned side) {
-    const Index line =
-        mutated("wrong_segment_on_an_edge") ? 0 : domain.lines.line_of(t, slot.from(side), slot.to(side));
-    int marker = mutated("segment_marker_lost") ? 0 : domain.marker_of_line[line];
-    if (marker == 0 && slot.n[side].none() && !mutated("boundary_marker_lost")) marker = 1;
+    const Index line = domain.lines.line_of(t, slot.from(side), slot.to(side));
+    int marker = domain.marker_of_line[line];
+    if (marker == 0 && slot.n[side].none()) marker = 1;
     return ConstrainedEdge{number(slot.from(side)), number(slot.to(side)), domain.segment_of_line[line], marker};
   };
   Array<Triangle> triangles = Array<Triangle>::recast(std::move(t.slots));
@@ -235,7 +233,7 @@ Mesh disassemble(Assembled&& domain, std::vector<double> region_attributes, cons
     for (std::size_t v = first; v < last; ++v)
       if (t.origin[v] < domain.lines.size()) {
         const Index segment = domain.segment_of_line[t.origin[v]];
-        t.origin[v] = segment == no_index || mutated("origin_forgotten") ? hull_vertex : segment;
+        t.origin[v] = segment == no_index ? hull_vertex : segment;
       }
   });
 

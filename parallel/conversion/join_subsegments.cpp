@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "../../core/mutants.hpp"
-
 namespace pardel::engine {
 namespace {
 
@@ -47,7 +45,6 @@ class Joiner {
 
   /// The vertex lies in the interior of a line.
   [[nodiscard]] bool passes(Index v) const {
-    if (mutated("pieces_of_a_segment_not_joined")) return false;
     if (!knows_origins_ || at_[v].count != 2) return false;
     const ConstrainedEdge &first = pieces_[at_[v].pieces[0]], &second = pieces_[at_[v].pieces[1]];
     const Index segment = mesh_.origin[v] == hull_vertex ? no_index : mesh_.origin[v];

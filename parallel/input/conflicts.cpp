@@ -4,7 +4,6 @@
 #include <array>
 #include <compare>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../arithmetic/lexicographic.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -59,8 +58,7 @@ class Search {
     bool go_on = true;
     if (c_side == 0 && d_side == 0) {
       const Stretch common = common_stretch(points_[a], points_[b], points_[c], points_[d]);
-      if (before(common.begin, common.end) && !mutated("overlaps_overlooked"))
-        go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
+      if (before(common.begin, common.end)) go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
     }
     if (c_side == 0) go_on &= put_on(c, s);
     if (d_side == 0) go_on &= put_on(d, s);

@@ -8,7 +8,6 @@
 #include <unordered_map>
 
 #include "../../core/array.hpp"
-#include "../../core/mutants.hpp"
 #include "../concurrency/in_order.hpp"
 
 namespace pardel::engine {
@@ -75,7 +74,7 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points, int thread
   std::vector<std::vector<Duplicate>> found(parts);
   parallel_for(threads, parts, [&](std::size_t part, int) {
     Table table(end[part] - begin[part]);
-    for (std::size_t i = begin[part]; i < end[part] && !mutated("duplicates_overlooked"); ++i)
+    for (std::size_t i = begin[part]; i < end[part]; ++i)
       if (const Entry* first = table.find_or_insert(entries[i], points))
         found[part].push_back({first->index, entries[i].index});
   });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/lexicographic.hpp"
 #include "../arithmetic/predicates.hpp"
 
@@ -94,7 +93,6 @@ Faces::Faces(std::span<const Point> points, std::span<const Segment> segments, c
 
 Index Faces::half_edge_above(Index segment) const {
   const bool to_the_right = points_[segments_[segment].a].x < points_[segments_[segment].b].x;
-  if (mutated("face_below_instead_of_above")) return 2 * segment + (to_the_right ? 1 : 0);
   return 2 * segment + (to_the_right ? 0 : 1);
 }
 

@@ -14,7 +14,6 @@
 #include <string>
 #include <utility>
 
-#include "../../core/mutants.hpp"
 #include "../validate.hpp"
 #include "conflicts.hpp"
 #include "duplicates.hpp"
@@ -187,7 +186,7 @@ bool untangle(Work& work, double snap, double unit) {
   int rounds = 0;  // since there were so few
   while (true) {
     const std::size_t conflicts = resolve(work, snap, unit, too_many);
-    if (conflicts == 0 || mutated("repair_stops_after_one_round")) return true;
+    if (conflicts == 0) return true;
     if (conflicts <= fewest / 2) {
       fewest = conflicts;
       too_many = 2 * conflicts + 8;

@@ -1,6 +1,5 @@
 #include "assessor.hpp"
 
-#include "../../core/mutants.hpp"
 #include "../triangulation/flips.hpp"
 
 namespace pardel::engine {
@@ -30,7 +29,7 @@ unsigned Judge::encroached_side(TriangleId id, const Slot& slot, const Measure& 
 
 Assessment Judge::assess_beside_constraint(TriangleId id, const Measure& m) const {
   const unsigned side = encroached_side(id, t_.slots[id], m);
-  if (side < 3 && !mutated("encroached_segments_not_split"))
+  if (side < 3)
     return {Assessment::Need::split_edge, side, BucketQueue::urgent, m.longest_squared(), /*left_alone=*/false};
   Assessment result = assess_inside(id, m);
   result.left_alone = result.left_alone || non_delaunay_side(id) < 3;

@@ -3,7 +3,6 @@
 
 #include <cassert>
 
-#include "../../core/mutants.hpp"
 #include "../options.hpp"
 #include "../triangulation/constraint_lines.hpp"
 #include "bucket_queue.hpp"
@@ -48,9 +47,7 @@ class Judge {
     const bool large = too_large(id, m);
     if (!large && !criteria_.bad_shape(m)) return {};
     const double shortest = m.shortest_squared();
-    const bool by_shape_alone = mutated("exemption_before_size") || !large;
-    if (shortest < squared_floor_ || (by_shape_alone && small_angle(t_, lines_, t_.slots[id], m)))
-      return {.left_alone = true};
+    if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, t_.slots[id], m))) return {.left_alone = true};
     return {Assessment::Need::split_triangle, m.shortest_side(), BucketQueue::key(shortest), m.longest_squared(),
             false};
   }

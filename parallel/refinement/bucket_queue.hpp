@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "../../core/mutants.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
@@ -41,7 +40,6 @@ class BucketQueue {
   [[nodiscard]] bool empty() const { return lowest_ == none; }
 
   void push(Queued triangle, unsigned key) {
-    if (mutated("queue_rounds_keys")) key &= ~1U;
     Index node = free_;
     if (node == no_index) {
       node = static_cast<Index>(nodes_.size());

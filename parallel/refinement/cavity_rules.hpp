@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/lattice.hpp"
 #include "../triangulation/cavity.hpp"
@@ -24,7 +23,7 @@ struct DiskTest {
   Pair p;
   Box box;
 
-  [[nodiscard]] bool is_own(VertexId v) const { return mutated("box_not_checked") || box.contains(t.points[v]); }
+  [[nodiscard]] bool is_own(VertexId v) const { return box.contains(t.points[v]); }
   [[nodiscard]] Corner corner(VertexId v) const { return corner_around(p, t.points[v]); }
   [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>& c, EdgeRef behind) const {
     const Slot& slot = t.slot(behind);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
@@ -33,10 +32,9 @@ double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / 
 Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
                    std::function<double(Point)> area_cap)
     : squared_sine_(squared(sine(radians(goal.min_angle_deg))) / stricter),
-      squared_lens_cosine_(goal.conforming && !mutated("conforming_ignored")
-                               ? 0
-                               : squared(cosine(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
-      twice_max_area_(2 * goal.max_area * (mutated("area_bound_loosened") ? 1.01 : stricter)),
+      squared_lens_cosine_(
+          goal.conforming ? 0 : squared(cosine(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
+      twice_max_area_(2 * goal.max_area * stricter),
       squared_max_edge_(squared(goal.max_edge) * stricter),
       triangles_by_shape_(shape_factor(goal.min_angle_deg)),
       twice_region_cap_(std::move(region_caps)),
@@ -57,16 +55,14 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
     // The hair to spare is for rounding alone: the nearer to the side, the larger the mesh.
     constexpr double to_spare = 0.999;
     off_centre_height_ = to_spare * 0.5 * std::sqrt((1 + c) / (1 - c));
-    if (mutated("off_centre_too_far")) off_centre_height_ *= 1.25;
   }
 }
 
 bool Criteria::too_large_locally(const Shape& s, Index region) const {
-  if (region < twice_region_cap_.size() && s.twice_area > twice_region_cap_[region] && !mutated("region_cap_ignored"))
-    return true;
+  if (region < twice_region_cap_.size() && s.twice_area > twice_region_cap_[region]) return true;
   const double longest = s.longest_squared();
-  if (longest > squared_max_edge_ && !mutated("max_edge_ignored")) return true;
-  if (size_ && longest > squared(size_(s.centroid())) * stricter && !mutated("sizing_function_ignored")) return true;
+  if (longest > squared_max_edge_) return true;
+  if (size_ && longest > squared(size_(s.centroid())) * stricter) return true;
   return area_cap_ && s.twice_area > 2 * area_cap_(s.centroid()) * stricter;
 }
 
@@ -86,9 +82,7 @@ double Criteria::filling_height(const SizeBounds& bounds, double twice_area, dou
   constexpr double much_too_large = 6;
   // Lower, the point would lie in the diametral circle of the side.
   constexpr double least = 0.5;
-  double filled = 0.99;
-  if (mutated("off_centre_overfills")) filled = 1.01;
-  if (mutated("off_centre_too_low")) filled = 0.5;
+  constexpr double filled = 0.99;
   const double twice_equilateral = 0.5 * std::numbers::sqrt3 * bounds.squared_edge;
   if (twice_area > much_too_large * std::min(bounds.twice_area, twice_equilateral)) return INFINITY;
   double height = fills_areas_ ? filled * bounds.twice_area / squared_shortest : INFINITY;
@@ -109,13 +103,11 @@ Point Criteria::split_point(Point q, Point r, Point a, Index region) const {
   if (height < INFINITY) {
     const double offx = 0.5 * rx - height * ry;
     const double offy = 0.5 * ry + height * rx;
-    const bool forced = mutated("off_centre_beyond_the_circumcentre") && height == off_centre_height_;
-    if (offx * offx + offy * offy < dx * dx + dy * dy || forced) {
+    if (offx * offx + offy * offy < dx * dx + dy * dy) {
       dx = offx;
       dy = offy;
     }
   }
-  if (mutated("split_point_on_the_wrong_side")) return {snapped(q.x - dx), snapped(q.y - dy)};
   return {snapped(q.x + dx), snapped(q.y + dy)};
 }
 

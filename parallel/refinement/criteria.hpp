@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "../../core/goal.hpp"
-#include "../../core/mutants.hpp"
 #include "../arithmetic/pair.hpp"
 #include "../options.hpp"
 #include "../triangulation/triangulation.hpp"
@@ -75,8 +74,6 @@ class Criteria {
 
   template <class T>
   [[nodiscard]] auto bad_shape(const MeasureOf<T>& s) const {
-    if (mutated("angle_read_at_the_wrong_corner"))
-      return s.twice_area * s.twice_area < squared_sine_ * (s.shortest_squared() * s.longest_squared());
     // The smallest angle lies between the two longer sides: its sine is twice the area over their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
@@ -92,7 +89,6 @@ class Criteria {
   /// inside or on the diametral circle for a conforming goal, else in the diametral lens (Shewchuk,
   /// "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
-    if (mutated("encroachment_is_strict") && dot == 0) return false;
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "../../core/mutants.hpp"
 #include "assessor.hpp"
 
 namespace pardel::engine {
@@ -34,7 +33,7 @@ struct Deferral {
   /// passed over for that, the last pass looks at.
   [[nodiscard]] bool applied_to(const Deferred& d) const {
     const unsigned least = BucketQueue::key(longest_squared);
-    return d.key > last_key || (mutated("deferral_by_rounded_lengths") ? d.longest <= least : d.longest < least);
+    return d.key > last_key || d.longest < least;
   }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
 #include "cavity_rules.hpp"
@@ -42,7 +41,7 @@ bool Insertion::measure_fan(Point p) {
     Pair area = turn.determinant;
     if (!all(turn.determinant > turn.error)) [[unlikely]] {
       area = Pair{orientation_of(i, p), orientation_of(j, p)};
-      visible = visible && (mutated("orientation_of_the_fan_not_checked") || all(area > 0));
+      visible = visible && all(area > 0);
     }
     closest = least(closest, least(start, end));
     const MeasureOf<Pair> both{{edge, end, start}, area};
@@ -65,7 +64,6 @@ double Insertion::orientation_of(std::size_t edge, Point p) const {
 }
 
 EdgeRef Insertion::longest_encroached() const {
-  if (mutated("encroachment_skipped")) return {};
   double longest = 0, longest_wide = 0;
   EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
   for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {

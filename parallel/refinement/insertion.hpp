@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "../../core/mutants.hpp"
 #include "../concurrency/lattice.hpp"
 #include "../concurrency/numbers.hpp"
 #include "../triangulation/cavity.hpp"
@@ -82,7 +81,7 @@ class Insertion {
   [[nodiscard]] double orientation_of(std::size_t edge, Point p) const;
   /// Of the constrained edges of the boundary that the point encroaches on or lies beyond; none() if there is none.
   [[nodiscard]] EdgeRef longest_encroached() const;
-  [[nodiscard]] bool too_close() const { return !mutated("floor_ignored") && squared_closest_ < squared_floor_; }
+  [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index line);
   void commit(Point p, Index origin);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../arithmetic/predicates.hpp"
 
@@ -41,7 +40,6 @@ Point projected(Point p, Point a, Point b) {
 
 /// Equal but for the rounding of the coordinates.
 bool same_shell(Point apex, Point u, Point v) {
-  if (mutated("seditious_across_shells")) return true;
   const double du = distance(apex, u), dv = distance(apex, v);
   const double largest = std::max({std::abs(apex.x), std::abs(apex.y), std::abs(u.x), std::abs(u.y)});
   return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
@@ -54,13 +52,13 @@ Point edge_split_point(const Triangulation& t, const Line& line, VertexId a, Ver
   const bool shell_at_b = (b == line.a && line.acute_at_a) || (b == line.b && line.acute_at_b);
   const Point pa = t.points[a], pb = t.points[b];
   double fraction = 0.5;
-  if (shell_at_a != shell_at_b && !mutated("shells_off")) {
+  if (shell_at_a != shell_at_b) {
     const double length = distance(pa, pb);
     fraction = shell(length) / length;
     if (shell_at_b) fraction = 1 - fraction;
   }
   const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
-  const Point on_line = mutated("split_points_drift") ? p : projected(p, t.points[line.a], t.points[line.b]);
+  const Point on_line = projected(p, t.points[line.a], t.points[line.b]);
   return {snapped(on_line.x), snapped(on_line.y)};
 }
 
@@ -76,7 +74,7 @@ std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines
   const Index line_u = t.origin[u], line_v = t.origin[v];
   if (line_u >= lines.size() || line_v >= lines.size() || line_u == line_v) return {};
   const VertexId apex = lines.shared_end(line_u, line_v);
-  if (apex == no_index || mutated("seditious_rule_off")) return {};
+  if (apex == no_index) return {};
   const double cosine = lines.cosine_at(t.points, apex, line_u, line_v);
   if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
   return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};

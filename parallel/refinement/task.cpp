@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "../../core/mutants.hpp"
-
 namespace pardel::engine {
 
 void Task::start(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
@@ -113,7 +111,7 @@ void Task::process(Queued triangle) {
 }
 
 Outcome Task::split_edge(EdgeRef e) {
-  const Index line = mutated("split_names_the_wrong_segment") ? 0 : judge_.line_of(e);
+  const Index line = judge_.line_of(e);
   const Point p = judge_.point_on(e);
   if (is_foreign(p)) return Outcome::leaves_box;
   const Outcome outcome = insertion_.split_edge(p, e, line, box_);

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "../../core/mutants.hpp"
 #include "../concurrency/parallel_for.hpp"
 
 namespace pardel::engine {
@@ -33,7 +32,7 @@ void close_triangles(Triangulation& t, const NumberLedger& numbers, int threads)
   const Closing closing(numbers);
   closing.for_each_move(threads, [&](TriangleId from, TriangleId to) {
     t.slots[to] = t.slots[from];
-    if (!t.region.empty()) t.region[to] = mutated("region_left_behind") ? 0 : t.region[from];
+    if (!t.region.empty()) t.region[to] = t.region[from];
   });
   // Of two neighbours that have moved each looks up where the other is. One that stayed is told by the one that moved:
   // a side has one writer, and nobody reads it here.
@@ -41,7 +40,7 @@ void close_triangles(Triangulation& t, const NumberLedger& numbers, int threads)
     for (unsigned side = 0; side < 3; ++side) {
       EdgeRef& out = t.slots[to].n[side];
       if (out.none()) continue;
-      if (closing.has_moved(out.triangle()) && !mutated("moved_neighbour_not_looked_up"))
+      if (closing.has_moved(out.triangle()))
         out = EdgeRef(closing.now(out.triangle()), out.side(), out.constrained());
       else
         t.slots[out.triangle()].n[out.side()] = EdgeRef(to, side, out.constrained());
@@ -55,7 +54,7 @@ void close_vertices(Triangulation& t, const NumberLedger& numbers, int threads) 
   const Closing closing(numbers);
   closing.for_each_move(threads, [&](VertexId from, VertexId to) {
     t.points[to] = t.points[from];
-    if (!mutated("origin_left_behind")) t.origin[to] = t.origin[from];
+    t.origin[to] = t.origin[from];
   });
   if (!closing.moves.empty())
     parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {

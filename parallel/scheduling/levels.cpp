@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../core/mutants.hpp"
-
 namespace pardel::engine {
 namespace {
 
@@ -15,8 +13,7 @@ constexpr Index levels_apart = 4;
 
 Lattice finest_lattice(const Box& bounds, double estimate, const Options& options) {
   if (options.decomposition == Decomposition::none) return {bounds, 1, 1};
-  if (options.cells[0] > 0 && options.cells[1] > 0 && !mutated("cells_asked_for_ignored"))
-    return {bounds, options.cells[0], options.cells[1]};
+  if (options.cells[0] > 0 && options.cells[1] > 0) return {bounds, options.cells[0], options.cells[1]};
   const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
   const double tiles = std::max(1.0, estimate / options.triangles_per_tile);
   const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
@@ -26,7 +23,7 @@ Lattice finest_lattice(const Box& bounds, double estimate, const Options& option
 
 Lattice with_sides_of(const Box& bounds, const Lattice& wanted, double side) {
   const auto at_most = [&](Index count, double extent) {
-    const double fitting = mutated("cells_narrower_than_asked") ? std::ceil(extent / side) : std::floor(extent / side);
+    const double fitting = std::floor(extent / side);
     return fitting < count ? std::max(Index{1}, static_cast<Index>(fitting)) : count;
   };
   return {bounds, at_most(wanted.columns(), bounds.max_x - bounds.min_x),
@@ -35,7 +32,7 @@ Lattice with_sides_of(const Box& bounds, const Lattice& wanted, double side) {
 
 std::vector<Lattice> levels_down_to(const Box& bounds, const Lattice& finest) {
   std::vector<Lattice> levels{finest};
-  while (levels.back().cells() > (mutated("coarsest_level_missing") ? levels_apart : 1)) {
+  while (levels.back().cells() > 1) {
     const auto coarser = [](Index count) { return (count + levels_apart - 1) / levels_apart; };
     levels.emplace_back(bounds, coarser(levels.back().columns()), coarser(levels.back().rows()));
   }

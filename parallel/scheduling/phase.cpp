@@ -4,7 +4,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "../../core/mutants.hpp"
 #include "../concurrency/parallel_for.hpp"
 
 namespace pardel::engine {
@@ -12,7 +11,7 @@ namespace {
 
 Index most_vertices(const Triangulation& t, const Options& options) {
   const auto present = static_cast<std::uint64_t>(t.points.size());
-  if (options.max_vertices == 0 || mutated("budget_ignored")) return max_triangles;
+  if (options.max_vertices == 0) return max_triangles;
   return static_cast<Index>(
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_triangles)));
 }
@@ -64,7 +63,7 @@ void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& l
   if (schedule_.after_phase) schedule_.after_phase();
 
   for (const Job& job : jobs) {
-    if (!mutated("unused_vertices_kept")) vertices_.take_back(job.supply.vertices);
+    vertices_.take_back(job.supply.vertices);
     triangles_.take_back(job.supply.triangles);
   }
   vertices_.settle();
@@ -88,7 +87,7 @@ void Crew::admit(Job& job, const Lattice& lattice) const {
   std::erase_if(job.seeds, [&](Queued q) {
     if (!judge_.is_current(q)) return true;
     for (const VertexId v : t_.slots[q.id()].v)
-      if (!mutated("triangles_outside_the_box_admitted") && !box.contains(t_.points[v])) {
+      if (!box.contains(t_.points[v])) {
         job.outsiders.push_back(q);
         if (breaks_promise(q.id(), job.cell, lattice)) ++job.outsiders_against_promise;
         return true;
@@ -124,14 +123,11 @@ void Crew::run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const 
   parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
     if (schedule_.before_task) schedule_.before_task(order[i]);
     Job& job = jobs[order[i]];
-    if (threads_ > 1 && mutated("order_depends_on_threads")) std::reverse(job.seeds.begin(), job.seeds.end());
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
     job.thread = thread;
     job.result = task.run(lattice, job.cell, job.seeds, later, job.supply,
                           [&](std::uint64_t made) { return go_on(thread, made); });
   });
-  if (mutated("merge_order_by_schedule"))
-    for (std::size_t i = 0; i < jobs.size(); ++i) std::swap(jobs[i], jobs[order[i]]);
 }
 
 void Crew::run_by_turns(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later) {

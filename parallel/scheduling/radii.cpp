@@ -4,18 +4,15 @@
 #include <cmath>
 #include <vector>
 
-#include "../../core/mutants.hpp"
 #include "../concurrency/parallel_for.hpp"
 #include "../refinement/criteria.hpp"
 
 namespace pardel::engine {
 
-double radius_bound(double ratio, double area) {
-  return (mutated("t3_read_with_root_two") ? std::sqrt(2.0) : 2) * ratio * std::sqrt(ratio * area);
-}
+double radius_bound(double ratio, double area) { return 2 * ratio * std::sqrt(ratio * area); }
 
 double sharp_radius_bound(double ratio, double area) {
-  const double squared_cotangent = 4 * ratio * ratio - (mutated("sharp_bound_too_small") ? 0 : 1);
+  const double squared_cotangent = 4 * ratio * ratio - 1;
   return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(squared_cotangent));
 }
 
@@ -26,7 +23,7 @@ Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int t
     Radii squared;
     double twice_area = 0;
     auto hole = std::partition_point(holes.begin(), holes.end(), [&](NumberRange h) { return h.end <= first; });
-    for (std::size_t id = first; id < last - (mutated("last_triangle_not_measured") ? 1 : 0); ++id) {
+    for (std::size_t id = first; id < last; ++id) {
       if (hole != holes.end() && id >= hole->begin) {
         id = (hole++)->end - 1U;
         continue;

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "../../core/mutants.hpp"
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/in_order.hpp"
 #include "../concurrency/parallel_for.hpp"
@@ -59,7 +58,7 @@ class Refinement {
     // triangles would only be in the way of those that short ones need anyway. Tiles that finish one by one cannot
     // have this order by themselves, and neither has one queue over everything: it makes larger meshes.
     sweep_what_is_due(levels.back(), {.last_key = median_key()});
-    if (!mutated("longer_half_forgotten")) sweep_what_is_due(levels.back(), {});
+    sweep_what_is_due(levels.back(), {});
     // Up: what no box of a level could hold gets a larger one.
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], filed(levels[level], std::exchange(stuck_, {}), {}), {});
@@ -101,7 +100,7 @@ class Refinement {
   /// Measures, and for the paper's decomposition widens the cells to what the measure allows.
   void lay_finest(const Box& bounds, std::vector<Lattice>& levels) {
     const Radii largest = largest_radii(t_, crew_.triangles(), threads_);
-    if (options_.decomposition == Decomposition::paper && !mutated("cells_not_widened"))
+    if (options_.decomposition == Decomposition::paper)
       levels.back() = with_sides_of(bounds, levels.back(), Lattice::radii_per_side * largest.radius);
     Tiling& tiling = counts_.tiling;
     tiling.columns = levels.back().columns();
@@ -185,7 +184,7 @@ class Refinement {
         take_due(threads_, for_the_finest, short_enough_for(levels.back()), [](const Deferred& d) { return d; });
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
       sweep_what_is_due(levels[level], short_enough_for(levels[level + 1]));
-    if (!mutated("short_ones_forgotten")) for_the_finest.append(deferred_.span());
+    for_the_finest.append(deferred_.span());
     deferred_.swap(for_the_finest);
   }
 
@@ -230,7 +229,6 @@ class Refinement {
     // two sweeps without an insertion have tried wherever it asked to be needs a larger box.
     for (int idle = 0; idle < 2 && waiting() && go_on();) {
       idle = sweep(lattice, inbox, later) > 0 ? 0 : idle + 1;
-      if (mutated("sweeps_after_the_first_skipped")) return;
     }
     for (const std::vector<Queued>& waits : inbox) stuck_.insert(stuck_.end(), waits.begin(), waits.end());
   }
@@ -243,8 +241,7 @@ class Refinement {
       std::vector<Job> jobs = jobs_of(lattice, colour, inbox);
       crew_.run(lattice, jobs, later, [this](int thread, std::uint64_t made) { return report(thread, made); });
       for (const Job& job : jobs) {
-        for (const HandedOn& h : job.result.handed_on)
-          if (!mutated("hand_on_dropped")) inbox[h.cell].push_back(h.triangle);
+        for (const HandedOn& h : job.result.handed_on) inbox[h.cell].push_back(h.triangle);
         collect(job, done);
         if (&lattice == finest_) note_thread(job);
       }
@@ -268,7 +265,7 @@ class Refinement {
     if (out_of_triangles()) return too_many_triangles();
     if (outgrows_memory(vertices_before_, options_)) return too_much_memory(options_);
     if (sweep.against_promise > 0) return promise_broken(sweep);
-    if (!watcher_ || cancelled_.load() || mutated("watcher_not_asked")) return Done{};
+    if (!watcher_ || cancelled_.load()) return Done{};
     return watcher_(snapshot(t_, crew_.vertices(), crew_.triangles(), threads_), sweep);
   }
 
@@ -282,7 +279,7 @@ class Refinement {
     const std::vector<double> wanted = wanted_in_cells(inbox);
     std::vector<Job> jobs;
     for (Index cell = 0; cell < lattice.cells(); ++cell)
-      if ((mutated("barrier_between_colours_removed") || lattice.colour_of(cell) == colour) && !inbox[cell].empty()) {
+      if (lattice.colour_of(cell) == colour && !inbox[cell].empty()) {
         jobs.emplace_back();
         jobs.back().cell = cell;
         jobs.back().seeds = std::exchange(inbox[cell], {});
@@ -304,8 +301,8 @@ class Refinement {
 
   void collect(const Job& job, Sweep& sweep) {
     const TaskResult& r = job.result;
-    if (!mutated("outsiders_forgotten")) stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
-    if (!mutated("stuck_triangles_forgotten")) stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
+    stuck_.insert(stuck_.end(), job.outsiders.begin(), job.outsiders.end());
+    stuck_.insert(stuck_.end(), r.stuck.begin(), r.stuck.end());
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
     counts_.refused += r.refused;
@@ -320,7 +317,7 @@ class Refinement {
   void collect_deferred(const std::vector<Job>& jobs) {
     std::vector<std::span<const Deferred>> lists;
     for (const Job& job : jobs) lists.emplace_back(job.result.deferred);
-    if (!mutated("deferred_triangles_forgotten")) append_blocks(threads_, lists, deferred_);
+    append_blocks(threads_, lists, deferred_);
   }
 
   Triangulation& t_;

@@ -1,6 +1,5 @@
 #include <cassert>
 
-#include "../../core/mutants.hpp"
 #include "../concurrency/in_order.hpp"
 #include "insert_constraints.hpp"
 #include "locate.hpp"
@@ -15,7 +14,6 @@ void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>&
     stack.pop_back();
     if (label[id] == value) continue;
     label[id] = value;
-    if (value < t.slots.size() && mutated("region_does_not_spread")) continue;
     for (const EdgeRef out : t.slots[id].n)
       if (!out.constrained() && label[out.triangle()] != value) stack.push_back(out.triangle());
   }
@@ -26,7 +24,7 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
   for (const TriangleId id : ghosts) {
     const Slot slot = t.slots[id];
     const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
-    if (slot.n[corner].constrained() || (fresh.size() == 1 && mutated("hull_edge_not_constrained"))) continue;
+    if (slot.n[corner].constrained()) continue;
     t.constrain(EdgeRef(id, corner));
     fresh.push_back({slot.to(corner), slot.from(corner)});
   }
@@ -68,8 +66,7 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int th
   auto inside = static_cast<TriangleId>(n - 1);
   while (t.slots[inside].is_ghost()) --inside;
   std::vector<TriangleId> stack(ghosts.begin(), ghosts.end());
-  for (const Point hole : rules.holes)
-    if (!mutated("hole_not_carved")) stack.push_back(locate(t, hole, inside));
+  for (const Point hole : rules.holes) stack.push_back(locate(t, hole, inside));
   flood(t, stack, label, removed);
   for (std::size_t r = 0; r < rules.region_seeds.size(); ++r) {
     const TriangleId seed = locate(t, rules.region_seeds[r], inside);

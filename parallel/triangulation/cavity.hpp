@@ -13,7 +13,6 @@
 #include <span>
 #include <vector>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/pair.hpp"
 #include "triangulation.hpp"
 
@@ -170,9 +169,7 @@ class Cavity {
     stack_.resize(n);
     capacity_ = n;
   }
-  [[nodiscard]] static bool is_wall(EdgeRef outer) {
-    return outer.constrained() && !(mutated("cavity_crosses_constraints") && !outer.none());
-  }
+  [[nodiscard]] static bool is_wall(EdgeRef outer) { return outer.constrained(); }
 
   /// Of what lies behind two sides of a triangle that has come up between u and v with the far corner w.
   template <class Test>
@@ -219,22 +216,21 @@ class Cavity {
       const unsigned right = next_corner[entry.side()], left = previous_corner[entry.side()];
       const EdgeRef on_right(id, right), across_right = slot.n[right], on_left(id, left), across_left = slot.n[left];
       const Tested tested = test_both(u, w, stack_[top - 1].corner(), slot, on_right, on_left, test);
-      const bool cut_short = mutated("cavity_cut_short") && count >= 4;
-      if (tested.in_disk.first() && !cut_short) {
+      if (tested.in_disk.first()) {
         stack_[top++].set(w, slot.apex(entry.side()), on_left, across_left, tested.in_disk.second());
         entry = across_right;
         w = tested.corner[0];
         continue;
       }
       boundary_[edges++].set(u, slot.to(entry.side()), on_right, across_right, false);
-      if (tested.in_disk.second() && !cut_short) {
+      if (tested.in_disk.second()) {
         u = w;
         entry = across_left;
         w = tested.corner[1];
         continue;
       }
       boundary_[edges++].set(w, slot.apex(entry.side()), on_left, across_left, false);
-      for (--top; top > 0 && (!stack_[top].crossed || cut_short); --top) {
+      for (--top; top > 0 && !stack_[top].crossed; --top) {
         const CavityEdge& e = stack_[top];
         boundary_[edges++].set(e.corner(), e.from, e.inner, e.outer, false);
       }
@@ -282,24 +278,21 @@ std::span<const TriangleId> retriangulate(Triangulation& t, Cavity& cavity, Vert
     const EdgeRef outer = boundary[i].outer;
     const TriangleId here = fan[i], before = fan[i > 0 ? i - 1 : n - 1];
     t.slots[here] = {{p, from, to}, {outer, EdgeRef(after, 2), EdgeRef(before, 1)}};
-    if (!mutated("neighbour_link_dropped") && !outer.none())
-      t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
+    if (!outer.none()) t.slots[outer.triangle()].n[outer.side()] = EdgeRef(here, 0, outer.constrained());
     after = here;
     to = from;
   }
   if (cavity.open()) {
     t.slots[fan[0]].n[2] = EdgeRef();
     t.slots[fan[n - 1]].n[1] = EdgeRef();
-  } else if (cavity.splits_edge() && !mutated("halves_of_a_split_not_constrained")) {
+  } else if (cavity.splits_edge()) {
     t.constrain(EdgeRef(fan[0], 2));
     t.constrain(EdgeRef(fan[cavity.left_count()], 2));
   }
   if (!t.region.empty()) {
     const Index left = t.region[cavity.triangles().front()], right = t.region[cavity.triangles().back()];
     for (std::size_t i = 0; i < n; ++i)
-      t.region[fan[i]] =
-          !cavity.splits_edge() || i < cavity.left_count() || mutated("both_sides_of_a_split_in_one_region") ? left
-                                                                                                             : right;
+      t.region[fan[i]] = !cavity.splits_edge() || i < cavity.left_count() ? left : right;
   }
   return fan;
 }

@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/hilbert_order.hpp"
@@ -223,10 +222,6 @@ Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_
   if (third == order.size()) return Error{ErrorKind::invalid_input, "all points are collinear"};
   std::rotate(order.begin() + 2, order.begin() + third, order.begin() + third + 1);
 
-  if (order.size() > 3 && mutated("a_point_is_lost")) {
-    order.pop_back();
-    --rounds.start.back();
-  }
   t.slots.resize_uninitialised(triangles_of(order.size()));
   start_with(t, order[0], order[1], order[2]);
   Rounder rounder(t, order, threads, per_tile);

@@ -1,6 +1,5 @@
 #include "flips.hpp"
 
-#include "../../core/mutants.hpp"
 #include "in_circumdisk.hpp"
 
 namespace pardel::engine {
@@ -44,7 +43,6 @@ void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vect
     flip(t, e);
     const TriangleId l = e.triangle(), r = across.triangle();
     changed.insert(changed.end(), {l, r});
-    if (mutated("flips_do_not_spread")) continue;
     suspects.insert(suspects.end(), {EdgeRef(l, 0), EdgeRef(l, 2), EdgeRef(r, 0), EdgeRef(r, 2)});
   }
 }

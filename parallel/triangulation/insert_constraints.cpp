@@ -4,7 +4,6 @@
 #include <deque>
 #include <string>
 
-#include "../../core/mutants.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "flips.hpp"
 
@@ -174,7 +173,6 @@ Status insert_constraints(Triangulation& t, std::span<const Constraint> constrai
   ordered.reserve(constraints.size());
   for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));
   std::sort(ordered.begin(), ordered.end());
-  if (mutated("last_segment_forgotten")) ordered.pop_back();
   ConstraintInserter inserter(t);
   for (const auto& [a, b] : ordered)
     if (Status inserted = inserter.insert({a, b}); !inserted) return inserted;

@@ -6,7 +6,6 @@
 
 #include <sstream>
 
-#include "../../../core/mutants.hpp"
 #include "../stages/text.hpp"
 
 namespace pardel::checker::exactly {
@@ -91,7 +90,6 @@ bool cosine_exceeds(Point corner, Point a, Point b, double bound) {
     const auto product = dot(corner, a, corner, b, number);
     const auto c = number(bound);
     const auto limit = c * c * squared_length(corner, a, number) * squared_length(corner, b, number);
-    if (mutated("angles_compared_the_wrong_way")) return product * CGAL::abs(product) < limit;
     // With both sides positive squares may be compared; product * |product| keeps the sign of an obtuse angle.
     return product * CGAL::abs(product) > limit;
   });

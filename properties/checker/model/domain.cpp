@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 #include "../check.hpp"
 
@@ -78,7 +77,7 @@ Domain::Domain(const Pslg& pslg, bool convex_hull)
   double largest = 0;
   for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   ulp_ = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-  tolerance_ = (mutated("chains_may_bend") ? 0x1p40 : 1) * chain_ulps * ulp_;
+  tolerance_ = chain_ulps * ulp_;
 }
 
 bool Domain::has_point(Index point) const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 
 namespace pardel::checker {
@@ -35,7 +34,7 @@ PlanarFaces::PlanarFaces(std::span<const Point> points, std::span<const Segment>
     : points_(points), segments_(segments), below_(points, segments) {
   sort_around_vertices();
   walk_cycles();
-  if (!mutated("islands_not_nested")) nest_components();
+  nest_components();
 }
 
 void PlanarFaces::sort_around_vertices() {

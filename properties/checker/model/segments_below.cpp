@@ -3,7 +3,6 @@
 #include <limits>
 #include <vector>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 
 namespace pardel::checker {
@@ -53,7 +52,7 @@ Index SegmentsBelow::directly_below(Point p) const {
   tree_.visit(spans, [&](Index segment) {
     const Ends line = ends(segment);
     if (exactly::orientation(line.left, line.right, p) <= 0) return;
-    if (best != no_index && is_above(segment, best) == mutated("lowest_segment_instead_of_highest")) return;
+    if (best != no_index && !is_above(segment, best)) return;
     best = segment;
     floor = tree_.box(segment).min_y;
   });

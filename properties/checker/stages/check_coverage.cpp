@@ -8,7 +8,6 @@
 // For the points in between, the winding number of every face of the boundary is computed: 0 or 1 in all.
 #include <algorithm>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/exact_sum.hpp"
 #include "../model/box_tree.hpp"
@@ -254,7 +253,6 @@ void check_area(const Subject& subject, const Domain& domain, const Chains& chai
 
 void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                     Findings& found) {
-  if (mutated("coverage_not_checked")) return;
   check_sides(subject, domain, chains, found);
   check_faces(subject, domain, chains, found);
   check_boundary(subject, domain, adjacency, chains, found);

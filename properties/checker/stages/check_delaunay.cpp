@@ -1,7 +1,6 @@
 // Locally Delaunay everywhere implies (constrained) Delaunay: Delaunay's lemma.
 #include <algorithm>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 #include "stages.hpp"
 #include "text.hpp"
@@ -18,16 +17,13 @@ void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Ch
     if (!trust_orientation && exactly::orientation(a, b, c) <= 0) return;
     for (int edge = 0; edge < 3; ++edge) {
       const Index other = triangle.n[edge];
-      if (other == no_index || other < t ||
-          (chains.has(t, edge) && (!subject.goal.conforming || mutated("checker_ignores_conforming"))))
-        continue;
+      if (other == no_index || other < t || (chains.has(t, edge) && !subject.goal.conforming)) continue;
       const Triangle& across = triangles[other];
       const Index from = triangle.v[next(edge)], to = triangle.v[previous(edge)];
       const Index apex =
           *std::find_if(across.v.begin(), across.v.end() - 1, [=](Index v) { return v != from && v != to; });
       const Point d = subject.mesh.points[apex];
-      const int side = exactly::in_circle(a, b, c, d);
-      if (side <= 0 && !(side == 0 && mutated("checker_counts_the_circle_as_inside"))) continue;
+      if (exactly::in_circle(a, b, c, d) <= 0) continue;
       if (mine.wants(ViolationKind::not_delaunay))
         mine.keep({ViolationKind::not_delaunay,
                    {from, to, t, other},

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
 #include "justified.hpp"
@@ -52,7 +51,7 @@ class GoalJudge {
       justified.push_back(*reason);
       return;
     }
-    if (mutated("checker_justifies_everything") || !found.wants(ViolationKind::small_angle)) return;
+    if (!found.wants(ViolationKind::small_angle)) return;
     const Point a = p[next(sharp)], b = p[previous(sharp)];
     found.keep({ViolationKind::small_angle,
                 ids(t),

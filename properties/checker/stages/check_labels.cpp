@@ -1,7 +1,6 @@
 // What the mesh says of itself: constrained edges, markers, origins, regions, attributes.
 #include <algorithm>
 
-#include "../../../core/mutants.hpp"
 #include "stages.hpp"
 #include "text.hpp"
 
@@ -11,7 +10,6 @@ namespace {
 /// Triangle's rule: the segment's own non-zero marker, else 1 on the boundary of the domain, else 0.
 int expected_marker(const Domain& domain, Index segment) {
   const int own = domain.segments()[segment].marker;
-  if (own == 0 && mutated("checker_forgets_boundary_markers")) return 0;
   return own != 0 ? own : domain.on_boundary(segment) ? 1 : 0;
 }
 

@@ -1,7 +1,6 @@
 // Is the mesh, as a complex, a set of positively oriented triangles glued edge to edge?
 #include <algorithm>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 #include "stages.hpp"
 #include "text.hpp"
@@ -13,8 +12,7 @@ void check_orientation(const Subject& subject, Findings& found) {
   judge_all(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const Triangle& triangle = subject.mesh.triangles[t];
     const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
-    const int turn = exactly::orientation(a, b, c);
-    if (turn > 0 || (turn == 0 && mutated("checker_accepts_flat_triangles"))) return;
+    if (exactly::orientation(a, b, c) > 0) return;
     if (mine.wants(ViolationKind::degenerate_triangle))
       mine.keep({ViolationKind::degenerate_triangle,
                  {static_cast<Index>(t), triangle.v[0], triangle.v[1], triangle.v[2]},
@@ -27,7 +25,7 @@ void check_orientation(const Subject& subject, Findings& found) {
 /// The edge of `other` that runs from `to` to `from`, if its neighbour is t.
 bool is_reciprocal(const Triangle& other, Index t, Index from, Index to) {
   for (int j = 0; j < 3; ++j)
-    if (other.v[next(j)] == to && other.v[previous(j)] == from) return other.n[j] == t || mutated("neighbours_trusted");
+    if (other.v[next(j)] == to && other.v[previous(j)] == from) return other.n[j] == t;
   return false;
 }
 

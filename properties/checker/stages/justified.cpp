@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "../../../core/mutants.hpp"
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
 
@@ -28,7 +27,7 @@ class Judge {
   [[nodiscard]] std::optional<Justified> nestled(int k) const {
     const Index apex = inputs_.input(triangle_.v[k]);
     const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
-    if (apex == no_index || !(between_segments || mutated("nestled_at_any_input_vertex"))) return std::nullopt;
+    if (apex == no_index || !between_segments) return std::nullopt;
     // The edges along corner k: edge previous(k) runs to v[next(k)], edge next(k) to v[previous(k)].
     return justified(apex, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
   }
@@ -68,14 +67,10 @@ class Judge {
       const Point far_s = subject_.pslg.points[other_end(first, apex)];
       const Point far_r = subject_.pslg.points[other_end(second, apex)];
       constexpr double cosine_of_60_degrees = 0.5;
-      if (!exactly::cosine_exceeds(centre, far_s, far_r, cosine_of_60_degrees) &&
-          !mutated("checker_excuses_large_angles"))
-        continue;
+      if (!exactly::cosine_exceeds(centre, far_s, far_r, cosine_of_60_degrees)) continue;
       const double to_p = distance(centre, subject_.mesh.points[p]);
       const double to_q = distance(centre, subject_.mesh.points[q]);
-      if (std::abs(to_p - to_q) > shell_tolerance * std::max(to_p, to_q) + shell_ulps * domain_.ulp() &&
-          !mutated("checker_excuses_unlike_shells"))
-        continue;
+      if (std::abs(to_p - to_q) > shell_tolerance * std::max(to_p, to_q) + shell_ulps * domain_.ulp()) continue;
       return justified(apex, angle_deg(centre, far_s, far_r));
     }
     return std::nullopt;

@@ -1,7 +1,5 @@
 #include "paint.hpp"
 
-#include "../../../core/mutants.hpp"
-
 namespace pardel::checker {
 
 std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains) {
@@ -14,9 +12,7 @@ std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency,
     stack.push_back(t);
   };
   for (const ChainEdge& edge : chains.edges) {
-    if (edge.left.exists())
-      paint(edge.left.triangle,
-            domain.faces().face(edge.segment, mutated("regions_on_the_wrong_side") ? Side::right : Side::left));
+    if (edge.left.exists()) paint(edge.left.triangle, domain.faces().face(edge.segment, Side::left));
     if (edge.right.exists()) paint(edge.right.triangle, domain.faces().face(edge.segment, Side::right));
   }
   while (!stack.empty()) {

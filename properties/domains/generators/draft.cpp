@@ -4,8 +4,6 @@
 #include <numeric>
 #include <set>
 
-#include "../../../core/mutants.hpp"
-
 namespace pardel::generators {
 
 Index Draft::point(LatticePoint place) {
@@ -40,7 +38,7 @@ bool Draft::is_segment(Index a, Index b) const {
 bool Draft::segment(LatticePoint a, LatticePoint b) {
   const bool crosses = std::ranges::any_of(
       segments_, [&](const Segment& s) { return cross_each_other(a, b, points_[s.a], points_[s.b]); });
-  if (a == b || (crosses && !mutated("drafts_let_segments_cross"))) return false;
+  if (a == b || crosses) return false;
   point(a);
   point(b);
   std::vector<LatticePoint> stops = {a, b};

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "../../../core/mutants.hpp"
 #include "draft.hpp"
 #include "lattice.hpp"
 #include "lattice_domain.hpp"
@@ -231,8 +230,7 @@ void draw_nested_holes(Drawing& d) {
   for (int i = 0; i < rings; ++i) {
     const Contour ring = d.chance(2) ? box(corner, side, side) : cut_box(d.random, corner, side, side);
     d.draft.polygon(ring);
-    const bool is_hole = mutated("islands_are_eaten") ? i > 0 : i % 2 == 1;
-    if (is_hole) d.draft.hole_left_of(ring[0], ring[1]);
+    if (i % 2 == 1) d.draft.hole_left_of(ring[0], ring[1]);
     // Inside all that may have been cut off: less than a third of the side, measured along both sides of a corner.
     const int inset = side / 6 + d.random.between(1, 2);
     corner = corner + LatticePoint{inset, inset};
@@ -361,10 +359,6 @@ LatticeDomain generate(Family family, Random& random, int size) {
   return domain;
 }
 
-LatticeDomain any_domain(Random& random, int size) {
-  std::vector<Family> families = all_families();
-  if (mutated("a_family_is_never_drawn")) std::erase(families, Family::touching_holes);
-  return generate(random.one_of(families), random, size);
-}
+LatticeDomain any_domain(Random& random, int size) { return generate(random.one_of(all_families()), random, size); }
 
 }  // namespace pardel::generators

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include "../../../core/mutants.hpp"
 #include "faces.hpp"
 #include "lattice.hpp"
 #include "lattice_domain.hpp"
@@ -24,10 +23,9 @@ class Shrinker {
     drop_holes();
     drop_regions();
     drop_segments();
-    if (!mutated("shrinker_keeps_all_points")) drop_points();
+    drop_points();
     coarsen();
     use_plain_numbers();
-    if (mutated("shrinker_returns_the_original")) simpler_.push_back(domain_);
     return std::move(simpler_);
   }
 
@@ -154,7 +152,7 @@ class Shrinker {
       if (image.keeps_segment[s] && a != no_index && b != no_index && a != b && known.insert(std::minmax(a, b)).second)
         result.segments.push_back({a, b, segment.marker});
     }
-    if (!is_valid(result) && !mutated("shrinker_asks_not_what_is_valid")) return;
+    if (!is_valid(result)) return;
     const bool something_remains = put_seeds(image, image_of, result);
     if (something_remains && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
   }

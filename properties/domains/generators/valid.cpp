@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <set>
 
-#include "../../../core/mutants.hpp"
 #include "faces.hpp"
 #include "lattice.hpp"
 
@@ -42,7 +41,6 @@ bool segments_have_ends(const LatticeDomain& d) {
 }
 
 bool a_segment_runs_through_a_point(const LatticeDomain& d) {
-  if (mutated("validity_overlooks_points_on_segments")) return false;
   return std::ranges::any_of(d.segments, [&](const Segment& s) {
     return std::ranges::any_of(d.points, [&](LatticePoint p) { return lies_inside(p, d.points[s.a], d.points[s.b]); });
   });
