@@ -1,6 +1,6 @@
-# The mutated twin of a target is built from a copy of the same sources with all mutants in it
-# (properties/mutants/patch.hpp). A mutant is off unless the environment variable PARDEL_MUTANT names it. A twin links to
-# the mutated twins of the project's libraries.
+# The mutated twin of a target is built from a copy of the same sources that contains all mutants
+# (properties/mutants/patch.hpp). A mutant is off unless the environment variable PARDEL_MUTANT names it. A twin is
+# linked to the mutated twins of the project's libraries.
 
 # Where the copy is, and the folders of the sources that it contains.
 set(PARDEL_MUTATED_SOURCES ${PROJECT_BINARY_DIR}/mutated_sources)
@@ -9,8 +9,8 @@ set(PARDEL_MUTATED_FOLDERS core parallel properties ref tests)
 # The libraries that have a mutated twin.
 set(PARDEL_MUTATED "core|parallel|checker|domains|defects|generators|ref|framework|samples")
 
-# Defines the target that makes the copy. It is made again when a source, a patch or the registry changes. Files that stay
-# the same are not written, so that the build compiles again only what has changed.
+# Defines the target mutated_sources, which makes the copy. It runs again when a source, a patch or the registry
+# changes. It writes only the files that change, so the build compiles nothing else again.
 function(pardel_copy_sources_with_mutants)
   set(mutants ${PROJECT_SOURCE_DIR}/properties/mutants)
   set(patterns)
@@ -32,6 +32,7 @@ function(pardel_copy_sources_with_mutants)
   add_custom_target(mutated_sources DEPENDS ${stamp})
 endfunction()
 
+# pardel_mutated_twin(TARGET): the library or program TARGET_mutated.
 function(pardel_mutated_twin target)
   get_target_property(type ${target} TYPE)
   get_target_property(folder ${target} SOURCE_DIR)
@@ -48,10 +49,11 @@ function(pardel_mutated_twin target)
     add_library(${target}_mutated STATIC ${copies})
   endif()
   add_dependencies(${target}_mutated mutated_sources)
-  # Mutants cause warnings that say nothing. And these programs run for less time than it takes to optimise them.
-  target_compile_options(${target}_mutated PRIVATE -w -O1
-                                                   "SHELL:-include ${PROJECT_SOURCE_DIR}/properties/mutants/mutated.hpp")
-  foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS LINK_LIBRARIES INTERFACE_LINK_LIBRARIES INTERFACE_COMPILE_OPTIONS)
+  # Mutants cause warnings that do not matter. Full optimisation would take longer than it saves when the programs run.
+  set(switches ${PROJECT_SOURCE_DIR}/properties/mutants/mutated.hpp)
+  target_compile_options(${target}_mutated PRIVATE -w -O1 "SHELL:-include ${switches}")
+  foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS LINK_LIBRARIES INTERFACE_LINK_LIBRARIES
+                   INTERFACE_COMPILE_OPTIONS)
     get_target_property(value ${target} ${property})
     if(value)
       string(REGEX REPLACE "pardel(::|_)(${PARDEL_MUTATED})([^a-z_]|$)" "pardel_\\2_mutated\\3" value "${value}")

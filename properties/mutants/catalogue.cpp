@@ -1,5 +1,5 @@
-// Writes properties/CATALOGUE.md: catalogue RECORDS OUTPUT. RECORDS is the folder in which a run of all properties has
-// left one file each (PARDEL_RECORDS, framework/property.hpp).
+// catalogue RECORDS OUTPUT: writes properties/CATALOGUE.md. RECORDS is a folder with one file per property, written by
+// a run of all properties (PARDEL_RECORDS, framework/property.hpp).
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// By suite, then by name.
+/// The records by suite, then by name of the property.
 using Records = std::map<std::string, std::map<std::string, json>>;
 
 Records read_records(const fs::path& folder) {
@@ -40,7 +40,7 @@ std::map<std::string, std::set<std::string>> mutants_of_property() {
   return result;
 }
 
-/// For a cell of a table.
+/// The text as it must stand in a cell of a table.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -50,7 +50,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// "what it was tried on; of all cases 12 % this, 9 % that", the largest share first.
+/// The families of inputs, then the share of all cases that each tag has, the largest share first.
 std::string tried_on(const json& record) {
   std::string text = record.at("families");
   const double cases = record.at("cases");
@@ -80,8 +80,8 @@ void write(const Records& records, std::ostream& out) {
   out << "# Catalogue of properties\n\n"
       << "Written by `cmake --build --preset release --target catalogue`, which runs them all. " << properties
       << " properties, " << std::lround(cases) << " cases, " << killed
-      << " known mistakes (mutants), each with the property that has to notice it (`ctest -L mutants` shows that it "
-         "does).\n";
+      << " known mistakes (mutants), each with the property that must fail for it (`ctest -L mutants` runs "
+         "them all).\n";
   for (const auto& [suite, rows] : records) {
     out << "\n## " << suite << "\n\n| Property | Statement | Source | Tried on | Cases | Mutants killed |\n"
         << "|---|---|---|---|--:|---|\n";

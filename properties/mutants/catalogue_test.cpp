@@ -1,4 +1,4 @@
-// The catalogue is up to date: it has a row for every property in the sources and every statement of the theory.
+// The catalogue has a row for every property in the sources and for every statement of the theory.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -21,7 +21,7 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The first group of every match, or the first two with a dot between.
+/// The first group of every match, or the first two groups with a dot between them.
 std::set<std::string> found(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
   std::set<std::string> result;
@@ -41,7 +41,7 @@ std::set<std::string> properties_in_the_sources() {
   return properties;
 }
 
-/// The first of "### LABEL: what about it" over every statement that is tested.
+/// The LABEL of every heading "### LABEL: title", except of sections that say "Tested by: nothing".
 std::set<std::string> statements_of_the_theory() {
   const std::string theory = contents(fs::path(PARDEL_SOURCE) / "properties/THEORY.md");
   std::set<std::string> labels;
@@ -54,7 +54,7 @@ std::set<std::string> statements_of_the_theory() {
   return labels;
 }
 
-/// T1-sharp is tested by the suite T1Sharp.
+/// The name of the suite that tests a statement: T1Sharp for T1-sharp.
 std::string suite_of(const std::string& label) {
   if (label == "T1-closures") return "EdelsbrunnerGuoy";
   std::string suite;
@@ -79,7 +79,7 @@ TEST(Catalogue, has_a_row_for_every_property_and_no_other) {
   const std::set<std::string> rows = rows_of_the_catalogue();
   const std::set<std::string> properties = properties_in_the_sources();
   for (const std::string& property : properties) EXPECT_TRUE(rows.contains(property)) << property << " has no row";
-  for (const std::string& row : rows) EXPECT_TRUE(properties.contains(row)) << row << " is no property any more";
+  for (const std::string& row : rows) EXPECT_TRUE(properties.contains(row)) << row << " is not a property";
 }
 
 }  // namespace

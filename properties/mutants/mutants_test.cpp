@@ -1,7 +1,7 @@
-// Every known mistake is noticed, by the property that its entry in the registry names.
+// For every known mistake, the property that the registry names must fail.
 //
-// A mutant's killer runs twice: asleep, where it must pass (one test per killer), and with the mutant awake, where it
-// must fail. All runs are of the mutated twins, with the same cases, so that nothing but the mistake differs.
+// The killer of a mutant runs twice in its mutated twin, on the same random cases: with all mutants off, where it must
+// pass (one test per killer, named no_mutant.PROPERTY), and with the mutant on, where it must fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,11 +28,11 @@ struct Run {
   std::string output;
 };
 
-/// Few cases, and the first that fails is enough. A mistake that takes longer to show is none that a property notices.
+/// Few cases, and no shrinking: one failing case is enough. A property must find a mistake within these limits.
 constexpr const char* parameters = "max_success=1000 noshrink=1";
 constexpr int time_limit_seconds = 60;
 
-/// Runs the killer with the mutant awake; none is where its name is empty.
+/// Runs the killer with this mutant on. An empty name switches no mutant on.
 Run run(const Killer& killer, const std::string& mutant) {
   const fs::path program = fs::path(PARDEL_KILLERS) / (killer.program + "_mutated");
   const fs::path failures = fs::path(PARDEL_KILLERS) / "failures" / mutant;
@@ -48,10 +48,10 @@ Run run(const Killer& killer, const std::string& mutant) {
     output.append(buffer.data(), got);
   const int status = pclose(pipe);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  const auto says = [&](const std::string& words) { return output.find(words) != std::string::npos; };
+  const auto prints = [&](const std::string& words) { return output.find(words) != std::string::npos; };
   output = command + "\n" + output;
-  if (code == 0) return {says("[  PASSED  ] 1 test.") ? End::passed : End::not_found, output};
-  if (code == 1 && says("[  FAILED  ] " + killer.property)) return {End::failed, output};
+  if (code == 0) return {prints("[  PASSED  ] 1 test.") ? End::passed : End::not_found, output};
+  if (code == 1 && prints("[  FAILED  ] " + killer.property)) return {End::failed, output};
   constexpr int killed_by_timeout = 128 + 9;
   return {code == killed_by_timeout ? End::timed_out : End::crashed, output};
 }
@@ -85,7 +85,7 @@ const bool registered = [] {
   for (const Mutant& mutant : registry()) {
     add_test(mutant.name, [&mutant] { expect_end(mutant.killer, mutant.name, mutant.end); });
     if (killers.insert(mutant.killer).second)
-      add_test("asleep." + mutant.killer.property, [&mutant] { expect_end(mutant.killer, "", End::passed); });
+      add_test("no_mutant." + mutant.killer.property, [&mutant] { expect_end(mutant.killer, "", End::passed); });
   }
   return true;
 }();
@@ -139,16 +139,16 @@ TEST(Sources, contain_no_mutants) {
   EXPECT_GT(files, 200U);
 }
 
-/// The canary: a mutant without an effect must be seen to survive, or the runner could not fail.
-TEST(Runner, sees_a_mutant_without_effect_survive) {
-  expect_end(registry().front().killer, "asleep_canary", End::passed);
+/// The runner must report that a mutant without an effect survives. Otherwise the tests above could never fail.
+TEST(Runner, reports_that_a_mutant_without_effect_survives) {
+  expect_end(registry().front().killer, "no_such_mutant", End::passed);
 }
 
-TEST(Runner, tells_a_missing_property_from_one_that_passes) {
+TEST(Runner, distinguishes_a_missing_property_from_one_that_passes) {
   expect_end({registry().front().killer.program, "No.such_property"}, "", End::not_found);
 }
 
-TEST(Runner, tells_a_missing_program_from_a_failed_property) {
+TEST(Runner, distinguishes_a_missing_program_from_a_failed_property) {
   expect_end({"no_such_program", registry().front().killer.property}, "", End::crashed);
 }
 

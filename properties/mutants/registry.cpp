@@ -18,7 +18,7 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
 End end_named(const std::string& text) {
   for (const End end : {End::crashed, End::timed_out})
     if (text == name(end)) return end;
-  throw std::runtime_error("no mutant is meant to end as '" + text + "'");
+  throw std::runtime_error("a mutant cannot end as '" + text + "'");
 }
 
 }  // namespace

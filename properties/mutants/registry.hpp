@@ -1,4 +1,4 @@
-// The register of known mistakes: properties/mutants/registry, one line each.
+// Reads the list of known mistakes, properties/mutants/registry.
 #pragma once
 
 #include <filesystem>
@@ -7,34 +7,35 @@
 
 namespace pardel::mutants {
 
-/// How a program that runs a property ends.
+/// How the run of one property in a test program ends.
 enum class End {
-  passed,   ///< the property holds
-  failed,   ///< GoogleTest says that it does not
-  crashed,  ///< by a signal, or with another exit code
-  timed_out,
-  not_found  ///< the program has no such property
+  passed,     ///< the property holds
+  failed,     ///< GoogleTest reports that the property fails
+  crashed,    ///< a signal ended the program, or its exit code is another one
+  timed_out,  ///< the time limit ended the program
+  not_found   ///< the program has no such property
 };
 [[nodiscard]] const char* name(End end);
 
-/// Of one property.
+/// The property that must fail when a mutant is switched on.
 struct Killer {
-  std::string program;   ///< without the suffix _mutated
+  std::string program;   ///< the test program, without the suffix _mutated
   std::string property;  ///< SUITE.NAME
   friend auto operator<=>(const Killer&, const Killer&) = default;
 };
 
 struct Mutant {
-  std::string name;       ///< as mutated() asks for it
-  std::string file;       ///< in which it does, from the project's root
-  std::string mistake;    ///< what is spoiled, for people
-  Killer killer;          ///< what has to notice it
-  End end = End::failed;  ///< in this way
+  std::string name;       ///< the value of PARDEL_MUTANT that switches it on
+  std::string file;       ///< the source file that it changes, relative to the project's root
+  std::string mistake;    ///< a description for the reader
+  Killer killer;          ///< the property that must fail
+  End end = End::failed;  ///< how the killer's run must end
 };
 
-/// The columns are separated by " | ": name, file, mistake, program and property (separated by a space), and, where
-/// the mutant does not end in a failed assertion, "crashed" or "timed out". Blank lines and lines that begin with #
-/// say nothing. Throws std::runtime_error for a line that is none of this.
+/// Reads a registry: one mutant per line, in columns separated by " | ". The columns are the name, the source file, the
+/// mistake, and the killer (program and property, separated by a space). A fifth column, "crashed" or "timed out", is
+/// there if the killer's run does not end with a failed assertion. Blank lines and lines that begin with # are ignored.
+/// Throws std::runtime_error if the file cannot be read or a line is not of this form.
 [[nodiscard]] std::vector<Mutant> read_registry(const std::filesystem::path& file);
 
 }  // namespace pardel::mutants
