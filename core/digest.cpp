@@ -5,6 +5,9 @@
 #include <bit>
 #include <vector>
 
+#include "support/hash.hpp"
+#include "support/point_order.hpp"
+
 namespace pardel {
 namespace {
 
@@ -14,28 +17,20 @@ Digest operator+(Digest a, const Digest& b) {
   return a;
 }
 
-/// The finalizer of splitmix64 (Steele, Lea, Flood 2014): a bijection whose every output bit depends on every
-/// input bit.
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 /// Two lanes of 64 bits, each a chain of mixes from its own start, fed with different multiples of each word.
 class Hash {
  public:
-  explicit Hash(std::uint64_t kind) : high_(mix(kind)), low_(mix(~kind)) {}
+  explicit Hash(std::uint64_t kind) : high_(mixed(kind)), low_(mixed(~kind)) {}
   void add(std::uint64_t word) {
-    high_ = mix(high_ ^ (word * 0x9e3779b97f4a7c15u));
-    low_ = mix(low_ + (word * 0xd1342543de82ef95u) + 0x2545f4914f6cdd1du);
+    high_ = mixed(high_ ^ (word * 0x9e3779b97f4a7c15u));
+    low_ = mixed(low_ + (word * 0xd1342543de82ef95u) + 0x2545f4914f6cdd1du);
   }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); }  // -0 + 0 is +0
   void add(const Point& p) {
     add(p.x);
     add(p.y);
   }
-  [[nodiscard]] Digest value() const { return {mix(high_ + low_), mix(low_ ^ (high_ * 0x9e3779b97f4a7c15u))}; }
+  [[nodiscard]] Digest value() const { return {mixed(high_ + low_), mixed(low_ ^ (high_ * 0x9e3779b97f4a7c15u))}; }
 
  private:
   std::uint64_t high_;
@@ -45,12 +40,11 @@ class Hash {
 constexpr std::uint64_t triangle_kind = 3;
 constexpr std::uint64_t edge_kind = 2;
 
-bool less(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 Digest hash_triangle(const Mesh& mesh, std::size_t t) {
   const auto& v = mesh.triangles[t].v;
   const std::array<Point, 3> p{mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
-  const std::size_t first = less(p[1], p[0]) ? (less(p[2], p[1]) ? 2 : 1) : (less(p[2], p[0]) ? 2 : 0);
+  const std::size_t first = lexicographically_less(p[1], p[0]) ? (lexicographically_less(p[2], p[1]) ? 2 : 1)
+                                                               : (lexicographically_less(p[2], p[0]) ? 2 : 0);
   Hash hash(triangle_kind);
   for (std::size_t i = 0; i < 3; ++i) hash.add(p[(first + i) % 3]);
   const Index region = mesh.region.empty() ? no_index : mesh.region[t];
@@ -61,7 +55,7 @@ Digest hash_triangle(const Mesh& mesh, std::size_t t) {
 Digest hash_edge(const Mesh& mesh, const ConstrainedEdge& edge) {
   Point a = mesh.points[edge.a];
   Point b = mesh.points[edge.b];
-  if (less(b, a)) std::swap(a, b);
+  if (lexicographically_less(b, a)) std::swap(a, b);
   Hash hash(edge_kind);
   hash.add(a);
   hash.add(b);

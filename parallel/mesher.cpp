@@ -6,8 +6,10 @@
 
 #include "../core/support/shortest.hpp"
 #include "../core/support/stopwatch.hpp"
-#include "conversion/assemble.hpp"
 #include "conversion/background.hpp"
+#include "conversion/domain_triangulation.hpp"
+#include "conversion/export_mesh.hpp"
+#include "conversion/import_mesh.hpp"
 #include "refinement/criteria.hpp"
 #include "scheduling/refine_by_sweeps.hpp"
 #include "validate.hpp"
@@ -56,33 +58,33 @@ struct Heritage {
   std::vector<std::array<Index, 3>> background;
 };
 
-Mesh to_mesh(Assembled&& domain, Heritage heritage, int threads) {
-  return disassemble(std::move(domain), std::move(heritage.region_attributes), heritage.points,
+Mesh to_mesh(DomainTriangulation&& domain, Heritage heritage, int threads) {
+  return export_mesh(std::move(domain), std::move(heritage.region_attributes), heritage.points,
                      std::move(heritage.background), threads);
 }
 
 /// Shows each snapshot, made a mesh, to options.after_sweep.
-Watcher watcher(const Assembled& domain, const Heritage& heritage, const Options& options) {
+Watcher watcher(const DomainTriangulation& domain, const Heritage& heritage, const Options& options) {
   if (!options.after_sweep) return {};
   return [&](Triangulation&& snapshot, const Sweep& sweep) {
-    Assembled copy{std::move(snapshot), domain.lines, domain.input_of_vertex, domain.segment_of_line,
-                   domain.marker_of_line};
+    DomainTriangulation copy{std::move(snapshot), domain.segments, domain.input_of_vertex, domain.input_segment,
+                             domain.segment_marker};
     return options.after_sweep(to_mesh(std::move(copy), heritage, options.threads), sweep);
   };
 }
 
-Status refine_domain(Assembled& domain, const Criteria& criteria, const Heritage& heritage, Options options,
+Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const Heritage& heritage, Options options,
                      Report& report) {
   Triangulation& t = domain.triangulation;
   options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
   Result<RefineCounts> counts =
-      refine_by_sweeps(t, domain.lines, criteria, options, {}, watcher(domain, heritage, options));
+      refine_by_sweeps(t, domain.segments, criteria, options, {}, watcher(domain, heritage, options));
   if (!counts) return counts.error();
   report.inserted = counts->inserted;
   report.segment_splits = counts->segment_splits;
   report.refused = counts->refused;
   report.tiling = std::move(counts->tiling);
-  if (counts->left_alone) report.exempt = exemptions(t, domain.lines, criteria, options, counts->budget_reached);
+  if (counts->left_alone) report.exempt = exemptions(t, domain.segments, criteria, options, counts->budget_reached);
   for (Exemption& e : report.exempt)
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
   return Done{};
@@ -94,10 +96,10 @@ Result<Meshed> mesh_pslg(const Pslg& pslg, bool convex_hull, const Goal* goal, c
   if (Status valid = check_pslg(pslg, convex_hull, options.threads); !valid) return valid.error();
   result.report.validate_seconds = watch.lap();
 
-  Result<Assembled> domain = assemble(pslg, convex_hull, options.threads);
+  Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, options.threads);
   if (!domain) return domain.error();
   Heritage heritage{{}, {pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
-  if (pslg.attributes_per_point > 0) heritage.background = corners(*domain);
+  if (pslg.attributes_per_point > 0) heritage.background = input_corners(*domain);
   result.report.triangulate_seconds = watch.lap();
 
   std::vector<double> caps;
@@ -144,7 +146,7 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
                                                  " must be positive, not " + shortest(max_areas[i])};
   Stopwatch watch;
   Meshed result;
-  Result<Assembled> domain = assemble(coarse);
+  Result<DomainTriangulation> domain = import_mesh(coarse);
   if (!domain) return domain.error();
   Heritage heritage{coarse.region_attributes,
                     {coarse.attributes_per_point, coarse.point_attributes.span(), coarse.point_markers.span()},

@@ -257,7 +257,7 @@ class MshReader {
     if (found != announced) {
       in_.fail("expected " + std::to_string(announced) + " elements, found " + std::to_string(found));
     }
-    if (mesh_.triangles.size() > max_triangles) in_.fail("more triangles than a mesh can hold");
+    if (mesh_.triangles.size() > max_mesh_triangles) in_.fail("more triangles than a mesh can hold");
     expect_end("$EndElements");
   }
 

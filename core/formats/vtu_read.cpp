@@ -87,7 +87,7 @@ class VtuMesh {
     const auto corners = values<std::int64_t>(corners_array);
     const auto ends = values<std::int64_t>(ends_array, file_.cells());
     const auto types = values<std::int64_t>(types_array, file_.cells());
-    if (!error_ && corners.size() / 3 > max_triangles) fail(*corners_array, "more triangles than a mesh can hold");
+    if (!error_ && corners.size() / 3 > max_mesh_triangles) fail(*corners_array, "more triangles than a mesh can hold");
     std::size_t first = 0;
     for (std::size_t c = 0; c < file_.cells() && !error_; ++c) {
       const std::size_t n = types[c] == vtk_triangle ? 3 : types[c] == vtk_line ? 2 : 1;

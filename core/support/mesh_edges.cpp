@@ -13,7 +13,8 @@ std::pair<Index, Index> ends(const ConstrainedEdge& e) { return std::minmax(e.a,
 ConstrainedEdgeIndex::ConstrainedEdgeIndex(const Mesh& mesh)
     : edges_(&mesh.constrained_edges), sorted_(mesh.constrained_edges.size()), start_(mesh.points.size() + 1, 0) {
   std::iota(sorted_.begin(), sorted_.end(), Index{0});
-  std::sort(sorted_.begin(), sorted_.end(), [&](Index i, Index j) { return ends((*edges_)[i]) < ends((*edges_)[j]); });
+  const auto key = [&](Index i) { return std::pair(ends((*edges_)[i]), i); };
+  std::sort(sorted_.begin(), sorted_.end(), [&](Index i, Index j) { return key(i) < key(j); });
   for (const ConstrainedEdge& e : *edges_) ++start_[ends(e).first + 1];
   for (std::size_t p = 1; p < start_.size(); ++p) start_[p] += start_[p - 1];
 }
@@ -22,9 +23,10 @@ const ConstrainedEdge* ConstrainedEdgeIndex::find(Index a, Index b) const {
   const auto [low, high] = std::minmax(a, b);
   const auto first = sorted_.begin() + start_[low];
   const auto last = sorted_.begin() + start_[low + 1];
-  const auto found =
-      std::lower_bound(first, last, high, [&](Index i, Index end) { return ends((*edges_)[i]).second < end; });
-  return found != last && ends((*edges_)[*found]).second == high ? &(*edges_)[*found] : nullptr;
+  const auto beyond =
+      std::upper_bound(first, last, high, [&](Index end, Index i) { return end < ends((*edges_)[i]).second; });
+  if (beyond == first || ends((*edges_)[*(beyond - 1)]).second != high) return nullptr;
+  return &(*edges_)[*(beyond - 1)];
 }
 
 Array<int> vertex_markers(const Mesh& mesh) {

@@ -10,12 +10,13 @@ namespace pardel {
 class ConstrainedEdgeIndex {
  public:
   explicit ConstrainedEdgeIndex(const Mesh& mesh);
-  /// Null where (a, b) is no constrained edge; the order of a and b does not matter.
+  /// The constrained edge with the ends a and b, in either order; null if there is none. If several have these ends,
+  /// the last of them.
   [[nodiscard]] const ConstrainedEdge* find(Index a, Index b) const;
 
  private:
   const std::vector<ConstrainedEdge>* edges_;
-  std::vector<Index> sorted_;  ///< by lower end, then higher end
+  std::vector<Index> sorted_;  ///< by lower end, then higher end, then index
   Array<Index> start_;         ///< by lower end, into sorted_
 };
 

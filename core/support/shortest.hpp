@@ -5,6 +5,8 @@
 #include <charconv>
 #include <string>
 
+#include "../pslg.hpp"
+
 namespace pardel {
 
 /// The shortest text that reads back to the same double.
@@ -12,5 +14,8 @@ namespace pardel {
   std::array<char, 32> buffer;  // the longest has 24 characters
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
+
+/// The coordinates of a point, for example "(0.5, 1e-9)".
+[[nodiscard]] inline std::string shortest(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
 
 }  // namespace pardel

@@ -1,27 +1,25 @@
-// The bounding box of many points, on all threads.
+// The bounding box of many points, computed in parallel.
 #pragma once
 
 #include <vector>
 
-#include "lattice.hpp"
+#include "../arithmetic/box.hpp"
 #include "parallel_for.hpp"
 
 namespace pardel::engine {
 
-/// The least box with point_of(i) in it, or on its upper sides, for all i below n; `nowhere` where n is 0.
+/// The smallest closed box that contains point_of(i) for all i < n; `empty_box` if n is 0. Uses up to `threads`
+/// threads, which do not change the result. O(n).
 template <class PointOf>
-[[nodiscard]] Box bounds_of(int threads, std::size_t n, const PointOf& point_of) {
+[[nodiscard]] Box bounding_box(int threads, std::size_t n, const PointOf& point_of) {
   std::vector<Box> of_block(block_count(n));
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
-    Box box = nowhere;
-    for (std::size_t i = first; i < last; ++i) {
-      const Point p = point_of(i);
-      box = united(box, {p.x, p.y, p.x, p.y});
-    }
+    Box box = empty_box;
+    for (std::size_t i = first; i < last; ++i) box.cover(Box::around(point_of(i)));
     of_block[block] = box;
   });
-  Box all = nowhere;
-  for (const Box& box : of_block) all = united(all, box);
+  Box all = empty_box;
+  for (const Box& box : of_block) all.cover(box);
   return all;
 }
 

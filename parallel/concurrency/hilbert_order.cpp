@@ -6,17 +6,17 @@
 #include <cstdint>
 #include <utility>
 
-#include "../arithmetic/lexicographic.hpp"
+#include "../../core/support/point_order.hpp"
 #include "bounding_box.hpp"
-#include "in_order.hpp"
+#include "parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {
 
 constexpr int levels = 16;  // bits per coordinate of a key
 
-// One level of the curve: a state is one of four orientations of the U; per quadrant (x bit, y bit), its
-// position along the curve and the orientation inside it.
+// One level of the curve. The state is one of four orientations of the U. For each state and quadrant (x bit, y bit)
+// the table has the position of the quadrant along the curve and the state inside it.
 struct Step {
   std::uint8_t position, state;
 };
@@ -28,7 +28,7 @@ constexpr std::array<std::array<Step, 4>, 4> one_level{{
     {{{2, 3}, {3, 1}, {1, 3}, {0, 2}}},
 }};
 
-/// Four levels at once: by state, then four bits of x before four of y.
+/// Four levels in one step. The first index is the state; the second has four bits of x above four bits of y.
 constexpr auto four_levels = [] {
   std::array<std::array<Step, 256>, 4> table{};
   for (std::uint8_t start = 0; start < 4; ++start)
@@ -54,8 +54,8 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   return key;
 }
 
-/// Least significant digit first, 11 bits at a time, on the upper half of each word. Stable, so that it does not matter
-/// in how many parts.
+/// Radix sort by the upper half of each word, with digits of 11 bits, least significant digit first. It is stable, so
+/// the number of parts does not change the result.
 void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
   Array<std::uint64_t> sorted;
   sorted.resize_uninitialised(words.size());
@@ -80,12 +80,12 @@ void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
 }
 
 void order_by_coordinates(std::span<const Point> points, std::span<Index> ids) {
-  std::sort(ids.begin(), ids.end(), [&](Index a, Index b) { return before(points[a], points[b]); });
+  std::sort(ids.begin(), ids.end(), [&](Index a, Index b) { return lexicographically_less(points[a], points[b]); });
 }
 
 void order_along_curve(std::span<const Point> points, std::span<Index> ids, int threads) {
   if (ids.size() <= 16) return order_by_coordinates(points, ids);
-  const Box box = bounds_of(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
+  const Box box = bounding_box(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
   const double side = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
   if (!(side > 0)) return order_by_coordinates(points, ids);
   constexpr double top = (1U << levels) - 1;
@@ -100,7 +100,7 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, int 
   parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t k = first; k < last; ++k) ids[k] = static_cast<Index>(words[k]);
   });
-  // Runs of equal keys, by the places that continue one.
+  // Find the runs of equal keys: `continued` lists the positions with the same key as the position before.
   const Array<Index> continued = indices_where(
       threads, words.size(), [&](std::size_t k) { return k > 0 && words[k] >> 32U == words[k - 1] >> 32U; });
   for (std::size_t i = 0; i < continued.size();) {

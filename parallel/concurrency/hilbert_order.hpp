@@ -1,4 +1,4 @@
-// Orders points so that neighbours in the order are neighbours in the plane.
+// The order of points along a Hilbert curve: neighbours in the order are close in the plane.
 #pragma once
 
 #include <span>
@@ -8,9 +8,10 @@
 
 namespace pardel::engine {
 
-/// The indices of the points along a Hilbert curve over their bounding square; points that share a cell of
-/// the finest grid are ordered along a curve of their own. Depends on coordinates only, not on the order
-/// of the input (but for equal points). O(n) typical.
+/// The indices of the points, ordered along a Hilbert curve through a grid of 2^16 by 2^16 cells over their bounding
+/// square. Points in one cell are ordered recursively, along a curve through that cell. The order depends on
+/// coordinates only, not on the order of the input, except among equal points. The number of threads does not change
+/// it. O(n) typical.
 [[nodiscard]] Array<Index> hilbert_order(std::span<const Point> points, int threads = 1);
 
 }  // namespace pardel::engine

@@ -1,4 +1,4 @@
-// How the plane is cut into tiles, and what a task that works on a tile may touch.
+// A lattice that divides the plane into cells, and the box in which the task of a cell works.
 #pragma once
 
 #include <algorithm>
@@ -6,32 +6,17 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
+#include "../arithmetic/box.hpp"
 
 namespace pardel::engine {
 
-/// Half-open: [min_x, max_x) x [min_y, max_y).
-struct Box {
-  double min_x = -INFINITY, min_y = -INFINITY, max_x = INFINITY, max_y = INFINITY;
-  [[nodiscard]] bool is_everything() const {
-    return min_x == -INFINITY && min_y == -INFINITY && max_x == INFINITY && max_y == INFINITY;
-  }
-  [[nodiscard]] bool contains(Point p) const { return p.x >= min_x && p.x < max_x && p.y >= min_y && p.y < max_y; }
-};
-
-inline constexpr Box nowhere{INFINITY, INFINITY, -INFINITY, -INFINITY};
-
-/// The least box around both.
-[[nodiscard]] inline Box united(const Box& a, const Box& b) {
-  return {std::min(a.min_x, b.min_x), std::min(a.min_y, b.min_y), std::max(a.max_x, b.max_x),
-          std::max(a.max_y, b.max_y)};
-}
-
-/// A uniform lattice over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2); the task of a cell owns its
-/// cell and half a cell around it, so that the boxes of one colour are disjoint.
+/// A uniform lattice over a rectangle. Cell (i, j) has colour (i mod 2, j mod 2). The box of a cell is the cell with a
+/// margin of half a cell on each side, so the boxes of cells of one colour are disjoint. Each task works in the box of
+/// one cell.
 class Lattice {
  public:
   static constexpr unsigned colours = 4;
-  /// The paper's lattice: a cell's side in circumradii, at least (THEORY, T1 and Lattice).
+  /// In the paper's lattice the side of a cell is at least this number of circumradii (THEORY, T1 and Lattice).
   static constexpr double radii_per_side = 4;
 
   Lattice(Box bounds, Index columns, Index rows)
@@ -40,7 +25,7 @@ class Lattice {
         rows_(rows),
         width_((bounds.max_x - bounds.min_x) / columns),
         height_((bounds.max_y - bounds.min_y) / rows) {}
-  /// Nearly square cells, `along` of them in the direction in which the bounds are longer.
+  /// A lattice of nearly square cells, with `along` of them in the direction in which the bounds are longer.
   static Lattice over(Box bounds, Index along) {
     const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
     const double side = std::max(width, height) / along;
@@ -51,19 +36,20 @@ class Lattice {
   [[nodiscard]] Index cells() const { return columns_ * rows_; }
   [[nodiscard]] Index columns() const { return columns_; }
   [[nodiscard]] Index rows() const { return rows_; }
-  [[nodiscard]] double width() const { return width_; }    ///< of a cell
-  [[nodiscard]] double height() const { return height_; }  ///< of a cell
-  /// The shorter side of a cell. Where there is but one column or row, nothing lies beside it, and
-  /// its width or height does not count; INFINITY for a single cell.
+  [[nodiscard]] double width() const { return width_; }    ///< of one cell
+  [[nodiscard]] double height() const { return height_; }  ///< of one cell
+  /// The shorter side of a cell. The width of a single column and the height of a single row do not count, because no
+  /// neighbour follows in that direction. INFINITY for a lattice of one cell.
   [[nodiscard]] double side() const {
     return std::min(columns_ > 1 ? width_ : INFINITY, rows_ > 1 ? height_ : INFINITY);
   }
-  /// T1: the cavity of a point in a cell lies in the cell's box where no circumradius exceeds this (THEORY, Lattice).
-  /// It holds of each triangle by itself: p, in the circumdisk, lies within two radii, half a side, of its corners. One
-  /// hundredth less than the theorem's keeps rounding from passing for a mistake, far from the origin too.
+  /// The cavity of a point in a cell lies in the box of the cell if no circumradius exceeds this value (T1; THEORY,
+  /// Lattice). This holds for each triangle separately: a point in its circumdisk lies within two radii, that is half a
+  /// side, of its corners. The value is one hundredth below the theorem's, so rounding cannot cause a false alarm, not
+  /// even far from the origin.
   [[nodiscard]] double radius_that_fits() const { return 0.99 * side() / radii_per_side; }
-  /// The cell of a point; points beyond the bounds belong to the nearest cell
-  /// (and those that are not a number, from needles, to the first).
+  /// The cell of a point. A point beyond the bounds belongs to the nearest cell. A NaN coordinate, which can be the
+  /// circumcentre of a needle, counts as the lowest.
   [[nodiscard]] Index cell_of(Point p) const {
     return clamped((p.y - bounds_.min_y) / height_, rows_) * columns_ +
            clamped((p.x - bounds_.min_x) / width_, columns_);
@@ -72,7 +58,7 @@ class Lattice {
     return {bounds_.min_x + (cell % columns_ + 0.5) * width_, bounds_.min_y + (cell / columns_ + 0.5) * height_};
   }
   [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
-  /// What the task of a cell may touch. Boxes at the rim extend to infinity.
+  /// The box in which the task of a cell works. Boxes at the border of the lattice extend to infinity.
   [[nodiscard]] Box box_of(Index cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     Box box;
@@ -83,8 +69,8 @@ class Lattice {
     return box;
   }
 
-  /// The part that the box of a cell has in a quantity given per cell: all of the cell, half of the cells beside
-  /// it, a quarter of those at its corners.
+  /// The amount of a quantity, given per cell, that lies in the box of a cell: the cell counts fully, each of the four
+  /// edge neighbours by a half, each of the four corner neighbours by a quarter.
   [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     double sum = 0;

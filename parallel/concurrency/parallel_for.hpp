@@ -1,4 +1,4 @@
-// Loops on all cores. The only place in parallel/ that knows OpenMP.
+// Parallel loops. The only file of parallel/ that uses OpenMP.
 #pragma once
 
 #include <omp.h>
@@ -10,9 +10,9 @@
 
 namespace pardel::engine {
 
-/// Calls body(i, thread) for i in [0, n), each once, on up to `threads` threads, thread 0 being the caller. Items
-/// are given out one by one, in order, to whoever is free. A std::bad_alloc in a body ends the loop early and is
-/// thrown on.
+/// Calls body(i, thread) exactly once for each i in [0, n), on up to `threads` threads. Thread 0 is the caller's. Free
+/// threads take the items one at a time, in ascending order. If a body throws std::bad_alloc, the remaining items are
+/// skipped and std::bad_alloc is thrown.
 template <class Body>
 void parallel_for(int threads, std::size_t n, const Body& body) {
   std::atomic<bool> out_of_memory{false};
@@ -31,8 +31,8 @@ void parallel_for(int threads, std::size_t n, const Body& body) {
 inline constexpr std::size_t items_in_block = 16'384;
 [[nodiscard]] inline std::size_t block_count(std::size_t n) { return (n + items_in_block - 1) / items_in_block; }
 
-/// The same over blocks of consecutive items: body(first, last, block). The blocks depend on n alone, so what is
-/// put together block by block does not depend on threads.
+/// Calls body(first, last, block) for the blocks of consecutive items [first, last) of [0, n), in parallel. The blocks
+/// depend on n alone, so a result that is combined block by block does not depend on the number of threads.
 template <class Body>
 void parallel_blocks(int threads, std::size_t n, const Body& body) {
   parallel_for(threads, block_count(n), [&](std::size_t block, int) {

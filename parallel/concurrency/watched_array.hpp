@@ -1,36 +1,37 @@
-// The seam at which a test watches which triangles a task touches. Where PARDEL_TOUCHES is not defined, that is in
-// everything but the test that defines it, the watched array is the array itself.
+// An array that can record the indices that are accessed. A test uses it to check which triangles each task accesses.
+// The recording exists only where PARDEL_WATCHED_ARRAYS is defined, that is in that test. Everywhere else WatchedArray
+// is Array.
 #pragma once
 
 #include "../../core/array.hpp"
 
-#ifdef PARDEL_TOUCHES
+#ifdef PARDEL_WATCHED_ARRAYS
 #include <vector>
 #endif
 
 namespace pardel::engine {
 
-#ifdef PARDEL_TOUCHES
+#ifdef PARDEL_WATCHED_ARRAYS
 
-/// Where the calling thread notes what it touches; nullptr: nowhere.
-inline thread_local std::vector<std::size_t>* touches = nullptr;
+/// The list to which the calling thread appends every index that it accesses. With nullptr nothing is recorded.
+inline thread_local std::vector<std::size_t>* watched_indices = nullptr;
 
 template <class T>
 class WatchedArray : public Array<T> {
  public:
   using Array<T>::Array;
   T& operator[](std::size_t i) {
-    note(i);
+    record(i);
     return Array<T>::operator[](i);
   }
   const T& operator[](std::size_t i) const {
-    note(i);
+    record(i);
     return Array<T>::operator[](i);
   }
 
  private:
-  static void note(std::size_t i) {
-    if (touches != nullptr) touches->push_back(i);
+  static void record(std::size_t i) {
+    if (watched_indices != nullptr) watched_indices->push_back(i);
   }
 };
 

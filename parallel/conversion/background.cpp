@@ -33,13 +33,16 @@ Background::Background(std::span<const Point> points, std::vector<std::array<Ind
     centre.push_back({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
   }
   number_ = hilbert_order(centre);
-  boxes_.assign(2 * leaf_count_, nowhere);
+  boxes_.assign(2 * leaf_count_, empty_box);
   for (std::size_t i = 0; i < number_.size(); ++i) {
     triangles_.push_back(triangles[number_[i]]);
     Box& box = boxes_[leaf_count_ + i];
-    for (const Index v : triangles_.back()) box = united(box, {points_[v].x, points_[v].y, points_[v].x, points_[v].y});
+    for (const Index v : triangles_.back()) box.cover(Box::around(points_[v]));
   }
-  for (std::size_t i = leaf_count_ - 1; i > 0; --i) boxes_[i] = united(boxes_[2 * i], boxes_[2 * i + 1]);
+  for (std::size_t i = leaf_count_ - 1; i > 0; --i) {
+    boxes_[i].cover(boxes_[2 * i]);
+    boxes_[i].cover(boxes_[2 * i + 1]);
+  }
 }
 
 Located Background::weights_in(Index leaf, Point p) const {

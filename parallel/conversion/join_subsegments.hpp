@@ -1,5 +1,5 @@
-// The constrained edges of a mesh become the segments again that they are pieces of, so that its refinement goes
-// on as if it had never stopped: shells about an apex and their exemptions belong to whole segments.
+// Recovers the segments of a domain from the constrained edges of a mesh. A refinement of the mesh then continues like
+// the one that made it, because shells around an apex and exemptions belong to whole segments, not to subsegments.
 #pragma once
 
 #include <span>
@@ -10,16 +10,16 @@
 
 namespace pardel::engine {
 
-struct Joined {
-  std::vector<Constraint> lines;
-  std::vector<Index> segment_of_line;  ///< as the pieces say
-  std::vector<int> marker_of_line;
-  /// Per vertex of the mesh: the line in whose interior it lies, else interior_vertex or input_vertex.
+struct JoinedSegments {
+  std::vector<Constraint> segments;
+  std::vector<Index> input_segment;  ///< of each segment: ConstrainedEdge::segment of its subsegments
+  std::vector<int> segment_marker;
+  /// Per vertex of the mesh: the segment in whose interior it lies, else interior_vertex or input_vertex.
   Array<Index> origin;
 };
 
-/// Two pieces are joined at a vertex that was put on their segment (or on their hull edge), where no other piece
-/// ends. A mesh without provenance keeps its pieces: each is a line. O(vertices + pieces).
-[[nodiscard]] Joined join_pieces(const Mesh& mesh, std::span<const ConstrainedEdge> pieces);
+/// Two subsegments are joined at a vertex if the mesher inserted the vertex on their common segment (or hull edge) and
+/// no other subsegment ends there. In a mesh without origins every subsegment is a segment. O(vertices + subsegments).
+[[nodiscard]] JoinedSegments join_subsegments(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments);
 
 }  // namespace pardel::engine

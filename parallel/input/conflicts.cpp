@@ -4,8 +4,8 @@
 #include <array>
 #include <compare>
 
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/expansion.hpp"
-#include "../arithmetic/lexicographic.hpp"
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
@@ -13,7 +13,8 @@ namespace {
 
 /// For collinear a, b, p.
 bool strictly_between(Point a, Point b, Point p) {
-  return (before(a, p) && before(p, b)) || (before(b, p) && before(p, a));
+  return (lexicographically_less(a, p) && lexicographically_less(p, b)) ||
+         (lexicographically_less(b, p) && lexicographically_less(p, a));
 }
 
 /// What two segments on one line have in common; nothing where end comes before begin.
@@ -21,8 +22,9 @@ struct Stretch {
   Point begin, end;
 };
 Stretch common_stretch(Point a, Point b, Point c, Point d) {
-  return {std::max(std::min(a, b, before), std::min(c, d, before), before),
-          std::min(std::max(a, b, before), std::max(c, d, before), before)};
+  const auto less = lexicographically_less;
+  return {std::max(std::min(a, b, less), std::min(c, d, less), less),
+          std::min(std::max(a, b, less), std::max(c, d, less), less)};
 }
 
 /// Of the lines ab and cd, which are not parallel.
@@ -58,7 +60,8 @@ class Search {
     bool go_on = true;
     if (c_side == 0 && d_side == 0) {
       const Stretch common = common_stretch(points_[a], points_[b], points_[c], points_[d]);
-      if (before(common.begin, common.end)) go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
+      if (lexicographically_less(common.begin, common.end))
+        go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
     }
     if (c_side == 0) go_on &= put_on(c, s);
     if (d_side == 0) go_on &= put_on(d, s);
@@ -109,7 +112,7 @@ std::vector<Conflict> find_conflicts(std::span<const Point> points, std::span<co
   Search search(points, segments, most);
   index.for_each_near_pair([&](Index s, Index t) { return search.compare(s, t); });
   for (const Index p : candidates) {
-    const Bounds at{points[p].x, points[p].y, points[p].x, points[p].y};
+    const Box at = Box::around(points[p]);
     if (!index.for_each_near(at, [&](Index s) { return search.compare_point(p, s); })) break;
   }
   return std::move(search).sorted();

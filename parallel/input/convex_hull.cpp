@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "../arithmetic/lexicographic.hpp"
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
@@ -43,8 +43,9 @@ std::vector<Index> candidates(std::span<const Point> points) {
   std::vector<Index> chosen;
   for (Index i = 0; i < points.size(); ++i)
     if (!is_inside(points[i])) chosen.push_back(i);
-  std::ranges::sort(
-      chosen, [&](Index i, Index j) { return before(points[i], points[j]) || (points[i] == points[j] && i < j); });
+  std::ranges::sort(chosen, [&](Index i, Index j) {
+    return lexicographically_less(points[i], points[j]) || (points[i] == points[j] && i < j);
+  });
   const auto equal = [&](Index i, Index j) { return points[i] == points[j]; };
   chosen.erase(std::unique(chosen.begin(), chosen.end(), equal), chosen.end());
   return chosen;

@@ -8,17 +8,11 @@
 #include <unordered_map>
 
 #include "../../core/array.hpp"
-#include "../concurrency/in_order.hpp"
+#include "../../core/support/hash.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// Finalizer of MurmurHash3: every bit of the input reaches every bit of the output.
-std::uint64_t mixed(std::uint64_t h) {
-  h = (h ^ h >> 33U) * 0xff51afd7ed558ccdULL;
-  h = (h ^ h >> 33U) * 0xc4ceb9fe1a85ec53ULL;
-  return h ^ h >> 33U;
-}
 
 std::uint64_t hash_of(Point p) {
   // Adding zero turns -0 into 0.
@@ -62,12 +56,12 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points, int thread
   });
 
   std::vector<std::size_t> end(parts + 1);
-  file_by_cell(threads, part_of.span(), parts, [&](Index part, std::size_t) { ++end[part + 1]; });
+  visit_by_cell(threads, part_of.span(), parts, [&](Index part, std::size_t) { ++end[part + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
   const std::vector<std::size_t> begin = end;
   Array<Entry> entries;
   entries.resize_uninitialised(points.size());
-  file_by_cell(threads, part_of.span(), parts, [&](Index part, std::size_t i) {
+  visit_by_cell(threads, part_of.span(), parts, [&](Index part, std::size_t i) {
     entries[end[part]++] = {static_cast<std::uint32_t>(hash_of(points[i])), static_cast<Index>(i)};
   });
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "../arithmetic/lexicographic.hpp"
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
@@ -27,7 +27,7 @@ Rotation rotation(std::span<const Point> points, std::span<const Segment> segmen
   std::vector<HalfEdge> around(2 * segments.size());
   std::iota(around.begin(), around.end(), HalfEdge{0});
   const auto goes_left = [&](HalfEdge h) {
-    return before(points[origin(segments, twin(h))], points[origin(segments, h)]);
+    return lexicographically_less(points[origin(segments, twin(h))], points[origin(segments, h)]);
   };
   std::ranges::sort(around, [&](HalfEdge g, HalfEdge h) {
     const Index at = origin(segments, g);
@@ -65,7 +65,7 @@ Faces::Faces(std::span<const Point> points, std::span<const Segment> segments, c
     do {
       cycle_of[h] = static_cast<Index>(cycles.size());
       const Index v = origin(segments, h);
-      if (before(points[v], points[cycle.leftmost])) cycle = {v, false};
+      if (lexicographically_less(points[v], points[cycle.leftmost])) cycle = {v, false};
       if (v == cycle.leftmost) cycle.is_outside = cycle.is_outside || around.guards_left[h];
       h = around.next[h];
     } while (h != first);
@@ -82,8 +82,9 @@ Faces::Faces(std::span<const Point> points, std::span<const Segment> segments, c
     else
       face_of_cycle[c] = count_++;
   }
-  std::ranges::sort(outside,
-                    [&](Index c, Index d) { return before(points[cycles[c].leftmost], points[cycles[d].leftmost]); });
+  std::ranges::sort(outside, [&](Index c, Index d) {
+    return lexicographically_less(points[cycles[c].leftmost], points[cycles[d].leftmost]);
+  });
   for (const Index c : outside) {
     const Index below = index.below(points[cycles[c].leftmost]);
     face_of_cycle[c] = below == no_index ? exterior : face_of_cycle[cycle_of[half_edge_above(below)]];

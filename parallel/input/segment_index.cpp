@@ -30,10 +30,10 @@ SegmentIndex::SegmentIndex(std::span<const Point> points, std::span<const Segmen
   order_ = hilbert_order(middles);
 
   levels_.emplace_back();
-  for (const Index s : order_) levels_[0].push_back(Bounds::of(points[segments[s].a], points[segments[s].b]));
+  for (const Index s : order_) levels_[0].push_back(Box::around(points[segments[s].a], points[segments[s].b]));
   while (levels_.back().size() > 1) {
-    const std::vector<Bounds>& lower = levels_.back();
-    std::vector<Bounds> upper;
+    const std::vector<Box>& lower = levels_.back();
+    std::vector<Box> upper;
     for (std::size_t i = 0; i < lower.size(); ++i) {
       if (i % fan == 0) upper.push_back(lower[i]);
       upper.back().cover(lower[i]);
@@ -44,7 +44,7 @@ SegmentIndex::SegmentIndex(std::span<const Point> points, std::span<const Segmen
 
 Index SegmentIndex::through(Point p) const {
   Index found = no_index;
-  for_each_near({p.x, p.y, p.x, p.y}, [&](Index s) {
+  for_each_near(Box::around(p), [&](Index s) {
     if (orient2d(points_[segments_[s].a], points_[segments_[s].b], p) == 0) found = s;
     return found == no_index;
   });
@@ -80,7 +80,7 @@ Index SegmentIndex::below(Point p) const {
   if (levels_.empty()) return no_index;
   Index best = no_index;
   double best_height = -std::numeric_limits<double>::infinity();
-  const auto may_hold_better = [&](const Bounds& box) {
+  const auto may_hold_better = [&](const Box& box) {
     return box.min_x < p.x && p.x <= box.max_x && box.min_y <= p.y && box.max_y >= best_height;
   };
   Stack stack;

@@ -10,26 +10,9 @@
 
 #include "../../core/array.hpp"
 #include "../../core/pslg.hpp"
+#include "../arithmetic/box.hpp"
 
 namespace pardel::engine {
-
-/// Closed.
-struct Bounds {
-  double min_x, min_y, max_x, max_y;
-
-  [[nodiscard]] static Bounds of(Point a, Point b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-  }
-  [[nodiscard]] bool meets(const Bounds& other) const {
-    return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
-  }
-  void cover(const Bounds& other) {
-    min_x = std::min(min_x, other.min_x);
-    min_y = std::min(min_y, other.min_y);
-    max_x = std::max(max_x, other.max_x);
-    max_y = std::max(max_y, other.max_y);
-  }
-};
 
 /// Keeps references to the points and segments, which must stay as they are. Preconditions: ids in range,
 /// coordinates within the range of the predicates. O(n log n) to build.
@@ -40,7 +23,7 @@ class SegmentIndex {
   /// Calls visit(segment) for every segment whose bounding box meets `box`, until visit returns false.
   /// Returns false when it was stopped.
   template <class Visit>
-  bool for_each_near(const Bounds& box, const Visit& visit) const {
+  bool for_each_near(const Box& box, const Visit& visit) const {
     return levels_.empty() ||
            descend({levels_.size() - 1, 0}, box, [&](std::size_t slot) { return visit(order_[slot]); });
   }
@@ -66,7 +49,7 @@ class SegmentIndex {
   /// Nodes waiting in a depth-first walk: fan at each of at most 11 levels (8^11 > 2^32).
   using Stack = std::array<Node, fan * 11>;
 
-  [[nodiscard]] const Bounds& bounds(Node node) const { return levels_[node.level][node.index]; }
+  [[nodiscard]] const Box& bounds(Node node) const { return levels_[node.level][node.index]; }
   [[nodiscard]] std::size_t end_of_children(Node node) const {
     return std::min((node.index + 1) * fan, levels_[node.level - 1].size());
   }
@@ -75,19 +58,19 @@ class SegmentIndex {
   [[nodiscard]] double least_height(Index segment, double x) const;
 
   template <class Visit>
-  bool descend(Node top, const Bounds& box, const Visit& visit_slot) const;
+  bool descend(Node top, const Box& box, const Visit& visit_slot) const;
 
   std::span<const Point> points_;
   std::span<const Segment> segments_;
   Array<Index> order_;
-  std::vector<std::vector<Bounds>> levels_;
+  std::vector<std::vector<Box>> levels_;
 };
 
 template <class Visit>
-bool SegmentIndex::descend(Node top, const Bounds& box, const Visit& visit_slot) const {
+bool SegmentIndex::descend(Node top, const Box& box, const Visit& visit_slot) const {
   Stack stack;
   std::size_t waiting = 0;
-  if (bounds(top).meets(box)) stack[waiting++] = top;
+  if (bounds(top).intersects_closed(box)) stack[waiting++] = top;
   while (waiting > 0) {
     const Node node = stack[--waiting];
     if (node.level == 0) {
@@ -95,7 +78,7 @@ bool SegmentIndex::descend(Node top, const Bounds& box, const Visit& visit_slot)
       continue;
     }
     for (std::size_t child = end_of_children(node); child-- > node.index * fan;)
-      if (levels_[node.level - 1][child].meets(box)) stack[waiting++] = {node.level - 1, child};
+      if (levels_[node.level - 1][child].intersects_closed(box)) stack[waiting++] = {node.level - 1, child};
   }
   return true;
 }
@@ -103,7 +86,7 @@ bool SegmentIndex::descend(Node top, const Bounds& box, const Visit& visit_slot)
 template <class Visit>
 void SegmentIndex::for_each_near_pair(const Visit& visit) const {
   for (std::size_t slot = 0; slot < order_.size(); ++slot) {
-    const Bounds box = levels_[0][slot];
+    const Box box = levels_[0][slot];
     const auto visit_pair = [&](std::size_t other) { return visit(order_[slot], order_[other]); };
     // What comes later in the order: the later siblings of this slot and of every node above it.
     std::size_t index = slot;

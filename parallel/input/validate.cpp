@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/in_order.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 #include "conflicts.hpp"
 #include "convex_hull.hpp"
 #include "duplicates.hpp"

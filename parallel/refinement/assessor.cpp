@@ -50,14 +50,14 @@ unsigned Judge::non_delaunay_side(TriangleId id) const {
   return side;
 }
 
-Index Judge::line_of(EdgeRef e) const {
+Index Judge::segment_of(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
-  return lines_.line_of(t_, slot.from(e.side()), slot.to(e.side()));
+  return segments_.segment_of(t_, slot.from(e.side()), slot.to(e.side()));
 }
 
 Point Judge::point_on(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
-  return edge_split_point(t_, lines_[line_of(e)], slot.from(e.side()), slot.to(e.side()));
+  return edge_split_point(t_, segments_[segment_of(e)], slot.from(e.side()), slot.to(e.side()));
 }
 
 Point Judge::point_for(TriangleId id, const Assessment& a) const {

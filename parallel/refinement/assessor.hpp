@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "../options.hpp"
-#include "../triangulation/constraint_lines.hpp"
+#include "../triangulation/domain_segments.hpp"
 #include "bucket_queue.hpp"
 #include "criteria.hpp"
 #include "small_angles.hpp"
@@ -24,9 +24,9 @@ struct Assessment {
 /// The decisions of the refinement: pure functions of the triangulation.
 class Judge {
  public:
-  Judge(const Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options)
+  Judge(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options)
       : t_(t),
-        lines_(lines),
+        segments_(segments),
         criteria_(criteria),
         options_(options),
         squared_floor_(options.min_edge * options.min_edge) {}
@@ -47,7 +47,8 @@ class Judge {
     const bool large = too_large(id, m);
     if (!large && !criteria_.bad_shape(m)) return {};
     const double shortest = m.shortest_squared();
-    if (shortest < squared_floor_ || (!large && small_angle(t_, lines_, t_.slots[id], m))) return {.left_alone = true};
+    if (shortest < squared_floor_ || (!large && small_angle(t_, segments_, t_.slots[id], m)))
+      return {.left_alone = true};
     return {Assessment::Need::split_triangle, m.shortest_side(), BucketQueue::key(shortest), m.longest_squared(),
             false};
   }
@@ -70,7 +71,7 @@ class Judge {
     return criteria_.split_point(t_.points[slot.from(side)], t_.points[slot.to(side)], t_.points[slot.apex(side)],
                                  region_of(shortest.triangle()));
   }
-  [[nodiscard]] Index line_of(EdgeRef e) const;
+  [[nodiscard]] Index segment_of(EdgeRef e) const;
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
@@ -82,7 +83,7 @@ class Judge {
   }
 
   const Triangulation& t_;
-  const Lines& lines_;
+  const DomainSegments& segments_;
   const Criteria& criteria_;
   const Options& options_;
   double squared_floor_;

@@ -23,7 +23,7 @@ struct DiskTest {
   Pair p;
   Box box;
 
-  [[nodiscard]] bool is_own(VertexId v) const { return box.contains(t.points[v]); }
+  [[nodiscard]] bool is_own(VertexId v) const { return box.contains_half_open(t.points[v]); }
   [[nodiscard]] Corner corner(VertexId v) const { return corner_around(p, t.points[v]); }
   [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>& c, EdgeRef behind) const {
     const Slot& slot = t.slot(behind);
@@ -45,7 +45,7 @@ struct DiskTest {
  private:
   [[nodiscard]] InDisks decided(const InCircle<Pair>& in, const Slot& a, const Slot& b) const {
     if (!in.is_certain()) [[unlikely]]
-      return InDisks::of(in_disk(t, a, as_point(p)), in_disk(t, b, as_point(p)));
+      return InDisks::of(in_circumdisk(t, a, as_point(p)), in_circumdisk(t, b, as_point(p)));
     return {bits(in.determinant > 0)};
   }
 };

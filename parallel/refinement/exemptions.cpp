@@ -5,9 +5,9 @@
 
 namespace pardel::engine {
 
-std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Criteria& criteria,
+std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                   const Options& options, bool budget_reached) {
-  const Judge judge(t, lines, criteria, options);
+  const Judge judge(t, segments, criteria, options);
   Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
   const auto named = [](Outcome outcome) {
@@ -22,7 +22,7 @@ std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Cr
     const Shape shape(t, t.slots[id]);
     const unsigned side = judge.non_delaunay_side(id);
     if (side == 3 && !judge.too_large(id))
-      if (const auto small = small_angle(t, lines, t.slots[id], shape))
+      if (const auto small = small_angle(t, segments, t.slots[id], shape))
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached) return {id, ExemptReason::budget};
     if (side < 3) return {id, why_not_split(EdgeRef(id, side))};

@@ -85,7 +85,7 @@ EdgeRef Insertion::longest_encroached() const {
 }
 
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
-  if (!box.contains(p)) return Outcome::leaves_box;
+  if (!box.contains_half_open(p)) return Outcome::leaves_box;
   const Walk walk = cavity_.find(t_, first, DiskTest{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::elsewhere) return Outcome::refused;
   if (walk == Walk::foreign) return Outcome::leaves_box;
@@ -100,7 +100,7 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
 Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
   const Outcome outcome = try_in_face(p, first, box);
   if (outcome != Outcome::inserted) return outcome;
-  if (!is_star_) return box.is_everything() ? face_by_flips(p) : Outcome::leaves_box;
+  if (!is_star_) return box.is_whole_plane() ? face_by_flips(p) : Outcome::leaves_box;
   commit(p, interior_vertex);
   return outcome;
 }
@@ -109,7 +109,7 @@ bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradiu
   const auto is_it = [&](EdgeRef across) {
     if (across.constrained()) return false;
     const Slot& slot = t_.slot(across);
-    return !box.contains(t_.points[slot.v[across.side()]]) && in_disk(t_, slot, p) &&
+    return !box.contains_half_open(t_.points[slot.v[across.side()]]) && in_circumdisk(t_, slot, p) &&
            Shape(t_, slot).squared_circumradius() <= squared_circumradius;
   };
   return std::any_of(cavity_.triangles().begin(), cavity_.triangles().end(), [&](TriangleId id) {
@@ -120,28 +120,28 @@ bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradiu
 
 Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
   const EdgeRef other = t_.slot(e).n[e.side()];
-  if (!box.contains(p)) return Outcome::leaves_box;
+  if (!box.contains_half_open(p)) return Outcome::leaves_box;
   for (const EdgeRef side : {e, other})
     if (!side.none())
       for (const VertexId v : t_.slot(side).v)
-        if (!box.contains(t_.points[v])) return Outcome::leaves_box;
+        if (!box.contains_half_open(t_.points[v])) return Outcome::leaves_box;
   const Walk walk = cavity_.find_on_edge(t_, e, DiskTest{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::foreign) return Outcome::leaves_box;
   // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, the fan need
   // not be Delaunay, and the walk may come upon that triangle again from behind, around a vertex that is closer to the
   // edge than p is. Inside all disks of the cavity, and with p seeing all of its boundary, the fan is Delaunay wherever
   // rounding put p: lifted to the paraboloid, p lies below every triangle of the cavity.
-  const bool is_cavity =
-      walk == Walk::complete && in_disk(t_, t_.slot(e), p) && (other.none() || in_disk(t_, t_.slot(other), p));
+  const bool is_cavity = walk == Walk::complete && in_circumdisk(t_, t_.slot(e), p) &&
+                         (other.none() || in_circumdisk(t_, t_.slot(other), p));
   is_star_ = measure_fan(p) && is_cavity;
   return too_close() ? Outcome::too_close : Outcome::inserted;
 }
 
-Outcome Insertion::split_edge(Point p, EdgeRef e, Index line, const Box& box) {
+Outcome Insertion::split_edge(Point p, EdgeRef e, Index segment, const Box& box) {
   const Outcome outcome = try_on_edge(p, e, box);
   if (outcome != Outcome::inserted) return outcome;
-  if (!is_star_) return box.is_everything() ? edge_by_flips(p, e, line) : Outcome::leaves_box;
-  commit(p, line);
+  if (!is_star_) return box.is_whole_plane() ? edge_by_flips(p, e, segment) : Outcome::leaves_box;
+  commit(p, segment);
   return outcome;
 }
 
@@ -177,11 +177,11 @@ Outcome Insertion::face_by_flips(Point p) {
   return Outcome::refused;
 }
 
-Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index line) {
+Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
   if (cavity_.find_on_edge(t_, e, EachByItself(t_, nothing_else, corners_around(t_, p), any)) != Walk::complete ||
       !measure_fan(p))
     return Outcome::refused;
-  commit(p, line);
+  commit(p, segment);
   finish_by_flips();
   return Outcome::inserted;
 }

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "../concurrency/index_allocator.hpp"
 #include "../concurrency/lattice.hpp"
-#include "../concurrency/numbers.hpp"
 #include "../triangulation/cavity.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "criteria.hpp"
@@ -23,7 +23,7 @@ enum class Outcome : std::uint8_t {
 
 /// The numbers for what a task makes.
 struct Supply {
-  Numbers vertices, triangles;
+  IndexPool vertices, triangles;
   /// For one more insertion.
   [[nodiscard]] bool suffices() const { return vertices.left() >= 1 && triangles.left() >= 2; }
 };
@@ -49,8 +49,8 @@ class Insertion {
   /// What insert_in_face would find, with nothing changed (`inserted` then means that it could be).
   Outcome try_in_face(Point p, TriangleId first, const Box& box);
 
-  /// Splits the constrained edge e, a piece of `line`, at p.
-  Outcome split_edge(Point p, EdgeRef e, Index line, const Box& box);
+  /// Splits the constrained edge e, a piece of `segment`, at p.
+  Outcome split_edge(Point p, EdgeRef e, Index segment, const Box& box);
 
   /// What split_edge would find, with nothing changed (`inserted` then means that it could be).
   Outcome try_on_edge(Point p, EdgeRef e, const Box& box);
@@ -83,7 +83,7 @@ class Insertion {
   [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);
-  Outcome edge_by_flips(Point p, EdgeRef e, Index line);
+  Outcome edge_by_flips(Point p, EdgeRef e, Index segment);
   void commit(Point p, Index origin);
   void finish_by_flips();
 

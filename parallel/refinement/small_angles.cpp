@@ -47,9 +47,9 @@ bool same_shell(Point apex, Point u, Point v) {
 
 }  // namespace
 
-Point edge_split_point(const Triangulation& t, const Line& line, VertexId a, VertexId b) {
-  const bool shell_at_a = (a == line.a && line.acute_at_a) || (a == line.b && line.acute_at_b);
-  const bool shell_at_b = (b == line.a && line.acute_at_a) || (b == line.b && line.acute_at_b);
+Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b) {
+  const bool shell_at_a = (a == segment.a && segment.acute_at_a) || (a == segment.b && segment.acute_at_b);
+  const bool shell_at_b = (b == segment.a && segment.acute_at_a) || (b == segment.b && segment.acute_at_b);
   const Point pa = t.points[a], pb = t.points[b];
   double fraction = 0.5;
   if (shell_at_a != shell_at_b) {
@@ -58,24 +58,24 @@ Point edge_split_point(const Triangulation& t, const Line& line, VertexId a, Ver
     if (shell_at_b) fraction = 1 - fraction;
   }
   const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
-  const Point on_line = projected(p, t.points[line.a], t.points[line.b]);
+  const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);
   return {snapped(on_line.x), snapped(on_line.y)};
 }
 
-std::optional<SmallAngle> small_angle(const Triangulation& t, const Lines& lines, const Slot& slot,
+std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Slot& slot,
                                       const Measure& measure) {
   const unsigned corner = measure.shortest_side();
   const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
   if (slot.n[next_corner[corner]].constrained() && slot.n[previous_corner[corner]].constrained()) {
-    const Index first = lines.line_of(t, o, u), second = lines.line_of(t, o, v);
+    const Index first = segments.segment_of(t, o, u), second = segments.segment_of(t, o, v);
     if (first != second && first != no_index && second != no_index)
-      return SmallAngle{ExemptReason::nestled, o, degrees(lines.cosine_at(t.points, o, first, second))};
+      return SmallAngle{ExemptReason::nestled, o, degrees(segments.cosine_at(t.points, o, first, second))};
   }
-  const Index line_u = t.origin[u], line_v = t.origin[v];
-  if (line_u >= lines.size() || line_v >= lines.size() || line_u == line_v) return {};
-  const VertexId apex = lines.shared_end(line_u, line_v);
+  const Index segment_u = t.origin[u], segment_v = t.origin[v];
+  if (segment_u >= segments.size() || segment_v >= segments.size() || segment_u == segment_v) return {};
+  const VertexId apex = segments.shared_end(segment_u, segment_v);
   if (apex == no_index) return {};
-  const double cosine = lines.cosine_at(t.points, apex, line_u, line_v);
+  const double cosine = segments.cosine_at(t.points, apex, segment_u, segment_v);
   if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
   return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
 }

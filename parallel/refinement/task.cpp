@@ -111,10 +111,10 @@ void Task::process(Queued triangle) {
 }
 
 Outcome Task::split_edge(EdgeRef e) {
-  const Index line = judge_.line_of(e);
+  const Index segment = judge_.segment_of(e);
   const Point p = judge_.point_on(e);
   if (is_foreign(p)) return Outcome::leaves_box;
-  const Outcome outcome = insertion_.split_edge(p, e, line, box_);
+  const Outcome outcome = insertion_.split_edge(p, e, segment, box_);
   if (outcome == Outcome::inserted) {
     ++result_.segment_splits;
     consider_changed();
@@ -136,7 +136,7 @@ void Task::hand_on(Queued triangle, Point p) {
 
 bool Task::breaks_promise(Point p) const {
   const double fits = lattice_->radius_that_fits();
-  return box_.contains(p) && insertion_.left_box_for(p, box_, fits * fits);
+  return box_.contains_half_open(p) && insertion_.left_box_for(p, box_, fits * fits);
 }
 
 }  // namespace pardel::engine

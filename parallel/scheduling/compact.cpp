@@ -9,13 +9,13 @@ namespace {
 
 /// The moves that close the ranks, and where what had a number from `in_use` on has gone.
 struct Closing {
-  std::vector<NumberMove> moves;
+  std::vector<IndexMove> moves;
   Index in_use;
   std::vector<Index> moved_to;
 
-  explicit Closing(const NumberLedger& numbers) : moves(moves_into_holes(numbers)), in_use(numbers.in_use()) {
+  explicit Closing(const IndexAllocator& numbers) : moves(moves_into_holes(numbers)), in_use(numbers.in_use()) {
     if (!moves.empty()) moved_to.resize(moves.back().from + 1 - in_use, no_index);
-    for (const NumberMove move : moves) moved_to[move.from - in_use] = move.to;
+    for (const IndexMove move : moves) moved_to[move.from - in_use] = move.to;
   }
   [[nodiscard]] bool has_moved(Index number) const { return number >= in_use; }
   [[nodiscard]] Index now(Index number) const { return moved_to[number - in_use]; }
@@ -28,7 +28,7 @@ struct Closing {
   }
 };
 
-void close_triangles(Triangulation& t, const NumberLedger& numbers, int threads) {
+void close_triangles(Triangulation& t, const IndexAllocator& numbers, int threads) {
   const Closing closing(numbers);
   closing.for_each_move(threads, [&](TriangleId from, TriangleId to) {
     t.slots[to] = t.slots[from];
@@ -50,7 +50,7 @@ void close_triangles(Triangulation& t, const NumberLedger& numbers, int threads)
   if (!t.region.empty()) t.region.resize(closing.in_use);
 }
 
-void close_vertices(Triangulation& t, const NumberLedger& numbers, int threads) {
+void close_vertices(Triangulation& t, const IndexAllocator& numbers, int threads) {
   const Closing closing(numbers);
   closing.for_each_move(threads, [&](VertexId from, VertexId to) {
     t.points[to] = t.points[from];
@@ -68,7 +68,7 @@ void close_vertices(Triangulation& t, const NumberLedger& numbers, int threads) 
 
 }  // namespace
 
-void close_ranks(Triangulation& t, const NumberLedger& vertices, const NumberLedger& triangles, int threads) {
+void close_ranks(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, int threads) {
   close_triangles(t, triangles, threads);
   close_vertices(t, vertices, threads);
   t.slots.shrink_to_fit();

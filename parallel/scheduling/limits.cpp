@@ -24,7 +24,7 @@ std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30
 Status check_size(double needed, const Options& options) {
   double estimate = needed;
   if (options.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options.max_vertices));
-  if (estimate > max_triangles) return too_many_triangles();
+  if (estimate > max_engine_triangles) return too_many_triangles();
   const double bytes = estimate * bytes_per_triangle;
   if (options.max_memory == 0 || bytes <= allowed_memory(options)) return Done{};
   return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(estimate / 1e4) / 100) +

@@ -11,9 +11,9 @@ namespace {
 
 Index most_vertices(const Triangulation& t, const Options& options) {
   const auto present = static_cast<std::uint64_t>(t.points.size());
-  if (options.max_vertices == 0) return max_triangles;
+  if (options.max_vertices == 0) return max_engine_triangles;
   return static_cast<Index>(
-      std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_triangles)));
+      std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_engine_triangles)));
 }
 
 /// About how many points go into an area for the sake of triangles that are not deferred: their circumradii are at
@@ -34,7 +34,7 @@ Crew::Crew(Triangulation& t, const Judge& judge, const Criteria& criteria, const
       schedule_(schedule),
       threads_(std::max(1, options.threads)),
       vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
-      triangles_(static_cast<Index>(t.slots.size()), max_triangles) {
+      triangles_(static_cast<Index>(t.slots.size()), max_engine_triangles) {
   for (int i = 0; i < threads_; ++i) tasks_.push_back(new_task());
 }
 
@@ -87,7 +87,7 @@ void Crew::admit(Job& job, const Lattice& lattice) const {
   std::erase_if(job.seeds, [&](Queued q) {
     if (!judge_.is_current(q)) return true;
     for (const VertexId v : t_.slots[q.id()].v)
-      if (!box.contains(t_.points[v])) {
+      if (!box.contains_half_open(t_.points[v])) {
         job.outsiders.push_back(q);
         if (breaks_promise(q.id(), job.cell, lattice)) ++job.outsiders_against_promise;
         return true;
@@ -101,7 +101,7 @@ void Crew::admit(Job& job, const Lattice& lattice) const {
 /// is expected. The second helping costs memory only where it is needed, but there a huge page for each array. What is
 /// not used comes back, and the next phase fills it before it takes memory that nobody has written yet.
 void Crew::supply(std::vector<Job>& jobs) {
-  std::vector<std::vector<NumberRange>> vertices(jobs.size()), triangles(jobs.size());
+  std::vector<std::vector<IndexRange>> vertices(jobs.size()), triangles(jobs.size());
   for (const bool first : {true, false})
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       const auto expected = static_cast<std::size_t>(std::min(jobs[i].insertions, 1e9));
@@ -110,7 +110,7 @@ void Crew::supply(std::vector<Job>& jobs) {
       triangles_.assign(2 * insertions, triangles[i]);
     }
   for (std::size_t i = 0; i < jobs.size(); ++i)
-    jobs[i].supply = {Numbers(std::move(vertices[i])), Numbers(std::move(triangles[i]))};
+    jobs[i].supply = {IndexPool(std::move(vertices[i])), IndexPool(std::move(triangles[i]))};
 }
 
 void Crew::run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "../concurrency/numbers.hpp"
+#include "../concurrency/index_allocator.hpp"
 #include "../refinement/task.hpp"
 #include "refine_by_sweeps.hpp"
 
@@ -33,8 +33,8 @@ class Crew {
   void run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
            const std::function<bool(int, std::uint64_t)>& go_on);
 
-  [[nodiscard]] const NumberLedger& vertices() const { return vertices_; }
-  [[nodiscard]] const NumberLedger& triangles() const { return triangles_; }
+  [[nodiscard]] const IndexAllocator& vertices() const { return vertices_; }
+  [[nodiscard]] const IndexAllocator& triangles() const { return triangles_; }
   [[nodiscard]] int threads() const { return threads_; }
 
  private:
@@ -53,7 +53,7 @@ class Crew {
   const Schedule& schedule_;
   int threads_;
   std::vector<std::unique_ptr<Task>> tasks_;
-  NumberLedger vertices_, triangles_;
+  IndexAllocator vertices_, triangles_;
 };
 
 }  // namespace pardel::engine

@@ -16,13 +16,13 @@ double sharp_radius_bound(double ratio, double area) {
   return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(squared_cotangent));
 }
 
-Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int threads) {
-  const std::vector<NumberRange>& holes = triangles.holes();
+Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, int threads) {
+  const std::vector<IndexRange>& holes = triangles.holes();
   std::vector<Radii> largest(block_count(triangles.end()));
   parallel_blocks(threads, triangles.end(), [&](std::size_t first, std::size_t last, std::size_t block) {
     Radii squared;
     double twice_area = 0;
-    auto hole = std::partition_point(holes.begin(), holes.end(), [&](NumberRange h) { return h.end <= first; });
+    auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= first; });
     for (std::size_t id = first; id < last; ++id) {
       if (hole != holes.end() && id >= hole->begin) {
         id = (hole++)->end - 1U;

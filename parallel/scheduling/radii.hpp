@@ -1,7 +1,7 @@
 // Bounds on circumradii: what ratio and area promise, and what a mesh has.
 #pragma once
 
-#include "../concurrency/numbers.hpp"
+#include "../concurrency/index_allocator.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
@@ -16,6 +16,6 @@ struct Radii {
   double radius = 0, ratio = 0, area = 0;
 };
 /// Of the triangles whose numbers are in use. O(n).
-[[nodiscard]] Radii largest_radii(const Triangulation& t, const NumberLedger& triangles, int threads);
+[[nodiscard]] Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, int threads);
 
 }  // namespace pardel::engine

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "../concurrency/bounding_box.hpp"
-#include "../concurrency/in_order.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
 #include "compact.hpp"
 #include "levels.hpp"
@@ -32,20 +32,20 @@ constexpr double long_in_finer_cells = 0.25;
 
 class Refinement {
  public:
-  Refinement(Triangulation& t, const Lines& lines, const Criteria& criteria, const Options& options,
+  Refinement(Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options,
              const Schedule& schedule, const Watcher& watcher)
       : t_(t),
         criteria_(criteria),
         options_(options),
         watcher_(watcher),
-        judge_(t, lines, criteria, options),
+        judge_(t, segments, criteria, options),
         crew_(t, judge_, criteria, options, schedule),
         threads_(crew_.threads()) {}
 
   Status run() {
     const Outlook outlook = defer_everything_bad();
     if (Status fits = check_size(outlook.needed, options_); !fits) return fits;
-    const Box bounds = bounds_of(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
+    const Box bounds = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
     std::vector<Lattice> levels = levels_down_to(bounds, finest_lattice(bounds, outlook.estimate, options_));
     estimate_ = outlook.expected;
     if (options_.max_vertices > 0) estimate_ = std::min(estimate_, 2.0 * static_cast<double>(options_.max_vertices));
@@ -216,8 +216,8 @@ class Refinement {
     });
     append_blocks(threads_, not_yet, deferred_);
     Inbox inbox(lattice.cells());
-    file_by_cell(threads_, cell.span(), lattice.cells(),
-                 [&](Index to, std::size_t i) { inbox[to].push_back(pending[i]); });
+    visit_by_cell(threads_, cell.span(), lattice.cells(),
+                  [&](Index to, std::size_t i) { inbox[to].push_back(pending[i]); });
     return inbox;
   }
 
@@ -341,9 +341,9 @@ class Refinement {
 
 }  // namespace
 
-Result<RefineCounts> refine_by_sweeps(Triangulation& t, const Lines& lines, const Criteria& criteria,
+Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, const Schedule& schedule, const Watcher& watcher) {
-  Refinement refinement(t, lines, criteria, options, schedule, watcher);
+  Refinement refinement(t, segments, criteria, options, schedule, watcher);
   if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 }

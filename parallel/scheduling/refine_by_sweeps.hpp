@@ -8,7 +8,7 @@
 #include "../../core/result.hpp"
 #include "../options.hpp"
 #include "../refinement/criteria.hpp"
-#include "../triangulation/constraint_lines.hpp"
+#include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "snapshot.hpp"
 
@@ -35,12 +35,12 @@ struct Schedule {
 /// Refines in place. The triangulation is a constrained Delaunay triangulation without ghosts, whose
 /// boundary edges are all constrained. Deterministic. Fails only with `cancelled`, `resources` or `internal`, or with
 /// the watcher's error.
-[[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const Lines& lines, const Criteria& criteria,
-                                                    const Options& options, const Schedule& schedule = {},
-                                                    const Watcher& watcher = {});
+[[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
+                                                    const Criteria& criteria, const Options& options,
+                                                    const Schedule& schedule = {}, const Watcher& watcher = {});
 
 /// The triangles that break the criteria and why each was left alone, ascending.
-[[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const Lines& lines, const Criteria& criteria,
-                                                const Options& options, bool budget_reached);
+[[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments,
+                                                const Criteria& criteria, const Options& options, bool budget_reached);
 
 }  // namespace pardel::engine

@@ -4,7 +4,7 @@
 
 namespace pardel::engine {
 
-Triangulation snapshot(const Triangulation& t, const NumberLedger& vertices, const NumberLedger& triangles,
+Triangulation snapshot(const Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles,
                        int threads) {
   Triangulation copy = t;
   close_ranks(copy, vertices, triangles, threads);

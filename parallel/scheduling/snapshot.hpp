@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "../concurrency/numbers.hpp"
+#include "../concurrency/index_allocator.hpp"
 #include "../options.hpp"
 #include "../triangulation/triangulation.hpp"
 
@@ -13,7 +13,7 @@ namespace pardel::engine {
 using Watcher = std::function<Status(Triangulation&& snapshot, const Sweep&)>;
 
 /// A copy without holes in its numbers. Precondition: both ledgers are settled. Linear in the number of triangles.
-[[nodiscard]] Triangulation snapshot(const Triangulation& t, const NumberLedger& vertices,
-                                     const NumberLedger& triangles, int threads);
+[[nodiscard]] Triangulation snapshot(const Triangulation& t, const IndexAllocator& vertices,
+                                     const IndexAllocator& triangles, int threads);
 
 }  // namespace pardel::engine

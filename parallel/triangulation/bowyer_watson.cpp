@@ -7,7 +7,8 @@
 namespace pardel::engine {
 namespace {
 
-/// The open disk of a ghost is the open half-plane beyond its hull edge, and the edge's own interior.
+/// The open disk of a ghost triangle is the open half-plane beyond its hull edge, together with the interior of the
+/// edge.
 bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
   const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
   const Point a = t.points[slot.from(corner)], b = t.points[slot.to(corner)];
@@ -19,7 +20,7 @@ bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
 bool disk_contains(const Triangulation& t, TriangleId id, Point p) {
   const Slot& slot = t.slots[id];
   if (slot.is_ghost()) return ghost_disk_contains(t, slot, p);
-  return in_disk(t, slot, p);
+  return in_circumdisk(t, slot, p);
 }
 
 constexpr auto no_corners = [](VertexId) { return Corner{}; };

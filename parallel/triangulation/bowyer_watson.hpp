@@ -1,4 +1,4 @@
-// Incremental Delaunay triangulation: one point after the other, within a box (Bowyer 1981, Watson 1981).
+// Incremental Delaunay triangulation: inserts single points, restricted to a box (Bowyer 1981, Watson 1981).
 #pragma once
 
 #include "../concurrency/lattice.hpp"
@@ -7,34 +7,37 @@
 
 namespace pardel::engine {
 
-/// What became of a point.
+/// The outcome of an insertion.
 enum class Inserted : std::uint8_t {
   yes,
-  leaves_box,    ///< nothing was changed; a larger box is needed
-  duplicate,     ///< it is a vertex already
-  inconsistent,  ///< the triangulation is none: a mistake of this program
+  leaves_box,    ///< nothing was changed; the insertion needs a larger box
+  duplicate,     ///< a vertex with these coordinates exists already
+  inconsistent,  ///< the data structure is not a Delaunay triangulation; this is an internal error
 };
 
-/// Inserts vertices into a Delaunay triangulation with ghosts. Only triangles whose corners all lie in the box are
-/// changed, and only they and their neighbours are looked at: so several of these may work at once on boxes that are
-/// disjoint. The point at infinity lies in no box but that of everything. A thread has one of its own.
+/// Inserts vertices into a Delaunay triangulation with ghosts. It changes only triangles whose three corners lie in the
+/// half-open box, and reads only these and their neighbours. So several threads, each with an object of its own, can
+/// work on disjoint boxes at the same time. The vertex at infinity lies in no box except the whole plane.
 class BowyerWatson {
  public:
   explicit BowyerWatson(Triangulation& t) : t_(t) {}
 
-  /// `near`: where to look first; a triangle whose corners all lie in the box, and no ghost.
+  /// Sets the box, and the triangle at which the next point location starts: a non-ghost triangle whose three corners
+  /// lie in the box.
   void start(const Box& box, TriangleId near) {
     box_ = box;
-    holds_infinity_ = box.is_everything();
+    holds_infinity_ = box.is_whole_plane();
     near_ = near;
   }
 
-  /// Inserts v, whose point the triangulation has already, with `fresh` and fresh + 1 for the two triangles that are
-  /// more afterwards.
+  /// Inserts vertex v. Its coordinates are already in Triangulation::points. An insertion adds two triangles, which get
+  /// the ids `fresh` and fresh + 1.
   [[nodiscard]] Inserted insert(VertexId v, TriangleId fresh);
 
  private:
-  [[nodiscard]] bool in_box(VertexId v) const { return v == ghost ? holds_infinity_ : box_.contains(t_.points[v]); }
+  [[nodiscard]] bool in_box(VertexId v) const {
+    return v == ghost ? holds_infinity_ : box_.contains_half_open(t_.points[v]);
+  }
 
   Triangulation& t_;
   Box box_;

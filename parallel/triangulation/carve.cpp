@@ -1,13 +1,14 @@
+#include "carve.hpp"
+
 #include <cassert>
 
-#include "../concurrency/in_order.hpp"
-#include "insert_constraints.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 #include "locate.hpp"
 
 namespace pardel::engine {
 namespace {
 
-/// Marks what can be reached from the triangles on the stack without crossing a constrained edge.
+/// Labels all triangles that can be reached from those on the stack without crossing a constrained edge.
 void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>& label, Index value) {
   while (!stack.empty()) {
     const TriangleId id = stack.back();
@@ -19,6 +20,7 @@ void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>&
   }
 }
 
+/// Constrains the edges of the convex hull and returns those that were not constrained before.
 std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const TriangleId> ghosts) {
   std::vector<Constraint> fresh;
   for (const TriangleId id : ghosts) {
@@ -31,8 +33,8 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
   return fresh;
 }
 
-/// Takes the triangles so labelled out, by moving the last ones that stay into their places: those that stay
-/// keep their order, which follows a space-filling curve, but for as many as go.
+/// Removes the triangles with the label `removed`. The last remaining triangles move into their slots. The others keep
+/// their order, which follows a space-filling curve.
 void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, int threads) {
   const Array<TriangleId> holes =
       indices_where(threads, t.slots.size(), [&](std::size_t id) { return label[id] == removed; });

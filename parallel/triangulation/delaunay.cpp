@@ -9,37 +9,41 @@
 #include <optional>
 #include <utility>
 
+#include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/hilbert_order.hpp"
-#include "../concurrency/in_order.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 #include "bowyer_watson.hpp"
 
 namespace pardel::engine {
 namespace {
 
-std::uint64_t mixed(std::uint64_t h) {
+/// A bijection whose output bits serve as random bits. It is not `mixed` of core/support/hash.hpp, because the order of
+/// insertion, and so the numbering of every mesh, depends on it.
+std::uint64_t random_bits(std::uint64_t h) {
   h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
   h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
   return h ^ h >> 32U;
 }
 
-/// The vertices in the order of their insertion; round r goes from start[r] to start[r + 1].
+/// The vertices in the order of their insertion. Round r is order[start[r]] to order[start[r + 1] - 1].
 struct Rounds {
   static constexpr std::size_t count = 8;
   Array<VertexId> order;
   std::array<std::size_t, count + 1> start{};
 };
 
-/// Round r of the insertion holds about 16^-r of the points; the last rounds go first. Chance is a hash of a point's
-/// place on the curve: neither the order of the input nor its scale has a say.
+/// The biased randomized insertion order. The last round holds nearly all points, and each round before it about a
+/// sixteenth of the next one. A hash of the point's position on the Hilbert curve selects the round, so neither the
+/// order nor the scale of the input matters.
 Rounds biased_random_order(std::size_t n, int threads) {
-  // How many of each round a block has, then where its next one goes.
+  // First the number of points of each round in each block, then the position for the next of them.
   std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
   const auto for_each_point = [&](const auto& visit) {
     parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
       for (std::size_t i = first; i < last; ++i) {
-        const auto level = static_cast<std::size_t>(std::countr_zero(mixed(i + 1)) / 4);
+        const auto level = static_cast<std::size_t>(std::countr_zero(random_bits(i + 1)) / 4);
         visit(i, next[block][Rounds::count - 1 - std::min(Rounds::count - 1, level)]);
       }
     });
@@ -57,13 +61,13 @@ Rounds biased_random_order(std::size_t n, int threads) {
   return rounds;
 }
 
-/// One triangle and its three ghosts.
+/// Makes one triangle and its three ghosts.
 void start_with(Triangulation& t, VertexId a, VertexId b, VertexId c) {
   if (orient2d(t.points[a], t.points[b], t.points[c]) < 0) std::swap(b, c);
   const std::array<VertexId, 3> v{a, b, c};
   t.slots[0] = {v, {EdgeRef(1, 2), EdgeRef(2, 2), EdgeRef(3, 2)}};
   for (unsigned i = 0; i < 3; ++i) {
-    // The ghost beyond side i: (to, from, ghost). Its next ghost around the hull shares `from`.
+    // The ghost beyond side i is (to, from, ghost). The next ghost around the hull shares `from`.
     const VertexId from = v[next_corner[i]], to = v[previous_corner[i]];
     const TriangleId before = 1 + previous_corner[i], after = 1 + next_corner[i];
     t.slots[1 + i] = {{to, from, ghost}, {EdgeRef(before, 1), EdgeRef(after, 0), EdgeRef(0, i)}};
@@ -71,34 +75,35 @@ void start_with(Triangulation& t, VertexId a, VertexId b, VertexId c) {
 }
 
 Error coordinates_error(const char* what, Point p) {
-  return {ErrorKind::invalid_input, std::string(what) + " (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"};
+  return {ErrorKind::invalid_input, std::string(what) + " " + shortest(p)};
 }
 
-/// n points, the ghost vertex and the edges between them, on a sphere: the number of triangles. So the point that is
-/// k-th in order makes two more than there were, and they are numbered from here.
-constexpr TriangleId triangles_of(std::size_t n) { return static_cast<TriangleId>(2 * (n + 1) - 4); }
+/// The number of triangles, ghosts included, of a triangulation of n points: n points and the vertex at infinity
+/// triangulate a sphere. The point at position k of the insertion order adds two triangles; their ids start at
+/// triangle_count(k).
+constexpr TriangleId triangle_count(std::size_t n) { return static_cast<TriangleId>(2 * (n + 1) - 4); }
 
-/// Inserts rounds of points. A place is an index into the order of insertion.
-class Rounder {
+/// Inserts the points round by round. A position is an index into the order of insertion.
+class RoundInserter {
  public:
-  Rounder(Triangulation& t, const Array<VertexId>& order, int threads, std::size_t per_tile)
+  RoundInserter(Triangulation& t, const Array<VertexId>& order, int threads, std::size_t per_tile)
       : t_(t),
         order_(order),
-        bounds_(bounds_of(threads, t.points.size(), [&](std::size_t v) { return t.points[v]; })),
+        bounds_(bounding_box(threads, t.points.size(), [&](std::size_t v) { return t.points[v]; })),
         threads_(std::max(1, threads)),
         per_tile_(per_tile) {
     for (int i = 0; i < threads_; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
   }
 
-  /// All places before `first` are in.
+  /// Inserts the points at the positions [first, last). Precondition: those before `first` have been inserted.
   Status insert(std::size_t first, std::size_t last) {
     const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::sqrt(tiles_for(last - first))));
     Tile everything{};
     if (lattice.cells() > 1) {
-      if (Status inserted = insert_on_tiles(lattice, first, last, everything.places); !inserted) return inserted;
+      if (Status inserted = insert_on_tiles(lattice, first, last, everything.positions); !inserted) return inserted;
     } else {
-      everything.places.resize(last - first);
-      std::iota(everything.places.begin(), everything.places.end(), static_cast<Index>(first));
+      everything.positions.resize(last - first);
+      std::iota(everything.positions.begin(), everything.positions.end(), static_cast<Index>(first));
     }
     everything.near = some_triangle();
     run(everything, Box{}, *workers_.front());
@@ -107,55 +112,56 @@ class Rounder {
 
  private:
   struct Tile {
-    std::vector<Index> places;  ///< to be inserted; afterwards, what did not fit
-    TriangleId near = no_index;
-    double near_centre = INFINITY;  ///< squared distance of a corner of `near` from the centre of the cell
+    std::vector<Index> positions;   ///< of the points to insert; afterwards, of those whose insertion leaves the box
+    TriangleId near = no_index;     ///< the triangle at which point location starts
+    double near_centre = INFINITY;  ///< squared distance of the first corner of `near` from the centre of the cell
     std::optional<Error> error{};
   };
 
-  /// Few points still make several tiles of each colour, as long as not too many of them lie near borders.
+  /// The number of tiles. A small number of points is divided into several tiles of each colour, unless that puts too
+  /// many of them near the borders of tiles.
   [[nodiscard]] double tiles_for(std::size_t points) const {
-    constexpr double enough = 36, fraction_of_tile = 0.125;
+    constexpr double enough = 36, smallest_fraction = 0.125;
     const double full = static_cast<double>(points) / static_cast<double>(per_tile_);
-    return std::max({1.0, full, std::min(enough, full / fraction_of_tile)});
+    return std::max({1.0, full, std::min(enough, full / smallest_fraction)});
   }
 
-  /// Appends to `outside` the places that leave the boxes of their tiles, in order.
+  /// Appends the positions of the points whose insertion leaves the box of their tile to `outside`, in ascending order.
   Status insert_on_tiles(const Lattice& lattice, std::size_t first, std::size_t last, std::vector<Index>& outside) {
     std::vector<Tile> tiles(lattice.cells());
-    file_by_cell(
+    visit_by_cell(
         threads_, last - first, tiles.size(),
         [&](std::size_t i) { return lattice.cell_of(t_.points[order_[first + i]]); },
-        [&](Index cell, std::size_t i) { tiles[cell].places.push_back(static_cast<Index>(first + i)); });
-    find_starts(lattice, tiles, triangles_of(first));
+        [&](Index cell, std::size_t i) { tiles[cell].positions.push_back(static_cast<Index>(first + i)); });
+    find_starts(lattice, tiles, triangle_count(first));
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
-      // Whether a tile's start is still in its box is asked here: a task of another cell may be at work on it later.
+      // Check here that each tile's start is still in its box: while tasks run, another one may be changing it.
       std::vector<Index> cells;
       for (Index cell = 0; cell < lattice.cells(); ++cell)
         if (lattice.colour_of(cell) == colour && starts_inside(tiles[cell], lattice.box_of(cell)))
           cells.push_back(cell);
       std::stable_sort(cells.begin(), cells.end(),
-                       [&](Index a, Index b) { return tiles[a].places.size() > tiles[b].places.size(); });
+                       [&](Index a, Index b) { return tiles[a].positions.size() > tiles[b].positions.size(); });
       parallel_for(threads_, cells.size(), [&](std::size_t i, int thread) {
         run(tiles[cells[i]], lattice.box_of(cells[i]), *workers_[static_cast<std::size_t>(thread)]);
       });
     }
     for (const Tile& tile : tiles) {
       if (tile.error) return *tile.error;
-      outside.insert(outside.end(), tile.places.begin(), tile.places.end());
+      outside.insert(outside.end(), tile.positions.begin(), tile.positions.end());
     }
     std::sort(outside.begin(), outside.end());
     return Done{};
   }
 
-  /// For each tile a triangle in its box, near the centre of its cell: the tasks of other cells will leave one near
-  /// there with that number.
+  /// Finds for each tile a triangle in its box, near the centre of its cell. The slot of such a triangle very likely
+  /// still holds one of the box when tasks of other cells have run.
   void find_starts(const Lattice& lattice, std::vector<Tile>& tiles, TriangleId triangles) const {
     const auto cell_of = [&](std::size_t id) {
       const Slot& slot = t_.slots[id];
       return slot.is_ghost() ? no_index : lattice.cell_of(t_.points[slot.v[0]]);
     };
-    file_by_cell(threads_, triangles, tiles.size(), cell_of, [&](Index cell, std::size_t id) {
+    visit_by_cell(threads_, triangles, tiles.size(), cell_of, [&](Index cell, std::size_t id) {
       const Slot& slot = t_.slots[id];
       const Point p = t_.points[slot.v[0]], centre = lattice.centre_of(cell);
       const double distance = (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
@@ -170,15 +176,15 @@ class Rounder {
     return tile.near != no_index && lies_inside(t_.slots[tile.near], box);
   }
   [[nodiscard]] bool lies_inside(const Slot& slot, const Box& box) const {
-    return std::ranges::all_of(slot.v, [&](VertexId v) { return v != ghost && box.contains(t_.points[v]); });
+    return std::ranges::all_of(slot.v, [&](VertexId v) { return v != ghost && box.contains_half_open(t_.points[v]); });
   }
 
   void run(Tile& tile, const Box& box, BowyerWatson& worker) const {
     worker.start(box, tile.near);
-    std::erase_if(tile.places, [&](Index place) {
+    std::erase_if(tile.positions, [&](Index position) {
       if (tile.error) return false;
-      const VertexId v = order_[place];
-      const Inserted inserted = worker.insert(v, triangles_of(place));
+      const VertexId v = order_[position];
+      const Inserted inserted = worker.insert(v, triangle_count(position));
       if (inserted == Inserted::duplicate)
         tile.error = coordinates_error("two points share the coordinates", t_.points[v]);
       if (inserted == Inserted::inconsistent)
@@ -205,7 +211,7 @@ class Rounder {
 
 Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_t per_tile) {
   if (points.size() < 3) return Error{ErrorKind::invalid_input, "fewer than three points span no triangle"};
-  if (points.size() > max_triangles / 2 - 2)
+  if (points.size() > max_engine_triangles / 2 - 2)
     return Error{ErrorKind::resources, "more points than the triangulation can number"};
 
   Delaunay result;
@@ -222,13 +228,13 @@ Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_
   if (third == order.size()) return Error{ErrorKind::invalid_input, "all points are collinear"};
   std::rotate(order.begin() + 2, order.begin() + third, order.begin() + third + 1);
 
-  t.slots.resize_uninitialised(triangles_of(order.size()));
+  t.slots.resize_uninitialised(triangle_count(order.size()));
   start_with(t, order[0], order[1], order[2]);
-  Rounder rounder(t, order, threads, per_tile);
+  RoundInserter inserter(t, order, threads, per_tile);
   std::size_t first = 3;
   for (const std::size_t last : rounds.start) {
     if (last <= first) continue;
-    if (Status inserted = rounder.insert(first, last); !inserted) return inserted.error();
+    if (Status inserted = inserter.insert(first, last); !inserted) return inserted.error();
     first = last;
   }
   return result;

@@ -1,4 +1,4 @@
-// The Delaunay triangulation of points, with ghost triangles around the hull.
+// The Delaunay triangulation of points, with a ghost triangle at each edge of the convex hull.
 #pragma once
 
 #include <span>
@@ -9,22 +9,27 @@
 
 namespace pardel::engine {
 
-/// Vertices are renumbered along a Hilbert curve, which keeps what is near in the plane near in memory.
+/// The vertices are numbered along a Hilbert curve, so points that are close in the plane are close in memory.
 struct Delaunay {
-  Triangulation triangulation;   ///< ghosts included; origin and region are empty
-  Array<Index> input_of_vertex;  ///< vertex -> index of the input point
+  Triangulation triangulation;   ///< with ghost triangles; origin and region are empty
+  Array<Index> input_of_vertex;  ///< the index of the input point of each vertex
 };
 
-/// About as many as fit a core's second-level cache with their triangles.
+/// About the number of points that fit into a core's second-level cache together with their triangles.
 inline constexpr std::size_t points_per_tile = 8'000;
 
-/// Randomized incremental insertion in biased order (Amenta, Choi and Rote, "Incremental constructions con
-/// BRIO", 2003): expected O(n log n) for any input, the randomness being a hash of the place along the curve, so
-/// the result does not depend on the order of the input. The many points of a round go in tile by tile, as in the
-/// refinement (tiles.hpp): the tiles of one colour at once, on up to `threads` threads, what leaves its tile's box
-/// afterwards. Where that makes fewer than 36 tiles they are smaller, down to an eighth of `per_tile`. The number of
-/// threads does not change the result; that of points per tile may, where points are cocircular. Precondition: distinct
-/// points, coordinates in range; a duplicate, or points that are all collinear, give invalid_input.
+/// Triangulates points by incremental insertion in biased randomized order (Amenta, Choi and Rote, "Incremental
+/// constructions con BRIO", 2003), in expected O(n log n) time for every input. The random numbers are a hash of the
+/// position along the Hilbert curve, so the result does not depend on the order of the input.
+///
+/// The order consists of rounds. The points of a round are inserted tile by tile, where a tile is a cell of a lattice
+/// (concurrency/lattice.hpp) with about `per_tile` points. The tiles of one colour are processed concurrently, on up to
+/// `threads` threads. A point whose insertion would leave the box of its tile is inserted after all tiles. If the
+/// lattice would have fewer than 36 tiles, tiles are made smaller, down to an eighth of `per_tile`.
+///
+/// The number of threads does not change the result; `per_tile` can change it if points are cocircular. Precondition:
+/// the coordinates are in the range of the predicates. Errors: invalid_input for two equal points and for points that
+/// are all collinear; resources for more points than the engine can number.
 [[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points, int threads = 1,
                                         std::size_t per_tile = points_per_tile);
 

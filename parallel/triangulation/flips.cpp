@@ -30,7 +30,7 @@ bool delaunay_across(const Triangulation& t, EdgeRef e) {
   const Slot& slot = t.slot(e);
   const EdgeRef across = slot.n[e.side()];
   const VertexId q = t.slot(across).apex(across.side());
-  return !in_disk(t, slot, t.points[q]);
+  return !in_circumdisk(t, slot, t.points[q]);
 }
 
 void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed) {

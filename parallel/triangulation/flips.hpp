@@ -1,5 +1,5 @@
-// Edge flips: how segments are forced into a Delaunay triangulation, and how an insertion that the cavity
-// cannot express (see insert.hpp) is finished.
+// Edge flips. They insert constraints into a Delaunay triangulation (insert_constraints.hpp) and complete those
+// insertions of points that cannot be done by replacing a cavity (refinement/insertion.hpp).
 #pragma once
 
 #include <vector>
@@ -8,19 +8,20 @@
 
 namespace pardel::engine {
 
-/// Replaces the diagonal of the quadrilateral around the unconstrained edge e by the other one.
-/// Precondition: both sides are triangles and the quadrilateral is strictly convex. Afterwards the new
-/// diagonal is side 1 of e.triangle() and side 1 of the triangle across.
+/// Replaces the unconstrained edge e, the diagonal of a quadrilateral, by the other diagonal. Preconditions: e has a
+/// triangle on each side, and the quadrilateral is strictly convex. Afterwards the new diagonal is side 1 of
+/// e.triangle() and side 1 of the triangle across.
 void flip(Triangulation& t, EdgeRef e);
 
-/// The edge is constrained, or the corner across lies not strictly inside the circumcircle.
+/// True if the edge is constrained or delaunay_across(t, e).
 [[nodiscard]] bool locally_delaunay(const Triangulation& t, EdgeRef e);
 
-/// The same, constrained or not. Precondition: there is a triangle across.
+/// True if the apex across the edge does not lie strictly inside the circumcircle of e.triangle(). Ignores constraints.
+/// Precondition: there is a triangle across.
 [[nodiscard]] bool delaunay_across(const Triangulation& t, EdgeRef e);
 
-/// Flips until every edge that is not constrained and can be reached from `suspects` by flips is locally
-/// Delaunay (Lawson 1977). Appends every triangle that a flip changed to `changed`, perhaps repeatedly.
+/// Flips edges until every unconstrained edge that flips can reach from `suspects` is locally Delaunay (Lawson 1977).
+/// Appends every triangle that a flip changed to `changed`, possibly several times.
 void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed);
 
 }  // namespace pardel::engine

@@ -1,4 +1,4 @@
-// In whose circumdisk a point lies, one triangle at a time.
+// The in-circle test for a triangle of a triangulation.
 #pragma once
 
 #include "../arithmetic/predicates.hpp"
@@ -6,8 +6,8 @@
 
 namespace pardel::engine {
 
-/// Whether p lies in the open circumdisk of a triangle, exactly.
-[[nodiscard]] inline bool in_disk(const Triangulation& t, const Slot& slot, Point p) {
+/// True if p lies in the open circumdisk of the triangle. Exact.
+[[nodiscard]] inline bool in_circumdisk(const Triangulation& t, const Slot& slot, Point p) {
   return incircle(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]], p) > 0;
 }
 

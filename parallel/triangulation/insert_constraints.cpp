@@ -4,13 +4,12 @@
 #include <deque>
 #include <string>
 
+#include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "flips.hpp"
 
 namespace pardel::engine {
 namespace {
-
-std::string text(Point p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
 
 class ConstraintInserter {
  public:
@@ -21,7 +20,7 @@ class ConstraintInserter {
   Status insert(Constraint c) {
     Result<EdgeRef> first = first_crossing(c);
     if (!first) return first.error();
-    if (first->none()) return Done{};  // the edge was there
+    if (first->none()) return Done{};  // the edge exists already
     crossing_.clear();
     if (Status walked = collect_crossings(c, *first); !walked) return walked;
     remove_crossings(c);
@@ -60,7 +59,7 @@ class ConstraintInserter {
     } while (id != start);
   }
 
-  /// The edge u-v, its triangle having u as `to`, or none().
+  /// The edge u-v as the side of a triangle in which u is `to`; none() if there is no such edge.
   EdgeRef edge(VertexId u, VertexId v) const {
     EdgeRef found;
     around(u, [&](TriangleId id, unsigned corner) {
@@ -71,8 +70,8 @@ class ConstraintInserter {
     return found;
   }
 
-  /// The side, opposite c.a, through which the constraint leaves c.a; none() when it is an edge already
-  /// (which is then marked).
+  /// The side opposite c.a that the constraint crosses first. If the constraint is an edge already, marks that edge and
+  /// returns none().
   Result<EdgeRef> first_crossing(Constraint c) {
     EdgeRef out;
     VertexId passed = no_index;
@@ -100,13 +99,15 @@ class ConstraintInserter {
     });
     if (passed != no_index) return through_vertex(c, passed);
     if (out.none() && !present)
-      return Error{ErrorKind::invalid_input, "no triangle lies towards the end of the segment from " + text(a)};
+      return Error{ErrorKind::invalid_input,
+                   "the triangulation has no triangle in the direction of the segment from " + shortest(a)};
     return out;
   }
 
   Error through_vertex(Constraint c, VertexId v) const {
-    return {ErrorKind::invalid_input, "the segment from " + text(t_.points[c.a]) + " to " + text(t_.points[c.b]) +
-                                          " runs through the point " + text(t_.points[v])};
+    return {ErrorKind::invalid_input, "the segment from " + shortest(t_.points[c.a]) + " to " +
+                                          shortest(t_.points[c.b]) + " passes through the point " +
+                                          shortest(t_.points[v])};
   }
 
   Status collect_crossings(Constraint c, EdgeRef e) {
@@ -115,9 +116,9 @@ class ConstraintInserter {
       const Slot& slot = t_.slot(e);
       const EdgeRef across = slot.n[e.side()];
       if (across.constrained())
-        return Error{ErrorKind::invalid_input, "the segment from " + text(a) + " to " + text(b) +
-                                                   " crosses the one from " + text(t_.points[slot.from(e.side())]) +
-                                                   " to " + text(t_.points[slot.to(e.side())])};
+        return Error{ErrorKind::invalid_input,
+                     "the segment from " + shortest(a) + " to " + shortest(b) + " crosses the segment from " +
+                         shortest(t_.points[slot.from(e.side())]) + " to " + shortest(t_.points[slot.to(e.side())])};
       crossing_.push_back({slot.from(e.side()), slot.to(e.side())});
       const VertexId q = t_.slot(across).apex(across.side());
       if (q == c.b) return Done{};
@@ -128,7 +129,8 @@ class ConstraintInserter {
     }
   }
 
-  /// Flips every crossing edge away. An edge in a quadrilateral that is not strictly convex waits its turn.
+  /// Flips edges until none crosses the constraint. An edge whose quadrilateral is not strictly convex goes to the end
+  /// of the queue.
   void remove_crossings(Constraint c) {
     fresh_.clear();
     const Point a = t_.points[c.a], b = t_.points[c.b];
@@ -168,7 +170,7 @@ class ConstraintInserter {
 
 Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints) {
   if (constraints.empty()) return Done{};
-  // In the order of their vertices, which follows from coordinates: that of the input has no say.
+  // Sorted by vertices, which are numbered by coordinates. So the result does not depend on the order of the input.
   std::vector<std::pair<VertexId, VertexId>> ordered;
   ordered.reserve(constraints.size());
   for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));

@@ -1,4 +1,4 @@
-// Point location by a walk over the triangulation.
+// Point location by a walk through the triangulation.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace pardel::engine {
 
-/// The non-ghost triangle that contains p, or a ghost triangle whose hull edge p lies beyond, found by a
-/// visibility walk that takes the sides in pseudo-random order, from the non-ghost triangle `start`. It ends in
-/// any constrained Delaunay triangulation with ghosts (with probability one; Devillers, Pion and Teillaud 2002).
-/// No triangle is read beyond a side whose apex, there, may not be seen: the walk then ends with no_index.
-template <class MaySee>
-[[nodiscard]] TriangleId locate(const Triangulation& t, Point p, TriangleId start, const MaySee& may_see) {
-  EdgeRef entered;  // the side through which the walk came in
+/// Returns the non-ghost triangle that contains p or, if p lies outside the convex hull, a ghost triangle whose hull
+/// edge separates p from the hull. The visibility walk starts at the non-ghost triangle `start` and tries the sides of
+/// each triangle in pseudo-random order. It terminates with probability one in every constrained Delaunay triangulation
+/// with ghosts (Devillers, Pion and Teillaud 2002). Before the walk enters a triangle, it calls
+/// may_enter(the triangle's corner opposite the common side); if that is false, the walk ends and returns no_index.
+template <class MayEnter>
+[[nodiscard]] TriangleId locate(const Triangulation& t, Point p, TriangleId start, const MayEnter& may_enter) {
+  EdgeRef entered;  // the side of `at` that the walk crossed last
   TriangleId at = start;
-  // A fixed order of the sides could walk in circles where segments block the Delaunay property.
+  // With a fixed order of the sides the walk could cycle where constraints suspend the Delaunay property.
   std::uint32_t random = 1;
   for (;;) {
     const Slot& slot = t.slots[at];
@@ -32,12 +33,13 @@ template <class MaySee>
       }
     }
     if (out.none()) return at;
-    if (!may_see(t.slot(out).v[out.side()])) return no_index;
+    if (!may_enter(t.slot(out).v[out.side()])) return no_index;
     entered = out;
     at = out.triangle();
   }
 }
 
+/// The same without a restriction of the walk.
 [[nodiscard]] inline TriangleId locate(const Triangulation& t, Point p, TriangleId start) {
   return locate(t, p, start, [](VertexId) { return true; });
 }

@@ -1,5 +1,5 @@
-// The triangulation that the engine works on: 24 bytes per triangle, 20 per vertex. Topology and storage
-// only; nothing here looks at a coordinate.
+// The triangulation that the engine works on: 24 bytes per triangle and 20 bytes per vertex. This file holds topology
+// and storage only; it does not evaluate coordinates.
 #pragma once
 
 #include <array>
@@ -14,15 +14,17 @@ namespace pardel::engine {
 using VertexId = Index;
 using TriangleId = Index;
 
-/// Stands for the point at infinity while the Delaunay triangulation is built: a triangle with it as a
-/// corner ("ghost") is the outer side of a hull edge.
+/// The vertex at infinity, which exists while the Delaunay triangulation is built. A triangle that has it as a corner
+/// is called a ghost triangle. Each edge of the convex hull has one ghost triangle on its outer side, so every edge has
+/// two triangles. Carving removes the ghost triangles (carve.hpp).
 inline constexpr VertexId ghost = no_index;
 
 inline constexpr std::array<unsigned, 3> next_corner{1, 2, 0};
 inline constexpr std::array<unsigned, 3> previous_corner{2, 0, 1};
 
-/// One side of one triangle, and whether the edge there is constrained. Side i lies opposite corner i.
-/// Packed as triangle * 8 + side * 2 + constrained, so a triangulation holds up to 2^29 - 1 triangles.
+/// A side of a triangle: an edge as seen from one of its two triangles, and a bit that states whether the edge is
+/// constrained. Side i lies opposite corner i. The three values are packed as triangle * 8 + side * 2 + constrained, so
+/// a triangulation holds up to 2^29 - 1 triangles. The default value none() refers to no triangle.
 class EdgeRef {
  public:
   constexpr EdgeRef() = default;
@@ -31,7 +33,7 @@ class EdgeRef {
 
   [[nodiscard]] constexpr TriangleId triangle() const { return bits_ >> 3U; }
   [[nodiscard]] constexpr unsigned side() const { return bits_ >> 1U & 3U; }
-  /// True for every edge of the domain's boundary too, where there is nothing on the other side.
+  /// Also true for none(), so every edge of the domain's boundary counts as constrained.
   [[nodiscard]] constexpr bool constrained() const { return (bits_ & 1U) != 0; }
   [[nodiscard]] constexpr bool none() const { return bits_ == no_index; }
   [[nodiscard]] constexpr EdgeRef with_constraint(bool yes) const {
@@ -43,13 +45,16 @@ class EdgeRef {
   Index bits_ = no_index;
 };
 
-inline constexpr TriangleId max_triangles = (TriangleId{1} << 29U) - 1;
+/// The largest number of triangles that an EdgeRef can distinguish.
+inline constexpr TriangleId max_engine_triangles = (TriangleId{1} << 29U) - 1;
 
-/// v: corners, counter-clockwise. n[i]: the same edge seen from the triangle across side i.
+/// One element of the array of triangles. Its position is the id of the triangle. Insertions and flips reuse slots, so
+/// one slot holds different triangles over time.
 struct Slot {
-  std::array<VertexId, 3> v{};
-  std::array<EdgeRef, 3> n{};
+  std::array<VertexId, 3> v{};  ///< the corners, counter-clockwise
+  std::array<EdgeRef, 3> n{};   ///< n[i]: the edge of side i, as a side of the triangle across it
 
+  /// The corner opposite a side. The side itself runs counter-clockwise from `from` to `to`.
   [[nodiscard]] VertexId apex(unsigned side) const { return v[side]; }
   [[nodiscard]] VertexId from(unsigned side) const { return v[next_corner[side]]; }
   [[nodiscard]] VertexId to(unsigned side) const { return v[previous_corner[side]]; }
@@ -61,26 +66,27 @@ static_assert(sizeof(Slot) == sizeof(Triangle), "the result reuses the engine's 
 struct Triangulation {
   Array<Point> points;
   WatchedArray<Slot> slots;
-  Array<Index> origin;  ///< per vertex: input_vertex, interior_vertex, or the constraint it lies on
-  Array<Index> region;  ///< per triangle, or empty when there is one region only
+  Array<Index> origin;  ///< per vertex: input_vertex, interior_vertex, or the index of the segment on which it lies
+  Array<Index> region;  ///< per triangle; empty if there is only one region
 
   [[nodiscard]] const Slot& slot(EdgeRef e) const { return slots[e.triangle()]; }
   [[nodiscard]] const Point& point(VertexId v) const { return points[v]; }
 
-  /// Makes two sides each other's neighbour. `outer` may be none().
+  /// Makes two sides neighbours of each other. `outer`, which may be none(), determines whether the edge is
+  /// constrained.
   void link(EdgeRef inner, EdgeRef outer) {
     const bool constrained = outer.constrained();
     slots[inner.triangle()].n[inner.side()] = outer;
     if (!outer.none()) slots[outer.triangle()].n[outer.side()] = inner.with_constraint(constrained);
   }
-  /// Puts a triangle into another slot, whose content is lost, and tells its neighbours.
+  /// Copies a triangle to slot `to`, overwrites the triangle there, and updates the neighbours' references.
   void move_triangle(TriangleId from, TriangleId to) {
     slots[to] = slots[from];
     for (unsigned side = 0; side < 3; ++side)
       if (const EdgeRef out = slots[to].n[side]; !out.none())
         slots[out.triangle()].n[out.side()] = EdgeRef(to, side, out.constrained());
   }
-  /// Marks an edge, on both sides.
+  /// Marks an edge as constrained, on both sides.
   void constrain(EdgeRef e) {
     EdgeRef& outer = slots[e.triangle()].n[e.side()];
     outer = outer.with_constraint(true);

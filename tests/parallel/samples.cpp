@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "../../core/support/point_order.hpp"
+#include "../../parallel/triangulation/carve.hpp"
 #include "../../parallel/triangulation/delaunay.hpp"
 #include "../../properties/checker/arithmetic/exact.hpp"
 
@@ -12,8 +14,7 @@ namespace pardel::engine::samples {
 namespace {
 
 std::vector<Point> distinct(std::vector<Point> points) {
-  const auto less = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-  std::sort(points.begin(), points.end(), less);
+  std::sort(points.begin(), points.end(), lexicographically_less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
@@ -32,7 +33,7 @@ std::vector<Point> cocircular_points() {
   return points;
 }
 
-/// On the line y = 3x, and one point beside it.
+/// Points on the line y = 3x, and one that is not on it.
 std::vector<Point> collinear_but_one(std::size_t n, Random& random) {
   std::vector<Point> points{{0.25, 0.5}};
   while (points.size() < n) {
@@ -42,7 +43,8 @@ std::vector<Point> collinear_but_one(std::size_t n, Random& random) {
   return points;
 }
 
-/// Rounded onto the line y = x / 3: nearly collinear triples whose orientation only exact arithmetic knows.
+/// Points rounded to the line y = x / 3. Their triples are so nearly collinear that floating point cannot decide the
+/// orientation.
 std::vector<Point> nearly_collinear(std::size_t n, Random& random) {
   std::vector<Point> points{{0.5, 7}};
   while (points.size() < n) {
@@ -163,7 +165,7 @@ std::string fault(const Triangulation& t) {
   return {};
 }
 
-Sample triangulated(const std::vector<Point>& points, std::vector<Constraint> constraints) {
+Triangulation delaunay_of(const std::vector<Point>& points) {
   Result<Delaunay> d = delaunay(points);
   if (!d) throw std::invalid_argument(d.error().message);
   Triangulation& t = d->triangulation;
@@ -171,6 +173,11 @@ Sample triangulated(const std::vector<Point>& points, std::vector<Constraint> co
     for (VertexId& v : slot.v)
       if (v != ghost) v = d->input_of_vertex[v];
   t.points = Array<Point>(std::span<const Point>(points));
+  return std::move(t);
+}
+
+Sample triangulated(const std::vector<Point>& points, std::vector<Constraint> constraints) {
+  Triangulation t = delaunay_of(points);
   if (Status inserted = insert_constraints(t, constraints); !inserted)
     throw std::invalid_argument(inserted.error().message);
   DomainRules hull;

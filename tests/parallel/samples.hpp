@@ -1,4 +1,4 @@
-// What the engine's tests share: random point sets, and what a right triangulation is, by exact arithmetic.
+// Point sets for the tests of the engine, and exact tests of a triangulation.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pardel::engine::samples {
 
-/// The generators' random numbers, and fractions of them.
+/// The random numbers of the generators, with fractions as well.
 class Random : public generators::Random {
  public:
   using generators::Random::Random;
@@ -28,22 +28,27 @@ struct Family {
   std::string name;
   std::vector<Point> points;
 };
-/// Every kind of position that breaks a triangulator, each with about n points.
+/// Point sets in difficult positions (cocircular, nearly collinear, clustered, far from the origin, tiny, huge) and in
+/// general position, most of them with about n points.
 [[nodiscard]] std::vector<Family> families(std::size_t n, std::uint64_t seed);
 [[nodiscard]] std::vector<Point> uniform_points(std::size_t n, std::uint64_t seed);
 /// The n * n points of a unit lattice.
 [[nodiscard]] std::vector<Point> lattice_points(int n);
 
-/// Random segments that meet at most in common ends and run through no point, short ones and long ones.
+/// Random segments, short and long, that meet only in common ends and pass through no other point. Makes `tries`
+/// attempts.
 [[nodiscard]] std::vector<Constraint> random_constraints(const std::vector<Point>& points, std::size_t tries,
                                                          Random& random);
 
-/// What is wrong with the topology, the orientation or an unconstrained edge (which has to be locally Delaunay),
-/// with or without ghosts; empty when nothing is. Linear time.
+/// Describes an error in the topology, the orientation or the local Delaunay property of unconstrained edges; empty if
+/// there is none. The triangulation may have ghosts. Linear time.
 [[nodiscard]] std::string fault(const Triangulation& t);
 
-/// The constrained Delaunay triangulation of the points and their convex hull, the vertices in the order of the
-/// points, without ghosts, ready for refinement: hull edges and the given constraints are lines.
+/// The Delaunay triangulation of the points, with ghosts and with the vertices in the order of the points.
+[[nodiscard]] Triangulation delaunay_of(const std::vector<Point>& points);
+
+/// The constrained Delaunay triangulation of the convex hull of the points, without ghosts and with the vertices in the
+/// order of the points, ready for refinement. `constraints` holds the given constraints and the edges of the hull.
 struct Sample {
   Triangulation triangulation;
   std::vector<Constraint> constraints;
@@ -52,9 +57,9 @@ struct Sample {
 
 /// The triangles as sorted triples of vertices, sorted.
 [[nodiscard]] std::vector<std::array<Index, 3>> triples(const Triangulation& t);
-/// The side u-v of some triangle, or none().
+/// The edge u-v as a side of the triangle on its left or, if there is none, of the one on its right; else none().
 [[nodiscard]] EdgeRef find_edge(const Triangulation& t, VertexId u, VertexId v);
-/// Twice the area of what is not ghost, in floating point: exact for points of a small lattice.
+/// Twice the area of all non-ghost triangles, in floating point. Exact for points of a small lattice.
 [[nodiscard]] double twice_area(const Triangulation& t);
 
 }  // namespace pardel::engine::samples

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../../../core/support/point_order.hpp"
+
 namespace pardel::checker {
 
 InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) {
@@ -17,13 +19,13 @@ InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::
   InputVertices result;
   result.vertex_.resize(inputs.size(), no_index);
   result.input_.resize(std::max<std::size_t>(vertices.size(), 1), no_index);
-  const auto less = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
   std::vector<Index> sorted(inputs.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
-  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return less(inputs[a], inputs[b]); });
+  std::sort(sorted.begin(), sorted.end(),
+            [&](Index a, Index b) { return lexicographically_less(inputs[a], inputs[b]); });
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), vertices[v],
-                                     [&](Index i, Point p) { return less(inputs[i], p); });
+                                     [&](Index i, Point p) { return lexicographically_less(inputs[i], p); });
     if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;
     Index& match = result.vertex_[*at];
     if (match != no_index && (corners_of_vertex[match] > 0 || corners_of_vertex[v] == 0)) continue;

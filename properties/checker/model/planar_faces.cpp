@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../../../core/support/point_order.hpp"
 #include "../arithmetic/exact.hpp"
 
 namespace pardel::checker {
@@ -20,8 +21,6 @@ bool counter_clockwise_before(Point centre, Point a, Point b) {
   if (a_low != b_low) return b_low;
   return exactly::orientation(centre, a, b) > 0;
 }
-
-bool lexicographically_less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 Index root(std::vector<Index>& parent, Index i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];

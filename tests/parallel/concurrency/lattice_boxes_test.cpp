@@ -50,8 +50,8 @@ PARDEL_PROPERTY(Boxes, reach_half_a_side_beyond_their_cells,
   const Point p{somewhere(bounds.min_x, bounds.max_x), somewhere(bounds.min_y, bounds.max_y)};
   const auto reach = [](double side) { return 0.499999 * side * *rc::gen::inRange(-1, 2); };
   const Point q{p.x + reach(lattice.width()), p.y + reach(lattice.height())};
-  RC_ASSERT(lattice.box_of(lattice.cell_of(p)).contains(p));
-  RC_ASSERT(lattice.box_of(lattice.cell_of(p)).contains(q));
+  RC_ASSERT(lattice.box_of(lattice.cell_of(p)).contains_half_open(p));
+  RC_ASSERT(lattice.box_of(lattice.cell_of(p)).contains_half_open(q));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
       if (std::isfinite(corner.y)) p.y += corner.y;
       const Index cell = lattice.cell_of(p);
       ASSERT_LT(cell, lattice.cells());
-      EXPECT_TRUE(lattice.box_of(cell).contains(p)) << p.x << ' ' << p.y;
+      EXPECT_TRUE(lattice.box_of(cell).contains_half_open(p)) << p.x << ' ' << p.y;
     }
   }
 }

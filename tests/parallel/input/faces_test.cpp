@@ -122,8 +122,8 @@ TEST(SegmentIndex, visits_every_pair_of_near_segments_once) {
   std::set<std::pair<Index, Index>> expected, visited;
   for (Index s = 0; s < 100; ++s)
     for (Index t = 0; t < s; ++t)
-      if (Bounds::of(pslg.points[2 * s], pslg.points[2 * s + 1])
-              .meets(Bounds::of(pslg.points[2 * t], pslg.points[2 * t + 1])))
+      if (Box::around(pslg.points[2 * s], pslg.points[2 * s + 1])
+              .intersects_closed(Box::around(pslg.points[2 * t], pslg.points[2 * t + 1])))
         expected.insert({t, s});
   std::size_t visits = 0;
   SegmentIndex(pslg.points, pslg.segments).for_each_near_pair([&](Index s, Index t) {

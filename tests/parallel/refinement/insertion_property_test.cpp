@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../../parallel/conversion/assemble.hpp"
+#include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../parallel/refinement/insertion.hpp"
 #include "../../../parallel/refinement/small_angles.hpp"
 #include "../../../parallel/triangulation/delaunay.hpp"
@@ -19,10 +19,10 @@ using properties::Exhibit;
 constexpr const char* families = "lattice domains of every family";
 const Box everywhere;
 
-Assembled some_triangulation(Exhibit& exhibit) {
+DomainTriangulation some_triangulation(Exhibit& exhibit) {
   const Pslg pslg = generators::to_pslg(*generators::domains());
   exhibit.show(pslg);
-  Result<Assembled> domain = assemble(pslg, /*convex_hull=*/false);
+  Result<DomainTriangulation> domain = triangulate_domain(pslg, /*convex_hull=*/false);
   RC_ASSERT(domain.ok());
   return std::move(domain).value();
 }
@@ -39,12 +39,12 @@ void insert_some_circumcentre(Triangulation& t, double min_edge, const Box& box,
   t.slots.resize(triangles + 2U);
   if (!t.region.empty()) t.region.resize(triangles + 2U);
   Insertion insertion(t, criteria, min_edge);
-  Supply supply{Numbers({{vertices, vertices + 1}}), Numbers({{triangles, triangles + 2}})};
+  Supply supply{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
   insertion.start(supply);
   const Triangulation before = t;
   for (TriangleId id = 0; id < triangles; ++id) {
     const auto& v = t.slots[id].v;
-    if (!std::all_of(v.begin(), v.end(), [&](VertexId c) { return box.contains(t.points[c]); })) continue;
+    if (!std::all_of(v.begin(), v.end(), [&](VertexId c) { return box.contains_half_open(t.points[c]); })) continue;
     if (insertion.insert_in_face(criteria.split_point(Shape(t, t.slots[id]), no_index), id, box) != Outcome::inserted)
       continue;
     RC_TAG(std::string("inserted"));
@@ -58,7 +58,7 @@ PARDEL_PROPERTY(EngineInsertion, changes_only_triangles_with_all_corners_in_its_
                               "new neighbours only triangles with two corners there",
                  .source = "properties/THEORY.md, T-region",
                  .families = families}) {
-  Assembled domain = some_triangulation(exhibit);
+  DomainTriangulation domain = some_triangulation(exhibit);
   Triangulation& t = domain.triangulation;
   const auto some_vertex = [&] { return t.points[*rc::gen::inRange<std::size_t>(0, t.points.size())]; };
   const Point p = some_vertex(), q = some_vertex();
@@ -66,7 +66,8 @@ PARDEL_PROPERTY(EngineInsertion, changes_only_triangles_with_all_corners_in_its_
   insert_some_circumcentre(t, 0, box, [&](const Triangulation& before, TriangleId triangles) {
     for (TriangleId id = 0; id < triangles; ++id) {
       const auto& v = before.slots[id].v;
-      const auto inside = std::count_if(v.begin(), v.end(), [&](VertexId c) { return box.contains(t.points[c]); });
+      const auto inside =
+          std::count_if(v.begin(), v.end(), [&](VertexId c) { return box.contains_half_open(t.points[c]); });
       RC_ASSERT(t.slots[id].v == v || inside == 3);
       RC_ASSERT(t.slots[id].n == before.slots[id].n || inside >= 2);
     }
@@ -77,7 +78,7 @@ PARDEL_PROPERTY(EngineInsertion, makes_no_edge_shorter_than_the_floor,
                 {.statement = "no edge that an insertion makes is shorter than the floor",
                  .source = "properties/THEORY.md, refinement: the floor",
                  .families = families}) {
-  Assembled domain = some_triangulation(exhibit);
+  DomainTriangulation domain = some_triangulation(exhibit);
   Triangulation& t = domain.triangulation;
   const auto& v = t.slots[*rc::gen::inRange<std::size_t>(0, t.slots.size())].v;
   const double floor = length(t.points[v[0]], t.points[v[1]]) * 0.01 * *rc::gen::inRange(10, 200);
@@ -103,7 +104,7 @@ PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
   RC_PRE(length(a, b) > 1);
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   const double tolerance = 2 * (std::nextafter(largest, INFINITY) - largest);
-  const Line line{0, 1, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+  const DomainSegment line{0, 1, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
   VertexId from = 0, to = 1;
   for (int i = 0; i < 20; ++i) {
     const auto middle = static_cast<VertexId>(t.points.size());
@@ -120,7 +121,7 @@ Outcome with_room(Triangulation& t, Insertion& insertion, const Attempt& attempt
   t.points.resize(vertices + 1U);
   t.origin.resize(vertices + 1U);
   t.slots.resize(triangles + 2U);
-  Supply supply{Numbers({{vertices, vertices + 1}}), Numbers({{triangles, triangles + 2}})};
+  Supply supply{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
   insertion.start(supply);
   const Outcome outcome = attempt();
   t.points.resize(vertices + 1U - supply.vertices.left());
@@ -142,12 +143,12 @@ bool is_right(const Triangulation& t) {
   return true;
 }
 
-Assembled hull_of(const std::vector<Point>& points, Segment segment, Exhibit& exhibit) {
+DomainTriangulation hull_of(const std::vector<Point>& points, Segment segment, Exhibit& exhibit) {
   Pslg pslg;
   pslg.points = points;
   pslg.segments = {segment};
   exhibit.show(pslg);
-  Result<Assembled> domain = assemble(pslg, /*convex_hull=*/true);
+  Result<DomainTriangulation> domain = triangulate_domain(pslg, /*convex_hull=*/true);
   RC_PRE(domain.ok());
   return std::move(domain).value();
 }
@@ -163,7 +164,7 @@ PARDEL_PROPERTY(EngineInsertion, beside_a_segment_that_is_not_delaunay_leaves_a_
   std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};
   for (int i = 0; i < 6; ++i)
     points.push_back({some_number(-0.9, 0.9), some_number(0.15, 0.6) * (i % 2 == 0 ? 1 : -1)});
-  Assembled domain = hull_of(points, {4, 5, 0}, exhibit);
+  DomainTriangulation domain = hull_of(points, {4, 5, 0}, exhibit);
   Triangulation& t = domain.triangulation;
   const Criteria criteria({}, Placement::circumcentre, {});
   Insertion insertion(t, criteria, 0);
@@ -185,11 +186,11 @@ PARDEL_PROPERTY(
   for (int i = 0; i < 6; ++i) points.push_back({some_number(654320, 654321), some_number(4987654, 4987655)});
   const Point middle{(points[0].x + points[1].x) / 2, (points[0].y + points[1].y) / 2};
   if (*rc::gen::arbitrary<bool>()) points[5] = {middle.x, std::nextafter(middle.y, INFINITY)};
-  Assembled domain = hull_of(points, {0, 1, 0}, exhibit);
+  DomainTriangulation domain = hull_of(points, {0, 1, 0}, exhibit);
   Triangulation& t = domain.triangulation;
   const Criteria criteria({}, Placement::circumcentre, {});
   Insertion insertion(t, criteria, 0);
-  VertexId a = domain.lines[0].a, b = domain.lines[0].b;
+  VertexId a = domain.segments[0].a, b = domain.segments[0].b;
   for (int i = 0; i < 16; ++i) {
     EdgeRef e;
     for (TriangleId id = 0; id < t.slots.size(); ++id)

@@ -42,7 +42,7 @@ struct Scene {
     t().points.resize(vertices + 1U);
     t().origin.resize(vertices + 1U);
     t().slots.resize(triangles + 2U);
-    Supply supply{Numbers({{vertices, vertices + 1}}), Numbers({{triangles, triangles + 2}})};
+    Supply supply{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
     insertion.start(supply);
     const Outcome outcome = attempt();
     t().points.resize(vertices + 1 - supply.vertices.left());

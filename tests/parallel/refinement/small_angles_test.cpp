@@ -20,17 +20,17 @@ bool is_power_of_two(double x, double tolerance) {
 /// Two segments from vertex 0, to 1 and to 2, and one from 1 on to 3.
 struct Corner {
   Triangulation t;
-  Lines lines;
+  DomainSegments segments;
 
   Corner(Point apex, Point first, Point second, Point on) {
     for (const Point p : {apex, first, second, on}) t.points.push_back(p);
     t.origin.resize(4, input_vertex);
     const std::vector<Constraint> constraints{{0, 1}, {0, 2}, {1, 3}};
-    lines = Lines(t.points, constraints);
+    segments = DomainSegments(t.points, constraints);
   }
   /// Splits the piece u-v of a line, and adds the point.
   VertexId split(Index line, VertexId u, VertexId v) {
-    const Point p = edge_split_point(t, lines[line], u, v);
+    const Point p = edge_split_point(t, segments[line], u, v);
     t.points.push_back(p);
     t.origin.push_back(line);
     return static_cast<VertexId>(t.points.size() - 1);
@@ -40,25 +40,25 @@ struct Corner {
 TEST(EdgeSplitPoint, of_a_segment_acute_at_one_end_lies_on_a_shell_between_a_third_and_two_thirds) {
   for (double length = 0.01; length < 100; length *= 1.07) {
     Corner corner({0, 0}, {length, 0}, {1, 0.5}, {length, length});
-    const Point p = edge_split_point(corner.t, corner.lines[0], 0, 1);
+    const Point p = edge_split_point(corner.t, corner.segments[0], 0, 1);
     EXPECT_TRUE(is_power_of_two(p.x, 1e-15 * p.x)) << p.x;
     EXPECT_GE(p.x, length / 3 * (1 - 1e-15));
     EXPECT_LE(p.x, 2 * length / 3 * (1 + 1e-15));
-    const Point reversed = edge_split_point(corner.t, corner.lines[0], 1, 0);
+    const Point reversed = edge_split_point(corner.t, corner.segments[0], 1, 0);
     EXPECT_NEAR(reversed.x, p.x, 1e-15 * length) << "whichever way the piece is seen";
   }
 }
 
 TEST(EdgeSplitPoint, of_a_segment_that_is_acute_nowhere_or_at_both_ends_is_its_midpoint) {
   Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
-  EXPECT_EQ(edge_split_point(blunt.t, blunt.lines[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(blunt.t, blunt.segments[0], 0, 1), (Point{2.5, 0}));
   Corner acute({0, 0}, {5, 0}, {3, 1}, {2, 1});
-  EXPECT_EQ(edge_split_point(acute.t, acute.lines[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(acute.t, acute.segments[0], 0, 1), (Point{2.5, 0}));
 }
 
 TEST(EdgeSplitPoint, of_a_right_angle_is_the_midpoint) {
   Corner right({0, 0}, {5, 0}, {0, 3}, {5, 3});
-  EXPECT_EQ(edge_split_point(right.t, right.lines[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(right.t, right.segments[0], 0, 1), (Point{2.5, 0}));
 }
 
 TEST(EdgeSplitPoint, puts_the_pieces_at_one_apex_on_shared_shells) {
@@ -125,14 +125,14 @@ struct OneTriangle {
     slot.v = v;
     for (unsigned side = 0; side < 3; ++side) slot.n[side] = constrained[side] ? EdgeRef() : EdgeRef(0, 0);
   }
-  [[nodiscard]] std::optional<SmallAngle> judge(const Lines& lines) const {
-    return small_angle(t, lines, slot, Shape(t, slot));
+  [[nodiscard]] std::optional<SmallAngle> judge(const DomainSegments& segments) const {
+    return small_angle(t, segments, slot, Shape(t, slot));
   }
 };
 
 TEST(SmallAngle, between_two_segments_makes_a_triangle_nestled) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
-  const auto found = OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.lines);
+  const auto found = OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.segments);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->reason, ExemptReason::nestled);
   EXPECT_EQ(found->apex, 0U);
@@ -141,20 +141,20 @@ TEST(SmallAngle, between_two_segments_makes_a_triangle_nestled) {
 
 TEST(SmallAngle, between_a_segment_and_an_edge_excuses_nothing) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
-  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, false}).judge(corner.lines));
-  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, false, false}).judge(corner.lines));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, false}).judge(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, false, false}).judge(corner.segments));
 }
 
 TEST(SmallAngle, at_another_corner_than_the_smallest_excuses_nothing) {
   // The segments meet at 0 under 76 degrees; the smallest angle is at 1.
   Corner corner({0, 0}, {4, 0}, {0.25, 1}, {9, 9});
-  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.lines));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.segments));
 }
 
 TEST(SmallAngle, across_one_shell_makes_a_triangle_seditious) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
   const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
-  const auto found = OneTriangle(corner.t, {1, v, u}, {false, true, false}).judge(corner.lines);
+  const auto found = OneTriangle(corner.t, {1, v, u}, {false, true, false}).judge(corner.segments);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->reason, ExemptReason::seditious);
   EXPECT_EQ(found->apex, 0U);
@@ -167,21 +167,21 @@ TEST(SmallAngle, between_two_shells_excuses_nothing) {
   corner.t.points.push_back({40, 4});
   corner.t.origin.push_back(interior_vertex);
   const auto far = static_cast<VertexId>(corner.t.points.size() - 1);
-  EXPECT_FALSE(OneTriangle(corner.t, {inner, outer, far}, {false, false, false}).judge(corner.lines));
+  EXPECT_FALSE(OneTriangle(corner.t, {inner, outer, far}, {false, false, false}).judge(corner.segments));
 }
 
 TEST(SmallAngle, of_sixty_degrees_is_none) {
   // One shell, but the segments meet at more than 60 degrees: to split goes on only finitely often.
   Corner corner({0, 0}, {4, 0}, {2, 3.5}, {9, 9});
   const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
-  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.lines));
+  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.segments));
 }
 
 TEST(SmallAngle, needs_an_apex_that_the_segments_share) {
   // Vertices on 0-1 and 1-3 share apex 1; those on 0-2 and 1-3 share none.
   Corner corner({0, 0}, {4, 0}, {4, 1}, {0, 1});
   const VertexId u = corner.split(1, 0, 2), v = corner.split(2, 1, 3);
-  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.lines));
+  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.segments));
 }
 
 }  // namespace

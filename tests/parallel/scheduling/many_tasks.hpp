@@ -8,7 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "../../../parallel/conversion/assemble.hpp"
+#include "../../../parallel/conversion/domain_triangulation.hpp"
+#include "../../../parallel/conversion/export_mesh.hpp"
 #include "../../../parallel/scheduling/refine_by_sweeps.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/domains/generators/random.hpp"
@@ -44,7 +45,7 @@ struct Refined {
   RefineCounts counts;
 };
 inline Refined refined(const Case& c, const Options& options, const Schedule& schedule) {
-  Result<Assembled> domain = assemble(c.pslg, c.goal.convex_hull, options.threads);
+  Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, options.threads);
   EXPECT_TRUE(domain);
   std::vector<double> attributes, caps;
   for (const Region& region : c.pslg.regions) {
@@ -52,9 +53,9 @@ inline Refined refined(const Case& c, const Options& options, const Schedule& sc
     caps.push_back(region.max_area);
   }
   const Criteria criteria(c.goal, options.placement, caps);
-  auto counts = refine_by_sweeps(domain->triangulation, domain->lines, criteria, options, schedule);
+  auto counts = refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, schedule);
   EXPECT_TRUE(counts);
-  return {disassemble(std::move(domain).value(), attributes, {}, {}, options.threads), std::move(counts).value()};
+  return {export_mesh(std::move(domain).value(), attributes, {}, {}, options.threads), std::move(counts).value()};
 }
 
 inline Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {

@@ -47,7 +47,7 @@ TEST(LargestRadii, are_those_of_some_triangle_wherever_it_is) {
       expected = {std::max(expected.radius, r.radius), std::max(expected.ratio, r.ratio),
                   std::max(expected.area, r.area)};
     }
-    const Radii found = largest_radii(whole, NumberLedger(last + 1, count), 1);
+    const Radii found = largest_radii(whole, IndexAllocator(last + 1, count), 1);
     EXPECT_NEAR(found.radius, expected.radius, 1e-9 * expected.radius);
     EXPECT_NEAR(found.ratio, expected.ratio, 1e-9 * expected.ratio);
     EXPECT_NEAR(found.area, expected.area, 1e-9 * expected.area);
@@ -61,11 +61,11 @@ TEST(LargestRadii, leave_holes_out) {
   t.slots.push_back({{0, 1, 2}, {}});
   t.slots.push_back({{0, 3, 2}, {}});
   t.slots.push_back({{0, 1, 2}, {}});
-  NumberLedger ledger(0, 10);
-  std::vector<NumberRange> all;
+  IndexAllocator ledger(0, 10);
+  std::vector<IndexRange> all;
   ledger.assign(3, all);
   EXPECT_GT(largest_radii(t, ledger, 1).radius, 400);
-  ledger.take_back(Numbers({{1, 2}}));
+  ledger.take_back(IndexPool({{1, 2}}));
   ledger.settle();
   EXPECT_NEAR(largest_radii(t, ledger, 1).radius, std::sqrt(0.5), 1e-12);
 }

@@ -10,7 +10,7 @@
 namespace pardel::engine {
 namespace {
 
-#ifndef PARDEL_TOUCHES
+#ifndef PARDEL_WATCHED_ARRAYS
 #error "built with the watched twin of the engine only"
 #endif
 
@@ -18,7 +18,8 @@ namespace {
 class Watch {
  public:
   [[nodiscard]] Schedule schedule() {
-    return {.before_task = [this](std::size_t task) { touches = &log_[task]; }, .after_phase = [this] { compare(); }};
+    return {.before_task = [this](std::size_t task) { watched_indices = &log_[task]; },
+            .after_phase = [this] { compare(); }};
   }
   [[nodiscard]] std::uint64_t touched() const { return touched_; }
   [[nodiscard]] std::uint64_t common() const { return common_; }
@@ -26,7 +27,7 @@ class Watch {
 
  private:
   void compare() {
-    touches = nullptr;
+    watched_indices = nullptr;
     std::map<std::size_t, std::size_t> owner;
     for (const auto& [task, triangles] : log_)
       for (const std::size_t triangle : triangles)

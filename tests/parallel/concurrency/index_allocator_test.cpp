@@ -1,5 +1,5 @@
 // Who gets which numbers: none twice, none lost, none left unused in the end.
-#include "../../../parallel/concurrency/numbers.hpp"
+#include "../../../parallel/concurrency/index_allocator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,17 +22,17 @@ class Phases {
 
   void phase() {
     const std::size_t available = ledger_.available();
-    std::vector<Numbers> tasks;
+    std::vector<IndexPool> tasks;
     std::size_t given = 0;
     for (Index task = 0; task < 1 + random_.below(6); ++task) {
       const std::size_t asked = random_.below(40);
-      std::vector<NumberRange> ranges;
+      std::vector<IndexRange> ranges;
       ledger_.assign(asked, ranges);
       tasks.emplace_back(ranges);
       EXPECT_EQ(tasks.back().left(), std::min(asked, available - given));
       given += tasks.back().left();
     }
-    for (Numbers& numbers : tasks) {
+    for (IndexPool& numbers : tasks) {
       for (std::size_t left = random_.below(numbers.left() + 1); numbers.left() > left;)
         EXPECT_TRUE(in_use_.insert(numbers.take()).second) << "given out twice";
       ledger_.take_back(numbers);
@@ -40,24 +40,24 @@ class Phases {
     ledger_.settle();
   }
 
-  [[nodiscard]] const NumberLedger& ledger() const { return ledger_; }
+  [[nodiscard]] const IndexAllocator& ledger() const { return ledger_; }
   [[nodiscard]] const std::set<Index>& in_use() const { return in_use_; }
 
  private:
-  NumberLedger ledger_;
+  IndexAllocator ledger_;
   samples::Random random_;
   std::set<Index> in_use_;
 };
 
-std::set<Index> below_end_and_in_no_hole(const NumberLedger& ledger) {
+std::set<Index> below_end_and_in_no_hole(const IndexAllocator& ledger) {
   std::set<Index> result;
   for (Index n = 0; n < ledger.end(); ++n) result.insert(n);
-  for (const NumberRange hole : ledger.holes())
+  for (const IndexRange hole : ledger.holes())
     for (Index n = hole.begin; n < hole.end; ++n) EXPECT_EQ(result.erase(n), 1U) << "free twice, or beyond the end";
   return result;
 }
 
-TEST(NumberLedger, gives_no_number_twice_and_knows_which_are_free) {
+TEST(IndexAllocator, gives_no_index_twice_and_records_which_are_free) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Phases phases(Index(seed % 7), 500, seed);
     for (int phase = 0; phase < 10; ++phase) {
@@ -70,12 +70,12 @@ TEST(NumberLedger, gives_no_number_twice_and_knows_which_are_free) {
   }
 }
 
-TEST(NumberMoves, fill_every_hole_with_what_lies_above) {
+TEST(IndexMoves, fill_every_hole_with_what_lies_above) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Phases phases(3, 10'000, seed);
     for (int phase = 0; phase < 10; ++phase) phases.phase();
     std::set<Index> numbers = phases.in_use();
-    for (const NumberMove move : moves_into_holes(phases.ledger())) {
+    for (const IndexMove move : moves_into_holes(phases.ledger())) {
       ASSERT_EQ(numbers.erase(move.from), 1U) << "moves what is not there";
       ASSERT_TRUE(numbers.insert(move.to).second) << "moves onto another";
     }
@@ -87,7 +87,7 @@ TEST(NumberMoves, fill_every_hole_with_what_lies_above) {
 /// A triangulation with holes among its numbers: every third triangle and every other vertex has one beyond the rest.
 struct Spread {
   Triangulation t;
-  NumberLedger vertices, triangles;
+  IndexAllocator vertices, triangles;
 
   /// Vertices have their first number for an origin, triangles that of their first corner for a region.
   explicit Spread(Triangulation whole)
@@ -116,13 +116,13 @@ struct Spread {
   }
 
  private:
-  static NumberLedger with_holes(Index count, Index step) {
-    NumberLedger ledger(0, max_triangles);
-    std::vector<NumberRange> all;
+  static IndexAllocator with_holes(Index count, Index step) {
+    IndexAllocator ledger(0, max_engine_triangles);
+    std::vector<IndexRange> all;
     ledger.assign(count + (count + step - 1) / step, all);
-    std::vector<NumberRange> holes;
+    std::vector<IndexRange> holes;
     for (Index n = 0; n < count; n += step) holes.push_back({n, n + 1});
-    ledger.take_back(Numbers(holes));
+    ledger.take_back(IndexPool(holes));
     ledger.settle();
     return ledger;
   }

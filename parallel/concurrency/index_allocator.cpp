@@ -1,10 +1,10 @@
-#include "numbers.hpp"
+#include "index_allocator.hpp"
 
 namespace pardel::engine {
 
-void NumberLedger::assign(std::size_t count, std::vector<NumberRange>& ranges) {
+void IndexAllocator::assign(std::size_t count, std::vector<IndexRange>& ranges) {
   while (count > 0 && first_free_ < free_.size()) {
-    NumberRange& lowest = free_[first_free_];
+    IndexRange& lowest = free_[first_free_];
     const auto take = static_cast<Index>(std::min<std::size_t>(count, lowest.size()));
     ranges.push_back({lowest.begin, lowest.begin + take});
     lowest.begin += take;
@@ -17,19 +17,19 @@ void NumberLedger::assign(std::size_t count, std::vector<NumberRange>& ranges) {
   end_ += fresh;
 }
 
-void NumberLedger::take_back(const Numbers& numbers) {
-  for (const NumberRange r : numbers.rest()) {
+void IndexAllocator::take_back(const IndexPool& pool) {
+  for (const IndexRange r : pool.rest()) {
     if (r.size() == 0) continue;
     free_.push_back(r);
     free_count_ += r.size();
   }
 }
 
-void NumberLedger::settle() {
-  std::erase_if(free_, [](NumberRange r) { return r.size() == 0; });
-  std::sort(free_.begin(), free_.end(), [](NumberRange a, NumberRange b) { return a.begin < b.begin; });
-  std::vector<NumberRange> joined;
-  for (const NumberRange r : free_) {
+void IndexAllocator::settle() {
+  std::erase_if(free_, [](IndexRange r) { return r.size() == 0; });
+  std::sort(free_.begin(), free_.end(), [](IndexRange a, IndexRange b) { return a.begin < b.begin; });
+  std::vector<IndexRange> joined;
+  for (const IndexRange r : free_) {
     if (!joined.empty() && joined.back().end == r.begin)
       joined.back().end = r.end;
     else
@@ -44,16 +44,16 @@ void NumberLedger::settle() {
   first_free_ = 0;
 }
 
-std::vector<NumberMove> moves_into_holes(const NumberLedger& ledger) {
-  const std::vector<NumberRange>& holes = ledger.holes();
-  const Index in_use = ledger.in_use();
+std::vector<IndexMove> moves_into_holes(const IndexAllocator& allocator) {
+  const std::vector<IndexRange>& holes = allocator.holes();
+  const Index in_use = allocator.in_use();
   std::vector<Index> targets;
-  for (const NumberRange hole : holes)
+  for (const IndexRange hole : holes)
     for (Index n = hole.begin; n < std::min(hole.end, in_use); ++n) targets.push_back(n);
 
-  std::vector<NumberMove> moves;
+  std::vector<IndexMove> moves;
   moves.reserve(targets.size());
-  auto hole = std::find_if(holes.begin(), holes.end(), [&](NumberRange h) { return h.end > in_use; });
+  auto hole = std::find_if(holes.begin(), holes.end(), [&](IndexRange h) { return h.end > in_use; });
   for (Index from = in_use; moves.size() < targets.size(); ++from) {
     while (hole != holes.end() && from >= hole->begin && from < hole->end) from = (hole++)->end;
     moves.push_back({from, targets[moves.size()]});

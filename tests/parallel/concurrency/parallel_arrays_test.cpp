@@ -1,5 +1,5 @@
 // What many threads list at once comes in one order, whatever their number.
-#include "../../../parallel/concurrency/in_order.hpp"
+#include "../../../parallel/concurrency/parallel_arrays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(InOrder, each_cell_gets_its_own_in_ascending_order_on_any_number_of_threads
     if (cell_of[i] != no_index) expected[cell_of[i]].push_back(i);
   for (const int threads : {1, 2, 3, 8}) {
     std::vector<std::vector<std::size_t>> filed(cells);
-    file_by_cell(
+    visit_by_cell(
         threads, n, cells, [&](std::size_t i) { return cell_of[i]; },
         [&](Index cell, std::size_t i) { filed[cell].push_back(i); });
     EXPECT_EQ(filed, expected) << threads << " threads";
@@ -73,13 +73,13 @@ TEST(Bounds, are_the_least_box_around_all_points_on_any_number_of_threads) {
   const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
   const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
   for (const int threads : {0, 1, 2, 7}) {
-    const Box box = bounds_of(threads, points.size(), [&](std::size_t i) { return points[i]; });
+    const Box box = bounding_box(threads, points.size(), [&](std::size_t i) { return points[i]; });
     EXPECT_EQ(box.min_x, left.x);
     EXPECT_EQ(box.max_x, right.x);
     EXPECT_EQ(box.min_y, low.y);
     EXPECT_EQ(box.max_y, high.y);
   }
-  EXPECT_EQ(bounds_of(2, 0, [](std::size_t) { return Point{}; }).min_x, INFINITY);
+  EXPECT_EQ(bounding_box(2, 0, [](std::size_t) { return Point{}; }).min_x, INFINITY);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Lists that many threads make at once, in an order that does not depend on how many.
+// Arrays that are built in parallel. Their content does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace pardel::engine {
 
-/// Appends what was found block by block: lists or spans of T.
+/// Appends the blocks, which are lists or spans of T, to `all` in their order.
 template <class Block, class T>
 void append_blocks(int threads, const std::vector<Block>& blocks, Array<T>& all) {
   std::vector<std::size_t> start(blocks.size() + 1, all.size());
@@ -21,7 +21,7 @@ void append_blocks(int threads, const std::vector<Block>& blocks, Array<T>& all)
                [&](std::size_t b, int) { std::copy(blocks[b].begin(), blocks[b].end(), all.begin() + start[b]); });
 }
 
-/// The i below n that satisfy, in ascending order.
+/// The indices i < n with satisfies(i), in ascending order.
 template <class Satisfies>
 [[nodiscard]] Array<Index> indices_where(int threads, std::size_t n, const Satisfies& satisfies) {
   std::vector<std::vector<Index>> found(block_count(n));
@@ -34,7 +34,7 @@ template <class Satisfies>
   return all;
 }
 
-/// An array of n elements that a function of the index makes.
+/// The array of make(0), ..., make(n - 1).
 template <class Make>
 [[nodiscard]] auto make_array(int threads, std::size_t n, const Make& make) {
   Array<decltype(make(std::size_t{}))> made;
@@ -45,23 +45,24 @@ template <class Make>
   return made;
 }
 
-/// Calls file(cell_of[i], i) for all i whose cell is below `cells`: for each cell in ascending order of i, one call at
-/// a time. Every thread has some cells and looks at all of cell_of, which is little beside what filing costs.
-template <class File>
-void file_by_cell(int threads, std::span<const Index> cell_of, std::size_t cells, const File& file) {
+/// Calls visit(cell_of[i], i) for all i with cell_of[i] < cells. The calls for one cell are made by one thread, in
+/// ascending order of i; the calls for different cells may be concurrent. Each thread is responsible for a range of
+/// cells and reads all of cell_of, which costs little compared with the visits.
+template <class Visit>
+void visit_by_cell(int threads, std::span<const Index> cell_of, std::size_t cells, const Visit& visit) {
   const std::size_t groups = std::min(cells, static_cast<std::size_t>(std::max(1, threads)));
   parallel_for(threads, groups, [&](std::size_t group, int) {
     const std::size_t first = cells * group / groups, last = cells * (group + 1) / groups;
     for (std::size_t i = 0; i < cell_of.size(); ++i)
-      if (cell_of[i] >= first && cell_of[i] < last) file(cell_of[i], i);
+      if (cell_of[i] >= first && cell_of[i] < last) visit(cell_of[i], i);
   });
 }
 
-/// The same for i below n, with the cells that cell_of(i) gives.
-template <class CellOf, class File>
-void file_by_cell(int threads, std::size_t n, std::size_t cells, const CellOf& cell_of, const File& file) {
+/// The same for i < n with a function cell_of(i), which is called once for each i.
+template <class CellOf, class Visit>
+void visit_by_cell(int threads, std::size_t n, std::size_t cells, const CellOf& cell_of, const Visit& visit) {
   const Array<Index> cell = make_array(threads, n, cell_of);
-  file_by_cell(threads, cell.span(), cells, file);
+  visit_by_cell(threads, cell.span(), cells, visit);
 }
 
 }  // namespace pardel::engine

@@ -1,0 +1,69 @@
+#include "domain_triangulation.hpp"
+
+#include <string>
+
+#include "../concurrency/parallel_arrays.hpp"
+#include "../triangulation/carve.hpp"
+#include "../triangulation/delaunay.hpp"
+
+namespace pardel::engine {
+namespace {
+
+std::vector<Index> inverse(std::span<const Index> permutation) {
+  std::vector<Index> result(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i) result[permutation[i]] = static_cast<Index>(i);
+  return result;
+}
+
+}  // namespace
+
+Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hull, int threads) {
+  Result<Delaunay> triangulated = delaunay(pslg.points, threads);
+  if (!triangulated) return triangulated.error();
+  DomainTriangulation domain;
+  Triangulation& t = domain.triangulation;
+  t = std::move(triangulated->triangulation);
+  domain.input_of_vertex = std::move(triangulated->input_of_vertex);
+
+  std::vector<Constraint> constraints;
+  if (!pslg.segments.empty()) {
+    const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex.span());
+    for (Index s = 0; s < pslg.segments.size(); ++s) {
+      const Segment& segment = pslg.segments[s];
+      if (segment.a >= pslg.points.size() || segment.b >= pslg.points.size())
+        return Error{ErrorKind::invalid_input, "segment " + std::to_string(s) + " names a point that does not exist"};
+      constraints.push_back({vertex_of_input[segment.a], vertex_of_input[segment.b]});
+      domain.input_segment.push_back(s);
+      domain.segment_marker.push_back(segment.marker);
+    }
+  }
+  if (Status inserted = insert_constraints(t, constraints); !inserted) return inserted.error();
+
+  DomainRules rules{convex_hull || pslg.segments.empty(), pslg.holes, {}};
+  for (const Region& region : pslg.regions) rules.region_seeds.push_back(region.seed);
+  for (const Constraint hull_edge : carve(t, rules, threads)) {
+    constraints.push_back(hull_edge);
+    domain.input_segment.push_back(no_index);
+    domain.segment_marker.push_back(0);
+  }
+  if (t.slots.empty())
+    return Error{ErrorKind::invalid_input,
+                 "the domain is empty: the segments enclose no area, or the holes remove all of it"};
+  t.origin = make_array(threads, t.points.size(), [](std::size_t) { return input_vertex; });
+  domain.segments = DomainSegments(t.points, constraints);
+  return domain;
+}
+
+std::vector<std::array<Index, 3>> input_corners(const DomainTriangulation& domain) {
+  std::vector<std::array<Index, 3>> result;
+  result.reserve(domain.triangulation.slots.size());
+  for (const Slot& slot : domain.triangulation.slots) {
+    std::array<Index, 3> v = slot.v;
+    for (Index& corner : v)
+      if (corner < domain.input_of_vertex.size()) corner = domain.input_of_vertex[corner];
+    result.push_back(v);
+  }
+  return result;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,26 @@
+// From the triangulation of a domain to a Mesh.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "../../core/mesh.hpp"
+#include "domain_triangulation.hpp"
+
+namespace pardel::engine {
+
+/// The data of the input points that the mesh inherits. Attributes of new vertices are interpolated.
+struct PointData {
+  std::size_t attributes_per_point = 0;
+  std::span<const double> attributes;
+  std::span<const int> markers;
+};
+
+/// Converts a triangulation in place, without a second copy of its triangles. The input points come first, in the
+/// order of the input; the new vertices follow in the order of their insertion. Attributes are interpolated on the
+/// triangles with the corners `background`, given in input numbers, which may be empty if there are no attributes.
+[[nodiscard]] Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes,
+                               const PointData& data, std::vector<std::array<Index, 3>> background, int threads = 1);
+
+}  // namespace pardel::engine

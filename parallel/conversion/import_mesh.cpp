@@ -1,0 +1,93 @@
+#include "import_mesh.hpp"
+
+#include <string>
+
+#include "../../core/support/mesh_edges.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "../scheduling/limits.hpp"
+#include "../triangulation/flips.hpp"
+#include "join_subsegments.hpp"
+
+namespace pardel::engine {
+namespace {
+
+Error bad_mesh(TriangleId id, const char* what) {
+  return {ErrorKind::invalid_input, "triangle " + std::to_string(id) + " of the mesh " + what};
+}
+
+/// The side of `triangle` that runs from `from` to `to`, or 3 if there is none.
+unsigned side_between(const Triangle& triangle, VertexId from, VertexId to) {
+  for (unsigned side = 0; side < 3; ++side)
+    if (triangle.v[next_corner[side]] == from && triangle.v[previous_corner[side]] == to) return side;
+  return 3;
+}
+
+Status link_neighbours(const Mesh& mesh, Triangulation& t) {
+  for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
+    const Triangle& triangle = mesh.triangles[id];
+    for (const Index v : triangle.v)
+      if (v >= mesh.points.size()) return bad_mesh(id, "names a vertex that does not exist");
+    if (!(orient2d(mesh.points[triangle.v[0]], mesh.points[triangle.v[1]], mesh.points[triangle.v[2]]) > 0))
+      return bad_mesh(id, "is not positively oriented");
+    Slot slot{triangle.v, {}};
+    for (unsigned side = 0; side < 3; ++side) {
+      const Index other = triangle.n[side];
+      if (other == no_index) continue;
+      if (other >= mesh.triangles.size()) return bad_mesh(id, "names a neighbour that does not exist");
+      const unsigned back = side_between(mesh.triangles[other], slot.to(side), slot.from(side));
+      if (back == 3 || mesh.triangles[other].n[back] != id) return bad_mesh(id, "has a neighbour that does not agree");
+      slot.n[side] = EdgeRef(other, back);
+    }
+    t.slots.push_back(slot);
+  }
+  return Done{};
+}
+
+/// Marks the mesh's constrained edges and all boundary edges in the triangulation, and returns them.
+std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t) {
+  std::vector<ConstrainedEdge> subsegments;
+  const ConstrainedEdgeIndex constrained(mesh);
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side) {
+      const EdgeRef across = t.slots[id].n[side];
+      if (!across.none() && across.triangle() < id) continue;  // handled from the other side
+      const VertexId a = t.slots[id].from(side), b = t.slots[id].to(side);
+      const ConstrainedEdge* listed = constrained.find(a, b);
+      if (listed == nullptr && !across.none()) continue;
+      t.constrain(EdgeRef(id, side));
+      subsegments.push_back(listed == nullptr ? ConstrainedEdge{a, b, no_index, 0} : *listed);
+    }
+  return subsegments;
+}
+
+}  // namespace
+
+Result<DomainTriangulation> import_mesh(const Mesh& mesh) {
+  if (mesh.triangles.size() > max_engine_triangles) return too_many_triangles();
+  if (mesh.triangles.empty()) return Error{ErrorKind::invalid_input, "the mesh has no triangles"};
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    if (e.a >= mesh.points.size() || e.b >= mesh.points.size())
+      return Error{ErrorKind::invalid_input, "a constrained edge of the mesh names a vertex that does not exist"};
+  DomainTriangulation domain;
+  Triangulation& t = domain.triangulation;
+  t.points = mesh.points;
+  if (Status linked = link_neighbours(mesh, t); !linked) return linked.error();
+  if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
+  JoinedSegments joined = join_subsegments(mesh, constrain_edges(mesh, t));
+  t.origin = std::move(joined.origin);
+  domain.segments = DomainSegments(t.points, joined.segments);
+  domain.input_segment = std::move(joined.input_segment);
+  domain.segment_marker = std::move(joined.segment_marker);
+  domain.input_of_vertex.resize(t.points.size());
+  for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
+
+  std::vector<EdgeRef> suspects;
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side)
+      if (!locally_delaunay(t, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
+  std::vector<TriangleId> changed;
+  restore_delaunay(t, std::move(suspects), changed);
+  return domain;
+}
+
+}  // namespace pardel::engine

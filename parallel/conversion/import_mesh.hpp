@@ -1,0 +1,16 @@
+// From a Mesh to the triangulation of a domain, for the refinement of an existing mesh.
+#pragma once
+
+#include "../../core/mesh.hpp"
+#include "../../core/result.hpp"
+#include "domain_triangulation.hpp"
+
+namespace pardel::engine {
+
+/// The domain that a mesh covers. Its segments are the constrained edges and the boundary edges of the mesh, joined
+/// into whole segments as far as the origins of the vertices allow it (join_subsegments.hpp). Edges that are not
+/// locally Delaunay are flipped. Errors: invalid_input if the mesh is not a manifold of positively oriented triangles
+/// with consistent neighbours; resources if it has more triangles than the engine can number.
+[[nodiscard]] Result<DomainTriangulation> import_mesh(const Mesh& mesh);
+
+}  // namespace pardel::engine

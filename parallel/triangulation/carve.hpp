@@ -1,0 +1,25 @@
+// Removal of the triangles outside a domain.
+#pragma once
+
+#include <vector>
+
+#include "insert_constraints.hpp"
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+
+/// Determines which triangles belong to the domain: all that cannot be reached from the exterior or from a hole without
+/// crossing a constraint.
+struct DomainRules {
+  bool convex_hull = false;  ///< the edges of the convex hull become constraints, so the exterior ends there
+  std::vector<Point> holes;  ///< one point in each hole
+  std::vector<Point> region_seeds;
+};
+
+/// Removes the ghosts, the exterior and the holes, and renumbers the remaining triangles from 0. If there are seeds,
+/// sets Triangulation::region of each triangle to the index of the last seed from which it can be reached without
+/// crossing a constraint, or to no_index. With convex_hull, returns the hull edges that were no constraints before. The
+/// number of threads does not change the result.
+[[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads = 1);
+
+}  // namespace pardel::engine

@@ -1,0 +1,53 @@
+// The segments of a domain, and the small angles between them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "insert_constraints.hpp"
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+
+/// A segment of the domain: a segment of the input or, if the domain is the convex hull of its points, an edge of the
+/// hull. Refinement splits it into subsegments, which are not stored: every vertex on the segment has its index as
+/// origin, so the ends of a subsegment determine the segment. a < b holds, and vertices are numbered by coordinates, so
+/// the direction of the segment in the input does not influence how points on it are rounded.
+struct DomainSegment {
+  VertexId a, b;
+  bool acute_at_a = false;  ///< another segment makes an angle below 90 degrees with this one at a
+  bool acute_at_b = false;  ///< the same at b
+};
+
+class DomainSegments {
+ public:
+  DomainSegments() = default;
+  /// `points` holds the coordinates of the vertices. O(points + k log k) for k constraints.
+  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints);
+
+  [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
+  [[nodiscard]] std::size_t size() const { return segments_.size(); }
+
+  /// The segment of which the constrained edge u-v is a subsegment. no_index if there is none, which does not happen in
+  /// a correct triangulation.
+  [[nodiscard]] Index segment_of(const Triangulation& t, VertexId u, VertexId v) const;
+  /// The common end of two different segments, or no_index.
+  [[nodiscard]] VertexId shared_end(Index first, Index second) const;
+  /// The cosine of the angle between two segments at their common end `apex`.
+  [[nodiscard]] double cosine_at(const Array<Point>& points, VertexId apex, Index first, Index second) const;
+
+ private:
+  [[nodiscard]] std::span<const Index> at(VertexId v) const {
+    if (v + 1U >= start_.size()) return {};
+    return std::span(incident_).subspan(start_[v], start_[v + 1U] - start_[v]);
+  }
+  [[nodiscard]] VertexId other_end(Index segment, VertexId end) const {
+    return segments_[segment].a == end ? segments_[segment].b : segments_[segment].a;
+  }
+
+  std::vector<DomainSegment> segments_;
+  std::vector<Index> start_,
+      incident_;  ///< the segments at vertex v are incident_[start_[v]] to incident_[start_[v + 1]]
+};
+
+}  // namespace pardel::engine
