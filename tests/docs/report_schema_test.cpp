@@ -1,0 +1,127 @@
+// docs/report.schema.json describes the reports that the program writes: no key is missing in it, and none is left
+// over.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "../../parallel/report.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../cli/program.hpp"
+#include "json_schema.hpp"
+
+namespace pardel::testing {
+namespace {
+
+using Json = nlohmann::json;
+using Strings = std::vector<std::string>;
+
+Json schema() { return Json::parse(std::ifstream(PARDEL_SOURCE "/docs/report.schema.json")); }
+
+class ReportSchema : public Workshop {
+ protected:
+  /// The report of `pardel mesh square.poly -o mesh.vtu OPTIONS... --json -`.
+  Json report(std::vector<std::string> options, const std::string& domain = "square.poly") const {
+    write("square.poly", square_poly);
+    std::vector<std::string> arguments = {"mesh", domain, "-o", "mesh.vtu", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return Json::parse(pardel(arguments).out);
+  }
+};
+
+/// Calls act(object, key) for every key of every object inside `value`, which act may change and must restore.
+template <class Act>
+void for_every_key(Json& value, const Act& act) {
+  if (value.is_object()) {
+    const Json keys = value;
+    for (const auto& [key, ignored] : keys.items()) act(value, key);
+  }
+  if (value.is_structured()) {
+    for (Json& member : value) for_every_key(member, act);
+  }
+}
+
+TEST_F(ReportSchema, describes_the_report_of_a_plain_run) {
+  EXPECT_EQ(schema_violations(schema(), report({})), Strings());
+}
+
+TEST_F(ReportSchema, describes_the_report_of_a_run_with_every_option) {
+  write("square.sizes", "4\n1 0.1\n2 0.2\n3 0.3\n4 0.2\n");
+  const Json with_check = report({"--check", "--paranoid", "--sizes", "square.sizes", "--max-area", "0.001",
+                                  "--max-edge", "0.2", "--conforming", "--regions", "--decomposition", "paper",
+                                  "--placement", "circumcentre", "--threads", "2"});
+  EXPECT_EQ(schema_violations(schema(), with_check), Strings());
+}
+
+TEST_F(ReportSchema, describes_exemptions_of_both_sorts) {
+  pardel({"generate", "wedge", "-o", "wedge.poly"});
+  const Json small_angles = report({"--min-angle", "30", "--check"}, "wedge.poly");
+  EXPECT_FALSE(small_angles.at("refine").at("exemptions").empty());
+  EXPECT_FALSE(small_angles.at("certificate").at("justified").empty());
+  EXPECT_EQ(schema_violations(schema(), small_angles), Strings());
+
+  const Json budget = report({"--max-area", "0.001", "--max-vertices", "50", "--check"});
+  EXPECT_FALSE(budget.at("goal_met").get<bool>());
+  EXPECT_FALSE(budget.at("certificate").at("violations").empty());
+  EXPECT_EQ(schema_violations(schema(), budget), Strings());
+}
+
+TEST_F(ReportSchema, describes_the_certificate_that_pardel_check_writes) {
+  report({});
+  Json of_certificate = schema();
+  of_certificate = {{"$ref", "#/$defs/certificate"}, {"$defs", of_certificate.at("$defs")}};
+  const Ran ran = pardel({"check", "square.poly", "mesh.vtu", "--max-area", "0.01", "--json", "-"});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_EQ(schema_violations(of_certificate, Json::parse(ran.out)), Strings());
+}
+
+TEST_F(ReportSchema, rejects_a_report_that_lacks_a_key) {
+  const Json all = schema();
+  Json right = report({"--check"});
+  const auto reject = [&](Json& object, const std::string& key) {
+    const Json kept = object.at(key);
+    if (key == "certificate") return;  // only with --check
+    object.erase(key);
+    EXPECT_FALSE(schema_violations(all, right).empty()) << "without " << key;
+    object[key] = kept;
+  };
+  for_every_key(right, reject);
+}
+
+TEST_F(ReportSchema, rejects_a_report_with_an_unknown_key) {
+  const Json all = schema();
+  Json right = report({"--check"});
+  const auto reject = [&](Json& object, const std::string& key) {
+    object["unknown"] = 1;
+    EXPECT_FALSE(schema_violations(all, right).empty()) << "beside " << key;
+    object.erase("unknown");
+  };
+  for_every_key(right, reject);
+}
+
+TEST_F(ReportSchema, knows_every_reason_and_every_kind_of_violation) {
+  const Json definitions = schema().at("$defs");
+  Json reasons = Json::array();
+  for (int i = 0; i < exempt_reasons; ++i) reasons.push_back(name(static_cast<ExemptReason>(i)));
+  EXPECT_EQ(definitions.at("exempt_reason").at("enum"), reasons);
+
+  Json kinds = Json::array();
+  const std::size_t kind_count = check({}, {}, {}).violation_counts.size();
+  for (std::size_t i = 0; i < kind_count; ++i) kinds.push_back(name(static_cast<ViolationKind>(i)));
+  EXPECT_EQ(definitions.at("violation_kind").at("enum"), kinds);
+}
+
+TEST(JsonSchema, notices_what_is_wrong_with_a_value) {
+  const Json schema = Json::parse(R"({"type": "object", "properties": {
+    "n": {"type": "integer", "minimum": 1}, "s": {"type": "string", "pattern": "^a+$"}, "e": {"enum": [1, null]},
+    "p": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}, "c": {"const": true}}})");
+  const Json right = Json::parse(R"({"n": 1, "s": "aa", "e": null, "p": [1, 2.5], "c": true})");
+  EXPECT_EQ(schema_violations(schema, right), Strings());
+  const char* const wrong[] = {R"({"n": 0})",   R"({"n": 1.5})",     R"({"s": "ab"})", R"({"e": 2})",      R"([])",
+                               R"({"p": [1]})", R"({"p": [1,2,3]})", R"({"c": 1})",    R"({"p": ["a",1]})"};
+  for (const char* value : wrong) EXPECT_EQ(schema_violations(schema, Json::parse(value)).size(), 1u) << value;
+  EXPECT_FALSE(schema_violations(Json::parse(R"({"oneOf": []})"), 1).empty());
+}
+
+}  // namespace
+}  // namespace pardel::testing
