@@ -181,6 +181,18 @@ TEST_F(FormatExamples, can_be_read) {
   EXPECT_EQ(message_of(read_sizes(folder_ / "work" / "domain.sizes")), "");
 }
 
+class QuickStart : public Workshop {};
+
+TEST_F(QuickStart, of_the_readme_runs) {
+  const std::string text = read_document("README.md");
+  const Strings blocks = code_blocks(text.substr(text.find("\n## Quick start\n")), "sh");
+  const std::string folder = fs::path(PARDEL_PROGRAM).parent_path().string();
+  const Ran ran = run("sh", {"-c", "set -e; PATH='" + folder + "':$PATH\n" + blocks.at(0)});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(files(), (Files{"key.1.ele", "key.1.node", "key.1.poly", "key.poly", "key.vtu", "mesh.ele", "mesh.node",
+                            "mesh.poly", "mesh.svg"}));
+}
+
 TEST(DocumentsControl, a_missing_file_or_heading_is_found) {
   EXPECT_EQ(
       missing_paths("See core/pslg.hpp, `core/no_such_file.hpp`, pslg.hpp, `nothing.hpp` and NOTHING.md.", "README.md"),
