@@ -11,6 +11,7 @@
 #include "conversion/export_mesh.hpp"
 #include "conversion/import_mesh.hpp"
 #include "refinement/criteria.hpp"
+#include "refinement/exemptions.hpp"
 #include "scheduling/refine_by_sweeps.hpp"
 #include "validate.hpp"
 

@@ -4,17 +4,17 @@
 
 namespace pardel::engine {
 
-bool Judge::forbidden(EdgeRef e) const {
+bool Assessor::forbidden(EdgeRef e) const {
   return options_.no_segment_splits || (options_.no_boundary_splits && t_.slot(e).n[e.side()].none());
 }
 
-bool Judge::below_floor(EdgeRef e) const {
+bool Assessor::below_floor(EdgeRef e) const {
   const Point a = t_.points[t_.slot(e).from(e.side())], b = t_.points[t_.slot(e).to(e.side())];
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) < 4 * squared_floor_;
 }
 
-/// The first constrained side that has to be split and may be, or 3.
-unsigned Judge::encroached_side(TriangleId id, const Slot& slot, const Measure& m) const {
+/// The first constrained side that has to be split and may be split. 3 where there is none.
+unsigned Assessor::encroached_side(TriangleId id, const Slot& slot, const Measure& m) const {
   unsigned side = 0;
   for (; side < 3; ++side) {
     if (!slot.n[side].constrained()) continue;
@@ -27,7 +27,7 @@ unsigned Judge::encroached_side(TriangleId id, const Slot& slot, const Measure& 
   return side;
 }
 
-Assessment Judge::assess_beside_constraint(TriangleId id, const Measure& m) const {
+Assessment Assessor::assess_at_constraint(TriangleId id, const Measure& m) const {
   const unsigned side = encroached_side(id, t_.slots[id], m);
   if (side < 3)
     return {Assessment::Need::split_edge, side, BucketQueue::urgent, m.longest_squared(), /*left_alone=*/false};
@@ -36,12 +36,12 @@ Assessment Judge::assess_beside_constraint(TriangleId id, const Measure& m) cons
   return result;
 }
 
-bool Judge::breaks_goal(TriangleId id) const {
+bool Assessor::breaks_goal(TriangleId id) const {
   const Shape shape(t_, t_.slots[id]);
   return criteria_.bad_shape(shape) || too_large(id, shape) || non_delaunay_side(id) < 3;
 }
 
-unsigned Judge::non_delaunay_side(TriangleId id) const {
+unsigned Assessor::non_delaunay_side(TriangleId id) const {
   unsigned side = criteria_.conforming() ? 0 : 3;
   for (; side < 3; ++side) {
     const EdgeRef across = t_.slots[id].n[side];
@@ -50,17 +50,17 @@ unsigned Judge::non_delaunay_side(TriangleId id) const {
   return side;
 }
 
-Index Judge::segment_of(EdgeRef e) const {
+Index Assessor::segment_of(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
   return segments_.segment_of(t_, slot.from(e.side()), slot.to(e.side()));
 }
 
-Point Judge::point_on(EdgeRef e) const {
+Point Assessor::point_on(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
   return edge_split_point(t_, segments_[segment_of(e)], slot.from(e.side()), slot.to(e.side()));
 }
 
-Point Judge::point_for(TriangleId id, const Assessment& a) const {
+Point Assessor::point_for(TriangleId id, const Assessment& a) const {
   const EdgeRef side(id, a.side);
   return a.need == Assessment::Need::split_edge ? point_on(side) : point_in(side);
 }

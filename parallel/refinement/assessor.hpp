@@ -1,4 +1,4 @@
-// What is to be done about a triangle: the decisions of the refinement.
+// The decisions of the refinement: does a triangle have to be split, and where?
 #pragma once
 
 #include <cassert>
@@ -7,41 +7,40 @@
 #include "../triangulation/domain_segments.hpp"
 #include "bucket_queue.hpp"
 #include "criteria.hpp"
+#include "queued_triangle.hpp"
 #include "small_angles.hpp"
 
 namespace pardel::engine {
 
-/// What a triangle asks for.
+/// What has to be done about a triangle.
 struct Assessment {
   enum class Need : std::uint8_t { nothing, split_edge, split_triangle };
   Need need = Need::nothing;
-  unsigned side = 0;  ///< the side to split, or of a triangle to split its shortest
-  unsigned key = 0;   ///< its place in the queue
+  unsigned side = 0;  ///< split_edge: the side to split; split_triangle: the shortest side
+  unsigned key = 0;   ///< the triangle's key in the queue
   double longest_squared = 0;
-  bool left_alone = false;  ///< breaks the goal, but nothing is to be done about it
+  bool left_alone = false;  ///< the triangle breaks the goal, but it may not or cannot be split
 };
 
-/// The decisions of the refinement: pure functions of the triangulation.
-class Judge {
+/// Assesses triangles. All functions are pure functions of the triangulation.
+class Assessor {
  public:
-  Judge(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options)
+  Assessor(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options)
       : t_(t),
         segments_(segments),
         criteria_(criteria),
         options_(options),
         squared_floor_(options.min_edge * options.min_edge) {}
 
-  /// The triangle as it is now, with the side that its assessment is about.
-  [[nodiscard]] Queued queued(TriangleId id, const Assessment& a) const {
-    return {EdgeRef(id, a.side), t_.slots[id].v[0]};
+  /// The entry for a queue: the triangle as it is now, with the side of its assessment.
+  [[nodiscard]] QueuedTriangle entry(TriangleId id, const Assessment& a) const {
+    return QueuedTriangle::now(t_, EdgeRef(id, a.side));
   }
-  /// Whether the slot still holds the triangle that was queued.
-  [[nodiscard]] bool is_current(Queued q) const { return t_.slots[q.id()].v[0] == q.first_corner; }
   [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
   [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const {
-    return t_.slots[id].any_constrained() ? assess_beside_constraint(id, m) : assess_inside(id, m);
+    return t_.slots[id].any_constrained() ? assess_at_constraint(id, m) : assess_inside(id, m);
   }
-  /// The same for a triangle whose sides cannot be split, encroached or not.
+  /// The same for a triangle whose sides cannot be split, whether they are encroached or not.
   [[nodiscard]] Assessment assess_inside(TriangleId id) const { return assess_inside(id, Shape(t_, t_.slots[id])); }
   [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m) const {
     const bool large = too_large(id, m);
@@ -53,17 +52,20 @@ class Judge {
             false};
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
-  /// Breaks the criteria, justified or not.
+  /// True where the triangle breaks the criteria, even where an exemption justifies it.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
-  /// A constrained side that a conforming goal wants Delaunay and that is not, or 3.
+  /// For a conforming goal: a constrained side that is not Delaunay. 3 where there is none, and for other goals.
   [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
-  [[nodiscard]] bool forbidden(EdgeRef e) const;  ///< may not be split by the caller's wish
+  /// True where the options forbid to split the edge.
+  [[nodiscard]] bool forbidden(EdgeRef e) const;
+  /// True where the halves of the edge would be shorter than options.min_edge.
   [[nodiscard]] bool below_floor(EdgeRef e) const;
   [[nodiscard]] bool too_large(TriangleId id) const { return too_large(id, Shape(t_, t_.slots[id])); }
-  /// The point that the assessment's need puts in.
+  /// The point that has to be inserted. Precondition: the assessment's need is not `nothing`.
   [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const;
+  /// The point that splits the constrained edge e.
   [[nodiscard]] Point point_on(EdgeRef e) const;
-  /// For a triangle by its shortest side.
+  /// The point that splits a triangle, given the triangle's shortest side.
   [[nodiscard]] Point point_in(EdgeRef shortest) const {
     const Slot& slot = t_.slot(shortest);
     const unsigned side = shortest.side();
@@ -71,11 +73,13 @@ class Judge {
     return criteria_.split_point(t_.points[slot.from(side)], t_.points[slot.to(side)], t_.points[slot.apex(side)],
                                  region_of(shortest.triangle()));
   }
+  /// The input segment on which the constrained edge e lies.
   [[nodiscard]] Index segment_of(EdgeRef e) const;
+  /// The region of a triangle; no_index where the domain has one region only.
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
-  [[nodiscard]] Assessment assess_beside_constraint(TriangleId id, const Measure& m) const;
+  [[nodiscard]] Assessment assess_at_constraint(TriangleId id, const Measure& m) const;
   [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
   [[nodiscard]] bool too_large(TriangleId id, const Measure& m) const {
     return criteria_.too_large(m) ||

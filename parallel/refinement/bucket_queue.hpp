@@ -1,5 +1,4 @@
-// A priority queue of triangles by the length of their shortest side, shortest first, to within a quarter
-// of an octave of squared length. Push and pop take constant time; within a bucket, last in, first out.
+// A priority queue of triangles, ordered by the length of their shortest side.
 #pragma once
 
 #include <algorithm>
@@ -8,38 +7,29 @@
 #include <cstdint>
 #include <vector>
 
-#include "../triangulation/triangulation.hpp"
+#include "queued_triangle.hpp"
 
 namespace pardel::engine {
 
-/// A triangle as it was when it was queued. Slots are reused at once, so the slot may hold another one by the
-/// time its turn comes; the first corner then differs, since every insertion makes one triangle per slot with
-/// the new vertex first.
-struct Queued {
-  /// Which of its sides the triangle was queued for: the one to split, or its shortest. A task goes by it for what is
-  /// in its own queue; elsewhere triangles are assessed anew.
-  EdgeRef side;
-  VertexId first_corner;
-
-  [[nodiscard]] TriangleId id() const { return side.triangle(); }
-};
-
+/// A priority queue with one bucket per key. The least key comes first; within a bucket, the last entry pushed comes
+/// first. Push and pop take constant time.
 class BucketQueue {
  public:
   BucketQueue() { head_.fill(no_index); }
 
-  /// The key of a squared length: its exponent and the two leading bits of its mantissa.
+  /// The key of a squared length: its exponent and the two leading bits of its mantissa. Two squared lengths with one
+  /// key differ by less than a quarter of an octave.
   [[nodiscard]] static unsigned key(double squared_length) {
     return static_cast<unsigned>(std::bit_cast<std::uint64_t>(squared_length) >> 50U) & last;
   }
-  /// Comes before every length.
+  /// The key that comes before every length.
   static constexpr unsigned urgent = 0;
-  /// Comes after every length.
+  /// The key that comes after every length.
   static constexpr unsigned last = 8191;
 
   [[nodiscard]] bool empty() const { return lowest_ == none; }
 
-  void push(Queued triangle, unsigned key) {
+  void push(QueuedTriangle triangle, unsigned key) {
     Index node = free_;
     if (node == no_index) {
       node = static_cast<Index>(nodes_.size());
@@ -57,10 +47,10 @@ class BucketQueue {
   }
 
   /// Precondition: not empty.
-  Queued pop() {
+  QueuedTriangle pop() {
     const Index node = head_[lowest_];
-    // Field by field: a processor waits where it loads as a whole what it has just stored in pieces.
-    const Queued triangle{nodes_[node].triangle.side, nodes_[node].triangle.first_corner};
+    // Field by field: a load of the whole entry waits where its fields have just been stored one by one.
+    const QueuedTriangle triangle{nodes_[node].triangle.side, nodes_[node].triangle.first_corner};
     const Index next = nodes_[node].next;
     head_[lowest_] = next;
     nodes_[node].next = free_;
@@ -71,7 +61,7 @@ class BucketQueue {
 
  private:
   struct Node {
-    Queued triangle;
+    QueuedTriangle triangle;
     Index next;
   };
   void remove_lowest_bucket() {
@@ -84,7 +74,8 @@ class BucketQueue {
         const unsigned w = s * 64 + static_cast<unsigned>(std::countr_zero(summary_[s]));
         lowest_ = w * 64 + static_cast<unsigned>(std::countr_zero(words_[w]));
       }
-    // What is free by now is strewn over memory in the order of pops; what comes next had better lie in a row.
+    // The list of free nodes jumps about in memory, in the order of the pops. An empty queue starts again with
+    // consecutive nodes.
     if (lowest_ == none) {
       nodes_.clear();
       free_ = no_index;
@@ -93,12 +84,12 @@ class BucketQueue {
 
   static constexpr unsigned buckets = last + 1;
   static constexpr unsigned none = buckets;
-  std::array<Index, buckets> head_;
-  std::array<std::uint64_t, buckets / 64> words_{};
-  std::array<std::uint64_t, buckets / 4096> summary_{};
+  std::array<Index, buckets> head_;                      ///< the first node of each bucket, or no_index
+  std::array<std::uint64_t, buckets / 64> words_{};      ///< one bit per bucket: it is not empty
+  std::array<std::uint64_t, buckets / 4096> summary_{};  ///< one bit per word: it is not zero
   std::vector<Node> nodes_;
-  Index free_ = no_index;
-  unsigned lowest_ = none;  ///< key of what comes next
+  Index free_ = no_index;   ///< the first free node, or no_index
+  unsigned lowest_ = none;  ///< the key of the next entry, or none
 };
 
 }  // namespace pardel::engine

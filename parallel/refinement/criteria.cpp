@@ -10,13 +10,14 @@ namespace pardel::engine {
 namespace {
 
 constexpr double stricter = 1 - 0x1p-40;
-constexpr double proven_angle_deg = 20.7;  // the lens is never narrower than this bound asks for
+constexpr double proven_angle_deg = 20.7;  // the diametral lens is never narrower than with this bound on angles
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 double squared(double x) { return x * x; }
 
-/// By the series, for 0 <= x <= 2. std::sin may differ in the last bit from one library to the next, and glibc's does
-/// from one processor to the next (those with fused multiply-add); what depends on this must not, and points do.
+/// The sine of 0 <= x <= 2, by its series. std::sin may differ in the last bit between libraries, and that of glibc
+/// differs between processors with and without fused multiply-add. The coordinates of new points depend on this value
+/// and must not differ.
 double sine(double x) {
   double nested = 1;
   for (int k = 24; k > 0; k -= 2) nested = 1 - x * x / (k * (k + 1)) * nested;
@@ -24,7 +25,7 @@ double sine(double x) {
 }
 double cosine(double x) { return 1 - 2 * squared(sine(x / 2)); }
 
-/// Fitted to 200,000 random triangles refined at 5 to 33 degrees, with off-centres: within a tenth.
+/// A fit to 200,000 random triangles, refined at 5 to 33 degrees with off-centres. The error is below a tenth.
 double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / (22 * (53.5 - min_angle_deg)); }
 
 }  // namespace
@@ -46,13 +47,13 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   for (double& cap : twice_region_cap_) cap *= 2 * stricter;
   if (placement == Placement::circumcentre) return;
   fills_ = has_size();
-  // Above that, meshes with filled areas were measured to be larger than others. With filled lengths they never were.
+  // Measured: above 31 degrees, filled areas make the mesh larger. Filled lengths never do.
   fills_areas_ = goal.min_angle_deg <= 31;
-  // Of each triangle's cap, measured at 0 to 31 degrees on squares and pipes, and a hair less.
+  // Measured at 0 to 31 degrees on squares and pipes, and reduced slightly.
   if (fills_areas_) fill_ = 0.71 - 0.005 * std::max(0.0, goal.min_angle_deg - 20);
   if (goal.min_angle_deg > 0) {
     const double c = cosine(radians(goal.min_angle_deg));
-    // The hair to spare is for rounding alone: the nearer to the side, the larger the mesh.
+    // The reduction covers rounding. It is no larger because points nearer to the side make the mesh larger.
     constexpr double to_spare = 0.999;
     off_centre_height_ = to_spare * 0.5 * std::sqrt((1 + c) / (1 - c));
   }
@@ -77,10 +78,11 @@ Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index regi
 }
 
 double Criteria::filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const {
-  // What is much too large is halved by its circumcentre: from its shortest side alone it would be filled row by row,
-  // each point connected to corners far away. A larger factor makes smaller meshes and takes longer.
+  // A triangle that is much too large is halved by its circumcentre. Otherwise it would be filled row by row from its
+  // shortest side, and each new point would be connected to corners far away. A larger factor makes smaller meshes and
+  // takes longer.
   constexpr double much_too_large = 6;
-  // Lower, the point would lie in the diametral circle of the side.
+  // A lower point would lie in the diametral circle of the side.
   constexpr double least = 0.5;
   constexpr double filled = 0.99;
   const double twice_equilateral = 0.5 * std::numbers::sqrt3 * bounds.squared_edge;

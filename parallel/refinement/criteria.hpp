@@ -1,4 +1,4 @@
-// When a triangle is bad, and where the point goes that splits it. Pure functions of coordinates.
+// The criteria for bad triangles, and the points that split them. All functions are pure functions of coordinates.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace pardel::engine {
 
-/// What a triangle's quality is read from. T: double; or Pair, for two triangles at once.
+/// The lengths and the area from which the quality of a triangle follows. T is double, or Pair for two triangles at
+/// once.
 template <class T>
 struct MeasureOf {
   std::array<T, 3> squared{};  ///< squared length of the side opposite each corner
@@ -28,13 +29,13 @@ struct MeasureOf {
   [[nodiscard]] T squared_circumradius() const {
     return squared[0] * (squared[1] / twice_area) * (squared[2] / twice_area) / 4;
   }
-  /// The shortest side; the smallest angle lies at the corner of the same number.
+  /// The shortest side. The smallest angle lies at the corner of the same number.
   [[nodiscard]] unsigned shortest_side() const {
     const auto second = static_cast<unsigned>(squared[1] < squared[0]);
     const auto third = static_cast<unsigned>(squared[2] < least(squared[0], squared[1]));
     return third << 1U | (second & ~third);
   }
-  /// (b - a) . (c - a) for the corner a.
+  /// The scalar product (b - a) . (c - a), where a is the corner and b, c are the other two.
   [[nodiscard]] T dot_at(unsigned corner) const {
     return 0.5 * (squared[next_corner[corner]] + squared[previous_corner[corner]] - squared[corner]);
   }
@@ -51,8 +52,9 @@ struct Shape : Measure {
 
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
-  /// All lengths from differences to the first corner, as an insertion has them at hand: the same bits both ways, and
-  /// of the area too, where floating point decides its sign.
+  /// All lengths are computed from the differences to the first corner. An insertion computes them in the same way
+  /// (Insertion::measures), so both get the same bits. The same is true of the area where floating point decides its
+  /// sign.
   Shape(Point a, Point b, Point c) : p{a, b, c} {
     const double abx = b.x - a.x, aby = b.y - a.y;
     const double acx = c.x - a.x, acy = c.y - a.y;
@@ -64,17 +66,17 @@ struct Shape : Measure {
   [[nodiscard]] Point centroid() const { return centroid_of(p[0], p[1], p[2]); }
 };
 
-/// A Goal made ready. A hair stricter than the goal, so that what passes here in floating point passes an
-/// exact comparison with the goal.
+/// The goal in the form in which it is compared with triangles. The bounds are stricter than those of the goal by a
+/// relative 2^-40: a triangle that passes here, in floating point, also passes an exact comparison with the goal.
 class Criteria {
  public:
-  /// region_caps: one cap per region of the triangulation. area_cap: a cap by position, or empty.
+  /// `region_caps`: one area cap per region of the triangulation. `area_cap`: the area cap at a point, or empty.
   Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
            std::function<double(Point)> area_cap = {});
 
   template <class T>
   [[nodiscard]] auto bad_shape(const MeasureOf<T>& s) const {
-    // The smallest angle lies between the two longer sides: its sine is twice the area over their product.
+    // The smallest angle lies between the two longer sides. Its sine is twice the area divided by their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
   template <class T>
@@ -82,46 +84,52 @@ class Criteria {
     return m.twice_area > twice_max_area_;
   }
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
-  /// There are sizes that depend on the place: too_large alone does not tell.
+  /// True where bounds on size depend on the place or on edges. too_large() does not cover them: too_large_locally()
+  /// does.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
-  /// The corner opposite a constrained side sees it at so large an angle that the side has to be split:
-  /// inside or on the diametral circle for a conforming goal, else in the diametral lens (Shewchuk,
-  /// "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
+  /// True where the corner opposite a constrained side encroaches on the side, which then has to be split. For a
+  /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
+  /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
+  /// `dot`: Measure::dot_at the corner. The other two are the squared lengths of the sides that meet there.
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 
-  /// How many triangles the bound on angles makes of one of the Delaunay triangulation of random points, on average.
+  /// How many triangles the bound on angles makes of one triangle of a Delaunay triangulation of random points, on
+  /// average.
   [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
 
   [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
 
-  /// The point to insert for a bad triangle with the shortest side qr and the apex a, counter-clockwise: its
-  /// circumcentre, or a point nearer to the shortest side that makes of that side a triangle that just keeps the bound
-  /// on angles (Üngör, "Off-centers: a new type of Steiner points", 2004), or just fills the bounds on size where that
-  /// is nearer still (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved surfaces",
-  /// 2016), though no lower than half the side. Triangles much too large do not fill bounds, nor do areas above 31
-  /// degrees.
+  /// The point that splits the bad triangle with the shortest side qr and the apex a, counter-clockwise: the candidate
+  /// that is nearest to the side qr. The candidates are:
+  /// - the circumcentre;
+  /// - the off-centre: with qr it makes a triangle that just keeps the bound on angles (Üngör, "Off-centers: a new type
+  ///   of Steiner points", 2004);
+  /// - the point that with qr makes a triangle that just fills the bounds on size, but no nearer to qr than half its
+  ///   length (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved surfaces", 2016).
+  ///   It is not used for triangles that are much too large. Bounds on area are not filled above 31 degrees.
+  /// Placement::circumcentre leaves the circumcentre only.
   [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region) const;
   [[nodiscard]] Point split_point(const Shape& s, Index region) const {
     const unsigned apex = s.shortest_side();
     return split_point(s.p[next_corner[apex]], s.p[previous_corner[apex]], s.p[apex], region);
   }
 
-  /// The estimated number of triangles that the sizes ask for where this one lies.
+  /// The estimated number of triangles by which the bounds on size replace this triangle.
   [[nodiscard]] double triangles_wanted(const Shape& s, Index region) const;
-  /// The least number of triangles that bounds on area allow where this one lies: area over cap.
+  /// A lower bound on the number of triangles in the area of this triangle: its area divided by the area cap.
   [[nodiscard]] double triangles_needed(const Shape& s, Index region) const;
 
  private:
-  /// The bounds on size where a triangle lies.
+  /// The bounds on size at the place of a triangle.
   struct SizeBounds {
     double twice_area, squared_edge;
   };
   [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region) const;
-  /// The height, in lengths of the shortest side, of what just fills the bounds; infinity for a triangle that is much
-  /// too large.
+  /// The height, in lengths of the shortest side, of the triangle that just fills the bounds. Infinity for a triangle
+  /// that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
 
   double squared_sine_;  ///< of the smallest angle allowed
@@ -129,10 +137,10 @@ class Criteria {
   double twice_max_area_;
   double squared_max_edge_;
   double triangles_by_shape_;
-  double off_centre_height_ = INFINITY;  ///< of what just keeps the bound on angles, in lengths of the shortest side
-  bool fills_ = false;                   ///< off-centres are to fill bounds on size
-  bool fills_areas_ = false;             ///< on areas, too
-  double fill_ = 0.62;                   ///< of its cap, what a triangle fills on average
+  double off_centre_height_ = INFINITY;  ///< height of the off-centre, in lengths of the shortest side
+  bool fills_ = false;                   ///< split points may fill bounds on size
+  bool fills_areas_ = false;             ///< bounds on area are filled too
+  double fill_ = 0.62;                   ///< the part of its cap that a triangle fills on average
   std::vector<double> twice_region_cap_;
   std::function<double(Point)> size_, area_cap_;
   bool has_local_size_;

@@ -5,14 +5,14 @@
 
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
-#include "cavity_rules.hpp"
+#include "paired_disk_query.hpp"
 
 namespace pardel::engine {
 namespace {
 
-constexpr auto nothing_else = [](EdgeRef) { return false; };
-constexpr auto any = [](VertexId) { return true; };
-/// The corners that a walk around p hands on, each looked up.
+constexpr auto no_triangle = [](EdgeRef) { return false; };
+constexpr auto any_vertex = [](VertexId) { return true; };
+/// Loads each corner relative to p.
 auto corners_around(const Triangulation& t, Point p) {
   return [&t, p](VertexId v) { return corner_around(Pair{p.x, p.y}, t.points[v]); };
 }
@@ -24,12 +24,12 @@ bool Insertion::measure_fan(Point p) {
   const std::size_t n = boundary.size();
   if (measures_.size() < n) {
     measures_.resize(2 * n);
-    breaking_.resize(2 * n + 1);  // the last one may be written twice
+    breaking_.resize(2 * n + 1);  // the loop below may write one entry beyond the last
   }
   Pair closest{INFINITY, INFINITY};
   bool visible = true;
   std::size_t breaking = 0;
-  // Two edges at a time, from a to b and from c to d; where their number is odd, the last one twice.
+  // Two edges at a time: from a to b, and from c to d. Where their number is odd, the last edge is measured twice.
   for (std::size_t i = 0; i < n; i += 2) {
     const std::size_t j = std::min(i + 1, n - 1);
     const Corner a = cavity_.corner(i), b = cavity_.corner(i + 1), c = cavity_.corner(j), d = cavity_.corner(j + 1);
@@ -48,7 +48,7 @@ bool Insertion::measure_fan(Point p) {
     const unsigned breaks = bits(criteria_.bad_shape(both)) | bits(criteria_.too_large(both));
     measures_[i] = {{edge[0], end[0], start[0]}, area[0]};
     measures_[j] = {{edge[1], end[1], start[1]}, area[1]};
-    // Without a branch: which triangles are bad is hard to foretell.
+    // No branch here: a processor cannot predict which triangles are bad.
     breaking_[breaking] = i;
     breaking += breaks & 1;
     breaking_[breaking] = j;
@@ -65,7 +65,7 @@ double Insertion::orientation_of(std::size_t edge, Point p) const {
 
 EdgeRef Insertion::longest_encroached() const {
   double longest = 0, longest_wide = 0;
-  EdgeRef found, wide;  // wide: its whole diametral disk, not only the lens, contains the point
+  EdgeRef found, wide;  // wide: the point lies in the diametral disk, perhaps not in the lens
   for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {
     const CavityEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
@@ -80,13 +80,13 @@ EdgeRef Insertion::longest_encroached() const {
       wide = edge.inner;
     }
   }
-  // Where a constrained edge is not Delaunay the cavity may hold triangles that the point does not see.
+  // Where a constrained edge is not Delaunay, the point may not see all triangles of its cavity.
   return found.none() && !is_star_ ? wide : found;
 }
 
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   if (!box.contains_half_open(p)) return Outcome::leaves_box;
-  const Walk walk = cavity_.find(t_, first, DiskTest{t_, Pair{p.x, p.y}, box});
+  const Walk walk = cavity_.find(t_, first, PairedDiskQuery{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::elsewhere) return Outcome::refused;
   if (walk == Walk::foreign) return Outcome::leaves_box;
   is_star_ = measure_fan(p) && walk == Walk::complete;
@@ -106,7 +106,7 @@ Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
 }
 
 bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradius) const {
-  const auto is_it = [&](EdgeRef across) {
+  const auto is_small_outside = [&](EdgeRef across) {
     if (across.constrained()) return false;
     const Slot& slot = t_.slot(across);
     return !box.contains_half_open(t_.points[slot.v[across.side()]]) && in_circumdisk(t_, slot, p) &&
@@ -114,7 +114,7 @@ bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradiu
   };
   return std::any_of(cavity_.triangles().begin(), cavity_.triangles().end(), [&](TriangleId id) {
     const auto& n = t_.slots[id].n;
-    return std::any_of(n.begin(), n.end(), is_it);
+    return std::any_of(n.begin(), n.end(), is_small_outside);
   });
 }
 
@@ -125,12 +125,12 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
     if (!side.none())
       for (const VertexId v : t_.slot(side).v)
         if (!box.contains_half_open(t_.points[v])) return Outcome::leaves_box;
-  const Walk walk = cavity_.find_on_edge(t_, e, DiskTest{t_, Pair{p.x, p.y}, box});
+  const Walk walk = cavity_.find_on_edge(t_, e, PairedDiskQuery{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::foreign) return Outcome::leaves_box;
-  // The walk takes the triangles at the edge for granted. Where rounding put p outside the disk of one, the fan need
-  // not be Delaunay, and the walk may come upon that triangle again from behind, around a vertex that is closer to the
-  // edge than p is. Inside all disks of the cavity, and with p seeing all of its boundary, the fan is Delaunay wherever
-  // rounding put p: lifted to the paraboloid, p lies below every triangle of the cavity.
+  // The walk does not test the triangles at the edge. Rounding may have put p outside the disk of one of them. Then the
+  // fan need not be Delaunay, and the walk may reach that triangle a second time, around a vertex that is closer to the
+  // edge than p is. If p lies in all disks of the cavity and sees all of its boundary, the fan is Delaunay wherever
+  // rounding put p: on the paraboloid, the lifted p lies below every lifted triangle of the cavity.
   const bool is_cavity = walk == Walk::complete && in_circumdisk(t_, t_.slot(e), p) &&
                          (other.none() || in_circumdisk(t_, t_.slot(other), p));
   is_star_ = measure_fan(p) && is_cavity;
@@ -146,14 +146,14 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index segment, const Box& box)
 }
 
 void Insertion::commit(Point p, Index origin) {
-  const VertexId v = supply_->vertices.take();
+  const VertexId v = free_->vertices.take();
   t_.points[v] = p;
   t_.origin[v] = origin;
-  changed_ = retriangulate(t_, cavity_, v, [this] { return supply_->triangles.take(); });
+  changed_ = retriangulate(t_, cavity_, v, [this] { return free_->triangles.take(); });
   is_measured_ = true;
 }
 
-/// The cavity was found not to be star-shaped: split the triangle of it that contains p, then flip.
+/// The cavity is not star-shaped. Splits the triangle that contains p, then flips edges.
 Outcome Insertion::face_by_flips(Point p) {
   const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
   for (const TriangleId id : candidates) {
@@ -167,7 +167,8 @@ Outcome Insertion::face_by_flips(Point p) {
     }
     if (!inside) continue;
     const auto across_only = [&](EdgeRef across) { return !on.none() && across.triangle() == on.triangle(); };
-    if (cavity_.find(t_, id, EachByItself(t_, across_only, corners_around(t_, p), any)) != Walk::complete ||
+    if (cavity_.find(t_, id, SingleTriangleQuery(t_, across_only, corners_around(t_, p), any_vertex)) !=
+            Walk::complete ||
         !measure_fan(p))
       return Outcome::refused;
     commit(p, interior_vertex);
@@ -178,7 +179,8 @@ Outcome Insertion::face_by_flips(Point p) {
 }
 
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
-  if (cavity_.find_on_edge(t_, e, EachByItself(t_, nothing_else, corners_around(t_, p), any)) != Walk::complete ||
+  if (cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners_around(t_, p), any_vertex)) !=
+          Walk::complete ||
       !measure_fan(p))
     return Outcome::refused;
   commit(p, segment);

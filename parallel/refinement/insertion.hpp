@@ -1,4 +1,4 @@
-// One insertion: is the point's cavity one that may be changed, and if so, change it.
+// The insertion of one point: finds the point's cavity, decides whether it may be retriangulated, and does so.
 #pragma once
 
 #include <span>
@@ -12,74 +12,76 @@
 
 namespace pardel::engine {
 
-/// What became of an attempt to insert a point.
+/// The outcome of an attempt to insert a point.
 enum class Outcome : std::uint8_t {
   inserted,
-  encroaches,  ///< blocker() is a constrained edge that has to be split instead
-  leaves_box,  ///< another task's box, or a larger one, is needed; where flips are needed, one without bounds
-  too_close,   ///< an edge below the floor would result
+  encroaches,  ///< the constrained edge blocker() has to be split instead
+  leaves_box,  ///< the cavity needs a larger or another box; where flips are needed, the whole plane
+  too_close,   ///< an edge shorter than min_edge would result
   refused,     ///< no valid triangulation would result in double precision
 };
 
-/// The numbers for what a task makes.
-struct Supply {
+/// The indices that a task may give to new vertices and triangles.
+struct FreeIndices {
   IndexPool vertices, triangles;
-  /// For one more insertion.
-  [[nodiscard]] bool suffices() const { return vertices.left() >= 1 && triangles.left() >= 2; }
+  /// Enough for one more insertion.
+  [[nodiscard]] bool suffice() const { return vertices.left() >= 1 && triangles.left() >= 2; }
 };
 
-/// Inserts points into one triangulation, one at a time, each within a box: only triangles whose corners
-/// all lie in the box are changed. Every triangle made is exactly positively oriented, and no edge made is shorter
-/// than `min_edge`: so refinement ends, for only so many points have room (up to rounding of squared lengths).
+/// Inserts points into one triangulation, one at a time, each within a box: only triangles with all corners in the box
+/// are changed. Every new triangle is exactly positively oriented. No new edge is shorter than `min_edge`, up to the
+/// rounding of squared lengths. Refinement therefore ends, because only finitely many points fit.
 class Insertion {
  public:
   Insertion(Triangulation& t, const Criteria& criteria, double min_edge)
       : t_(t), criteria_(criteria), squared_floor_(min_edge * min_edge) {}
 
-  /// Numbers come from `supply`, which has to suffice for each insertion.
-  void start(Supply& supply) {
-    supply_ = &supply;
+  /// Later insertions take their indices from `free`, which has to suffice for each of them.
+  void start(FreeIndices& free) {
+    free_ = &free;
     has_flipped_ = false;
   }
 
-  /// Inserts p, unless it encroaches on a constrained edge of its cavity or lies beyond one. Refused where p
-  /// does not lie in the open circumdisk of `first`. Precondition: the corners of `first` lie in the box.
+  /// Inserts p, unless it encroaches on a constrained edge of its cavity or lies beyond such an edge. Refused where p
+  /// does not lie in the open circumdisk of `first`. Precondition: all corners of `first` lie in the box.
   Outcome insert_in_face(Point p, TriangleId first, const Box& box);
 
-  /// What insert_in_face would find, with nothing changed (`inserted` then means that it could be).
+  /// The outcome of insert_in_face(), without a change (`inserted`: p can be inserted).
   Outcome try_in_face(Point p, TriangleId first, const Box& box);
 
   /// Splits the constrained edge e, a piece of `segment`, at p.
   Outcome split_edge(Point p, EdgeRef e, Index segment, const Box& box);
 
-  /// What split_edge would find, with nothing changed (`inserted` then means that it could be).
+  /// The outcome of split_edge(), without a change (`inserted`: e can be split at p).
   Outcome try_on_edge(Point p, EdgeRef e, const Box& box);
 
   /// After `inserted`: the triangles that are new or changed.
   [[nodiscard]] std::span<const TriangleId> changed() const { return changed_; }
-  /// After `inserted`: their measures, in the same order; empty where flips were needed.
+  /// After `inserted`: the measures of changed(), in the same order. Empty where flips were needed.
   [[nodiscard]] std::span<const Measure> measures() const {
     return {measures_.data(), is_measured_ ? changed_.size() : 0};
   }
-  /// After `inserted`, with measures: which of changed() break a bound that is the same everywhere.
+  /// After `inserted`, where measures() is not empty: the positions in changed() of the triangles that break the bound
+  /// on angles or the bound on areas that holds everywhere.
   [[nodiscard]] std::span<const std::size_t> breaking() const { return {breaking_.data(), breaking_count_}; }
-  /// After `inserted`: some side of changed() may be constrained.
+  /// After `inserted`: false where no triangle of changed() has a constrained side.
   [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
-  /// Some insertion since the start needed flips, which can leave a triangle's slot and first corner as they were and
-  /// change the others.
+  /// True where an insertion since start() needed flips (see QueuedTriangle).
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
-  /// After `encroaches`: the longest of the edges encroached, seen from inside the cavity.
+  /// After `encroaches`: the longest encroached edge, seen from inside the cavity.
   [[nodiscard]] EdgeRef blocker() const { return blocker_; }
-  /// After `leaves_box` in a face: some triangle that p's cavity has beyond the box is no larger than this.
-  /// Precondition: p lies in the box.
+  /// After `leaves_box` in a face: true where some triangle of p's cavity that does not lie in the box has at most this
+  /// circumradius. Precondition: p lies in the box.
   [[nodiscard]] bool left_box_for(Point p, const Box& box, double squared_circumradius) const;
 
  private:
-  /// Measures the fan that would be made; false where p does not see every edge of the boundary from its left.
+  /// Measures the fan of triangles from p to the boundary of the cavity. Returns true where every one of them is
+  /// positively oriented.
   bool measure_fan(Point p);
-  /// Of a boundary edge and p, exactly.
+  /// The exact orientation of a boundary edge and p.
   [[nodiscard]] double orientation_of(std::size_t edge, Point p) const;
-  /// Of the constrained edges of the boundary that the point encroaches on or lies beyond; none() if there is none.
+  /// The longest constrained edge of the boundary on which the point encroaches or beyond which it lies; none() where
+  /// there is no such edge.
   [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);
@@ -90,15 +92,15 @@ class Insertion {
   Triangulation& t_;
   const Criteria& criteria_;
   double squared_floor_;
-  Supply* supply_ = nullptr;
+  FreeIndices* free_ = nullptr;
   Cavity cavity_;
-  bool is_star_ = false;        ///< after try_in_face and try_on_edge
+  bool is_star_ = false;        ///< after try_in_face and try_on_edge: the cavity is star-shaped around the point
   double squared_closest_ = 0;  ///< after measure_fan: from the point to the nearest corner of the boundary
   bool has_flipped_ = false;
-  std::span<const TriangleId> changed_;  ///< the cavity's, or flipped_
+  std::span<const TriangleId> changed_;  ///< the cavity's triangles, or flipped_
   std::vector<TriangleId> flipped_;
   bool is_measured_ = false;
-  // Scratch, of which as much is in use as the boundary has edges, and as breaking_count_ says.
+  // Scratch memory. The number of boundary edges and breaking_count_ tell how much of it is in use.
   std::vector<Measure> measures_;
   std::vector<std::size_t> breaking_;
   std::size_t breaking_count_ = 0;

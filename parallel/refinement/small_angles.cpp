@@ -10,7 +10,7 @@
 namespace pardel::engine {
 namespace {
 
-/// Not std::hypot, which every library rounds in its own way: split points depend on it.
+/// Split points depend on this distance. std::hypot is not used because libraries round it in different ways.
 double distance(Point a, Point b) {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);
@@ -25,8 +25,9 @@ double shell(double length) {
   return radius;
 }
 
-/// The foot of p on the line through a and b, rounded once: takes out the drift that repeated rounding would add up.
-/// Precondition: p is the line's but for rounding, so that the leading products all but cancel, and exactly.
+/// The foot of p on the line through a and b, rounded once. Without it, the rounding errors of repeated splits would
+/// add up. Precondition: p lies on the line up to rounding. The leading products then nearly cancel, and their
+/// difference is exact.
 Point projected(Point p, Point a, Point b) {
   using namespace exact;
   const Two dx = two_difference(b.x, a.x), dy = two_difference(b.y, a.y);
@@ -38,7 +39,7 @@ Point projected(Point p, Point a, Point b) {
   return {p.x - off * dy.head, p.y + off * dx.head};
 }
 
-/// Equal but for the rounding of the coordinates.
+/// True where u and v have the same distance from the apex, up to the rounding of coordinates.
 bool same_shell(Point apex, Point u, Point v) {
   const double du = distance(apex, u), dv = distance(apex, v);
   const double largest = std::max({std::abs(apex.x), std::abs(apex.y), std::abs(u.x), std::abs(u.y)});

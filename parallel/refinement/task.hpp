@@ -1,4 +1,4 @@
-// A task: refines what lies in one box, by itself, until nothing in it can be done any more.
+// A task: refines the part of the mesh in one box, until nothing can be done there any more.
 #pragma once
 
 #include <functional>
@@ -13,69 +13,73 @@
 
 namespace pardel::engine {
 
-/// A triangle that a task could not finish, and the cell that has to.
+/// A triangle that a task hands on: the task of another cell, or a later task of its own cell, has to process it.
 struct HandedOn {
-  Queued triangle;
+  QueuedTriangle triangle;
   Index cell;
 };
 
-/// What a task did and what it leaves to others, each list in a fixed order.
+/// The work of a task, and the triangles that it leaves to others. Each list has a fixed order.
 struct TaskResult {
-  std::vector<HandedOn> handed_on;  ///< to other cells, or to its own when its numbers were used up
-  std::vector<Queued> stuck;        ///< the box of their own cell is too small
-  std::vector<Deferred> deferred;   ///< for a finer lattice or the next round
+  std::vector<HandedOn> handed_on;               ///< to other cells, or to its own where its indices were used up
+  std::vector<QueuedTriangle> needs_larger_box;  ///< the point lies in the cell, but the cavity leaves the cell's box
+  std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
-  std::uint64_t out_of_numbers = 0;   ///< how many of handed_on went to its own cell
-  std::uint64_t against_promise = 0;  ///< how many of stuck should have fitted
-  bool left_alone = false;            ///< some triangle that breaks the goal was not split; it may be gone by now
+  std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
+  std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box have a cavity that fits the box by T1
+  bool left_alone = false;           ///< a triangle that breaks the goal was not split; it may be gone by now
 };
 
-/// Works on one cell at a time; a thread has one of its own. Nothing of one run is left for the next but
+/// Works on one cell at a time. Each thread has a Task of its own. A run leaves nothing to the next run except
 /// allocated memory.
 class Task {
  public:
-  /// own_cell_only: a point in another cell is handed on even where the box has room for its cavity.
-  Task(Triangulation& t, const Judge& judge, const Criteria& criteria, double min_edge, bool own_cell_only)
-      : t_(t), judge_(judge), insertion_(t, criteria, min_edge), own_cell_only_(own_cell_only) {}
+  /// own_cell_only: a point in another cell is handed on even where its cavity fits the box.
+  Task(Triangulation& t, const Assessor& assessor, const Criteria& criteria, double min_edge, bool own_cell_only)
+      : t_(t), assessor_(assessor), insertion_(t, criteria, min_edge), own_cell_only_(own_cell_only) {}
 
-  /// Refines in the box of `cell`, starting with `seeds`, whose corners lie in the box. go_on(n) is asked now and
-  /// then, n being the number of vertices inserted since it was asked last; when it says no, the run ends early.
-  TaskResult run(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later,
-                 Supply& supply, const std::function<bool(std::uint64_t)>& go_on);
+  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. Calls go_on(n) now and
+  /// then, where n is the number of vertices inserted since the last call. The run ends early where go_on returns
+  /// false.
+  TaskResult run(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
+                 FreeIndices& free, const std::function<bool(std::uint64_t)>& go_on);
 
-  /// The same, one insertion at a time: start, step while it says that there is more to do, finish.
-  void start(const Lattice& lattice, Index cell, std::span<const Queued> seeds, const Deferral& later, Supply& supply);
+  /// The same in single insertions: start(), then step() until it returns false, then finish().
+  void start(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
+             FreeIndices& free);
   [[nodiscard]] bool step();
   [[nodiscard]] TaskResult finish() { return std::move(result_); }
 
  private:
   void consider(TriangleId id) {
     const Shape shape(t_, t_.slots[id]);
-    queue_if_bad(id, judge_.assess(id, shape), shape);
+    queue_if_bad(id, assessor_.assess(id, shape), shape);
   }
   void consider_changed();
-  // Always inlined, for an Assessment handed over a call goes through memory.
+  // Always inlined: otherwise the Assessment is passed through memory.
   [[gnu::always_inline]] void queue_if_bad(TriangleId id, const Assessment& a, const Measure& m) {
     if (a.need == Assessment::Need::nothing)
       result_.left_alone = result_.left_alone || a.left_alone;
-    else if (later_.applies_to(a, m))
-      result_.deferred.push_back({judge_.queued(id, a), a});
+    else if (later_.defers(a, m))
+      result_.deferred.push_back({assessor_.entry(id, a), a});
     else
-      queue_.push(judge_.queued(id, a), a.key);
+      queue_.push(assessor_.entry(id, a), a.key);
   }
-  void process(Queued triangle);
+  void process(QueuedTriangle triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && lattice_->cell_of(p) != cell_; }
-  void give_up(Queued triangle);
+  void hand_on_to_own_cell(QueuedTriangle triangle);
   [[nodiscard]] Outcome split_edge(EdgeRef e);
-  void hand_on(Queued triangle, Point p);
-  /// A point p in a face of its own cell did not fit the box, though T1 says that it does.
-  [[nodiscard]] bool breaks_promise(Point p) const;
+  /// Hands the triangle on to the cell of p, the point that this task could not insert. Where that is the task's own
+  /// cell, the triangle needs a larger box.
+  void hand_on(QueuedTriangle triangle, Point p);
+  /// True where the point p in a face left the box although its cavity fits by T1 (Lattice::radius_that_fits).
+  [[nodiscard]] bool violates_t1(Point p) const;
 
   Triangulation& t_;
-  const Judge& judge_;
+  const Assessor& assessor_;
   Insertion insertion_;
   bool own_cell_only_;
-  Supply* supply_ = nullptr;
+  FreeIndices* free_ = nullptr;
   BucketQueue queue_;
   TaskResult result_;
   const Lattice* lattice_ = nullptr;

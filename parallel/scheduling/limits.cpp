@@ -10,9 +10,9 @@
 namespace pardel::engine {
 namespace {
 
-/// What the mesh takes for one triangle and its half of a vertex, markers included; more is needed, but not less.
+/// The bytes of the mesh itself for one triangle and half a vertex, markers included. The process needs more.
 constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index) + sizeof(int));
-/// What the process takes at its peak for a vertex and its two triangles, as measured in large meshes.
+/// The bytes of the process at its peak for one vertex and two triangles, measured with large meshes.
 constexpr double peak_bytes_per_vertex = 2 * 40;
 
 double allowed_memory(const Options& options) { return static_cast<double>(options.max_memory); }
@@ -22,14 +22,14 @@ std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30
 }  // namespace
 
 Status check_size(double needed, const Options& options) {
-  double estimate = needed;
-  if (options.max_vertices > 0) estimate = std::min(estimate, 2.0 * static_cast<double>(options.max_vertices));
-  if (estimate > max_engine_triangles) return too_many_triangles();
-  const double bytes = estimate * bytes_per_triangle;
+  double triangles = needed;
+  if (options.max_vertices > 0) triangles = std::min(triangles, 2.0 * static_cast<double>(options.max_vertices));
+  if (triangles > max_engine_triangles) return too_many_triangles();
+  const double bytes = triangles * bytes_per_triangle;
   if (options.max_memory == 0 || bytes <= allowed_memory(options)) return Done{};
-  return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(estimate / 1e4) / 100) +
+  return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(triangles / 1e4) / 100) +
                                          " million triangles, which take at least " + gibibytes(bytes) +
-                                         " of memory, and there are " + gibibytes(allowed_memory(options))};
+                                         " of memory; there are " + gibibytes(allowed_memory(options))};
 }
 
 bool outgrows_memory(std::uint64_t vertices, const Options& options) {
@@ -41,8 +41,7 @@ Error too_many_triangles() {
 }
 
 Error too_much_memory(const Options& options) {
-  return {ErrorKind::resources,
-          "the mesh has outgrown the memory that there is, " + gibibytes(allowed_memory(options))};
+  return {ErrorKind::resources, "the mesh has outgrown the available memory, " + gibibytes(allowed_memory(options))};
 }
 
 }  // namespace pardel::engine

@@ -1,4 +1,4 @@
-// Whether a mesh has room: numbers for its triangles, memory for all of it.
+// The limits on the size of a mesh: indices for its triangles, and memory for all of it.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 
 namespace pardel::engine {
 
-/// Better no mesh at once than none after an hour: `resources` where one of at least `needed` triangles cannot fit.
+/// Fails with `resources` where a mesh of at least `needed` triangles cannot fit. The caller then learns it at once,
+/// not after an hour of refinement.
 [[nodiscard]] Status check_size(double needed, const Options& options);
 
-/// Whether a mesh of so many vertices takes more memory at its peak than options.max_memory.
+/// True where a mesh of so many vertices takes more memory, at its peak, than options.max_memory.
 [[nodiscard]] bool outgrows_memory(std::uint64_t vertices, const Options& options);
 
 [[nodiscard]] Error too_many_triangles();

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "../concurrency/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {
+
+/// One vertex makes two triangles; a fifth is added for safety.
+constexpr double insertions_per_triangle = 0.6;
 
 Index most_vertices(const Triangulation& t, const Options& options) {
   const auto present = static_cast<std::uint64_t>(t.points.size());
@@ -16,8 +20,9 @@ Index most_vertices(const Triangulation& t, const Options& options) {
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_engine_triangles)));
 }
 
-/// About how many points go into an area for the sake of triangles that are not deferred: their circumradii are at
-/// least `apart`, and so are the distances between circumcentres, about which disks of half that radius are disjoint.
+/// About the largest number of points that an area takes for triangles that are not deferred. Their circumradii are at
+/// least `apart`, and so are the distances between their circumcentres. Disks of half that radius around the
+/// circumcentres are therefore disjoint.
 double most_insertions(const Deferral& later, double area) {
   const double squared_apart = std::max(later.longest_squared / 4, later.squared_radius);
   return 4 / std::numbers::pi * area / squared_apart;
@@ -25,10 +30,10 @@ double most_insertions(const Deferral& later, double area) {
 
 }  // namespace
 
-Crew::Crew(Triangulation& t, const Judge& judge, const Criteria& criteria, const Options& options,
-           const Schedule& schedule)
+PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
+                         const Schedule& schedule)
     : t_(t),
-      judge_(judge),
+      assessor_(assessor),
       criteria_(criteria),
       options_(options),
       schedule_(schedule),
@@ -38,111 +43,138 @@ Crew::Crew(Triangulation& t, const Judge& judge, const Criteria& criteria, const
   for (int i = 0; i < threads_; ++i) tasks_.push_back(new_task());
 }
 
-std::unique_ptr<Task> Crew::new_task() {
+std::unique_ptr<Task> PhaseRunner::new_task() {
   const bool own_cell_only = options_.decomposition == Decomposition::paper;
-  return std::make_unique<Task>(t_, judge_, criteria_, options_.min_edge, own_cell_only);
+  return std::make_unique<Task>(t_, assessor_, criteria_, options_.min_edge, own_cell_only);
 }
 
-void Crew::run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
-               const std::function<bool(int, std::uint64_t)>& go_on) {
-  const double most = most_insertions(later, 4 * lattice.width() * lattice.height());
-  parallel_for(threads_, jobs.size(), [&](std::size_t i, int) {
-    jobs[i].insertions = std::min(jobs[i].insertions, most);
-    admit(jobs[i], lattice);
+std::vector<PlannedTask> PhaseRunner::plan(const Lattice& lattice, unsigned colour, SeedsByCell& seeds) const {
+  const std::vector<double> wanted = triangles_wanted(seeds);
+  std::vector<PlannedTask> tasks;
+  for (Index cell = 0; cell < lattice.cells(); ++cell)
+    if (lattice.colour_of(cell) == colour && !seeds[cell].empty()) {
+      tasks.emplace_back();
+      tasks.back().cell = cell;
+      tasks.back().seeds = std::exchange(seeds[cell], {});
+      tasks.back().insertions = insertions_per_triangle * lattice.sum_over_box(cell, wanted);
+    }
+  return tasks;
+}
+
+/// Per cell, the number of triangles by which the bounds on size replace the cell's seeds.
+std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) const {
+  std::vector<double> wanted(seeds.size(), 0);
+  if (!criteria_.has_size()) return wanted;
+  parallel_for(threads_, seeds.size(), [&](std::size_t cell, int) {
+    for (const QueuedTriangle seed : seeds[cell])
+      if (seed.is_current(t_))
+        wanted[cell] += criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()));
   });
-  supply(jobs);
+  return wanted;
+}
+
+void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
+                      const GoOn& go_on) {
+  const double most = most_insertions(later, 4 * lattice.width() * lattice.height());
+  parallel_for(threads_, tasks.size(), [&](std::size_t i, int) {
+    tasks[i].insertions = std::min(tasks[i].insertions, most);
+    select_seeds(tasks[i], lattice);
+  });
+  assign_indices(tasks);
   t_.points.resize_uninitialised(vertices_.end());
   t_.origin.resize_uninitialised(vertices_.end());
   t_.slots.resize_uninitialised(triangles_.end());
   if (!t_.region.empty()) t_.region.resize_uninitialised(triangles_.end());
 
   if (schedule_.next)
-    run_by_turns(lattice, jobs, later);
+    run_interleaved(lattice, tasks, later);
   else
-    run_on_threads(lattice, jobs, later, go_on);
+    run_on_threads(lattice, tasks, later, go_on);
   if (schedule_.after_phase) schedule_.after_phase();
 
-  for (const Job& job : jobs) {
-    vertices_.take_back(job.supply.vertices);
-    triangles_.take_back(job.supply.triangles);
+  for (const PlannedTask& task : tasks) {
+    vertices_.take_back(task.free.vertices);
+    triangles_.take_back(task.free.triangles);
   }
   vertices_.settle();
   triangles_.settle();
 }
 
-/// As for a task: a triangle that asks for a point in a face, in the cell, does not lie in the box, though T1 says so.
-bool Crew::breaks_promise(TriangleId id, Index cell, const Lattice& lattice) const {
+/// The same question as Task::violates_t1, for a triangle that does not lie in the box of its cell: by T1 it does,
+/// where its point lies in a face, in the cell, and its circumradius is small enough.
+bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Lattice& lattice) const {
   const double fits = lattice.radius_that_fits();
   if (options_.decomposition != Decomposition::paper || Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits)
     return false;
-  const Assessment a = judge_.assess(id);
-  return a.need == Assessment::Need::split_triangle && lattice.cell_of(judge_.point_for(id, a)) == cell;
+  const Assessment a = assessor_.assess(id);
+  return a.need == Assessment::Need::split_triangle && lattice.cell_of(assessor_.point_for(id, a)) == cell;
 }
 
-/// Keeps the seeds that are still there and whose triangles lie in the box.
-void Crew::admit(Job& job, const Lattice& lattice) const {
-  const Box box = lattice.box_of(job.cell);
+/// Keeps the seeds that are current and lie in the box. Adds their share to the expected number of insertions.
+void PhaseRunner::select_seeds(PlannedTask& task, const Lattice& lattice) const {
+  const Box box = lattice.box_of(task.cell);
   constexpr double insertions_per_seed = 2.5, spare = 32;
-  job.insertions += spare;
-  std::erase_if(job.seeds, [&](Queued q) {
-    if (!judge_.is_current(q)) return true;
-    for (const VertexId v : t_.slots[q.id()].v)
+  task.insertions += spare;
+  std::erase_if(task.seeds, [&](QueuedTriangle seed) {
+    if (!seed.is_current(t_)) return true;
+    for (const VertexId v : t_.slots[seed.id()].v)
       if (!box.contains_half_open(t_.points[v])) {
-        job.outsiders.push_back(q);
-        if (breaks_promise(q.id(), job.cell, lattice)) ++job.outsiders_against_promise;
+        task.outside_box.push_back(seed);
+        if (violates_t1(seed.id(), task.cell, lattice)) ++task.t1_violations;
         return true;
       }
-    job.insertions += insertions_per_seed;
+    task.insertions += insertions_per_seed;
     return false;
   });
 }
 
-/// Numbers for each job: what it is expected to need and a quarter more; then, above all of these, up to twice of what
-/// is expected. The second helping costs memory only where it is needed, but there a huge page for each array. What is
-/// not used comes back, and the next phase fills it before it takes memory that nobody has written yet.
-void Crew::supply(std::vector<Job>& jobs) {
-  std::vector<std::vector<IndexRange>> vertices(jobs.size()), triangles(jobs.size());
+/// Each task first gets indices for the expected number of insertions and a quarter more. Then, above the first indices
+/// of all tasks, each gets more, up to twice the expected number in total. The second part takes memory only where a
+/// task uses it, but then a huge page of each array. Unused indices come back; the next phase uses them up before it
+/// touches new memory.
+void PhaseRunner::assign_indices(std::vector<PlannedTask>& tasks) {
+  std::vector<std::vector<IndexRange>> vertices(tasks.size()), triangles(tasks.size());
   for (const bool first : {true, false})
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      const auto expected = static_cast<std::size_t>(std::min(jobs[i].insertions, 1e9));
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const auto expected = static_cast<std::size_t>(std::min(tasks[i].insertions, 1e9));
       const std::size_t insertions = first ? expected + expected / 4 : expected - expected / 4;
       vertices_.assign(insertions, vertices[i]);
       triangles_.assign(2 * insertions, triangles[i]);
     }
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    jobs[i].supply = {IndexPool(std::move(vertices[i])), IndexPool(std::move(triangles[i]))};
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    tasks[i].free = {IndexPool(std::move(vertices[i])), IndexPool(std::move(triangles[i]))};
 }
 
-void Crew::run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
-                          const std::function<bool(int, std::uint64_t)>& go_on) {
-  std::vector<std::size_t> order(jobs.size());
+void PhaseRunner::run_on_threads(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
+                                 const GoOn& go_on) {
+  std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return jobs[a].insertions > jobs[b].insertions; });
+                   [&](std::size_t a, std::size_t b) { return tasks[a].insertions > tasks[b].insertions; });
   if (schedule_.order) schedule_.order(order);
-  parallel_for(threads_, jobs.size(), [&](std::size_t i, int thread) {
+  parallel_for(threads_, tasks.size(), [&](std::size_t i, int thread) {
     if (schedule_.before_task) schedule_.before_task(order[i]);
-    Job& job = jobs[order[i]];
+    PlannedTask& planned = tasks[order[i]];
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
-    job.thread = thread;
-    job.result = task.run(lattice, job.cell, job.seeds, later, job.supply,
-                          [&](std::uint64_t made) { return go_on(thread, made); });
+    planned.thread = thread;
+    planned.result = task.run(lattice, planned.cell, planned.seeds, later, planned.free,
+                              [&](std::uint64_t made) { return go_on(thread, made); });
   });
 }
 
-void Crew::run_by_turns(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later) {
+void PhaseRunner::run_interleaved(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later) {
   std::vector<std::unique_ptr<Task>> all;
   std::vector<std::size_t> unfinished;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
     all.push_back(new_task());
-    all[i]->start(lattice, jobs[i].cell, jobs[i].seeds, later, jobs[i].supply);
+    all[i]->start(lattice, tasks[i].cell, tasks[i].seeds, later, tasks[i].free);
     unfinished.push_back(i);
   }
   while (!unfinished.empty()) {
     const std::size_t turn = schedule_.next(unfinished.size());
     if (!all[unfinished[turn]]->step()) unfinished.erase(unfinished.begin() + static_cast<std::ptrdiff_t>(turn));
   }
-  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].result = all[i]->finish();
+  for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].result = all[i]->finish();
 }
 
 }  // namespace pardel::engine

@@ -1,4 +1,4 @@
-// One phase of a sweep: the tasks of all cells of one colour, on all threads.
+// One phase of a sweep: runs the tasks of all cells of one colour on all threads.
 #pragma once
 
 #include <memory>
@@ -6,53 +6,62 @@
 
 #include "../concurrency/index_allocator.hpp"
 #include "../refinement/task.hpp"
-#include "refine_by_sweeps.hpp"
+#include "schedule.hpp"
 
 namespace pardel::engine {
 
-/// A task to be: a cell with what waits for it, and afterwards what the task did.
-struct Job {
+/// A task of a phase. Before the phase: the cell and the triangles with which the task starts. Afterwards: its result.
+struct PlannedTask {
   Index cell = 0;
-  double insertions = 0;  ///< expected
-  std::vector<Queued> seeds;
-  std::vector<Queued> outsiders;                ///< seeds whose triangles do not lie in the box
-  std::uint64_t outsiders_against_promise = 0;  ///< how many of them should
-  Supply supply;
+  double insertions = 0;  ///< the expected number
+  std::vector<QueuedTriangle> seeds;
+  std::vector<QueuedTriangle> outside_box;  ///< seeds that the task did not get: their corners do not lie in the box
+  std::uint64_t t1_violations = 0;          ///< how many of outside_box lie in the box by T1
+  FreeIndices free;
   TaskResult result;
-  int thread = 0;  ///< that ran it
+  int thread = 0;  ///< the thread that ran the task
 };
 
-/// Who may use which numbers, and who works: one task per thread.
-class Crew {
- public:
-  Crew(Triangulation& t, const Judge& judge, const Criteria& criteria, const Options& options,
-       const Schedule& schedule);
+/// Per cell of a lattice, the triangles with which the cell's next task starts.
+using SeedsByCell = std::vector<std::vector<QueuedTriangle>>;
 
-  /// Runs the jobs, whose cells have one colour, so that their boxes are disjoint. go_on(thread, n) is asked now and
-  /// then, n being the number of vertices that the thread has inserted since it was asked last.
-  void run(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
-           const std::function<bool(int, std::uint64_t)>& go_on);
+/// Called now and then while tasks run: go_on(thread, n), where n is the number of vertices that the thread has
+/// inserted since its last call. Returns false to end the tasks early.
+using GoOn = std::function<bool(int, std::uint64_t)>;
+
+/// Runs phases. Owns the allocators of vertex and triangle indices, and one Task per thread.
+class PhaseRunner {
+ public:
+  PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
+              const Schedule& schedule);
+
+  /// One task for each cell of the colour that has seeds. Takes the seeds.
+  [[nodiscard]] std::vector<PlannedTask> plan(const Lattice& lattice, unsigned colour, SeedsByCell& seeds) const;
+
+  /// Runs the tasks. Precondition: their cells have one colour, so that their boxes are disjoint.
+  void run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later, const GoOn& go_on);
 
   [[nodiscard]] const IndexAllocator& vertices() const { return vertices_; }
   [[nodiscard]] const IndexAllocator& triangles() const { return triangles_; }
   [[nodiscard]] int threads() const { return threads_; }
 
  private:
-  void admit(Job& job, const Lattice& lattice) const;
-  [[nodiscard]] bool breaks_promise(TriangleId id, Index cell, const Lattice& lattice) const;
-  void supply(std::vector<Job>& jobs);
-  void run_on_threads(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later,
-                      const std::function<bool(int, std::uint64_t)>& go_on);
-  void run_by_turns(const Lattice& lattice, std::vector<Job>& jobs, const Deferral& later);
+  [[nodiscard]] std::vector<double> triangles_wanted(const SeedsByCell& seeds) const;
+  void select_seeds(PlannedTask& task, const Lattice& lattice) const;
+  [[nodiscard]] bool violates_t1(TriangleId id, Index cell, const Lattice& lattice) const;
+  void assign_indices(std::vector<PlannedTask>& tasks);
+  void run_on_threads(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
+                      const GoOn& go_on);
+  void run_interleaved(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later);
   [[nodiscard]] std::unique_ptr<Task> new_task();
 
   Triangulation& t_;
-  const Judge& judge_;
+  const Assessor& assessor_;
   const Criteria& criteria_;
   const Options& options_;
   const Schedule& schedule_;
   int threads_;
-  std::vector<std::unique_ptr<Task>> tasks_;
+  std::vector<std::unique_ptr<Task>> tasks_;  ///< one per thread
   IndexAllocator vertices_, triangles_;
 };
 

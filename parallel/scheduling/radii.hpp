@@ -1,4 +1,4 @@
-// Bounds on circumradii: what ratio and area promise, and what a mesh has.
+// Circumradii: the bounds that follow from ratio and area, and the largest values in a mesh.
 #pragma once
 
 #include "../concurrency/index_allocator.hpp"
@@ -6,16 +6,17 @@
 
 namespace pardel::engine {
 
-/// T3: a bound on the circumradius where `ratio` bounds circumradius over shortest edge and `area` the area.
+/// A bound on the circumradius by theorem T3 (THEORY). `ratio` bounds circumradius over shortest edge, `area` bounds
+/// the area.
 [[nodiscard]] double radius_bound(double ratio, double area);
-/// T3-sharp: the least such bound.
+/// The least such bound (THEORY, T3-sharp). Precondition: ratio > 1/2, as in every triangle.
 [[nodiscard]] double sharp_radius_bound(double ratio, double area);
 
-/// The largest of each over all triangles, to rounding.
+/// The largest circumradius, ratio and area of a set of triangles, up to rounding. Each may belong to another triangle.
 struct Radii {
   double radius = 0, ratio = 0, area = 0;
 };
-/// Of the triangles whose numbers are in use. O(n).
+/// The largest values of the triangles whose indices are in use. Precondition: the allocator is settled. O(n).
 [[nodiscard]] Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, int threads);
 
 }  // namespace pardel::engine

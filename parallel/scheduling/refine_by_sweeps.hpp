@@ -1,46 +1,48 @@
-// Delaunay refinement over tiles: every triangle that breaks the criteria is split, or its encroached
-// edges are, until none is left that may be (Ruppert 1995; Chew 1993; the exemptions of small_angles.hpp).
+// Delaunay refinement over tiles, in sweeps: every triangle that breaks the criteria is split, or an edge on which it
+// or its split point encroaches, until no triangle is left that may be split (Ruppert 1995; Chew 1993; with the
+// exemptions of small_angles.hpp).
+//
+// The words of this folder:
+//   lattice   a grid of cells (tiles) over the domain (concurrency/lattice.hpp); the refinement goes through several
+//             levels, from coarse to fine and back
+//   box       a cell and half a cell around it: the only place where the task of the cell changes triangles
+//   task      the refinement of one box, starting with some bad triangles, its seeds (refinement/task.hpp)
+//   colour    one of four; the boxes of the cells of one colour are disjoint
+//   phase     the tasks of all cells of one colour, run at the same time (phase.hpp)
+//   sweep     four phases, one per colour
+//   handed on a triangle that a task passes to the task of another cell, because its point lies there
+//   deferred  a triangle that is left to a later pass, because it is too short (refinement/deferral.hpp)
+//   T1        the theorem that the cavity of a point in a cell fits the cell's box where circumradii are small enough
+//             (THEORY; Lattice::radius_that_fits); with Decomposition::paper, a cavity that does not is an error
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "../../core/result.hpp"
 #include "../options.hpp"
 #include "../refinement/criteria.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
-#include "snapshot.hpp"
+#include "schedule.hpp"
 
 namespace pardel::engine {
 
 struct RefineCounts {
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   bool budget_reached = false;
-  bool left_alone = false;  ///< there may be exemptions; otherwise there are none
+  bool left_alone = false;  ///< false: no triangle of the result is exempt from the goal
   Tiling tiling;
 };
 
-/// How the tasks of a phase take turns. None of it shows in the result, which is what it is there to prove.
-struct Schedule {
-  /// Permutes the order in which the tasks are started (it comes largest first).
-  std::function<void(std::vector<std::size_t>&)> order{};
-  /// Called by the thread that is about to start a task.
-  std::function<void(std::size_t task)> before_task{};
-  std::function<void()> after_phase{};
-  /// If set, one thread runs all tasks of a phase at once, one insertion at a time: which of n unfinished ones goes on.
-  std::function<std::size_t(std::size_t n)> next{};
-};
+/// Called with a copy of the triangulation after each sweep. An Error ends the refinement.
+using Watcher = std::function<Status(Triangulation&& copy, const Sweep&)>;
 
-/// Refines in place. The triangulation is a constrained Delaunay triangulation without ghosts, whose
-/// boundary edges are all constrained. Deterministic. Fails only with `cancelled`, `resources` or `internal`, or with
-/// the watcher's error.
+/// Refines the triangulation in place. Precondition: it is a constrained Delaunay triangulation without ghosts, and all
+/// its boundary edges are constrained. The result depends neither on options.threads nor on the schedule. Fails with
+/// `cancelled`, `resources` or `internal`, or with the watcher's error.
 [[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
                                                     const Criteria& criteria, const Options& options,
                                                     const Schedule& schedule = {}, const Watcher& watcher = {});
-
-/// The triangles that break the criteria and why each was left alone, ascending.
-[[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments,
-                                                const Criteria& criteria, const Options& options, bool budget_reached);
 
 }  // namespace pardel::engine

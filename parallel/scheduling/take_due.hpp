@@ -1,4 +1,4 @@
-// Of the deferred, those whose time has come; on all threads.
+// Takes the triangles that are due out of the list of deferred ones, on all threads.
 #pragma once
 
 #include <algorithm>
@@ -11,29 +11,30 @@
 
 namespace pardel::engine {
 
-/// Takes out those that may be due, and returns what `of` makes of them, in order.
-template <class Of>
-[[nodiscard]] auto take_due(int threads, Array<Deferred>& deferred, const Deferral& later, const Of& of) {
+/// Removes the entries that `later` may not defer any more (Deferral::defers_by_keys), and returns converted(entry) for
+/// each. Both lists keep their order, whatever the number of threads.
+template <class Converted>
+[[nodiscard]] auto take_due(int threads, Array<Deferred>& deferred, const Deferral& later, const Converted& converted) {
   const std::size_t n = deferred.size();
   std::vector<std::size_t> due_before(block_count(n) + 1, 0);
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
     due_before[block + 1] = last - first -
                             std::count_if(deferred.begin() + first, deferred.begin() + last,
-                                          [&](const Deferred& d) { return later.applied_to(d); });
+                                          [&](const Deferred& d) { return later.defers_by_keys(d); });
   });
   std::partial_sum(due_before.begin(), due_before.end(), due_before.begin());
-  Array<decltype(of(deferred[0]))> due;
+  Array<decltype(converted(deferred[0]))> due;
   due.resize_uninitialised(due_before.back());
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
     std::size_t kept = first, found = due_before[block];
     for (std::size_t i = first; i < last; ++i) {
-      if (later.applied_to(deferred[i]))
+      if (later.defers_by_keys(deferred[i]))
         deferred[kept++] = deferred[i];
       else
-        due[found++] = of(deferred[i]);
+        due[found++] = converted(deferred[i]);
     }
   });
-  // Each block has those that stay at its front.
+  // The entries that stay are now at the front of each block. They move together.
   std::size_t kept = 0;
   for (std::size_t block = 0, first = 0; first < n; ++block, first += items_in_block) {
     const std::size_t stay = std::min(items_in_block, n - first) - (due_before[block + 1] - due_before[block]);

@@ -34,7 +34,7 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
   if (!disk_contains(t_, first, p)) return Inserted::duplicate;
   const auto is_hit = [&](EdgeRef e) { return disk_contains(t_, e.triangle(), p); };
   const auto is_own = [&](VertexId apex) { return in_box(apex); };
-  const Walk walk = cavity_.find(t_, first, EachByItself(t_, is_hit, no_corners, is_own));
+  const Walk walk = cavity_.find(t_, first, SingleTriangleQuery(t_, is_hit, no_corners, is_own));
   if (walk == Walk::foreign) return Inserted::leaves_box;
   if (walk == Walk::tangled) return Inserted::inconsistent;
   for (const TriangleId id : retriangulate(t_, cavity_, v, [&] { return fresh++; }))

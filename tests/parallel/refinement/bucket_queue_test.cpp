@@ -8,7 +8,7 @@
 namespace pardel::engine {
 namespace {
 
-/// Least key first; last in, first out among equals.
+/// The least key comes first; among equal keys, the last one pushed.
 class Model {
  public:
   void push(TriangleId id, unsigned key) { stacks_[key].push_back(id); }
@@ -26,7 +26,7 @@ class Model {
 };
 
 PARDEL_PROPERTY(BucketQueue, behaves_like_a_map_of_stacks,
-                {.statement = "the least key comes first; among equal keys, what was pushed last",
+                {.statement = "the least key comes first; among equal keys, the entry that was pushed last",
                  .source = "parallel/refinement/bucket_queue.hpp",
                  .families = "few keys, near keys, all keys"}) {
   const auto pops = *rc::gen::arbitrary<std::vector<bool>>();
@@ -53,7 +53,7 @@ TEST(BucketQueue, takes_the_first_and_the_last_key) {
   BucketQueue queue;
   queue.push({EdgeRef(1, 0), 10}, BucketQueue::last);
   queue.push({EdgeRef(2, 1), 20}, BucketQueue::urgent);
-  const Queued first = queue.pop(), second = queue.pop();
+  const QueuedTriangle first = queue.pop(), second = queue.pop();
   EXPECT_EQ(first.id(), 2U);
   EXPECT_EQ(first.first_corner, 20U);
   EXPECT_EQ(second.id(), 1U);

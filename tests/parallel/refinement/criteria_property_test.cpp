@@ -1,4 +1,4 @@
-// When a vertex encroaches, and where the point goes that splits a bad triangle.
+// Encroachment, and the points that split bad triangles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,7 +21,7 @@ Shape some_triangle() {
   return turn > 0 ? Shape(a, b, c) : Shape(a, c, b);
 }
 
-/// What the shortest side of a triangle and its split point make; nothing where that is the circumcentre.
+/// The triangle that the shortest side and the split point make; nothing where the split point is the circumcentre.
 std::optional<Shape> made_by_an_off_centre(const Shape& s, const Goal& goal) {
   const Point p = Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
   if (p == Criteria(goal, Placement::circumcentre, {}).split_point(s, no_index)) return std::nullopt;
@@ -78,7 +78,7 @@ PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortes
 
 PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_is_far_from_all_vertices,
                 {.statement = "no vertex of a Delaunay triangulation is nearer to the split point of a triangle whose "
-                              "area exceeds its bound, where angles have none, than the circumradius and than the "
+                              "area exceeds its bound, where angles have no bound, than the circumradius and than the "
                               "square root of 0.99 of the bound, whichever is less",
                  .source = "properties/THEORY.md, refinement",
                  .families = "lattice triangles; points beyond their shortest sides"}) {

@@ -14,7 +14,7 @@ namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The smallest angle as the checker judges it.
+/// True where an angle is smaller, by the exact arithmetic of the checker.
 bool sharper_than(const Shape& s, double degrees) {
   for (unsigned i = 0; i < 3; ++i)
     if (checker::exactly::cosine_exceeds(s.p[i], s.p[(i + 1) % 3], s.p[(i + 2) % 3], angle_cosine_bound(degrees)))
@@ -26,7 +26,7 @@ Shape moved(const Shape& s, Point by) {
   return {{s.p[0].x + by.x, s.p[0].y + by.y}, {s.p[1].x + by.x, s.p[1].y + by.y}, {s.p[2].x + by.x, s.p[2].y + by.y}};
 }
 
-/// Isosceles, with the angle at the top.
+/// An isosceles triangle with the given angle at the top.
 Shape isosceles(double degrees, double height) {
   const double half = height * std::tan(radians(degrees / 2));
   return {{-half, 0}, {half, 0}, {0, height}};
@@ -43,7 +43,7 @@ TEST(BadShape, is_every_triangle_that_an_exact_comparison_rejects) {
   }
 }
 
-TEST(BadShape, is_no_triangle_that_is_a_hair_better_than_the_bound) {
+TEST(BadShape, is_no_triangle_that_is_slightly_better_than_the_bound) {
   for (const double bound : {5.0, 20.7, 25.0, 30.0, 33.0}) {
     const Criteria criteria({.min_angle_deg = bound}, Placement::circumcentre, {});
     EXPECT_FALSE(criteria.bad_shape(isosceles(bound * (1 + 0x1p-36), 1)));
@@ -65,7 +65,7 @@ TEST(BadShape, is_none_without_a_bound) {
   EXPECT_FALSE(criteria.bad_shape(Shape({0, 0}, {1, 0}, {0.5, 1e-300})));
 }
 
-TEST(TooLarge, is_what_exceeds_a_cap_and_no_less) {
+TEST(TooLarge, is_every_triangle_above_a_cap_and_no_other) {
   for (const double cap : {0.1, 1.0, 3e-7}) {
     const Criteria criteria({.max_area = cap}, Placement::circumcentre, {});
     for (int i = -3; i <= 3; ++i) {
@@ -112,7 +112,7 @@ TEST(Encroachment, of_a_conforming_goal_is_the_closed_diametral_disk) {
   EXPECT_FALSE(encroaches(criteria, {1.0001, 0}, {-1, 0}, {1, 0}));
 }
 
-/// The lens is bounded by arcs from which the segment is seen under 180 degrees less twice the bound.
+/// From the arcs that bound the lens, the segment is seen at 180 degrees minus twice the bound.
 TEST(Encroachment, of_a_constrained_goal_is_the_diametral_lens) {
   for (const double bound : {20.7, 30.0, 33.0}) {
     const Criteria criteria({.min_angle_deg = bound}, Placement::circumcentre, {});
@@ -122,7 +122,7 @@ TEST(Encroachment, of_a_constrained_goal_is_the_diametral_lens) {
     EXPECT_FALSE(encroaches(criteria, {0, 1.001 * tip}, {-1, 0}, {1, 0})) << bound;
   }
   const Criteria none({.min_angle_deg = 0}, Placement::circumcentre, {});
-  EXPECT_TRUE(encroaches(none, {0, 0.37}, {-1, 0}, {1, 0})) << "never thinner than for the proven bound";
+  EXPECT_TRUE(encroaches(none, {0, 0.37}, {-1, 0}, {1, 0})) << "the lens is never thinner than with the proven bound";
 }
 
 TEST(SplitPoint, is_the_circumcentre) {
@@ -141,7 +141,8 @@ TEST(SplitPoint, is_the_circumcentre) {
   }
 }
 
-/// With the shortest side it makes a triangle that just meets the bound; and it is never beyond the circumcentre.
+/// The off-centre and the shortest side make a triangle that just meets the bound. It never lies beyond the
+/// circumcentre.
 TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bound) {
   for (const double bound : {10.0, 20.7, 30.0, 33.0}) {
     const Criteria off({.min_angle_deg = bound}, Placement::off_centre, {});
@@ -152,16 +153,17 @@ TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bou
       const Shape made(s.p[0], s.p[1], p);
       EXPECT_FALSE(sharper_than(made, bound)) << bound << ' ' << top;
       EXPECT_LE(p.y, c.y);
-      EXPECT_TRUE(p.y == c.y || sharper_than(made, bound * 1.01)) << "no further than it has to be";
+      EXPECT_TRUE(p.y == c.y || sharper_than(made, bound * 1.01))
+          << "it is no nearer to the side than the bound demands";
     }
     const Shape fat = isosceles(50, 1);
     EXPECT_EQ(off.split_point(fat, no_index), centre.split_point(fat, no_index)) << "a triangle that is only too large";
   }
 }
 
-/// Its shortest side has length 1, the others 2.3, its area is 1.13.
+/// A triangle whose shortest side has length 1. The others have length 2.3, the area is 1.13.
 Shape tall() { return isosceles(25, 0.5 / std::tan(radians(12.5))); }
-/// What the shortest side of a triangle, the first, and its split point make.
+/// The triangle that the shortest side and the split point make. The shortest side joins the first two corners.
 Shape made_of_the_shortest_side(const Criteria& criteria, const Shape& s, Index region) {
   return {s.p[0], s.p[1], criteria.split_point(s, region)};
 }
@@ -194,7 +196,7 @@ TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_
   }
 }
 
-/// On the diametral circle of the side, where that would still be too large.
+/// The split point lies on the diametral circle of the side, even where it makes a triangle that is too large.
 TEST(SplitPoint, of_a_triangle_that_is_too_large_lies_no_lower_than_the_diametral_circle) {
   const Criteria criteria({.max_area = 0.2}, Placement::off_centre, {});
   const Point p = criteria.split_point(tall(), no_index);
@@ -202,14 +204,14 @@ TEST(SplitPoint, of_a_triangle_that_is_too_large_lies_no_lower_than_the_diametra
   EXPECT_NEAR(p.y, 0.5, 1e-15);
 }
 
-TEST(SplitPoint, of_what_is_much_too_large_is_the_circumcentre) {
+TEST(SplitPoint, of_a_triangle_that_is_much_too_large_is_the_circumcentre) {
   const Criteria off({.max_area = 0.15}, Placement::off_centre, {});
   const Criteria centre({.max_area = 0.15}, Placement::circumcentre, {});
   const Shape s = tall();
   EXPECT_EQ(off.split_point(s, no_index), centre.split_point(s, no_index));
 }
 
-/// There, meshes would get larger by filled areas.
+/// Filled areas would make these meshes larger.
 TEST(SplitPoint, above_thirty_one_degrees_fills_lengths_but_no_areas) {
   const Shape s = tall();
   const auto point = [&](double bound, double area, double length) {

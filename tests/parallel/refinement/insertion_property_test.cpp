@@ -1,4 +1,4 @@
-// One insertion into the triangulation of a random domain: what it may touch and what it may make.
+// Single insertions into the triangulations of random domains: the triangles that they change and make.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +29,8 @@ DomainTriangulation some_triangulation(Exhibit& exhibit) {
 
 double length(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Tries to insert the circumcentre of each triangle in turn, until one is inserted; then calls inserted(before).
+/// Tries to insert the circumcentre of each triangle in turn, until one is inserted. Then calls inserted(before, n)
+/// with the triangulation before the insertion and its number of triangles.
 template <class Inserted>
 void insert_some_circumcentre(Triangulation& t, double min_edge, const Box& box, const Inserted& inserted) {
   const Criteria criteria({}, Placement::circumcentre, {});
@@ -39,8 +40,8 @@ void insert_some_circumcentre(Triangulation& t, double min_edge, const Box& box,
   t.slots.resize(triangles + 2U);
   if (!t.region.empty()) t.region.resize(triangles + 2U);
   Insertion insertion(t, criteria, min_edge);
-  Supply supply{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
-  insertion.start(supply);
+  FreeIndices free{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
+  insertion.start(free);
   const Triangulation before = t;
   for (TriangleId id = 0; id < triangles; ++id) {
     const auto& v = t.slots[id].v;
@@ -114,24 +115,25 @@ PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
   }
 }
 
-/// Makes room for one insertion, attempts it, and takes back what it did not use.
+/// Provides indices for one insertion, attempts it, and removes the indices that it did not use.
 template <class Attempt>
 Outcome with_room(Triangulation& t, Insertion& insertion, const Attempt& attempt) {
   const auto vertices = static_cast<Index>(t.points.size()), triangles = static_cast<Index>(t.slots.size());
   t.points.resize(vertices + 1U);
   t.origin.resize(vertices + 1U);
   t.slots.resize(triangles + 2U);
-  Supply supply{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
-  insertion.start(supply);
+  FreeIndices free{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
+  insertion.start(free);
   const Outcome outcome = attempt();
-  t.points.resize(vertices + 1U - supply.vertices.left());
-  t.origin.resize(vertices + 1U - supply.vertices.left());
-  t.slots.resize(triangles + 2U - supply.triangles.left());
+  t.points.resize(vertices + 1U - free.vertices.left());
+  t.origin.resize(vertices + 1U - free.vertices.left());
+  t.slots.resize(triangles + 2U - free.triangles.left());
   return outcome;
 }
 
-/// Positively oriented and constrained Delaunay, by the checker's arithmetic.
-bool is_right(const Triangulation& t) {
+/// True where the triangulation is positively oriented and constrained Delaunay, by the exact arithmetic of the
+/// checker.
+bool is_valid(const Triangulation& t) {
   const auto point = [&](VertexId v) { return t.points[v]; };
   for (const Slot& slot : t.slots) {
     if (checker::exactly::orientation(point(slot.v[0]), point(slot.v[1]), point(slot.v[2])) <= 0) return false;
@@ -155,9 +157,9 @@ DomainTriangulation hull_of(const std::vector<Point>& points, Segment segment, E
 
 double some_number(double low, double high) { return low + (high - low) * 1e-6 * *rc::gen::inRange(0, 1000001); }
 
-/// Disks of the triangles beside such a segment reach through it and around its ends.
-PARDEL_PROPERTY(EngineInsertion, beside_a_segment_that_is_not_delaunay_leaves_a_right_triangulation,
-                {.statement = "points inserted beside a segment with vertices in its diametral circle on both sides "
+/// The disks of the triangles next to such a segment reach through it and around its ends.
+PARDEL_PROPERTY(EngineInsertion, next_to_a_segment_that_is_not_delaunay_leaves_a_valid_triangulation,
+                {.statement = "points inserted next to a segment with vertices in its diametral circle on both sides "
                               "leave the triangulation positively oriented and constrained Delaunay",
                  .source = "parallel/refinement/insertion.hpp",
                  .families = "a free segment in a square, six points close to it"}) {
@@ -171,14 +173,14 @@ PARDEL_PROPERTY(EngineInsertion, beside_a_segment_that_is_not_delaunay_leaves_a_
   for (int i = 0; i < 10; ++i) {
     const Point p{some_number(-1.6, 1.6), some_number(-0.8, 0.8)};
     with_room(t, insertion, [&] { return insertion.insert_in_face(p, locate(t, p, 0), everywhere); });
-    RC_ASSERT(is_right(t));
+    RC_ASSERT(is_valid(t));
   }
 }
 
-/// Corners far away see pieces of a slanted segment under angles smaller than those by which rounding bends it.
+/// A corner far away sees a piece of a slanted segment at an angle that is smaller than the bend caused by rounding.
 PARDEL_PROPERTY(
-    EngineInsertion, splitting_a_segment_far_from_the_origin_leaves_a_right_triangulation,
-    {.statement = "splitting a segment at points that rounding put beside it leaves the triangulation "
+    EngineInsertion, splitting_a_segment_far_from_the_origin_leaves_a_valid_triangulation,
+    {.statement = "splitting a segment at points that rounding moved off it leaves the triangulation "
                   "positively oriented and constrained Delaunay",
      .source = "parallel/refinement/insertion.hpp",
      .families = "a slanted segment and four points, one of them almost on it or not, far from the origin"}) {
@@ -200,7 +202,7 @@ PARDEL_PROPERTY(
     if (e.none()) continue;
     const Point p{(t.points[a].x + t.points[b].x) / 2, (t.points[a].y + t.points[b].y) / 2};
     if (with_room(t, insertion, [&] { return insertion.split_edge(p, e, 0, everywhere); }) != Outcome::inserted) return;
-    RC_ASSERT(is_right(t));
+    RC_ASSERT(is_valid(t));
     (*rc::gen::arbitrary<bool>() ? a : b) = static_cast<VertexId>(t.points.size() - 1);
   }
 }

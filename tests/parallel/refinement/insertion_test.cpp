@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const Box everywhere;
 
-/// A triangulation with its lines and what it takes to insert into it.
+/// A triangulation and an Insertion for it.
 struct Scene {
   samples::Sample sample;
   Criteria criteria;
@@ -32,22 +32,22 @@ struct Scene {
   Outcome insert(Point p, TriangleId first, const Box& box = everywhere) {
     return with_room([&] { return insertion.insert_in_face(p, first, box); });
   }
-  Outcome split(Point p, EdgeRef e, Index line) {
-    return with_room([&] { return insertion.split_edge(p, e, line, everywhere); });
+  Outcome split(Point p, EdgeRef e, Index segment) {
+    return with_room([&] { return insertion.split_edge(p, e, segment, everywhere); });
   }
-  /// Makes room for one insertion, and takes back what it did not use.
+  /// Provides indices for one insertion, and removes the indices that it did not use.
   template <class Attempt>
   Outcome with_room(const Attempt& attempt) {
     const auto vertices = static_cast<Index>(t().points.size()), triangles = static_cast<Index>(t().slots.size());
     t().points.resize(vertices + 1U);
     t().origin.resize(vertices + 1U);
     t().slots.resize(triangles + 2U);
-    Supply supply{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
-    insertion.start(supply);
+    FreeIndices free{IndexPool({{vertices, vertices + 1}}), IndexPool({{triangles, triangles + 2}})};
+    insertion.start(free);
     const Outcome outcome = attempt();
-    t().points.resize(vertices + 1 - supply.vertices.left());
-    t().origin.resize(vertices + 1 - supply.vertices.left());
-    t().slots.resize(triangles + 2 - supply.triangles.left());
+    t().points.resize(vertices + 1 - free.vertices.left());
+    t().origin.resize(vertices + 1 - free.vertices.left());
+    t().slots.resize(triangles + 2 - free.triangles.left());
     return outcome;
   }
   /// Some triangle with p in its open circumdisk.
@@ -84,7 +84,7 @@ TEST(InsertInFace, inserts_a_point_that_encroaches_on_nothing) {
   EXPECT_EQ(samples::fault(scene.t()), "");
 }
 
-TEST(InsertInFace, measures_what_it_makes) {
+TEST(InsertInFace, measures_the_new_triangles) {
   Scene scene(samples::lattice_points(5));
   ASSERT_EQ(scene.insert({2.25, 2.375}, scene.conflict({2.25, 2.375})), Outcome::inserted);
   ASSERT_EQ(scene.insertion.measures().size(), scene.insertion.changed().size());
@@ -95,7 +95,7 @@ TEST(InsertInFace, measures_what_it_makes) {
   }
 }
 
-TEST(InsertInFace, measures_and_names_what_breaks_a_bound_whatever_the_number_of_triangles) {
+TEST(InsertInFace, lists_the_new_triangles_that_break_a_bound_whatever_their_number) {
   const Goal goal{.min_angle_deg = 25, .max_area = 0.02};
   Scene scene(samples::lattice_points(5), {}, goal);
   samples::Random random(1);
@@ -122,8 +122,8 @@ TEST(InsertInFace, measures_and_names_what_breaks_a_bound_whatever_the_number_of
   EXPECT_LT(breaking, all * 9 / 10);
 }
 
-/// The diametral circle of the bottom of the square reaches up to (4, 4); the lens for 20.7 degrees does not.
-TEST(InsertInFace, rejects_what_lies_in_the_lens_of_a_segment_or_in_its_circle_for_a_conforming_goal) {
+/// The diametral circle of the bottom side of the square reaches up to (4, 4). The lens for 20.7 degrees does not.
+TEST(InsertInFace, rejects_a_point_in_the_lens_of_a_segment_or_for_a_conforming_goal_in_its_circle) {
   const Point low{4, 0.5}, high{4, 3.5};
   for (const bool conforming : {false, true})
     for (const Point p : {low, high}) {
@@ -135,11 +135,11 @@ TEST(InsertInFace, rejects_what_lies_in_the_lens_of_a_segment_or_in_its_circle_f
       const Slot& slot = scene.t().slot(e);
       EXPECT_EQ(slot.from(e.side()), 0U);
       EXPECT_EQ(slot.to(e.side()), 1U);
-      EXPECT_EQ(scene.t().points.size(), 4U) << "nothing is changed";
+      EXPECT_EQ(scene.t().points.size(), 4U) << "the triangulation has not changed";
     }
 }
 
-TEST(InsertInFace, rejects_what_lies_beyond_a_segment_and_names_the_segment) {
+TEST(InsertInFace, rejects_a_point_beyond_a_segment_and_returns_the_segment) {
   const std::vector<Point> points{{0, 0}, {8, 0}, {4, 1}};
   Scene scene(points);
   const Point circumcentre{4, -7.5};
@@ -148,7 +148,7 @@ TEST(InsertInFace, rejects_what_lies_beyond_a_segment_and_names_the_segment) {
   EXPECT_EQ(scene.t().slot(e).apex(e.side()), 2U);
 }
 
-TEST(InsertInFace, refuses_what_is_outside_the_disk_of_its_first_triangle) {
+TEST(InsertInFace, refuses_a_point_outside_the_disk_of_its_first_triangle) {
   Scene scene(samples::lattice_points(9));
   const TriangleId far = scene.around({7.5, 7.25});
   EXPECT_EQ(scene.insert({0.5, 0.25}, far), Outcome::refused);
@@ -163,13 +163,13 @@ TEST(InsertInFace, changes_nothing_outside_its_box) {
   Scene scene(samples::lattice_points(9));
   const Point p{4.25, 4.5};
   const TriangleId first = scene.conflict(p);
-  EXPECT_EQ(scene.insert(p, first, {4, 4, 5, 5}), Outcome::leaves_box) << "half open";
-  EXPECT_EQ(scene.insert(p, first, {5, 4, 8, 8}), Outcome::leaves_box) << "p itself";
+  EXPECT_EQ(scene.insert(p, first, {4, 4, 5, 5}), Outcome::leaves_box) << "the box is half-open";
+  EXPECT_EQ(scene.insert(p, first, {5, 4, 8, 8}), Outcome::leaves_box) << "p lies outside the box";
   EXPECT_EQ(scene.t().points.size(), 81U);
   EXPECT_EQ(scene.insert(p, first, {3, 3, 6.5, 6.5}), Outcome::inserted);
 }
 
-TEST(InsertInFace, leaves_every_box_at_a_point_that_is_no_number) {
+TEST(InsertInFace, inserts_no_point_that_is_not_finite) {
   Scene scene(square);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Point p : {Point{nan, 1}, Point{1, nan}, Point{infinity, 1}, Point{1, -infinity}})
@@ -177,7 +177,7 @@ TEST(InsertInFace, leaves_every_box_at_a_point_that_is_no_number) {
   EXPECT_EQ(scene.t().points.size(), 4U);
 }
 
-TEST(InsertInFace, keeps_the_floor_to_every_vertex_around) {
+TEST(InsertInFace, keeps_the_minimum_distance_to_every_vertex) {
   Scene scene(samples::lattice_points(5), {}, {.min_angle_deg = 0}, 0.75);
   const Point centre{2.5, 2.5};
   EXPECT_EQ(scene.insert(centre, scene.conflict(centre)), Outcome::too_close);
@@ -201,14 +201,14 @@ TEST(SplitEdge, makes_two_constrained_halves_of_a_hull_edge_and_of_an_inner_one)
   }
 }
 
-TEST(SplitEdge, keeps_the_floor) {
+TEST(SplitEdge, keeps_the_minimum_distance) {
   Scene scene(square, {}, {}, 4.5);
   EXPECT_EQ(scene.split({4, 0}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::too_close);
   EXPECT_EQ(scene.t().points.size(), 4U);
 }
 
 TEST(SplitEdge, refuses_a_point_that_rounding_put_beyond_a_neighbour) {
-  // The apex lies an ulp above the edge: no double on the edge's midpoint leaves both triangles upright.
+  // The apex lies an ulp above the edge. The split point lies on it: one of the new triangles would be flat.
   const double ulp = 0x1p-52;
   Scene scene({{1, 1}, {3, 1}, {2, 1 + ulp}, {2, 9}});
   const EdgeRef e = samples::find_edge(scene.t(), 0, 1);
@@ -218,8 +218,8 @@ TEST(SplitEdge, refuses_a_point_that_rounding_put_beyond_a_neighbour) {
   EXPECT_EQ(samples::fault(scene.t()), "");
 }
 
-/// Far away corners see pieces of a slanted segment under angles smaller than those by which rounding bends it.
-TEST(SplitEdge, leaves_the_triangulation_right_where_rounding_bends_the_edge) {
+/// A corner far away sees a piece of a slanted segment at an angle that is smaller than the bend caused by rounding.
+TEST(SplitEdge, leaves_the_triangulation_valid_where_rounding_bends_the_edge) {
   const Point far{654321.03, 4987654.28};
   Scene scene({{654320.528, 4987654.303}, {654321.000307, 4987654.000437}, far, {654320.0, 4987653.5}}, {{0, 1}});
   VertexId a = 0, b = 1;
@@ -232,9 +232,9 @@ TEST(SplitEdge, leaves_the_triangulation_right_where_rounding_bends_the_edge) {
   }
 }
 
-/// A free segment whose diametral circle holds points on both sides is not Delaunay: disks of the triangles beside it
-/// reach through it and around its ends.
-TEST(FreeSegment, leaves_the_triangulation_right_whatever_is_inserted_beside_it) {
+/// A free segment with points in its diametral circle on both sides is not Delaunay. The disks of the triangles next to
+/// it reach through it and around its ends.
+TEST(FreeSegment, leaves_the_triangulation_valid_wherever_a_point_is_inserted_next_to_it) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     samples::Random random(seed);
     std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};
@@ -253,8 +253,9 @@ TEST(FreeSegment, leaves_the_triangulation_right_whatever_is_inserted_beside_it)
   }
 }
 
-/// As rounding does it far from the origin: the walk would meet the sliver at the edge again, around the vertex.
-TEST(SplitEdge, refuses_a_point_beyond_a_vertex_beside_the_edge) {
+/// Rounding produces such points far from the origin. The walk would reach the sliver at the edge a second time, around
+/// the vertex.
+TEST(SplitEdge, refuses_a_point_beyond_a_vertex_next_to_the_edge) {
   for (const double beyond : {0.0011, 0.002, 0.01}) {
     Scene scene({{0, 0}, {8, 0}, {4, 10}, {4, 0.001}});
     EXPECT_EQ(scene.split({4, beyond}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::refused);
@@ -262,7 +263,7 @@ TEST(SplitEdge, refuses_a_point_beyond_a_vertex_beside_the_edge) {
   }
 }
 
-TEST(FreeSegment, leaves_the_triangulation_right_wherever_it_is_split) {
+TEST(FreeSegment, leaves_the_triangulation_valid_wherever_it_is_split) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     samples::Random random(seed);
     std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};

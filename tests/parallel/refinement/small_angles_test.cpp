@@ -17,7 +17,7 @@ bool is_power_of_two(double x, double tolerance) {
   return std::abs(x - nearest) <= tolerance;
 }
 
-/// Two segments from vertex 0, to 1 and to 2, and one from 1 on to 3.
+/// Three segments: from vertex 0 to 1, from 0 to 2, and from 1 to 3.
 struct Corner {
   Triangulation t;
   DomainSegments segments;
@@ -28,7 +28,7 @@ struct Corner {
     const std::vector<Constraint> constraints{{0, 1}, {0, 2}, {1, 3}};
     segments = DomainSegments(t.points, constraints);
   }
-  /// Splits the piece u-v of a line, and adds the point.
+  /// Splits the piece u-v of a segment, and adds the point.
   VertexId split(Index line, VertexId u, VertexId v) {
     const Point p = edge_split_point(t, segments[line], u, v);
     t.points.push_back(p);
@@ -45,7 +45,7 @@ TEST(EdgeSplitPoint, of_a_segment_acute_at_one_end_lies_on_a_shell_between_a_thi
     EXPECT_GE(p.x, length / 3 * (1 - 1e-15));
     EXPECT_LE(p.x, 2 * length / 3 * (1 + 1e-15));
     const Point reversed = edge_split_point(corner.t, corner.segments[0], 1, 0);
-    EXPECT_NEAR(reversed.x, p.x, 1e-15 * length) << "whichever way the piece is seen";
+    EXPECT_NEAR(reversed.x, p.x, 1e-15 * length) << "the direction of the piece has no influence";
   }
 }
 
@@ -72,7 +72,7 @@ TEST(EdgeSplitPoint, puts_the_pieces_at_one_apex_on_shared_shells) {
   }
 }
 
-/// In units in the last place of the largest coordinate of the line's ends, as the checker measures.
+/// The tolerance is that of the checker: units in the last place of the largest coordinate of the segment's ends.
 void expect_on_line(const Corner& corner, const std::string& what) {
   double largest = 0;
   for (VertexId v = 0; v < 2; ++v)
@@ -84,7 +84,7 @@ void expect_on_line(const Corner& corner, const std::string& what) {
         << what << ", after split " << v - 3;
 }
 
-/// The differences of coordinates of unlike signs are rounded themselves.
+/// Where coordinates have different signs, their differences are rounded too.
 TEST(EdgeSplitPoint, is_rounded_once_across_the_origin_too) {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     samples::Random random(seed);
@@ -116,7 +116,7 @@ TEST(EdgeSplitPoint, stays_on_its_line_however_often_the_line_is_split) {
     }
 }
 
-/// The corners of one triangle, given sides that are constrained.
+/// One triangle with the given corners, some of whose sides are constrained.
 struct OneTriangle {
   Triangulation t;
   Slot slot;
@@ -125,63 +125,63 @@ struct OneTriangle {
     slot.v = v;
     for (unsigned side = 0; side < 3; ++side) slot.n[side] = constrained[side] ? EdgeRef() : EdgeRef(0, 0);
   }
-  [[nodiscard]] std::optional<SmallAngle> judge(const DomainSegments& segments) const {
+  [[nodiscard]] std::optional<SmallAngle> exemption(const DomainSegments& segments) const {
     return small_angle(t, segments, slot, Shape(t, slot));
   }
 };
 
 TEST(SmallAngle, between_two_segments_makes_a_triangle_nestled) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
-  const auto found = OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.segments);
+  const auto found = OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).exemption(corner.segments);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->reason, ExemptReason::nestled);
   EXPECT_EQ(found->apex, 0U);
   EXPECT_NEAR(found->angle_deg, std::atan2(1, 4) * 180 / std::acos(-1.0), 1e-9);
 }
 
-TEST(SmallAngle, between_a_segment_and_an_edge_excuses_nothing) {
+TEST(SmallAngle, between_a_segment_and_an_edge_exempts_nothing) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
-  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, false}).judge(corner.segments));
-  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, false, false}).judge(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, false}).exemption(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, false, false}).exemption(corner.segments));
 }
 
-TEST(SmallAngle, at_another_corner_than_the_smallest_excuses_nothing) {
-  // The segments meet at 0 under 76 degrees; the smallest angle is at 1.
+TEST(SmallAngle, at_another_corner_than_the_smallest_exempts_nothing) {
+  // The segments meet at vertex 0 at 76 degrees. The smallest angle is at vertex 1.
   Corner corner({0, 0}, {4, 0}, {0.25, 1}, {9, 9});
-  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).judge(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).exemption(corner.segments));
 }
 
 TEST(SmallAngle, across_one_shell_makes_a_triangle_seditious) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
   const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
-  const auto found = OneTriangle(corner.t, {1, v, u}, {false, true, false}).judge(corner.segments);
+  const auto found = OneTriangle(corner.t, {1, v, u}, {false, true, false}).exemption(corner.segments);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->reason, ExemptReason::seditious);
   EXPECT_EQ(found->apex, 0U);
 }
 
-TEST(SmallAngle, between_two_shells_excuses_nothing) {
+TEST(SmallAngle, between_two_shells_exempts_nothing) {
   Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
   const VertexId outer = corner.split(0, 0, 1), first = corner.split(1, 0, 2), inner = corner.split(1, 0, first);
   ASSERT_LT(distance(corner.t.points[0], corner.t.points[inner]), distance(corner.t.points[0], corner.t.points[outer]));
   corner.t.points.push_back({40, 4});
   corner.t.origin.push_back(interior_vertex);
   const auto far = static_cast<VertexId>(corner.t.points.size() - 1);
-  EXPECT_FALSE(OneTriangle(corner.t, {inner, outer, far}, {false, false, false}).judge(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {inner, outer, far}, {false, false, false}).exemption(corner.segments));
 }
 
 TEST(SmallAngle, of_sixty_degrees_is_none) {
-  // One shell, but the segments meet at more than 60 degrees: to split goes on only finitely often.
+  // The points lie on one shell, but the segments meet at more than 60 degrees. Splitting ends.
   Corner corner({0, 0}, {4, 0}, {2, 3.5}, {9, 9});
   const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
-  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).exemption(corner.segments));
 }
 
 TEST(SmallAngle, needs_an_apex_that_the_segments_share) {
-  // Vertices on 0-1 and 1-3 share apex 1; those on 0-2 and 1-3 share none.
+  // Segments 0-1 and 1-3 share the apex 1. Segments 0-2 and 1-3 share no apex.
   Corner corner({0, 0}, {4, 0}, {4, 1}, {0, 1});
   const VertexId u = corner.split(1, 0, 2), v = corner.split(2, 1, 3);
-  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).judge(corner.segments));
+  EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).exemption(corner.segments));
 }
 
 }  // namespace

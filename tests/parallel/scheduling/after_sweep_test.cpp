@@ -1,4 +1,4 @@
-// What a caller sees of the refinement while it runs: the mesh after each sweep, its progress, who worked where.
+// The caller's view of a running refinement: the mesh after each sweep, the progress, and the thread of each cell.
 #include <algorithm>
 
 #include "../../../core/digest.hpp"
@@ -9,7 +9,7 @@
 namespace pardel::engine::samples {
 namespace {
 
-/// The digests of what is seen after each sweep, and last that of the result.
+/// The digests of the meshes seen after each sweep, followed by the digest of the result.
 std::vector<Digest> digests_seen(const Case& c, int threads, std::vector<Sweep>& sweeps) {
   std::vector<Digest> seen;
   Options options = options_for(c, Decomposition::automatic, threads);
@@ -37,7 +37,7 @@ TEST(AfterSweep, the_last_mesh_seen_is_the_result_on_any_number_of_threads) {
   }
 }
 
-TEST(AfterSweep, every_mesh_seen_is_right_but_for_bounds) {
+TEST(AfterSweep, every_mesh_seen_is_valid_except_for_the_bounds_of_the_goal) {
   for (const Case& c : cases()) {
     Options options = options_for(c);
     options.after_sweep = [&](const Mesh& mesh, const Sweep&) {
@@ -61,7 +61,7 @@ TEST(AfterSweep, watching_does_not_change_the_mesh) {
   }
 }
 
-TEST(AfterSweep, an_error_ends_the_refinement_and_is_what_the_caller_gets) {
+TEST(AfterSweep, an_error_ends_the_refinement_and_is_returned_to_the_caller) {
   const Case& c = cases().front();
   int calls = 0;
   Options options = options_for(c, Decomposition::automatic, 2);
@@ -113,7 +113,7 @@ TEST(Progress, never_goes_backwards_whatever_the_number_of_threads) {
     }
 }
 
-TEST(Tiling, says_which_thread_worked_on_each_cell) {
+TEST(Tiling, records_which_thread_worked_on_each_cell) {
   for (const Case& c : cases())
     for (const int threads : {1, 2}) {
       const Result<Meshed> meshed = mesh(c.pslg, c.goal, options_for(c, Decomposition::automatic, threads));

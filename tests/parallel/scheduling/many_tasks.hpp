@@ -1,4 +1,5 @@
-// Small meshes cut into many tiles, so that tasks meet often; refined with a schedule of the test's own.
+// Small meshes that are cut into many tiles, so that many triangles are handed on, and are refined with a given
+// schedule.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ inline const std::vector<Case>& cases() {
   return all;
 }
 
-/// The engine's part of mesh(), with a schedule.
+/// The work of mesh() after validation, with a schedule.
 struct Refined {
   Mesh mesh;
   RefineCounts counts;
@@ -64,7 +65,7 @@ inline Options options_for(const Case& c, Decomposition decomposition = Decompos
   return options;
 }
 
-/// The tasks of a phase in random order, one in four after a delay of up to 60 microseconds.
+/// Starts the tasks of a phase in random order, and one in four after a delay of up to 60 microseconds.
 inline Schedule shuffled(std::uint64_t seed) {
   return {
       .order = [random = generators::Random(seed)](std::vector<std::size_t>& order) mutable { random.shuffle(order); },

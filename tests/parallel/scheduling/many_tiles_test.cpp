@@ -1,4 +1,5 @@
-// Meshes large enough for several tiles and levels of lattices: the seams leave no trace, and neither do threads.
+// Meshes large enough for several tiles and levels of lattices: neither the seams between tiles nor the threads show in
+// the mesh.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,11 +12,11 @@
 namespace pardel::engine {
 namespace {
 
-/// Certified, and the same on one, two and three threads.
+/// The checker accepts the mesh, and the mesh is the same on one, two and three threads.
 void expect_same_on_threads(const Pslg& pslg, const Goal& goal) {
   const Result<Meshed> one = mesh(pslg, goal);
   ASSERT_TRUE(one) << one.error().message;
-  ASSERT_GT(one->mesh.triangles.size(), 50'000U) << "less does not fill several tiles";
+  ASSERT_GT(one->mesh.triangles.size(), 50'000U) << "a smaller mesh does not fill several tiles";
   EXPECT_TRUE(one->report.goal_met());
   const Certificate certificate = check(pslg, one->mesh, goal, {.max_violations = 2});
   EXPECT_TRUE(certificate.valid) << to_text(certificate);
@@ -53,7 +54,7 @@ TEST(ManyTiles, of_a_long_thin_domain_leave_no_seam) {
   expect_same_on_threads(pslg, {.min_angle_deg = 30, .max_area = 0.02});
 }
 
-TEST(ManyTiles, keep_the_budget_to_the_vertex) {
+TEST(ManyTiles, stop_at_the_budget_of_vertices) {
   for (const int threads : {1, 2, 3}) {
     const Result<Meshed> meshed =
         mesh(domains::pipe(), {.max_area = 4e-5}, {.threads = threads, .max_vertices = 30'000});
@@ -65,9 +66,9 @@ TEST(ManyTiles, keep_the_budget_to_the_vertex) {
   }
 }
 
-/// Kept boundaries: a triangle that asked for a point in one tile, and there for a point in the other, was sent to and
-/// fro for ever.
-TEST(ManyTiles, do_not_send_a_triangle_to_and_fro) {
+/// A regression, with boundaries that may not be split. A triangle needed a point in one tile and then, there, a point
+/// in another tile. It was handed on between the two for ever.
+TEST(ManyTiles, do_not_hand_a_triangle_on_for_ever) {
   Pslg pslg;
   pslg.points = {{1, 7},  {3, 3},  {5, 3},  {7, 8},  {9, 5},  {10, 4}, {14, 0}, {15, 5}, {16, 1}, {16, 5},
                  {16, 8}, {18, 7}, {19, 3}, {19, 7}, {20, 3}, {21, 5}, {22, 5}, {22, 6}, {26, 2}, {29, 0},
@@ -82,7 +83,7 @@ TEST(ManyTiles, do_not_send_a_triangle_to_and_fro) {
   EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0, .convex_hull = true}).valid);
 }
 
-TEST(ManyTiles, stop_when_the_caller_says_so) {
+TEST(ManyTiles, stop_when_the_caller_cancels) {
   int calls = 0;
   Options options{.threads = 2};
   options.progress = [&](const Progress&) { return ++calls < 5; };

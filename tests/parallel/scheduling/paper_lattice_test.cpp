@@ -1,4 +1,4 @@
-// The paper's lattice: what T1 promises of its cells, the engine asserts as it runs.
+// The paper's lattice: cavities fit the boxes of its cells by theorem T1, and the engine checks this as it runs.
 #include "../../../parallel/mesher.hpp"
 #include "many_tasks.hpp"
 
@@ -14,8 +14,9 @@ TEST(PaperLattice, hands_on_no_point_inside_a_face_whose_cavity_fits_by_T1) {
     }
 }
 
-/// Where there is no hypothesis to rely on, nothing is promised: the same boxes, and cavities that do leave them.
-TEST(PaperLattice, promises_nothing_of_cavities_with_large_circumradii) {
+/// The automatic decomposition does not bound circumradii by the size of cells. Cavities do leave its boxes, and this
+/// is no violation of T1.
+TEST(PaperLattice, is_not_assumed_for_the_automatic_decomposition) {
   std::uint64_t beyond = 0;
   for (const Case& c : cases()) {
     const Result<Meshed> meshed = mesh(c.pslg, c.goal, options_for(c, Decomposition::automatic));
@@ -28,7 +29,7 @@ TEST(PaperLattice, promises_nothing_of_cavities_with_large_circumradii) {
   EXPECT_GT(beyond, 0U);
 }
 
-TEST(PaperLattice, has_several_cells_here) {
+TEST(PaperLattice, has_several_cells_in_some_of_these_domains) {
   int cut = 0;
   for (const Case& c : cases()) {
     const Result<Meshed> meshed = mesh(c.pslg, c.goal, options_for(c, Decomposition::paper));

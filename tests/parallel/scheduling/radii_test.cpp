@@ -1,4 +1,4 @@
-// Bounds on circumradii, and the largest of a mesh.
+// The bounds on circumradii, and the largest circumradius of a mesh.
 #include "../../../parallel/scheduling/radii.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace pardel::engine {
 namespace {
 
-/// Circumradius, circumradius over shortest edge, and area.
+/// The circumradius of a triangle, its ratio to the shortest edge, and the area.
 Radii measured(Point a, Point b, Point c) {
   const auto distance = [](Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); };
   const double x = distance(a, b), y = distance(b, c), z = distance(c, a);
@@ -19,7 +19,7 @@ Radii measured(Point a, Point b, Point c) {
   return {radius, radius / std::min({x, y, z}), area};
 }
 
-/// The one with two shortest edges: of all triangles with its ratio and circumradius it has the least area.
+/// The isosceles triangle with two shortest edges has the least area of all triangles with its ratio and circumradius.
 TEST(RadiusBound, is_attained_by_the_isosceles_triangle) {
   for (const double least_angle : {5.0, 20.0, 45.0, 59.0}) {
     const double angle = least_angle * std::acos(-1.0) / 180;
@@ -38,7 +38,7 @@ TEST(RadiusBound, of_t3_is_attained_by_the_equilateral_triangle) {
 TEST(LargestRadii, are_those_of_some_triangle_wherever_it_is) {
   const Triangulation whole = samples::triangulated(samples::uniform_points(30, 5)).triangulation;
   const auto count = static_cast<Index>(whole.slots.size());
-  // Each triangle in turn is the last one, and the largest of what is left of the mesh where it is larger.
+  // Each triangle is the last one of a part of the mesh once. Some of them are the largest of their part.
   for (TriangleId last = 0; last < count; ++last) {
     Radii expected;
     for (TriangleId id = 0; id <= last; ++id) {
@@ -54,8 +54,8 @@ TEST(LargestRadii, are_those_of_some_triangle_wherever_it_is) {
   }
 }
 
-/// A number that is not in use says nothing about the mesh.
-TEST(LargestRadii, leave_holes_out) {
+/// The slot of an unused index holds no triangle of the mesh.
+TEST(LargestRadii, ignore_unused_indices) {
   Triangulation t;
   for (const Point p : {Point{0, 0}, Point{1, 0}, Point{0, 1}, Point{1000, 0}}) t.points.push_back(p);
   t.slots.push_back({{0, 1, 2}, {}});

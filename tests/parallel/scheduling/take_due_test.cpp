@@ -1,4 +1,4 @@
-// Those whose time has come are taken out in order, whatever the number of threads, and the others stay in order.
+// The triangles that are due are taken out in order, and the others stay in order, on any number of threads.
 #include "../../../parallel/scheduling/take_due.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using samples::Random;
 
-TEST(TakeDue, parts_the_deferred_in_order_on_any_number_of_threads) {
+TEST(TakeDue, keeps_the_order_of_both_lists_on_any_number_of_threads) {
   constexpr unsigned last_key = 2000;
   for (const std::size_t n : {std::size_t{0}, std::size_t{1}, items_in_block, 5 * items_in_block + 7}) {
     Random random(n);

@@ -1,4 +1,4 @@
-// What the tasks of one phase touch is disjoint: no triangle is read or written by two of them (THEORY, T-region).
+// No triangle is read or written by two tasks of one phase (THEORY, T-region).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 #error "built with the watched twin of the engine only"
 #endif
 
-/// The schedule of a test that watches: what each task of the phase has touched, and how many triangles two have.
+/// Records the triangles that each task of a phase touches, and counts those that two tasks touch.
 class Watch {
  public:
   [[nodiscard]] Schedule schedule() {
@@ -62,8 +62,8 @@ TEST_P(Touches, of_the_tasks_of_a_phase_are_disjoint) {
 INSTANTIATE_TEST_SUITE_P(Every, Touches, testing::Range(std::size_t{0}, samples::cases().size()),
                          [](const auto& parameter) { return samples::cases()[parameter.param].name; });
 
-/// Points so near to a wall that the triangles between have their circumcentres beyond it, far outside the boxes that
-/// they lie in.
+/// Points close to a row of segments. The triangles between have their circumcentres on the other side of the segments,
+/// far outside the boxes in which the triangles lie.
 samples::Case needles_along_a_wall() {
   constexpr int pieces = 32;
   samples::Case c{"needles", domains::square(), {.min_angle_deg = 25, .max_area = 0.002}, {6, 6}};
@@ -79,7 +79,7 @@ samples::Case needles_along_a_wall() {
   return c;
 }
 
-/// A triangle is filed under the cell of the point that it asks for, whose task may own none of its corners.
+/// A triangle goes to the task of the cell in which its split point lies. That task may own none of its corners.
 TEST(Touches, of_tasks_that_are_sent_triangles_outside_their_boxes_are_disjoint) {
   const samples::Case c = needles_along_a_wall();
   Watch watch;

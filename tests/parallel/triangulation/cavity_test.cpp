@@ -1,5 +1,5 @@
-// The cavity is the set of triangles whose open circumdisk contains the point, and its boundary is one closed
-// counter-clockwise walk.
+// The cavity is the set of triangles whose open circumdisk contains the point. Its boundary is one closed walk,
+// counter-clockwise.
 #include "../../../parallel/triangulation/cavity.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <functional>
 #include <tuple>
 
-#include "../../../parallel/refinement/cavity_rules.hpp"
+#include "../../../parallel/refinement/paired_disk_query.hpp"
 #include "../../../parallel/triangulation/delaunay.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../samples.hpp"
@@ -23,7 +23,7 @@ bool is_hit(const Triangulation& t, TriangleId id, Point p) {
   return checker::exactly::in_circle(t.points[v[0]], t.points[v[1]], t.points[v[2]], p) > 0;
 }
 
-/// Whether p lies in the triangle or on its boundary.
+/// True where p lies in the triangle or on its boundary.
 bool holds(const Triangulation& t, TriangleId id, Point p) {
   const Slot& slot = t.slots[id];
   for (unsigned side = 0; side < 3; ++side)
@@ -31,8 +31,8 @@ bool holds(const Triangulation& t, TriangleId id, Point p) {
   return true;
 }
 
-/// A test by exact arithmetic, one triangle at a time.
-struct ExactTest {
+/// A query that uses exact arithmetic, one triangle at a time.
+struct ExactQuery {
   const Triangulation& t;
   Point p;
   bool owns_all = true;
@@ -45,7 +45,7 @@ struct ExactTest {
         checker::exactly::in_circle(t.points[first.v[0]], t.points[first.v[1]], t.points[first.v[2]], p) > 0,
         behind(e));
   }
-  [[nodiscard]] Tested both(Corner, Corner, Corner, EdgeRef right, EdgeRef left) const {
+  [[nodiscard]] DisksAndCorners both(Corner, Corner, Corner, EdgeRef right, EdgeRef left) const {
     return {InDisks::of(behind(right), behind(left)), {}};
   }
 };
@@ -63,7 +63,7 @@ std::vector<TriangleId> all_in_conflict(const Triangulation& t, Point p) {
   return ids;
 }
 
-/// The same triangles and the same boundary in the same order, and the same said of the walls.
+/// True where both have the same triangles and the same boundary in the same order, and agree about constrained edges.
 bool same(const Cavity& a, const Cavity& b) {
   const auto key = [](const CavityEdge& e) { return std::tuple(e.from, e.inner.triangle(), e.inner.side()); };
   return std::ranges::equal(a.triangles(), b.triangles()) &&
@@ -88,7 +88,7 @@ TriangleId fresh_slot(Triangulation& t) {
   return static_cast<TriangleId>(t.slots.size() - 1);
 }
 
-/// A random point within the hull that is no vertex.
+/// A random point within the hull that is not a vertex.
 Point inner_point(const Triangulation& t, Random& random) {
   const Slot& slot = t.slots[random.below(t.slots.size())];
   const double f = random.uniform(0.1, 0.5), g = random.uniform(0.1, 0.4);
@@ -96,7 +96,7 @@ Point inner_point(const Triangulation& t, Random& random) {
   return {a.x + f * (b.x - a.x) + g * (c.x - a.x), a.y + f * (b.y - a.y) + g * (c.y - a.y)};
 }
 
-/// A point among a family's triangles, and those whose disk contains it, at least one.
+/// A triangulation, a point, and the triangles whose disk contains the point. There is at least one.
 struct Case {
   const Triangulation& t;
   Point p;
@@ -104,8 +104,8 @@ struct Case {
   TriangleId first;  ///< any one of them
 };
 
-/// 100 cases of each family, less those few in which rounding put the point outside the hull and into no disk; it may
-/// still lie outside the hull.
+/// Checks 100 points of each family, except a few that rounding put outside the hull and into no disk. Other points may
+/// lie outside the hull too.
 void for_many_points(std::uint64_t seed, const std::function<void(const Case&)>& check) {
   std::size_t rounds = 0, cases = 0;
   for (const samples::Family& family : samples::families(100, seed)) {
@@ -131,7 +131,7 @@ TEST(Cavity, is_the_set_of_triangles_whose_disk_contains_the_point) {
   for_many_points(1, [&](const Case& c) {
     if (std::ranges::none_of(c.conflict, [&](TriangleId id) { return holds(c.t, id, c.p); })) return;
     ++inside;
-    ASSERT_EQ(cavity.find(c.t, c.first, ExactTest{c.t, c.p}), Walk::complete);
+    ASSERT_EQ(cavity.find(c.t, c.first, ExactQuery{c.t, c.p}), Walk::complete);
     EXPECT_EQ(sorted(cavity.triangles()), c.conflict);
     EXPECT_EQ(cavity.boundary().size(), c.conflict.size() + 2) << "the dual graph of the cavity is a tree";
     expect_boundary(c.t, cavity, c.p);
@@ -146,7 +146,7 @@ TEST(Cavity, retriangulated_again_and_again_leaves_a_delaunay_triangulation) {
   for (int round = 0; round < 300; ++round) {
     const Point p = inner_point(t, random);
     const std::vector<TriangleId> conflict = all_in_conflict(t, p);
-    ASSERT_EQ(cavity.find(t, conflict.front(), ExactTest{t, p}), Walk::complete);
+    ASSERT_EQ(cavity.find(t, conflict.front(), ExactQuery{t, p}), Walk::complete);
     const std::size_t before = t.slots.size();
     t.points.push_back(p);
     const auto fan =
@@ -164,63 +164,63 @@ TEST(Cavity, stops_at_a_foreign_triangle) {
   const std::vector<TriangleId> conflict = all_in_conflict(t, p);
   ASSERT_GE(conflict.size(), 2U);
   Cavity cavity;
-  EXPECT_EQ(cavity.find(t, conflict.front(), ExactTest{t, p, /*owns_all=*/false}), Walk::foreign);
+  EXPECT_EQ(cavity.find(t, conflict.front(), ExactQuery{t, p, /*owns_all=*/false}), Walk::foreign);
 }
 
-TEST(Cavity, is_not_looked_for_from_a_triangle_whose_disk_does_not_contain_the_point) {
+TEST(Cavity, is_not_found_from_a_triangle_whose_disk_does_not_contain_the_point) {
   const Triangulation t = samples::triangulated(samples::lattice_points(6)).triangulation;
   const Point p{2.4, 2.3};
   const std::vector<TriangleId> conflict = all_in_conflict(t, p);
   Cavity cavity;
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     const bool is_in = std::count(conflict.begin(), conflict.end(), id) > 0;
-    EXPECT_EQ(cavity.find(t, id, ExactTest{t, p}), is_in ? Walk::complete : Walk::elsewhere);
-    EXPECT_EQ(cavity.find(t, id, DiskTest{t, {p.x, p.y}, {}}), is_in ? Walk::complete : Walk::elsewhere);
+    EXPECT_EQ(cavity.find(t, id, ExactQuery{t, p}), is_in ? Walk::complete : Walk::elsewhere);
+    EXPECT_EQ(cavity.find(t, id, PairedDiskQuery{t, {p.x, p.y}, {}}), is_in ? Walk::complete : Walk::elsewhere);
   }
 }
 
 TEST(Cavity, is_the_same_by_pairs_of_triangles_as_by_exact_arithmetic) {
   Cavity by_pairs, exact;
   for_many_points(4, [&](const Case& c) {
-    ASSERT_EQ(exact.find(c.t, c.first, ExactTest{c.t, c.p}), Walk::complete);
-    ASSERT_EQ(by_pairs.find(c.t, c.first, DiskTest{c.t, {c.p.x, c.p.y}, {}}), Walk::complete);
+    ASSERT_EQ(exact.find(c.t, c.first, ExactQuery{c.t, c.p}), Walk::complete);
+    ASSERT_EQ(by_pairs.find(c.t, c.first, PairedDiskQuery{c.t, {c.p.x, c.p.y}, {}}), Walk::complete);
     EXPECT_TRUE(same(by_pairs, exact));
     for (std::size_t i = 0; i < by_pairs.boundary().size(); ++i) {
       const Corner corner = by_pairs.corner(i);
       const Point v = c.t.points[by_pairs.boundary()[i].from];
-      EXPECT_EQ(corner.at[0], v.x - c.p.x) << "the corner comes along";
+      EXPECT_EQ(corner.at[0], v.x - c.p.x) << "the cavity keeps the corners that the query returned";
       EXPECT_EQ(corner.at[1], v.y - c.p.y);
       EXPECT_EQ(corner.square, corner.at[0] * corner.at[0] + corner.at[1] * corner.at[1]);
     }
   });
 }
 
-TEST(Cavity, of_a_split_edge_and_beside_walls_is_the_same_by_pairs_as_by_exact_arithmetic) {
+TEST(Cavity, of_a_split_edge_and_at_constrained_edges_is_the_same_by_pairs_as_by_exact_arithmetic) {
   Random random(6);
   const std::vector<Point> points = samples::uniform_points(200, 7);
   const Triangulation t = samples::triangulated(points, samples::random_constraints(points, 400, random)).triangulation;
   Cavity by_pairs, exact;
-  int splits = 0, beside_walls = 0;
+  int splits = 0, at_constraints = 0;
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     const Slot& slot = t.slots[id];
     const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
     const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-    const DiskTest pairs{t, {centroid.x, centroid.y}, {}};
-    ASSERT_EQ(by_pairs.find(t, id, pairs), exact.find(t, id, ExactTest{t, centroid}));
+    const PairedDiskQuery pairs{t, {centroid.x, centroid.y}, {}};
+    ASSERT_EQ(by_pairs.find(t, id, pairs), exact.find(t, id, ExactQuery{t, centroid}));
     EXPECT_TRUE(same(by_pairs, exact));
-    beside_walls += by_pairs.touches_constraint() ? 1 : 0;
+    at_constraints += by_pairs.touches_constraint() ? 1 : 0;
     for (unsigned side = 0; side < 3; ++side) {
       if (!slot.n[side].constrained()) continue;
       const Point from = t.points[slot.from(side)], to = t.points[slot.to(side)];
       const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-      const Walk walk = exact.find_on_edge(t, EdgeRef(id, side), ExactTest{t, middle});
-      ASSERT_EQ(by_pairs.find_on_edge(t, EdgeRef(id, side), DiskTest{t, {middle.x, middle.y}, {}}), walk);
+      const Walk walk = exact.find_on_edge(t, EdgeRef(id, side), ExactQuery{t, middle});
+      ASSERT_EQ(by_pairs.find_on_edge(t, EdgeRef(id, side), PairedDiskQuery{t, {middle.x, middle.y}, {}}), walk);
       EXPECT_TRUE(same(by_pairs, exact));
       ++splits;
     }
   }
   EXPECT_GT(splits, 50);
-  EXPECT_GT(beside_walls, 50);
+  EXPECT_GT(at_constraints, 50);
 }
 
 TEST(Cavity, stays_in_the_box) {
@@ -228,12 +228,12 @@ TEST(Cavity, stays_in_the_box) {
   const Point p{2.4, 2.3};
   Cavity cavity;
   const TriangleId first = all_in_conflict(t, p).front();
-  EXPECT_EQ(cavity.find(t, first, DiskTest{t, {p.x, p.y}, {2, 2, 3.5, 3.5}}), Walk::complete);
-  EXPECT_EQ(cavity.find(t, first, DiskTest{t, {p.x, p.y}, {2, 2, 3, 3}}), Walk::foreign);
+  EXPECT_EQ(cavity.find(t, first, PairedDiskQuery{t, {p.x, p.y}, {2, 2, 3.5, 3.5}}), Walk::complete);
+  EXPECT_EQ(cavity.find(t, first, PairedDiskQuery{t, {p.x, p.y}, {2, 2, 3, 3}}), Walk::foreign);
 }
 
 TEST(Cavity, ends_at_constrained_edges) {
-  // The diagonal of a square with a vertex to each side: p beside it never reaches across.
+  // The diagonal of a square is constrained. The cavity of p, close to it, does not reach across.
   const std::vector<Point> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const Triangulation t = samples::triangulated(points, {{0, 2}}).triangulation;
   const Point p{2.25, 2};
@@ -243,7 +243,7 @@ TEST(Cavity, ends_at_constrained_edges) {
                                ? samples::find_edge(t, 2, 0).triangle()
                                : diagonal.triangle();
   Cavity cavity;
-  ASSERT_EQ(cavity.find(t, below, ExactTest{t, p}), Walk::complete);
+  ASSERT_EQ(cavity.find(t, below, ExactQuery{t, p}), Walk::complete);
   EXPECT_EQ(cavity.triangles().size(), 1U);
   EXPECT_EQ(cavity.boundary().size(), 3U);
 }
@@ -255,7 +255,7 @@ TEST(Cavity, of_a_split_edge_is_closed_inside_and_open_at_the_hull) {
     const EdgeRef e = samples::find_edge(t, u, v);
     const Point p{(points[u].x + points[v].x) / 2, (points[u].y + points[v].y) / 2};
     Cavity cavity;
-    ASSERT_EQ(cavity.find_on_edge(t, e, ExactTest{t, p}), Walk::complete);
+    ASSERT_EQ(cavity.find_on_edge(t, e, ExactQuery{t, p}), Walk::complete);
     EXPECT_TRUE(cavity.splits_edge());
     EXPECT_EQ(cavity.open(), !inside);
     EXPECT_EQ(sorted(cavity.triangles()), all_in_conflict(t, p));
@@ -286,7 +286,7 @@ TEST(Cavity, gives_each_side_of_a_split_edge_its_own_region) {
   }
   const EdgeRef e = samples::find_edge(t, 0, 2);
   Cavity cavity;
-  ASSERT_EQ(cavity.find_on_edge(t, e, ExactTest{t, {2, 2}}), Walk::complete);
+  ASSERT_EQ(cavity.find_on_edge(t, e, ExactQuery{t, {2, 2}}), Walk::complete);
   t.points.push_back({2, 2});
   const auto allocate = [&] {
     t.region.push_back(no_index);

@@ -1,9 +1,9 @@
-// The lattices that a refinement goes through.
-#include "../../../parallel/scheduling/levels.hpp"
+// The sequence of lattices that a refinement uses.
+#include "../../../parallel/concurrency/lattice_levels.hpp"
 
 #include <gtest/gtest.h>
 
-#include "many_tasks.hpp"
+#include "../scheduling/many_tasks.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -13,11 +13,11 @@ const std::vector<Box>& bounds() {
   return all;
 }
 
-TEST(Lattices, end_at_the_finest_and_begin_with_one_cell_over_everything) {
+TEST(LatticeLevels, end_at_the_finest_and_begin_with_one_cell_over_everything) {
   for (const Box& box : bounds())
     for (const Index columns : {1U, 2U, 5U, 64U})
       for (const Index rows : {1U, 3U, 4U, 17U}) {
-        const std::vector<Lattice> levels = levels_down_to(box, Lattice(box, columns, rows));
+        const std::vector<Lattice> levels = lattice_levels(box, Lattice(box, columns, rows));
         EXPECT_EQ(levels.front().cells(), 1U);
         EXPECT_EQ(levels.back().columns(), columns);
         EXPECT_EQ(levels.back().rows(), rows);
@@ -25,7 +25,7 @@ TEST(Lattices, end_at_the_finest_and_begin_with_one_cell_over_everything) {
       }
 }
 
-TEST(Lattices, have_as_many_cells_as_the_caller_asks_for) {
+TEST(LatticeLevels, have_as_many_cells_as_the_caller_asks_for) {
   for (const Box& box : bounds()) {
     const Lattice lattice = finest_lattice(box, 1e6, {.cells = {7, 3}});
     EXPECT_EQ(lattice.columns(), 7U);
@@ -33,7 +33,7 @@ TEST(Lattices, have_as_many_cells_as_the_caller_asks_for) {
   }
 }
 
-TEST(Lattices, have_cells_enough_for_the_work_and_a_single_one_without_decomposition) {
+TEST(LatticeLevels, have_enough_cells_for_the_work_and_a_single_one_without_decomposition) {
   for (const double triangles : {1e3, 1e5, 1e7}) {
     const Options options;
     const Lattice lattice = finest_lattice({0, 0, 2, 1}, triangles, options);
@@ -44,13 +44,13 @@ TEST(Lattices, have_cells_enough_for_the_work_and_a_single_one_without_decomposi
   }
 }
 
-TEST(Lattices, are_widened_no_more_than_asked) {
+TEST(LatticeLevels, are_widened_no_more_than_asked) {
   for (const Box& box : bounds()) {
     const Lattice wanted(box, 40, 30);
     for (const double sides : {0.1, 1.5, 3.1, 29.9, 1e6}) {
       const double side = sides * wanted.side();
-      const Lattice lattice = with_sides_of(box, wanted, side);
-      EXPECT_GE(lattice.side(), side);  // INFINITY where there is but one cell
+      const Lattice lattice = with_cells_at_least(side, box, wanted);
+      EXPECT_GE(lattice.side(), side);  // INFINITY where there is only one cell
       EXPECT_LE(lattice.columns(), wanted.columns());
       EXPECT_LE(lattice.rows(), wanted.rows());
       if (side <= wanted.side()) {
@@ -60,8 +60,8 @@ TEST(Lattices, are_widened_no_more_than_asked) {
   }
 }
 
-/// The hypothesis of the theorem (THEORY, Lattice), in runs.
-TEST(Lattices, of_the_paper_have_cells_of_four_circumradii) {
+/// The hypothesis of the theorem (THEORY, Lattice) holds in the refinement of real domains.
+TEST(LatticeLevels, of_the_paper_have_cells_of_four_circumradii) {
   for (const samples::Case& c : samples::cases()) {
     const Tiling tiling = samples::refined(c, samples::options_for(c, Decomposition::paper), {}).counts.tiling;
     const Lattice finest({0, 0, tiling.columns * tiling.cell_width, tiling.rows * tiling.cell_height}, tiling.columns,

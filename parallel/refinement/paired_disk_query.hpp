@@ -1,24 +1,26 @@
-// In whose circumdisks a point lies: what the walk over its cavity asks, two triangles at a time.
+// The cavity query of the refinement: it tests two circumdisks at a time.
 #pragma once
 
 #include <array>
 
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/lattice.hpp"
-#include "../triangulation/cavity.hpp"
+#include "../triangulation/cavity_query.hpp"
 #include "../triangulation/in_circumdisk.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 
+/// The vertex at v relative to p.
 [[nodiscard]] inline Corner corner_around(Pair p, const Point& v) {
   const Pair at = as_pair(v) - p, squares = at * at;
   return {at, squares[0] + squares[1]};
 }
 
-/// Answers for a point and a box while a cavity is found (see Cavity::find). Exact, like in_disk; but where floating
-/// point decides, as it nearly always does, each corner is taken from the walk, which has it already.
-struct DiskTest {
+/// A CavityQuery for the point p within a box. The cavity consists of triangles with all corners in the box.
+/// The answers are exact, like those of in_circumdisk(). Floating point decides almost always. It then uses the corners
+/// that the walk passes along, so no coordinate is loaded twice.
+struct PairedDiskQuery {
   const Triangulation& t;
   Pair p;
   Box box;
@@ -33,7 +35,7 @@ struct DiskTest {
                             Pair{c[1].square, c[0].square}, Pair{c[0].square, c[1].square});
     return decided(in, first, slot);
   }
-  [[nodiscard]] Tested both(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left) const {
+  [[nodiscard]] DisksAndCorners both(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left) const {
     const Slot &r = t.slot(right), &l = t.slot(left);
     const Pair at_r = as_pair(t.points[r.apex(right.side())]) - p, at_l = as_pair(t.points[l.apex(left.side())]) - p;
     const InCircle<Pair> in(firsts(u.at, w.at), seconds(u.at, w.at), firsts(w.at, v.at), seconds(w.at, v.at),

@@ -1,4 +1,4 @@
-#include "levels.hpp"
+#include "lattice_levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,22 +6,22 @@
 namespace pardel::engine {
 namespace {
 
-/// From one lattice to the next finer one, the side of a cell shrinks by this factor.
+/// From one level to the next finer one, the sides of the cells shrink by this factor.
 constexpr Index levels_apart = 4;
 
 }  // namespace
 
-Lattice finest_lattice(const Box& bounds, double estimate, const Options& options) {
+Lattice finest_lattice(const Box& bounds, double triangles, const Options& options) {
   if (options.decomposition == Decomposition::none) return {bounds, 1, 1};
   if (options.cells[0] > 0 && options.cells[1] > 0) return {bounds, options.cells[0], options.cells[1]};
   const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
-  const double tiles = std::max(1.0, estimate / options.triangles_per_tile);
+  const double tiles = std::max(1.0, triangles / options.triangles_per_tile);
   const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
   constexpr double most_along = 4096;
   return Lattice::over(bounds, static_cast<Index>(std::clamp(std::sqrt(tiles * longer / shorter), 1.0, most_along)));
 }
 
-Lattice with_sides_of(const Box& bounds, const Lattice& wanted, double side) {
+Lattice with_cells_at_least(double side, const Box& bounds, const Lattice& wanted) {
   const auto at_most = [&](Index count, double extent) {
     const double fitting = std::floor(extent / side);
     return fitting < count ? std::max(Index{1}, static_cast<Index>(fitting)) : count;
@@ -30,7 +30,7 @@ Lattice with_sides_of(const Box& bounds, const Lattice& wanted, double side) {
           at_most(wanted.rows(), bounds.max_y - bounds.min_y)};
 }
 
-std::vector<Lattice> levels_down_to(const Box& bounds, const Lattice& finest) {
+std::vector<Lattice> lattice_levels(const Box& bounds, const Lattice& finest) {
   std::vector<Lattice> levels{finest};
   while (levels.back().cells() > 1) {
     const auto coarser = [](Index count) { return (count + levels_apart - 1) / levels_apart; };

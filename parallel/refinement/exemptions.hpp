@@ -1,0 +1,18 @@
+// The triangles of a refined mesh that break the goal.
+#pragma once
+
+#include <vector>
+
+#include "../options.hpp"
+#include "../triangulation/domain_segments.hpp"
+#include "../triangulation/triangulation.hpp"
+#include "criteria.hpp"
+
+namespace pardel::engine {
+
+/// Lists the triangles that break the criteria, in ascending order, with the reason why each was not split.
+/// `budget_reached`: the refinement ended at options.max_vertices. The triangulation is not changed. O(n).
+[[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments,
+                                                const Criteria& criteria, const Options& options, bool budget_reached);
+
+}  // namespace pardel::engine

@@ -1,0 +1,46 @@
+#include "initial_assessment.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "../concurrency/parallel_arrays.hpp"
+#include "../concurrency/parallel_for.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// The least number of triangles that quality makes of one triangle of the input.
+constexpr double triangles_per_input_triangle = 1.7;
+
+}  // namespace
+
+InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor, int threads) {
+  const std::size_t blocks = block_count(t.slots.size());
+  std::vector<TriangleEstimates> estimates(blocks);
+  std::vector<std::vector<Deferred>> bad(blocks);
+  std::vector<char> left_alone(blocks, 0);
+  parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    for (std::size_t id = first; id < last; ++id) {
+      const auto triangle = static_cast<TriangleId>(id);
+      const Shape shape(t, t.slots[triangle]);
+      const double wanted = criteria.triangles_wanted(shape, assessor.region_of(triangle));
+      estimates[block].without_angle_bound += std::max(triangles_per_input_triangle, wanted);
+      estimates[block].with_angle_bound += std::max(criteria.triangles_by_shape(), wanted);
+      estimates[block].lower_bound += criteria.triangles_needed(shape, assessor.region_of(triangle));
+      const Assessment a = assessor.assess(triangle, shape);
+      if (a.need != Assessment::Need::nothing) bad[block].push_back({assessor.entry(triangle, a), a});
+      if (a.left_alone) left_alone[block] = 1;
+    }
+  });
+  InitialAssessment all;
+  append_blocks(threads, bad, all.bad);
+  all.left_alone = std::any_of(left_alone.begin(), left_alone.end(), [](char c) { return c != 0; });
+  for (const TriangleEstimates& block : estimates) {
+    all.estimates.without_angle_bound += block.without_angle_bound;
+    all.estimates.with_angle_bound += block.with_angle_bound;
+    all.estimates.lower_bound += block.lower_bound;
+  }
+  return all;
+}
+
+}  // namespace pardel::engine

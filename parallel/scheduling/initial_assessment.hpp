@@ -1,0 +1,26 @@
+// The first look at all triangles, before anything is refined.
+#pragma once
+
+#include "../../core/array.hpp"
+#include "../refinement/deferral.hpp"
+
+namespace pardel::engine {
+
+/// Estimates of the number of triangles of the final mesh.
+struct TriangleEstimates {
+  double without_angle_bound = 0;  ///< whatever the bound on angles; the size of the tiles follows from it
+  double with_angle_bound = 0;     ///< the best estimate
+  double lower_bound = 0;          ///< no mesh with fewer triangles keeps the bounds on area
+};
+
+struct InitialAssessment {
+  TriangleEstimates estimates;
+  Array<Deferred> bad;      ///< the triangles that have to be split or have an encroached edge, ascending
+  bool left_alone = false;  ///< a triangle breaks the goal, but it may not or cannot be split
+};
+
+/// Assesses all triangles. Precondition: all their indices are in use. O(n).
+[[nodiscard]] InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
+                                           int threads);
+
+}  // namespace pardel::engine

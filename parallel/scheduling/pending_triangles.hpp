@@ -1,0 +1,54 @@
+// The bad triangles that wait for a later pass, and their distribution to the cells of a lattice.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "../../core/array.hpp"
+#include "../concurrency/lattice.hpp"
+#include "../refinement/deferral.hpp"
+#include "phase.hpp"
+
+namespace pardel::engine {
+
+/// Holds two lists: triangles that were deferred, for a finer lattice or the next round, and triangles whose cavities
+/// need a larger box, for a coarser lattice. Entries may be stale.
+class PendingTriangles {
+ public:
+  PendingTriangles(const Triangulation& t, const Assessor& assessor, int threads)
+      : t_(t), assessor_(assessor), threads_(threads) {}
+
+  void defer(Array<Deferred> triangles) { deferred_ = std::move(triangles); }
+  /// Adds the triangles that the tasks have deferred, in the order of the tasks.
+  void defer_all_of(const std::vector<PlannedTask>& tasks);
+  void add_needing_larger_box(std::span<const QueuedTriangle> triangles) {
+    needs_larger_box_.insert(needs_larger_box_.end(), triangles.begin(), triangles.end());
+  }
+  [[nodiscard]] bool any_needs_larger_box() const { return !needs_larger_box_.empty(); }
+
+  /// Sets all triangles aside that `later` defers by their keys, until bring_back(). The passes in between then need
+  /// not look at them.
+  void set_aside(const Deferral& later);
+  void bring_back();
+
+  /// The median of the keys of the deferred triangles, stale ones included.
+  [[nodiscard]] unsigned median_key() const;
+
+  /// Takes the deferred triangles that are due and distributes them to cells, each to the cell of the point that has to
+  /// be inserted. A triangle that `later` defers is deferred again.
+  [[nodiscard]] SeedsByCell take_due_by_cell(const Lattice& lattice, const Deferral& later);
+  /// The same for the triangles that need a larger box. None is deferred.
+  [[nodiscard]] SeedsByCell take_needing_larger_box_by_cell(const Lattice& lattice);
+
+ private:
+  [[nodiscard]] SeedsByCell by_cell(const Lattice& lattice, std::span<const QueuedTriangle> triangles,
+                                    const Deferral& later);
+
+  const Triangulation& t_;
+  const Assessor& assessor_;
+  int threads_;
+  Array<Deferred> deferred_, set_aside_;
+  std::vector<QueuedTriangle> needs_larger_box_;
+};
+
+}  // namespace pardel::engine

@@ -1,0 +1,87 @@
+// The interface between the walk over a cavity (cavity.hpp) and the tests that decide which triangles belong to it.
+#pragma once
+
+#include <array>
+#include <concepts>
+
+#include "../arithmetic/pair.hpp"
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+
+/// A vertex in coordinates relative to the inserted point p.
+struct Corner {
+  Pair at{};          ///< vertex minus p
+  double square = 0;  ///< squared distance from p
+};
+
+/// Tells for two triangles whether p lies in their disks. Both answers are bits of one number, which stays in a
+/// register: a branch on it does not wait for memory.
+struct InDisks {
+  unsigned bits = 0;
+
+  static InDisks of(bool first, bool second) {
+    return {static_cast<unsigned>(first) | static_cast<unsigned>(second) << 1U};
+  }
+  [[nodiscard]] bool first() const { return (bits & 1) != 0; }
+  [[nodiscard]] bool second() const { return (bits & 2) != 0; }
+};
+
+/// The answers for the triangles behind two edges: whether p lies in their disks, and the far corner of each.
+struct DisksAndCorners {
+  InDisks in_disk;
+  std::array<Corner, 2> corner;
+};
+
+/// The requirements on a query. A query belongs to one point p and answers the questions of Cavity::find about p:
+///
+/// - is_own(v): true where a triangle with the far corner v may be changed. The far corner of a triangle is the one
+///   opposite the edge through which the walk enters it.
+/// - corner(v): the vertex v relative to p.
+/// - first_and_behind(slot, corners, e): whether p lies in the disk of the walk's first triangle and in that of the
+///   triangle of e. `slot` is the slot of the first triangle, `corners` are its corners relative to p. The edge e is
+///   shared by both triangles and joins the corners 0 and 1 of the first one.
+/// - both(u, w, v, right, left): the answers for the triangles of `right` and `left`. The edge `right` runs from u to
+/// w,
+///   the edge `left` from w to v.
+///
+/// All edges are passed as sides of the triangle that is asked about. Where the walk cannot cross an edge, it passes
+/// the side of the near triangle instead and ignores the answer: so queries need no branch for missing triangles. The
+/// corners that a query returns are passed back to it later and are stored with the boundary (CavityEdge).
+template <class Query>
+concept CavityQuery = requires(const Query& query, VertexId v, const Slot& slot, const std::array<Corner, 3>& corners,
+                               const Corner& corner, EdgeRef e) {
+  { query.is_own(v) } -> std::same_as<bool>;
+  { query.corner(v) } -> std::same_as<Corner>;
+  { query.first_and_behind(slot, corners, e) } -> std::same_as<InDisks>;
+  { query.both(corner, corner, corner, e, e) } -> std::same_as<DisksAndCorners>;
+};
+
+/// A query made of three functions that deal with one triangle at a time: in_disk(EdgeRef) -> bool,
+/// corner_of(VertexId) -> Corner, and is_own(VertexId) -> bool. The walk's first triangle is not tested: it has to
+/// belong to the cavity.
+template <class InDisk, class CornerOf, class IsOwn>
+class SingleTriangleQuery {
+ public:
+  SingleTriangleQuery(const Triangulation& t, const InDisk& in_disk, const CornerOf& corner_of, const IsOwn& is_own)
+      : t_(t), in_disk_(in_disk), corner_of_(corner_of), is_own_(is_own) {}
+
+  [[nodiscard]] bool is_own(VertexId v) const { return is_own_(v); }
+  [[nodiscard]] Corner corner(VertexId v) const { return corner_of_(v); }
+  [[nodiscard]] InDisks first_and_behind(const Slot& /*first*/, const std::array<Corner, 3>& /*corners*/,
+                                         EdgeRef behind) const {
+    return InDisks::of(true, in_disk_(behind));
+  }
+  [[nodiscard]] DisksAndCorners both(Corner /*u*/, Corner /*w*/, Corner /*v*/, EdgeRef right, EdgeRef left) const {
+    const auto far = [&](EdgeRef e) { return corner_of_(t_.slot(e).apex(e.side())); };
+    return {InDisks::of(in_disk_(right), in_disk_(left)), {far(right), far(left)}};
+  }
+
+ private:
+  const Triangulation& t_;
+  const InDisk& in_disk_;
+  const CornerOf& corner_of_;
+  const IsOwn& is_own_;
+};
+
+}  // namespace pardel::engine

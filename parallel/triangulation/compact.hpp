@@ -1,0 +1,17 @@
+// Compaction of a triangulation: afterwards no index below the number of vertices or triangles is unused.
+#pragma once
+
+#include "../concurrency/index_allocator.hpp"
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+
+/// Moves the last vertices and triangles into the unused indices, shortens the arrays accordingly, and gives the rest
+/// of their memory back. Precondition: both allocators are settled. Linear in the number of triangles.
+void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, int threads);
+
+/// A copy of the triangulation, compacted. Precondition and time as for compact().
+[[nodiscard]] Triangulation compacted_copy(const Triangulation& t, const IndexAllocator& vertices,
+                                           const IndexAllocator& triangles, int threads);
+
+}  // namespace pardel::engine
