@@ -1,8 +1,8 @@
-// Exact arithmetic with floating-point expansions: a number is the unevaluated sum of doubles that do not
-// overlap, smallest first. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-// Predicates", 1997; the names are his. Every operation is exact while nothing overflows or underflows, and
-// drops zero terms, so that sums which cancel stay short. Rounding to nearest even; no -ffast-math and no
-// contraction. Capacities are part of the types: nothing is allocated.
+// Exact arithmetic with floating-point expansions. An expansion represents a number as a sum of non-overlapping
+// doubles, smallest first. The names follow Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust
+// Geometric Predicates", 1997. Every operation is exact unless a double overflows or underflows. Zero terms are
+// dropped, so sums whose terms cancel stay short. The code requires rounding to nearest even and must be compiled
+// without -ffast-math and without contraction. Capacities are part of the types, so no memory is allocated.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace pardel::engine::exact {
 
-/// head + tail, exactly; head is the rounded value and tail what rounding left out.
+/// The exact value head + tail. head is the rounded value, tail the rounding error.
 struct Two {
   double head;
   double tail;
@@ -57,7 +57,7 @@ struct Two {
   return {head, std::fma(a, b, -head)};
 }
 
-/// The faster of the two; they agree to the bit.
+/// The faster of the two functions. Their results are identical.
 [[nodiscard]] inline Two two_product(double a, double b) {
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   return two_product_by_fma(a, b);
@@ -66,7 +66,7 @@ struct Two {
 #endif
 }
 
-/// A number as a sum of up to Capacity non-zero terms, smallest first, non-overlapping. Zero has no term.
+/// A sum of up to Capacity non-zero, non-overlapping terms, smallest first. Zero has no terms.
 template <std::size_t Capacity>
 class Expansion {
  public:
@@ -80,11 +80,11 @@ class Expansion {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] double operator[](std::size_t i) const { return terms_[i]; }
 
-  /// Appends a term that is larger than all so far; zero is left out.
+  /// Appends a term that is larger in magnitude than all others. A zero is not appended.
   void push(double term) {
     if (term != 0) terms_[size_++] = term;
   }
-  /// Has the exact sign: the largest term outweighs all others.
+  /// An approximation with the exact sign, because the largest term outweighs the sum of the others.
   [[nodiscard]] double estimate() const {
     double sum = 0;
     for (std::size_t i = 0; i < size_; ++i) sum += terms_[i];
@@ -148,7 +148,7 @@ template <std::size_t N>
   return product;
 }
 
-/// The terms of the second half of f and of the first are multiplied apart, so that sums stay balanced.
+/// Multiplies e with the two halves of f recursively, so the two operands of each sum have similar sizes.
 template <std::size_t N, std::size_t M>
 [[nodiscard]] Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
   if constexpr (M == 1) {

@@ -1,5 +1,5 @@
-// Two doubles that go through the same arithmetic together: every processor that this runs on has instructions for
-// that, and compilers have the type. Each half is rounded as a double by itself is, so results do not depend on it.
+// Two doubles in one SIMD register, with the same operation applied to both halves. Each half is rounded as a single
+// double would be, so results are the same as without SIMD. The type is an extension of GCC and Clang.
 #pragma once
 
 #include <algorithm>
@@ -16,27 +16,27 @@
 namespace pardel::engine {
 
 using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
-/// What a comparison of two pairs says: for each half, all bits or none.
+/// The result of a comparison of two pairs. In each half all bits are 1 for true and 0 for false.
 using PairBits __attribute__((vector_size(2 * sizeof(std::int64_t)))) = std::int64_t;
 
-/// A point's coordinates.
+/// The coordinates of a point.
 [[nodiscard]] inline Pair as_pair(const Point& p) { return std::bit_cast<Pair>(p); }
 [[nodiscard]] inline Point as_point(Pair p) { return std::bit_cast<Point>(p); }
 [[nodiscard]] inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
 [[nodiscard]] inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3); }
 
-/// What a comparison says of the first half in bit 0, of the second in bit 1.
-[[nodiscard]] inline unsigned bits(PairBits says) {
+/// The result for the first half in bit 0, and for the second in bit 1.
+[[nodiscard]] inline unsigned bits(PairBits mask) {
 #ifdef __SSE2__
-  return static_cast<unsigned>(_mm_movemask_pd(std::bit_cast<Pair>(says)));
+  return static_cast<unsigned>(_mm_movemask_pd(std::bit_cast<Pair>(mask)));
 #else
-  return static_cast<unsigned>((says[0] & 1) | (says[1] & 2));
+  return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2));
 #endif
 }
 
-// The same names for one double and for two, so that a template may do either.
-[[nodiscard]] inline bool all(bool says) { return says; }
-[[nodiscard]] inline bool all(PairBits says) { return bits(says) == 3; }
+// The same names for double and Pair, for use in templates.
+[[nodiscard]] inline bool all(bool mask) { return mask; }
+[[nodiscard]] inline bool all(PairBits mask) { return bits(mask) == 3; }
 [[nodiscard]] inline double magnitude(double a) { return std::abs(a); }
 [[nodiscard]] inline Pair magnitude(Pair a) {
   return std::bit_cast<Pair>(std::bit_cast<PairBits>(a) & std::int64_t{0x7fff'ffff'ffff'ffff});

@@ -1,6 +1,6 @@
-// What the predicates do when the inline filter cannot decide: stages of rising cost, each of which either
-// knows the sign for certain or hands on to the next. Which one decided is part of the answer, so that tests
-// can hold every stage to account.
+// The exact part of the predicates, used when the inline filter cannot decide. It consists of stages of increasing
+// cost. Each stage either determines the sign with certainty or leaves the decision to the next. The result names the
+// stage that decided, so that tests can examine each stage separately.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 namespace pardel::engine::exact {
 
 enum class Stage : std::uint8_t {
-  lattice,              ///< the differences are small multiples of one unit: double arithmetic makes no error
-  exact_differences,    ///< the differences of coordinates are doubles: one exact determinant of them
-  rounded_differences,  ///< they are not, but the exact determinant of their roundings is far enough from zero
-  corrected,            ///< first-order correction for what the differences lost
-  expansions,           ///< everything, exactly
+  lattice,              ///< the differences are small multiples of one unit, so double arithmetic is exact
+  exact_differences,    ///< the differences of coordinates are doubles; their determinant is computed exactly
+  rounded_differences,  ///< the exact determinant of the rounded differences is far enough from zero
+  corrected,            ///< the same after a first-order correction for the rounding of the differences
+  expansions,           ///< the whole determinant is computed exactly
 };
 
-/// value has the exact sign and approximates the determinant.
+/// `value` has the exact sign of the determinant and approximates its magnitude.
 struct Decision {
   double value;
   Stage stage;

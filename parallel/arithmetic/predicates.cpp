@@ -1,4 +1,4 @@
-// The exact fall-back of the predicates. Error bounds: Shewchuk 1997, with epsilon = 2^-53.
+// The exact part of the predicates. The error bounds are from Shewchuk 1997, with epsilon = 2^-53.
 #include "predicates.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr double orient2d_bound_c = (9 + 64 * epsilon) * epsilon * epsilon;
 constexpr double incircle_bound_b = (4 + 48 * epsilon) * epsilon;
 constexpr double incircle_bound_c = (44 + 576 * epsilon) * epsilon * epsilon;
 
-/// A difference of two points, exactly: rounded (head) and what rounding lost (tail).
+/// The exact difference of two points: rounded coordinates (head) and rounding errors (tail).
 struct Difference {
   Two x, y;
 
@@ -26,17 +26,17 @@ struct Difference {
   [[nodiscard]] double square() const { return x.head * x.head + y.head * y.head; }
 };
 
-/// p.x * q.y - p.y * q.x of the heads.
+/// p.x * q.y - p.y * q.x of the heads, exactly.
 Expansion<4> cross_of_heads(const Difference& p, const Difference& q) {
   return Expansion<2>(two_product(p.x.head, q.y.head)) - Expansion<2>(two_product(p.y.head, q.x.head));
 }
 
-/// p.x * q.y - p.y * q.x, rounded heads.
+/// p.x * q.y - p.y * q.x of the heads, rounded.
 double rounded_cross(const Difference& p, const Difference& q) { return p.x.head * q.y.head - p.y.head * q.x.head; }
 double magnitude_of_cross(const Difference& p, const Difference& q) {
   return std::abs(p.x.head * q.y.head) + std::abs(p.y.head * q.x.head);
 }
-/// The first-order change of the cross product of the heads by the tails.
+/// The first-order change of the cross product that the tails cause.
 double correction_of_cross(const Difference& p, const Difference& q) {
   return (p.x.head * q.y.tail + q.y.head * p.x.tail) - (p.y.head * q.x.tail + q.x.head * p.y.tail);
 }
@@ -49,15 +49,15 @@ Expansion<16> square(const Difference& p) {
   return x * x + y * y;
 }
 
-/// x^2 e + y^2 e for the heads: two scalings each are cheaper than a product of expansions.
+/// x^2 e + y^2 e for the heads. Scaling twice by each coordinate is cheaper than a product of expansions.
 Expansion<32> lifted_by_heads(const Expansion<4>& e, const Difference& p) {
   return e * p.x.head * p.x.head + e * p.y.head * p.y.head;
 }
 
-/// True when all heads are multiples of one power of two u and at most 2^12 u. Their squares and products,
-/// and sums of them, are then at most 2^25 u^2, and the determinant of incircle at most 3 * 2^50 u^4: every
-/// intermediate result is a double. Adding and taking away 2^41 times the largest rounds to a multiple of
-/// such a unit, so what survives that is one.
+/// True if all heads are multiples of a power of two u and at most 2^12 u. Then their squares, their products and sums
+/// of two of these are at most 2^25 u^2, and the determinant of incircle is at most 3 * 2^50 u^4, so every intermediate
+/// result is exactly a double. Adding and subtracting 2^41 times the largest head rounds a number to a multiple of such
+/// a unit; a number that this does not change is a multiple.
 bool on_small_lattice(const Difference& a, const Difference& b, const Difference& c) {
   const std::initializer_list<double> heads = {a.x.head, a.y.head, b.x.head, b.y.head, c.x.head, c.y.head};
   double largest = 0;

@@ -1,10 +1,10 @@
-// Exact signs of the two geometric predicates. A floating-point filter answers almost always; where it
-// cannot, the determinant is evaluated exactly with floating-point expansions (Shewchuk, "Adaptive
-// Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
+// Exact signs of the two geometric predicates. In nearly all cases a floating-point filter determines the sign. If it
+// cannot, the determinant is evaluated exactly with floating-point expansions (Shewchuk, "Adaptive Precision
+// Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
 //
-// The result is the exact sign for coordinates that are zero or satisfy
-// smallest_coordinate <= |x| <= largest_coordinate; validate() checks that of the input and snapped()
-// keeps it for computed points. The code must be compiled without -ffast-math and with -ffp-contract=off.
+// The sign is exact for coordinates that are zero or satisfy smallest_coordinate <= |x| <= largest_coordinate.
+// validate() checks this for the input, and snapped() ensures it for computed points. The code must be compiled without
+// -ffast-math and with -ffp-contract=off.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace pardel::engine {
 inline constexpr double largest_coordinate = 0x1p200;
 inline constexpr double smallest_coordinate = 0x1p-140;
 
-/// True for the coordinates that the predicates are exact for; false for NaN and infinity.
+/// True if the predicates are exact for this coordinate; false for NaN and infinity.
 [[nodiscard]] inline bool is_usable(double x) {
   return x == 0 || (std::abs(x) >= smallest_coordinate && std::abs(x) <= largest_coordinate);
 }
@@ -28,8 +28,8 @@ namespace exact {
 [[nodiscard]] double incircle(Point a, Point b, Point c, Point d);
 }  // namespace exact
 
-/// What floating point says of the orientation of a, b and the point that they are relative to, and how far off that
-/// may be. T: double or Pair.
+/// The orientation determinant of a, b and the origin in floating point, with a bound on its error. T is double or
+/// Pair; a Pair holds two independent determinants.
 template <class T>
 struct Orientation {
   T determinant, error;
@@ -41,7 +41,7 @@ struct Orientation {
     constexpr double bound = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
     error = bound * (magnitude(left) + magnitude(right));
   }
-  /// The sign of the determinant is right; of both.
+  /// True if the sign of the determinant is correct, for a Pair the signs of both.
   [[nodiscard]] bool is_certain() const { return all(magnitude(determinant) > error); }
 };
 
@@ -53,25 +53,26 @@ struct Orientation {
   return exact::orient2d(a, b, c);
 }
 
-/// What floating point says of the in-circle determinant of v, u, w, all relative to the fourth point, and how far off
-/// that may be. T: double or Pair. u2 and v2, the squares of the lengths of u and v, are the caller's, who has them
-/// from the triangle before.
+/// The in-circle determinant of v, u, w in floating point, with a bound on its error. The arguments are relative to the
+/// fourth point. T is double or Pair; a Pair holds two independent determinants. The caller supplies u2 and v2, the
+/// squared lengths of u and v, because it has computed them for the previous triangle.
 ///
-/// With e = 2^-53 the coordinates are right to within e, squares to 4e, u2 vy - v2 uy to 7e of u2 |vy| + v2 |uy|, and
-/// the determinant to 11e of w2 (|vx uy| + |vy ux|) and the two terms like it. By Cauchy and Schwarz |vx uy| + |vy ux|
-/// is at most (u2 + v2) / 2; so the three terms are at most u2 v2 + w2 u2 + w2 v2, whose own rounding the twelfth e
-/// covers. Nothing underflows: coordinates relative to a point are zero or at least 2^-192, products of four 2^-768.
+/// With e = 2^-53, relative errors are at most e for coordinates and 4e for squares. The error of u2 vy - v2 uy is at
+/// most 7e (u2 |vy| + v2 |uy|). The error of the determinant is at most 11e times the sum of w2 (|vx uy| + |vy ux|) and
+/// the two analogous terms. By the Cauchy-Schwarz inequality |vx uy| + |vy ux| <= (u2 + v2) / 2, so this sum is at most
+/// u2 v2 + w2 u2 + w2 v2. The twelfth e covers the rounding of that bound. Nothing underflows: relative coordinates are
+/// zero or at least 2^-192, and products of four of them at least 2^-768.
 template <class T>
 struct InCircle {
   T determinant, error;
-  T square;  ///< of the length of w
+  T square;  ///< the squared length of w
 
   InCircle(T ux, T uy, T vx, T vy, T wx, T wy, T u2, T v2) : square(wx * wx + wy * wy) {
     determinant = square * (vx * uy - vy * ux) + (wx * (u2 * vy - v2 * uy) - wy * (u2 * vx - v2 * ux));
     constexpr double bound = 12 * 0x1p-53;
     error = bound * (u2 * v2 + square * (u2 + v2));
   }
-  /// The sign of the determinant is right; of both.
+  /// True if the sign of the determinant is correct, for a Pair the signs of both.
   [[nodiscard]] bool is_certain() const { return all(magnitude(determinant) > error); }
 };
 
@@ -85,7 +86,8 @@ struct InCircle {
   return exact::incircle(a, b, c, d);
 }
 
-/// A computed coordinate below smallest_coordinate is noise of a cancellation: zero.
+/// Replaces a computed coordinate below smallest_coordinate by zero. Such a value is the rounding noise of a
+/// cancellation.
 [[nodiscard]] inline double snapped(double x) { return std::abs(x) < smallest_coordinate ? 0.0 : x; }
 
 }  // namespace pardel::engine

@@ -15,7 +15,7 @@ double squared_distance(const Box& box, Point p) {
   return dx * dx + dy * dy;
 }
 
-/// The nearest point of the segment a-b to p, as the fraction from a.
+/// The point of the segment a-b nearest to p, as a fraction of the segment from a.
 double nearest_fraction(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double length = dx * dx + dy * dy;

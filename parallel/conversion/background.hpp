@@ -1,4 +1,4 @@
-// A fixed triangulation to interpolate on: what triangle a point lies in, and its weights there.
+// A fixed triangulation for interpolation: point location and barycentric weights.
 #pragma once
 
 #include <array>
@@ -11,32 +11,33 @@
 
 namespace pardel::engine {
 
-/// Where a point lies in a Background.
+/// The position of a point in a Background.
 struct Located {
   Index triangle = no_index;
   std::array<Index, 3> v{};
   std::array<double, 3> weight{};  ///< barycentric, >= 0, sum 1
 };
 
-/// Owns copies of points and triangles and a hierarchy of boxes over them. Immutable, so callable from
-/// several threads.
+/// Owns copies of the points and triangles, and a hierarchy of bounding boxes. It is immutable, so several threads may
+/// use it at the same time.
 class Background {
  public:
   /// O(n log n).
   Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles);
 
-  /// The triangle that contains p or, where none does (beyond a rounded boundary), one of those nearest to
-  /// p, with the weights of the nearest point of it. O(log n) typical.
+  /// The triangle that contains p, and the weights of p in it. If no triangle contains p, which happens close to a
+  /// boundary because of rounding, a nearest triangle with the weights of its nearest point. O(log n) typical.
   [[nodiscard]] Located locate(Point p) const;
+  /// The linear interpolation of the values at the points. O(log n) typical.
   [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point) const;
 
  private:
   [[nodiscard]] Located weights_in(Index triangle, Point p) const;
 
   std::vector<Point> points_;
-  std::vector<std::array<Index, 3>> triangles_;  ///< in the order of the leaves
-  Array<Index> number_;                          ///< leaf -> triangle
-  std::vector<Box> boxes_;                       ///< an implicit binary tree, the root at 1, leaves at leaf_count_ + i
+  std::vector<std::array<Index, 3>> triangles_;  ///< in the order of the leaves of the hierarchy
+  Array<Index> number_;                          ///< the triangle of each leaf
+  std::vector<Box> boxes_;                       ///< an implicit binary tree: root at 1, leaves from leaf_count_ on
   std::size_t leaf_count_ = 1;
 };
 

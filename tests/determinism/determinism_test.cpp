@@ -1,5 +1,5 @@
-// A mesh depends on nothing but its domain, goal and options: not on how many threads made it, in which order or how
-// fast, nor on compiler, optimisation or machine.
+// A mesh depends only on its domain, goal and options. It does not depend on the number, order and speed of threads, on
+// the compiler, on the level of optimisation or on the machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST_P(MeshOf, is_the_same_bit_for_bit_on_any_number_of_threads_in_any_order_wit
   });
 }
 
-/// Else threads and orders would have nothing to choose.
+/// Otherwise the number of threads and the order of the tasks could not make a difference.
 TEST_P(MeshOf, is_made_by_tasks_that_run_at_once_and_hand_on_to_each_other) {
   std::uint64_t with_such_tasks = 0;
   for_each_problem([&](const Problem& p) {

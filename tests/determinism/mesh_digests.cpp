@@ -1,7 +1,8 @@
-// The digests of meshes, one a line, to be compared between builds and machines.
-//   mesh_digests                              the file `digests`
-//   mesh_digests DOMAIN TRIANGLES THREADS...  square, pipe or random points, with about so many triangles, on each
-//                                             number of threads in a random order of tasks, with delays
+// Prints the digests of meshes, one per line, for the comparison of builds and machines.
+//   mesh_digests                              prints the file `digests`
+//   mesh_digests DOMAIN TRIANGLES THREADS...  meshes DOMAIN, which is square, pipe or points, with about TRIANGLES
+//                                             triangles, once on each number of threads; tasks run in random order and
+//                                             with delays
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -28,7 +29,8 @@ void print_recorded() {
       std::cout << line(problem(family, number), 1) << '\n';
 }
 
-/// What makes about so many triangles: bounds on areas, or random points and the default bound on angles.
+/// A problem whose mesh has about this number of triangles: a domain with a bound on areas, or random points with the
+/// default bound on angles.
 samples::Case large(const std::string& domain, double triangles) {
   if (domain == "square") return {domain, domains::square(), {.max_area = 1.37 / triangles}, {}};
   if (domain == "pipe") return {domain, domains::pipe(), {.max_area = 3.41 / triangles}, {}};

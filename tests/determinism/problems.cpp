@@ -31,11 +31,11 @@ Problem problem(generators::Family family, std::uint64_t number) {
   Problem p;
   p.what.pslg = to_pslg(domain);
   Goal& goal = p.what.goal = to_goal(generators::any_goal(domain, random), domain);
-  // An angle whose cosine glibc rounds in one way where the processor has fused multiply-add, in another where not.
+  // glibc rounds the cosine of this angle differently on processors with and without fused multiply-add.
   if (random.chance(4)) goal.min_angle_deg = 25.395;
   std::ostringstream name;
   name << generators::name(family) << ' ' << number << ", angles >= " << goal.min_angle_deg;
-  if (!random.chance(8)) {  // else what the goal has, which few triangles meet
+  if (!random.chance(8)) {  // otherwise the bound of the goal, which gives few triangles
     const int parts = random.between(2000, 10'000);
     goal.max_area = area_of_bounding_box(p.what.pslg) / parts;
     name << ", areas <= box / " << parts;

@@ -1,4 +1,5 @@
-// Random meshing problems, cut into tiles so small that tasks have neighbours to hand work on to.
+// Random meshing problems with tiles so small that there are many tasks, which hand triangles on to each other: a task
+// hands a triangle on to another cell if it cannot process it in its own box.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +15,15 @@ namespace samples = engine::samples;
 inline constexpr std::uint64_t problems_per_family = 30;
 
 struct Problem {
-  samples::Case what;  ///< its name tells family, number, goal and options in short
-  Options options;     ///< but for the threads
+  samples::Case what;  ///< the name summarises family, number, goal and options
+  Options options;     ///< without the number of threads
 };
 
-/// Number 0 to problems_per_family - 1 of a family. Goals and options vary from one to the next: angles of 0 to 28
-/// degrees, areas, caps of regions, conforming or not; tiles by work and the paper's; both placements.
+/// Problem `number`, from 0 to problems_per_family - 1, of a family. Goals and options are random: angles of 0 to 28
+/// degrees, bounds on areas, caps of regions, conforming or not, both decompositions, both placements.
 [[nodiscard]] Problem problem(generators::Family family, std::uint64_t number);
 
-/// The problem's line in the file `digests`: what it is, and the digest that mesh() gives on so many threads.
+/// The line of the problem in the file `digests`: its name and the digest of the mesh that mesh() makes.
 [[nodiscard]] std::string line(const Problem& problem, int threads);
 
 }  // namespace pardel::determinism

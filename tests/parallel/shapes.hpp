@@ -1,4 +1,4 @@
-// Small domains, built up from polygons.
+// Small domains that consist of polygons.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ inline Pslg points_only(const std::vector<Point>& points) {
   pslg.points = points;
   return pslg;
 }
-/// Points 0 to 3 counter-clockwise from the origin; segment i from point i on.
+/// A square with the points 0 to 3, counter-clockwise from the origin. Segment i starts at point i.
 inline Pslg square(double side) {
   Pslg pslg;
   add_square(pslg, side, {0, 0});

@@ -1,4 +1,4 @@
-// Does the race detector see what the engine's loops do? The same loop with a race that it has to report, and without.
+// A loop of the engine, run with a data race or without one. It shows whether the race detector understands such loops.
 #include <atomic>
 #include <cstdio>
 #include <cstring>
@@ -11,13 +11,15 @@ int main(int argc, char** argv) {
   constexpr int threads = 4;
   std::vector<long> sums(threads, 0);
   for (int phase = 0; phase < 20; ++phase) {
-    // Nobody finishes before all have started, so that every thread has an item; relaxed, which orders nothing.
+    // Each item waits until all have started, so every thread gets one. Relaxed accesses do not synchronise the
+    // threads.
     std::atomic<int> started{0};
-    pardel::parallel_for(threads, threads, [&](std::size_t i, int) {
+    pardel::engine::parallel_for(threads, threads, [&](std::size_t i, int) {
       started.fetch_add(1, std::memory_order_relaxed);
       while (started.load(std::memory_order_relaxed) < threads) {
       }
-      // A phase may read what the phase before it wrote: its end is a barrier. Within a phase each has its own.
+      // Within a phase each item writes its own element. The end of a phase is a barrier, so the next phase may access
+      // all elements.
       const std::size_t mine = racy ? 0 : (i + static_cast<std::size_t>(phase)) % threads;
       sums[mine] += static_cast<long>(i) + 1;
     });

@@ -1,4 +1,4 @@
-// Expansions are exact sums: compared with rational arithmetic, term by term in order, none of them zero.
+// Expansions compared with rational arithmetic. Their values are exact, and their terms are non-zero and in order.
 #include "../../../parallel/arithmetic/expansion.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ Gmpq value(const Expansion<N>& e) {
   return sum;
 }
 
-/// Terms are not zero, rise in magnitude, and each is smaller than the last place of the next.
+/// The terms are non-zero, and each is smaller than the last non-zero bit of the next.
 template <std::size_t N>
 bool is_well_formed(const Expansion<N>& e) {
   for (std::size_t i = 0; i < e.size(); ++i) {

@@ -1,4 +1,4 @@
-// Two doubles at a time are two doubles.
+// Arithmetic with pairs of doubles gives the same results as arithmetic with single doubles.
 #include "../../../parallel/arithmetic/pair.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using samples::Random;
 
-TEST(Pair, rounds_each_half_as_a_double_by_itself) {
+TEST(Pair, rounds_each_half_like_a_single_double) {
   Random random(1);
   for (int round = 0; round < 1000; ++round) {
     const std::array<double, 2> a{random.uniform(-1, 1), random.uniform(-1e9, 1e9)};
@@ -26,7 +26,7 @@ TEST(Pair, rounds_each_half_as_a_double_by_itself) {
   }
 }
 
-TEST(Pair, tells_its_halves_apart) {
+TEST(Pair, reports_comparisons_of_each_half_separately) {
   const Pair low{1, 2}, high{3, 2};
   EXPECT_EQ(bits(low < high), 1U);
   EXPECT_EQ(bits(low == high), 2U);
@@ -41,7 +41,7 @@ TEST(Pair, tells_its_halves_apart) {
   EXPECT_EQ(as_point(as_pair(p)), p);
 }
 
-TEST(Pair, has_the_filters_of_both_halves) {
+TEST(Pair, evaluates_the_filters_of_both_halves) {
   Random random(2);
   const auto number = [&] { return random.uniform(-1, 1); };
   for (int round = 0; round < 1000; ++round) {
@@ -64,8 +64,9 @@ TEST(Pair, has_the_filters_of_both_halves) {
   }
 }
 
-TEST(Pair, is_certain_where_both_halves_are) {
-  const auto disks = [](double first, double second) {  // of the unit circle, about points at these distances
+TEST(Pair, is_certain_if_and_only_if_both_halves_are) {
+  const auto disks = [](double first,
+                        double second) {  // for the unit circle and points at these distances from its centre
     const Pair x{first, second}, zero{0, 0}, one{1, 1};
     // Corners (1, 0), (0, 1), (-1, 0) relative to (x, 0): v, u, w are counter-clockwise.
     const Pair vx = one - x, ux = -x, wx = -one - x;

@@ -1,4 +1,4 @@
-// Points that are hard on predicates, and the truth about them in rational arithmetic.
+// Difficult inputs for predicates, and the correct results in rational arithmetic.
 #pragma once
 
 #include <CGAL/Gmpq.h>
@@ -14,7 +14,7 @@
 
 namespace pardel::engine {
 
-inline void showValue(const Point& p, std::ostream& out) {  // found by RapidCheck
+inline void showValue(const Point& p, std::ostream& out) {  // RapidCheck calls it
   out << std::hexfloat << "(" << p.x << ", " << p.y << ")" << std::defaultfloat;
 }
 
@@ -29,18 +29,18 @@ inline Rational::Point_2 rational(Point p) { return {CGAL::Gmpq(p.x), CGAL::Gmpq
 inline int true_orientation(Point a, Point b, Point c) {
   return CGAL::orientation(rational(a), rational(b), rational(c));
 }
-/// For a, b, c in any order: the sign of the determinant, not of the side.
+/// The sign of the in-circle determinant, for a, b, c in any orientation.
 inline int true_incircle(Point a, Point b, Point c, Point d) {
   return CGAL::side_of_oriented_circle(rational(a), rational(b), rational(c), rational(d));
 }
 inline int sign(double x) { return (x > 0) - (x < 0); }
 
-/// 0 to just below 1.
+/// A multiple of 2^-53 in [0, 1).
 inline rc::Gen<double> fraction() {
   return rc::gen::map(rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 53),
                       [](std::int64_t k) { return std::ldexp(static_cast<double>(k), -53); });
 }
-/// Every coordinate on its own.
+/// Four points with independent coordinates.
 inline rc::Gen<Four> four(const rc::Gen<double>& x, const rc::Gen<double>& y) {
   return rc::gen::container<Four>(rc::gen::map(rc::gen::pair(x, y), [](std::pair<double, double> p) {
     return Point{p.first, p.second};
@@ -53,22 +53,22 @@ inline rc::Gen<double> multiple_of(double unit, int most) {
 inline rc::Gen<Four> uniform() { return four(fraction(), fraction()); }
 inline rc::Gen<Four> small_lattice() { return four(multiple_of(1, 8), multiple_of(1, 8)); }
 inline rc::Gen<Four> large_lattice() { return four(multiple_of(0x1p-60, 1 << 30), multiple_of(0x1p-60, 1 << 30)); }
-/// Multiples of a tenth are no lattice in binary.
+/// Rounded multiples of a tenth, which do not form a lattice in binary arithmetic.
 inline rc::Gen<Four> tenths() { return four(multiple_of(0.1, 30), multiple_of(0.1, 30)); }
-/// Metres in a national grid, to the millimetre.
+/// Coordinates of a national grid in metres, with a resolution of a millimetre.
 inline rc::Gen<Four> far_offset() {
   const auto around = [](double centre) {
     return rc::gen::map(multiple_of(0.001, 5000), [=](double x) { return centre + x; });
   };
   return four(around(654321), around(4987654));
 }
-/// The whole exponent range, signs and zero.
+/// Coordinates over the whole range of exponents, of both signs, and zero.
 inline rc::Gen<Four> extreme_exponents() {
   const auto coordinate = rc::gen::apply([](int k, int exponent) { return std::ldexp(k, exponent); },
                                          rc::gen::inRange(-1000000, 1000001), rc::gen::inRange(-140, 180));
   return four(coordinate, coordinate);
 }
-/// Rounded points of the unit circle, some around a centre far away.
+/// Rounded points of a unit circle, whose centre may be far from the origin.
 inline rc::Gen<Four> on_a_circle() {
   return rc::gen::apply(
       [](std::array<int, 4> angle, double offset) {
@@ -78,13 +78,13 @@ inline rc::Gen<Four> on_a_circle() {
       },
       rc::gen::container<std::array<int, 4>>(rc::gen::inRange(0, 628)), rc::gen::element(0.0, 0.3, 1e5));
 }
-/// The corners of a rectangle are exactly cocircular, whatever its coordinates.
+/// The corners of a rectangle. They are exactly cocircular for all coordinates.
 inline rc::Gen<Four> rectangle() {
   return rc::gen::map(uniform(), [](Four f) {
     return Four{Point{f[0].x, f[0].y}, Point{f[1].x, f[0].y}, Point{f[1].x, f[1].y}, Point{f[0].x, f[1].y}};
   });
 }
-/// Multiples of one vector are exactly collinear.
+/// Integer multiples of one vector, which are exactly collinear.
 inline rc::Gen<Four> on_a_line() {
   return rc::gen::apply(
       [](std::array<int, 4> k, int dx, int dy) {
@@ -95,7 +95,7 @@ inline rc::Gen<Four> on_a_line() {
       rc::gen::container<std::array<int, 4>>(rc::gen::inRange(-1000, 1001)), rc::gen::inRange(-1000000, 1000001),
       rc::gen::inRange(-1000000, 1000001));
 }
-/// The same with one coordinate moved to one of the doubles next to it.
+/// The points of the generator with one x coordinate replaced by an adjacent double.
 inline rc::Gen<Four> nudged(const rc::Gen<Four>& generator) {
   return rc::gen::apply(
       [](Four points, std::size_t which, bool up) {

@@ -1,4 +1,4 @@
-// Which stage decides: every stage has an input that it and no earlier one can settle, and is right there.
+// Every stage of the predicates, with an input for which it is the first that can decide, and its result.
 #include "../../../parallel/arithmetic/predicate_stages.hpp"
 
 #include "../../../properties/theorems/framework/property.hpp"
@@ -9,24 +9,24 @@ namespace {
 
 using testing::sign;
 
-// 0.9 - 0.1 is no double, nor is 0.7 - 0.2.
+// Neither 0.9 - 0.1 nor 0.7 - 0.2 is a double.
 constexpr Point a{0.1, 0.2}, b{0.9, 0.2}, c{0.9, 0.7}, d{0.1, 0.7};
 
-TEST(Orient2dStages, an_exact_determinant_settles_what_has_exact_differences) {
+TEST(Orient2dStages, an_exact_determinant_decides_if_differences_are_exact) {
   const Decision on_the_line = decide_orient2d({0, 0}, {1e8, 1e8}, {3, 3});
   EXPECT_EQ(on_the_line.value, 0);
   EXPECT_EQ(on_the_line.stage, Stage::exact_differences);
 }
 
-TEST(Orient2dStages, rounded_differences_settle_what_is_clear) {
+TEST(Orient2dStages, rounded_differences_decide_clear_cases) {
   const Decision clear = decide_orient2d(a, b, c);
   EXPECT_GT(clear.value, 0);
   EXPECT_EQ(clear.stage, Stage::rounded_differences);
 }
 
-TEST(Orient2dStages, a_correction_settles_what_is_a_rounding_from_zero) {
-  const Point p{0.1, 0.1}, q{0.2, 0.2}, beside{0.4, std::nextafter(0.4, 0.0)};
-  const Decision close = decide_orient2d(p, q, beside);
+TEST(Orient2dStages, a_correction_decides_if_a_point_is_one_rounding_away) {
+  const Point p{0.1, 0.1}, q{0.2, 0.2}, next_to_it{0.4, std::nextafter(0.4, 0.0)};
+  const Decision close = decide_orient2d(p, q, next_to_it);
   EXPECT_LT(close.value, 0);
   EXPECT_EQ(close.stage, Stage::corrected);
 }
@@ -69,21 +69,21 @@ PARDEL_PROPERTY(IncircleStages, up_to_4095_units_doubles_make_no_error_at_all,
   RC_ASSERT(CGAL::Gmpq(decision.value) == determinant);
 }
 
-TEST(IncircleStages, an_exact_determinant_settles_what_has_exact_differences) {
+TEST(IncircleStages, an_exact_determinant_decides_if_differences_are_exact) {
   const Decision square = decide_incircle({0, 0}, {1e8, 0}, {1e8, 1e8}, {0, 1e8});
   EXPECT_EQ(square.value, 0);
   EXPECT_EQ(square.stage, Stage::exact_differences);
 }
 
-TEST(IncircleStages, rounded_differences_settle_what_is_clear) {
+TEST(IncircleStages, rounded_differences_decide_clear_cases) {
   const Decision clear = decide_incircle(a, b, c, {0.3, 0.4});
   EXPECT_GT(clear.value, 0);
   EXPECT_EQ(clear.stage, Stage::rounded_differences);
 }
 
-TEST(IncircleStages, a_correction_settles_what_is_a_rounding_from_zero) {
-  const Point beside{std::nextafter(0.1, 1.0), 0.7};
-  const Decision close = decide_incircle(a, b, c, beside);
+TEST(IncircleStages, a_correction_decides_if_a_point_is_one_rounding_away) {
+  const Point next_to_it{std::nextafter(0.1, 1.0), 0.7};
+  const Decision close = decide_incircle(a, b, c, next_to_it);
   EXPECT_GT(close.value, 0);
   EXPECT_EQ(close.stage, Stage::corrected);
 }
@@ -111,7 +111,7 @@ PARDEL_PROPERTY(Stages, the_value_is_near_the_determinant,
                 {.statement = "the value of orient2d is the determinant up to 1e-15 of it, on a lattice",
                  .source = "parallel/arithmetic/predicate_stages.hpp",
                  .families = "a large lattice"}) {
-  // Of a lattice, to a rounding; so that it may serve as a magnitude.
+  // Differences on a lattice are exact, so the value differs from the determinant by rounding only.
   const auto [p, q, r, s] = *testing::large_lattice();
   const CGAL::Gmpq det =
       CGAL::determinant(testing::rational(q) - testing::rational(p), testing::rational(r) - testing::rational(p));

@@ -1,4 +1,4 @@
-// The laws that predicates.hpp states, one test per law.
+// The statements of predicates.hpp about the predicates, one test per statement.
 #include "../../../parallel/arithmetic/predicates.hpp"
 
 #include <limits>
@@ -61,7 +61,7 @@ PARDEL_PROPERTY(Orient2d, is_zero_when_two_points_are_equal,
   RC_ASSERT(orient2d(b, a, a) == 0);
 }
 
-TEST(Orient2d, tells_collinear_points_from_those_one_rounding_beside) {
+TEST(Orient2d, distinguishes_collinear_points_from_points_one_rounding_away) {
   const Point a{0.1, 0.1}, b{0.3, 0.3}, on{0.7, 0.7};
   EXPECT_EQ(orient2d(a, b, on), 0);
   EXPECT_GT(orient2d(a, b, {0.7, std::nextafter(0.7, 1.0)}), 0);
@@ -141,7 +141,6 @@ PARDEL_PROPERTY(
     {.statement = "incircle of four points on a line is exactly zero: a line is the circle through its points",
      .source = "parallel/arithmetic/predicates.hpp",
      .families = "collinear points"}) {
-  // A line is the circle through all of its points.
   const auto [a, b, c, d] = *testing::on_a_line();
   RC_ASSERT(incircle(a, b, c, d) == 0);
 }
@@ -157,7 +156,7 @@ PARDEL_PROPERTY(Incircle, is_zero_when_two_points_are_equal,
   RC_ASSERT(incircle(a, a, c, d) == 0);
 }
 
-TEST(Incircle, tells_cocircular_points_from_those_one_rounding_beside) {
+TEST(Incircle, distinguishes_cocircular_points_from_points_one_rounding_away) {
   const Point a{0.1, 0.2}, b{0.9, 0.2}, c{0.9, 0.7}, d{0.1, 0.7};
   EXPECT_EQ(incircle(a, b, c, d), 0);
   EXPECT_GT(incircle(a, b, c, {std::nextafter(0.1, 1.0), 0.7}), 0);
@@ -203,7 +202,7 @@ TEST(Predicates, are_exact_at_both_ends_of_the_range) {
   EXPECT_LT(incircle({0, 0}, {tiny, 0}, {0, tiny}, {tiny, std::nextafter(tiny, 1.0)}), 0);
 }
 
-TEST(Predicates, say_which_coordinates_they_can_use) {
+TEST(Predicates, state_which_coordinates_are_in_their_range) {
   for (const double x : {0.0, -0.0, smallest_coordinate, -largest_coordinate, 1.5}) EXPECT_TRUE(is_usable(x)) << x;
   for (const double x : {smallest_coordinate / 2, 2 * largest_coordinate, 1e-300, -1e300,
                          std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})

@@ -43,7 +43,7 @@ TEST(HilbertOrder, depends_on_coordinates_only) {
   }
 }
 
-/// Large enough for several blocks, and with clusters that are ordered each along a curve of its own.
+/// The input has several blocks of points, and clusters that are ordered recursively.
 TEST(HilbertOrder, does_not_depend_on_threads) {
   samples::Random random(6);
   std::vector<Point> points = samples::uniform_points(40'000, 7);
@@ -57,26 +57,27 @@ TEST(HilbertOrder, does_not_depend_on_threads) {
   for (const int threads : {2, 3, 16}) EXPECT_EQ(hilbert_order(points, threads), order) << threads << " threads";
 }
 
-TEST(HilbertOrder, takes_equal_points_for_what_they_are) {
+TEST(HilbertOrder, lists_equal_points_once_each) {
   const std::vector<Point> same(1000, Point{3, 4});
   EXPECT_TRUE(is_permutation(hilbert_order(same), same.size()));
 }
 
-/// A tour along the curve is at most a constant longer than the shortest, 0.71 sqrt(n A) for uniform points.
+/// The tour along the curve is at most a constant factor longer than the shortest one, which has length 0.71 sqrt(n A)
+/// for uniform points in an area A.
 TEST(HilbertOrder, makes_a_short_tour) {
   constexpr std::size_t n = 20'000;
   const std::vector<Point> points = samples::uniform_points(n, 4);
   EXPECT_LT(length_of_tour(points, hilbert_order(points)), std::sqrt(double(n)));
 }
 
-/// Each step on a lattice of 2^k by 2^k points goes to a direct neighbour, which is what Hilbert's curve is.
+/// The defining property of Hilbert's curve: on a lattice of 2^k by 2^k points every step leads to a direct neighbour.
 TEST(HilbertOrder, steps_from_neighbour_to_neighbour_on_a_lattice) {
   constexpr int n = 64;
   const std::vector<Point> points = samples::lattice_points(n);
   EXPECT_EQ(length_of_tour(points, hilbert_order(points)), n * n - 1);
 }
 
-/// All of a cluster shares one cell of the first grid and is ordered along a curve of its own.
+/// All points of the cluster share one cell of the grid, so they are ordered recursively.
 TEST(HilbertOrder, stays_short_inside_a_tiny_cluster) {
   std::vector<Point> points = samples::uniform_points(10'000, 5);
   for (Point& p : points) p = {p.x * 0x1p-30, p.y * 0x1p-30};

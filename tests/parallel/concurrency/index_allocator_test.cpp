@@ -1,4 +1,4 @@
-// Who gets which numbers: none twice, none lost, none left unused in the end.
+// No index is allocated twice, none is lost, and compaction leaves none unused.
 #include "../../../parallel/concurrency/index_allocator.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace pardel::engine {
 namespace {
 
-/// Phases of tasks that ask for numbers, use some of them and give the rest back.
+/// Simulates phases of tasks that get indices, use some of them and return the others.
 class Phases {
  public:
   Phases(Index used, Index limit, std::uint64_t seed) : ledger_(used, limit), random_(seed) {
@@ -33,7 +33,7 @@ class Phases {
     }
     for (IndexPool& numbers : tasks) {
       for (std::size_t left = random_.below(numbers.left() + 1); numbers.left() > left;)
-        EXPECT_TRUE(in_use_.insert(numbers.take()).second) << "given out twice";
+        EXPECT_TRUE(in_use_.insert(numbers.take()).second) << "allocated twice";
       ledger_.take_back(numbers);
     }
     ledger_.settle();
@@ -48,6 +48,7 @@ class Phases {
   std::set<Index> in_use_;
 };
 
+/// The indices below end() that lie in no hole.
 std::set<Index> below_end_and_in_no_hole(const IndexAllocator& ledger) {
   std::set<Index> result;
   for (Index n = 0; n < ledger.end(); ++n) result.insert(n);
@@ -75,8 +76,8 @@ TEST(IndexMoves, fill_every_hole_with_what_lies_above) {
     for (int phase = 0; phase < 10; ++phase) phases.phase();
     std::set<Index> numbers = phases.in_use();
     for (const IndexMove move : moves_into_holes(phases.ledger())) {
-      ASSERT_EQ(numbers.erase(move.from), 1U) << "moves what is not there";
-      ASSERT_TRUE(numbers.insert(move.to).second) << "moves onto another";
+      ASSERT_EQ(numbers.erase(move.from), 1U) << "moves an index that is not in use";
+      ASSERT_TRUE(numbers.insert(move.to).second) << "moves to an index that is in use";
     }
     ASSERT_EQ(numbers.size(), phases.in_use().size());
     EXPECT_TRUE(numbers.empty() || *numbers.rbegin() == numbers.size() - 1);

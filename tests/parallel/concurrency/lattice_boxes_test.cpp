@@ -1,4 +1,4 @@
-// The boxes of tasks, on random lattices: what makes it safe to run the tasks of one colour at the same time.
+// The boxes of tasks on random lattices: the properties that allow the tasks of one colour to run concurrently.
 #include "../../../parallel/concurrency/lattice.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 
@@ -36,7 +36,7 @@ PARDEL_PROPERTY(
       RC_ASSERT(lattice.colour_of(a) != lattice.colour_of(b) || disjoint(lattice.box_of(a), lattice.box_of(b)));
 }
 
-/// To a millionth of a side: far from the origin the rim of a box is rounded.
+/// Up to a millionth of a side, because the border of a box far from the origin is rounded.
 PARDEL_PROPERTY(Boxes, reach_half_a_side_beyond_their_cells,
                 {.statement = "a point that is less than half a cell's width and half its height away from a point of "
                               "a cell lies in its box",

@@ -25,7 +25,7 @@ const std::vector<Lattice>& lattices() {
   return all;
 }
 
-TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
+TEST(Lattice, contains_every_point_of_the_plane_in_the_box_of_its_cell) {
   samples::Random random(1);
   for (const Lattice& lattice : lattices()) {
     const Box last = lattice.box_of(lattice.cells() - 1);
@@ -42,7 +42,7 @@ TEST(Lattice, holds_every_point_of_the_plane_in_the_box_of_its_cell) {
   }
 }
 
-TEST(Lattice, gives_neighbours_four_different_colours) {
+TEST(Lattice, gives_four_different_colours_to_cells_around_a_corner) {
   const Lattice lattice = Lattice::over({0, 0, 1, 1}, 6);
   for (Index j = 0; j + 1 < lattice.rows(); ++j)
     for (Index i = 0; i + 1 < lattice.columns(); ++i) {
@@ -54,7 +54,7 @@ TEST(Lattice, gives_neighbours_four_different_colours) {
     }
 }
 
-TEST(Lattice, has_as_many_cells_along_its_longer_side_as_was_asked_for) {
+TEST(Lattice, has_the_requested_number_of_cells_along_its_longer_side) {
   for (const Index along : {1U, 2U, 3U, 100U}) {
     const Lattice wide = Lattice::over({0, 0, 10, 3}, along), high = Lattice::over({0, 0, 3, 10}, along);
     EXPECT_EQ(wide.columns(), along);
@@ -63,7 +63,7 @@ TEST(Lattice, has_as_many_cells_along_its_longer_side_as_was_asked_for) {
   }
 }
 
-TEST(Lattice, sums_what_is_spread_evenly_to_the_part_that_a_box_covers) {
+TEST(Lattice, sums_a_uniform_quantity_to_the_area_of_the_box) {
   for (const Lattice& lattice : lattices()) {
     const std::vector<double> one_per_cell(lattice.cells(), 1);
     for (Index cell = 0; cell < lattice.cells(); ++cell) {
@@ -74,8 +74,8 @@ TEST(Lattice, sums_what_is_spread_evenly_to_the_part_that_a_box_covers) {
   }
 }
 
-/// A circumcentre of a needle can be anywhere, or nowhere.
-TEST(Lattice, has_a_cell_for_points_beyond_all_bounds) {
+/// The circumcentre of a needle can lie anywhere, and its coordinates can be infinite or NaN.
+TEST(Lattice, has_a_cell_for_every_point_even_if_a_coordinate_is_not_finite) {
   const Lattice lattice = Lattice::over({0, 0, 1, 1}, 4);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

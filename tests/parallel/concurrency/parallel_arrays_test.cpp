@@ -1,11 +1,10 @@
-// What many threads list at once comes in one order, whatever their number.
+// Arrays that are built in parallel do not depend on the number of threads.
 #include "../../../parallel/concurrency/parallel_arrays.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "../../../parallel/concurrency/bounding_box.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {
@@ -13,7 +12,7 @@ namespace {
 
 using samples::Random;
 
-TEST(InOrder, blocks_are_joined_one_after_another) {
+TEST(AppendBlocks, keeps_the_order_of_the_blocks) {
   Random random(1);
   std::vector<std::vector<int>> blocks(50);
   std::vector<int> expected;
@@ -31,7 +30,7 @@ TEST(InOrder, blocks_are_joined_one_after_another) {
   }
 }
 
-TEST(InOrder, what_satisfies_is_listed_in_ascending_order) {
+TEST(IndicesWhere, lists_indices_in_ascending_order) {
   constexpr std::size_t n = 40'000;
   const auto wanted = [](std::size_t i) { return i % 3 == 0 || (i > 16'000 && i < 17'000); };
   std::vector<Index> expected;
@@ -42,7 +41,7 @@ TEST(InOrder, what_satisfies_is_listed_in_ascending_order) {
   EXPECT_TRUE(indices_where(2, 0, wanted).empty());
 }
 
-TEST(InOrder, an_array_is_made_element_by_element) {
+TEST(MakeArray, makes_each_element_from_its_index) {
   for (const int threads : {0, 1, 2, 7}) {
     const Array<double> halves =
         make_array(threads, 40'000, [](std::size_t i) { return 0.5 * static_cast<double>(i); });
@@ -51,7 +50,7 @@ TEST(InOrder, an_array_is_made_element_by_element) {
   }
 }
 
-TEST(InOrder, each_cell_gets_its_own_in_ascending_order_on_any_number_of_threads) {
+TEST(VisitByCell, visits_each_cell_in_ascending_order_on_any_number_of_threads) {
   constexpr std::size_t cells = 5, n = 40'000;
   Random random(2);
   std::vector<Index> cell_of(n);
@@ -60,26 +59,12 @@ TEST(InOrder, each_cell_gets_its_own_in_ascending_order_on_any_number_of_threads
   for (std::size_t i = 0; i < n; ++i)
     if (cell_of[i] != no_index) expected[cell_of[i]].push_back(i);
   for (const int threads : {1, 2, 3, 8}) {
-    std::vector<std::vector<std::size_t>> filed(cells);
+    std::vector<std::vector<std::size_t>> visited(cells);
     visit_by_cell(
         threads, n, cells, [&](std::size_t i) { return cell_of[i]; },
-        [&](Index cell, std::size_t i) { filed[cell].push_back(i); });
-    EXPECT_EQ(filed, expected) << threads << " threads";
+        [&](Index cell, std::size_t i) { visited[cell].push_back(i); });
+    EXPECT_EQ(visited, expected) << threads << " threads";
   }
-}
-
-TEST(Bounds, are_the_least_box_around_all_points_on_any_number_of_threads) {
-  const std::vector<Point> points = samples::uniform_points(40'000, 3);
-  const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
-  const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
-  for (const int threads : {0, 1, 2, 7}) {
-    const Box box = bounding_box(threads, points.size(), [&](std::size_t i) { return points[i]; });
-    EXPECT_EQ(box.min_x, left.x);
-    EXPECT_EQ(box.max_x, right.x);
-    EXPECT_EQ(box.min_y, low.y);
-    EXPECT_EQ(box.max_y, high.y);
-  }
-  EXPECT_EQ(bounding_box(2, 0, [](std::size_t) { return Point{}; }).min_x, INFINITY);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(Background, finds_a_triangle_that_contains_the_point) {
   }
 }
 
-TEST(Background, takes_the_nearest_point_where_no_triangle_contains_the_point) {
+TEST(Background, uses_the_nearest_point_of_the_triangulation_for_a_point_outside_it) {
   const samples::Sample sample = samples::triangulated({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   const Background background = background_of(sample);
   const std::vector<double> x{0, 4, 4, 0}, y{0, 0, 4, 4};

@@ -1,12 +1,11 @@
-// The triangulation of points against the definition: no point lies strictly inside any triangle's circle.
+// Compares the triangulation of points with the definition: no point lies strictly inside the circumcircle of a
+// triangle.
 #include "../../../parallel/triangulation/delaunay.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "../../../parallel/arithmetic/predicates.hpp"
-#include "../../../parallel/triangulation/locate.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../samples.hpp"
 
@@ -15,7 +14,8 @@ namespace {
 
 using samples::Random;
 
-/// A triangle by its corners, least first, and so the same for every numbering.
+/// The corners of a triangle in counter-clockwise order, starting with the lexicographically least. Independent of the
+/// numbering.
 using Corners = std::array<std::pair<double, double>, 3>;
 
 std::vector<Corners> triangles_of(const Triangulation& t) {
@@ -39,7 +39,7 @@ void expect_empty_circles(const Triangulation& t) {
   }
 }
 
-/// Every hull edge has all points to its inner side, and none in its interior.
+/// All points lie on the inner side of every hull edge, and none in the interior of a hull edge.
 void expect_convex_hull(const Triangulation& t) {
   for (const Slot& slot : t.slots) {
     if (!slot.is_ghost()) continue;
@@ -59,7 +59,7 @@ void expect_delaunay(const std::vector<Point>& points, int threads = 1, std::siz
   ASSERT_TRUE(made) << made.error().message;
   const Triangulation& t = made->triangulation;
   ASSERT_EQ(samples::fault(t), "");
-  // On the sphere, the ghost vertex being one more: F = 2 V - 4.
+  // Euler's formula on the sphere, where the vertex at infinity counts as a vertex: F = 2 V - 4.
   EXPECT_EQ(t.slots.size(), 2 * (points.size() + 1) - 4);
   ASSERT_EQ(t.points.size(), points.size());
   for (std::size_t v = 0; v < points.size(); ++v) EXPECT_EQ(t.points[v], points[made->input_of_vertex[v]]);
@@ -67,7 +67,7 @@ void expect_delaunay(const std::vector<Point>& points, int threads = 1, std::siz
   expect_convex_hull(t);
 }
 
-TEST(Delaunay, satisfies_the_definition_whatever_the_position) {
+TEST(Delaunay, satisfies_the_definition_for_points_in_any_position) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
     for (const samples::Family& family : samples::families(120, seed)) {
       SCOPED_TRACE(family.name + ", seed " + std::to_string(seed));
@@ -75,7 +75,7 @@ TEST(Delaunay, satisfies_the_definition_whatever_the_position) {
     }
 }
 
-TEST(Delaunay, satisfies_the_definition_when_tiles_are_triangulated_at_once) {
+TEST(Delaunay, satisfies_the_definition_when_tiles_are_triangulated_concurrently) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
     for (const samples::Family& family : samples::families(200, seed))
       for (const std::size_t per_tile : {1U, 5U, 20U}) {
@@ -84,7 +84,7 @@ TEST(Delaunay, satisfies_the_definition_when_tiles_are_triangulated_at_once) {
       }
 }
 
-TEST(Delaunay, is_the_same_on_any_number_of_threads_numbers_included) {
+TEST(Delaunay, gives_the_same_numbering_on_any_number_of_threads) {
   for (const samples::Family& family : samples::families(20'000, 10)) {
     const Result<Delaunay> expected = delaunay(family.points, 1, 300);
     ASSERT_TRUE(expected) << family.name;
@@ -100,7 +100,7 @@ TEST(Delaunay, is_the_same_on_any_number_of_threads_numbers_included) {
   }
 }
 
-TEST(Delaunay, satisfies_the_definition_for_every_few_points) {
+TEST(Delaunay, satisfies_the_definition_for_three_to_ten_points) {
   Random random(4);
   for (int round = 0; round < 400; ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
@@ -122,7 +122,8 @@ TEST(Delaunay, is_locally_delaunay_everywhere_for_many_points) {
   }
 }
 
-/// Even where cocircular points leave a choice: the order of insertion follows from coordinates alone.
+/// This includes cocircular points, which have several Delaunay triangulations. The order of insertion depends on
+/// coordinates alone.
 TEST(Delaunay, does_not_depend_on_the_order_of_the_points) {
   Random random(5);
   for (const samples::Family& family : samples::families(500, 6)) {
@@ -138,7 +139,7 @@ TEST(Delaunay, does_not_depend_on_the_order_of_the_points) {
   }
 }
 
-TEST(Delaunay, refuses_what_spans_no_triangle) {
+TEST(Delaunay, rejects_points_that_span_no_triangle) {
   const std::vector<std::vector<Point>> hopeless{
       {}, {{0, 0}}, {{0, 0}, {1, 0}}, {{0, 0}, {1, 1}, {2, 2}, {5, 5}}, {{0, 0}, {0, 0}, {1, 0}, {0, 1}},
   };
@@ -149,7 +150,7 @@ TEST(Delaunay, refuses_what_spans_no_triangle) {
   }
 }
 
-TEST(Delaunay, refuses_a_duplicate_among_many) {
+TEST(Delaunay, rejects_equal_points) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<Point> points = samples::uniform_points(50, seed);
     points.push_back(points[seed]);
@@ -161,32 +162,14 @@ TEST(Delaunay, refuses_a_duplicate_among_many) {
   }
 }
 
-TEST(Locate, finds_a_triangle_that_contains_the_point_or_a_hull_edge_that_it_lies_beyond) {
-  Random random(7);
-  for (const samples::Family& family : samples::families(300, 8)) {
-    const Result<Delaunay> made = delaunay(family.points);
-    ASSERT_TRUE(made) << family.name;
-    const Triangulation& t = made->triangulation;
-    TriangleId start = 0;
-    while (t.slots[start].is_ghost()) ++start;
-    const Point low = *std::min_element(family.points.begin(), family.points.end(),
-                                        [](Point a, Point b) { return a.x + a.y < b.x + b.y; });
-    const Point high = *std::max_element(family.points.begin(), family.points.end(),
-                                         [](Point a, Point b) { return a.x + a.y < b.x + b.y; });
-    for (int round = 0; round < 300; ++round) {
-      const double f = random.uniform(-0.3, 1.3), g = random.uniform(-0.3, 1.3);
-      const Point p = round % 3 == 0 ? family.points[random.below(family.points.size())]
-                                     : Point{low.x + f * (high.x - low.x), low.y + g * (high.y - low.y)};
-      const Slot& slot = t.slots[locate(t, p, start)];
-      for (unsigned side = 0; side < 3; ++side) {
-        if (slot.from(side) == ghost || slot.to(side) == ghost) continue;
-        const int turn = checker::exactly::orientation(t.points[slot.from(side)], t.points[slot.to(side)], p);
-        if (slot.is_ghost())
-          EXPECT_GT(turn, 0) << family.name;
-        else
-          EXPECT_GE(turn, 0) << family.name;
-      }
-    }
+/// The text of the coordinates identifies the point, also where they are tiny.
+TEST(Delaunay, prints_coordinates_with_all_their_digits) {
+  for (const std::size_t copies : {1U, 50U}) {
+    std::vector<Point> points(1 + copies, Point{1e-9, 2e-9});
+    points.insert(points.end(), {{0, 0}, {1, 0}, {0, 1}});
+    const Result<Delaunay> made = delaunay(points);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().message, "two points share the coordinates (1e-09, 2e-09)");
   }
 }
 

@@ -1,0 +1,93 @@
+// A mesh that is imported and exported again keeps its content.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../../../parallel/conversion/export_mesh.hpp"
+#include "../../../parallel/conversion/import_mesh.hpp"
+#include "../../../parallel/mesher.hpp"
+#include "../shapes.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// A refined square with markers, regions and attributes.
+const Mesh& refined_square() {
+  static const Mesh mesh = [] {
+    Pslg pslg = testing::square(4);
+    pslg.segments[1].marker = 7;
+    pslg.segments.push_back({0, 2, 9});
+    pslg.regions = {{{3, 1}, 1.5, 0.3}, {{1, 3}, 2.5, 0.2}};
+    pslg.point_markers = {0, 3, 0, 0};
+    return std::move(pardel::mesh(pslg, {.min_angle_deg = 25}).value().mesh);
+  }();
+  return mesh;
+}
+
+Mesh exported(DomainTriangulation&& domain, const Mesh& mesh) {
+  return export_mesh(std::move(domain), mesh.region_attributes, {0, {}, mesh.point_markers.span()}, {});
+}
+
+TEST(ImportMesh, followed_by_export_gives_the_same_mesh) {
+  const Mesh& mesh = refined_square();
+  Result<DomainTriangulation> domain = import_mesh(mesh);
+  ASSERT_TRUE(domain) << domain.error().message;
+  EXPECT_EQ(domain->segments.size(), 5U) << "subsegments are joined";
+  const Mesh again = exported(std::move(domain).value(), mesh);
+  EXPECT_EQ(again.points, mesh.points);
+  EXPECT_EQ(again.triangles, mesh.triangles);
+  EXPECT_EQ(again.origin, mesh.origin);
+  EXPECT_EQ(again.region, mesh.region);
+  EXPECT_EQ(again.point_markers, mesh.point_markers);
+  ASSERT_EQ(again.constrained_edges.size(), mesh.constrained_edges.size());
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    EXPECT_TRUE(std::ranges::any_of(again.constrained_edges,
+                                    [&](const ConstrainedEdge& other) {
+                                      return std::minmax(e.a, e.b) == std::minmax(other.a, other.b) &&
+                                             e.segment == other.segment && e.marker == other.marker;
+                                    }))
+        << e.a << '-' << e.b;
+}
+
+TEST(ImportMesh, without_origins_makes_each_subsegment_a_segment) {
+  Mesh mesh = refined_square();
+  mesh.origin.clear();
+  const Result<DomainTriangulation> domain = import_mesh(mesh);
+  ASSERT_TRUE(domain);
+  EXPECT_EQ(domain->segments.size(), mesh.constrained_edges.size());
+}
+
+TEST(ImportMesh, of_a_constrained_edge_that_is_listed_twice_takes_the_last) {
+  Mesh mesh = refined_square();
+  ConstrainedEdge again = mesh.constrained_edges[0];
+  std::swap(again.a, again.b);
+  again.marker = 77;
+  mesh.constrained_edges.push_back(again);
+  mesh.origin.clear();
+  const Result<DomainTriangulation> domain = import_mesh(mesh);
+  ASSERT_TRUE(domain);
+  EXPECT_EQ(std::ranges::count(domain->segment_marker, 77), 1);
+}
+
+TEST(ImportMesh, rejects_a_mesh_that_is_not_a_manifold_of_positive_triangles) {
+  const auto rejects = [](const char* text, const auto& damage) {
+    Mesh mesh = refined_square();
+    damage(mesh);
+    const Result<DomainTriangulation> domain = import_mesh(mesh);
+    ASSERT_FALSE(domain) << text;
+    EXPECT_EQ(domain.error().kind, ErrorKind::invalid_input);
+    EXPECT_NE(domain.error().message.find(text), std::string::npos) << domain.error().message;
+  };
+  rejects("has no triangles", [](Mesh& mesh) { mesh.triangles.clear(); });
+  rejects("names a vertex that does not exist", [](Mesh& mesh) { mesh.triangles[3].v[1] = 1'000'000; });
+  rejects("names a vertex that does not exist", [](Mesh& mesh) { mesh.constrained_edges[0].a = 1'000'000; });
+  rejects("names a neighbour that does not exist", [](Mesh& mesh) {
+    for (Index& n : mesh.triangles[0].n) n = 1'000'000;
+  });
+  rejects("is not positively oriented", [](Mesh& mesh) { std::swap(mesh.triangles[2].v[0], mesh.triangles[2].v[1]); });
+  rejects("has a neighbour that does not agree",
+          [](Mesh& mesh) { std::swap(mesh.triangles[0].n[0], mesh.triangles[0].n[1]); });
+}
+
+}  // namespace
+}  // namespace pardel::engine

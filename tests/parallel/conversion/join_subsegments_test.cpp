@@ -1,0 +1,69 @@
+#include "../../../parallel/conversion/join_subsegments.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pardel::engine {
+namespace {
+
+/// Vertices 0 and 1 are the ends of input segment 6, on which vertices 2, 3 and 4 follow each other from 0 to 1.
+Mesh split_segment() {
+  Mesh mesh;
+  mesh.points.resize(5);
+  for (const Index origin : {input_vertex, input_vertex, Index{6}, Index{6}, Index{6}}) mesh.origin.push_back(origin);
+  mesh.constrained_edges = {{3, 4, 6, 1}, {2, 0, 6, 1}, {1, 4, 6, 1}, {2, 3, 6, 1}};
+  return mesh;
+}
+
+TEST(JoinSubsegments, joins_them_at_vertices_that_were_inserted_on_their_segment) {
+  const Mesh mesh = split_segment();
+  const JoinedSegments joined = join_subsegments(mesh, mesh.constrained_edges);
+  ASSERT_EQ(joined.segments.size(), 1U);
+  EXPECT_EQ(std::minmax(joined.segments[0].a, joined.segments[0].b), std::minmax(Index{0}, Index{1}));
+  EXPECT_EQ(joined.input_segment, std::vector<Index>{6});
+  EXPECT_EQ(joined.segment_marker, std::vector<int>{1});
+  for (const Index v : {0, 1}) EXPECT_EQ(joined.origin[v], input_vertex);
+  for (const Index v : {2, 3, 4}) EXPECT_EQ(joined.origin[v], 0U);
+}
+
+TEST(JoinSubsegments, joins_nothing_without_origins) {
+  Mesh mesh = split_segment();
+  mesh.origin.clear();
+  const JoinedSegments joined = join_subsegments(mesh, mesh.constrained_edges);
+  EXPECT_EQ(joined.segments.size(), 4U);
+  for (const Index origin : joined.origin) EXPECT_EQ(origin, input_vertex);
+}
+
+TEST(JoinSubsegments, keeps_subsegments_apart_where_another_one_ends_or_markers_differ) {
+  Mesh mesh = split_segment();
+  mesh.points.resize(6);
+  mesh.origin.push_back(interior_vertex);
+  mesh.constrained_edges.push_back({3, 5, 7, 0});  // ends in the interior of segment 6
+  mesh.constrained_edges[2].marker = 2;            // between vertices 4 and 1
+  const JoinedSegments joined = join_subsegments(mesh, mesh.constrained_edges);
+  EXPECT_EQ(joined.segments.size(), 4U) << "0-3, 3-4, 4-1 and 3-5";
+  EXPECT_EQ(joined.origin[2], 1U) << "the second segment found";
+  EXPECT_EQ(joined.origin[3], input_vertex);
+  EXPECT_EQ(joined.origin[4], input_vertex);
+  EXPECT_EQ(joined.origin[5], interior_vertex);
+}
+
+TEST(JoinSubsegments, joins_subsegments_of_a_hull_edge) {
+  Mesh mesh;
+  mesh.points.resize(3);
+  for (const Index origin : {input_vertex, input_vertex, hull_vertex}) mesh.origin.push_back(origin);
+  mesh.constrained_edges = {{0, 2, no_index, 0}, {2, 1, no_index, 0}};
+  const JoinedSegments joined = join_subsegments(mesh, mesh.constrained_edges);
+  EXPECT_EQ(joined.segments.size(), 1U);
+  EXPECT_EQ(joined.input_segment, std::vector<Index>{no_index});
+}
+
+TEST(JoinSubsegments, does_not_join_a_closed_ring) {
+  Mesh mesh;
+  mesh.points.resize(3);
+  for (int v = 0; v < 3; ++v) mesh.origin.push_back(Index{4});
+  mesh.constrained_edges = {{0, 1, 4, 0}, {1, 2, 4, 0}, {2, 0, 4, 0}};
+  EXPECT_EQ(join_subsegments(mesh, mesh.constrained_edges).segments.size(), 3U);
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,60 @@
+#include "../../../parallel/triangulation/domain_segments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pardel::engine {
+namespace {
+
+/// Segments from vertex 0 to the right, at 45 degrees, at 135 degrees and at 270 degrees.
+struct Star {
+  Array<Point> points{std::span<const Point>(std::vector<Point>{{0, 0}, {2, 0}, {1, 1}, {-1, 1}, {0, -3}})};
+  std::vector<Constraint> constraints{{0, 1}, {2, 0}, {0, 3}, {4, 0}};
+  DomainSegments segments{points, constraints};
+};
+
+TEST(DomainSegments, order_the_ends_of_each_segment) {
+  const Star star;
+  ASSERT_EQ(star.segments.size(), 4U);
+  for (Index s = 0; s < 4; ++s) {
+    EXPECT_EQ(star.segments[s].a, 0U);
+    EXPECT_EQ(star.segments[s].b, s + 1);
+  }
+}
+
+TEST(DomainSegments, mark_the_ends_with_acute_angles) {
+  const Star star;
+  EXPECT_TRUE(star.segments[0].acute_at_a);
+  EXPECT_TRUE(star.segments[1].acute_at_a);
+  EXPECT_FALSE(star.segments[2].acute_at_a) << "90 and 135 degrees";
+  EXPECT_FALSE(star.segments[3].acute_at_a) << "90 and 135 degrees";
+  for (Index s = 0; s < 4; ++s) EXPECT_FALSE(star.segments[s].acute_at_b);
+}
+
+TEST(DomainSegments, compute_common_ends_and_angles) {
+  const Star star;
+  EXPECT_EQ(star.segments.shared_end(1, 3), 0U);
+  EXPECT_NEAR(star.segments.cosine_at(star.points, 0, 0, 1), std::sqrt(0.5), 1e-15);
+  const std::vector<Constraint> apart{{1, 2}, {3, 4}};
+  EXPECT_EQ(DomainSegments(star.points, apart).shared_end(0, 1), no_index);
+}
+
+TEST(DomainSegments, find_the_segment_of_a_subsegment) {
+  const Star star;
+  Triangulation t;
+  t.points = star.points;
+  t.points.push_back({0.5, 0.5});
+  t.points.push_back({0.25, 0.25});
+  t.origin.resize(5, input_vertex);
+  t.origin.push_back(1);
+  t.origin.push_back(1);
+  EXPECT_EQ(star.segments.segment_of(t, 0, 3), 2U);
+  EXPECT_EQ(star.segments.segment_of(t, 4, 0), 3U);
+  EXPECT_EQ(star.segments.segment_of(t, 2, 5), 1U);
+  EXPECT_EQ(star.segments.segment_of(t, 5, 6), 1U);
+  EXPECT_EQ(star.segments.segment_of(t, 1, 2), no_index);
+}
+
+}  // namespace
+}  // namespace pardel::engine
