@@ -1,4 +1,4 @@
-// pardel check: is this mesh a right answer for this domain and goal?
+// pardel check: decides whether a mesh is right for a domain and a goal.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "../core/formats.hpp"
-#include "../parallel/validate.hpp"
 #include "../properties/checker/check.hpp"
 #include "command.hpp"
 #include "goal_options.hpp"
@@ -29,18 +29,18 @@ struct Arguments {
 
 Result<ExitCode> run(const Arguments& arguments) {
   if (Status folder = check_folder(arguments.json); !folder) return folder.error();
-  const Result<Domain> domain = read_domain(arguments.domain);
+  Result<Domain> read = read_domain(arguments.domain);
+  if (!read) return read.error();
+  const Result<ValidPslg> domain = validated(std::move(*read), {.convex_hull = arguments.goal.convex_hull});
   if (!domain) return domain.error();
-  const std::vector<Problem> problems = validate(domain.value().pslg, {.convex_hull = arguments.goal.convex_hull});
-  if (!problems.empty()) return problems_error(*domain, problems);
   const Result<Mesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return mesh.error();
-  const Result<Goal> goal = make_goal(arguments.goal, domain.value().pslg);
+  const Result<Goal> goal = make_goal(arguments.goal, *domain);
   if (!goal) return goal.error();
 
-  // A file does not say where a vertex comes from.
+  // Files of meshes do not contain the provenance of vertices.
   const CheckOptions options{.max_circumradius = arguments.max_circumradius, .foreign = true};
-  const Certificate certificate = check(domain.value().pslg, *mesh, *goal, options);
+  const Certificate certificate = check(domain->pslg(), *mesh, *goal, options);
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}\n", to_text(certificate));
   if (!arguments.json.empty()) {
     if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();

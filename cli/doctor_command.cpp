@@ -52,12 +52,13 @@ nlohmann::ordered_json to_json(const Domain& domain, const std::vector<Problem>&
                                  {"valid", problems.empty()},
                                  {"problems", nlohmann::ordered_json::array()},
                                  {"repaired", nullptr}};
-  for (const Problem& problem : problems) json["problems"].push_back(to_json(problem, domain.base));
+  for (const Problem& problem : problems) json["problems"].push_back(to_json(problem, domain.pslg.first_id.value));
   if (repaired) {
-    json["repaired"] = {{"points", repaired->pslg.points.size()},
-                        {"segments", repaired->pslg.segments.size()},
-                        {"holes", repaired->pslg.holes.size()},
-                        {"regions", repaired->pslg.regions.size()},
+    const Pslg& pslg = repaired->domain.pslg();
+    json["repaired"] = {{"points", pslg.points.size()},
+                        {"segments", pslg.segments.size()},
+                        {"holes", pslg.holes.size()},
+                        {"regions", pslg.regions.size()},
                         {"log", repaired->log}};
   }
   return json;
@@ -68,7 +69,8 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
              domain.pslg.segments.size(), domain.pslg.holes.size(), domain.pslg.regions.size());
   if (problems.empty()) fmt::print("no problem\n");
   if (!problems.empty()) fmt::print("{} problem{}\n", problems.size(), problems.size() == 1 ? "" : "s");
-  for (const Problem& problem : problems) fmt::print("  {}: {}\n", name(problem.kind), problem.message(domain.base));
+  for (const Problem& problem : problems)
+    fmt::print("  {}: {}\n", name(problem.kind), problem.message(domain.pslg.first_id.value));
   if (!repaired) return;
   for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
 }
@@ -80,19 +82,22 @@ Result<ExitCode> run(const Arguments& arguments) {
   if (Status folder = check_folder(arguments.json); !folder) return folder.error();
   const Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return domain.error();
-  const std::vector<Problem> problems = validate(domain.value().pslg, {.convex_hull = arguments.convex_hull});
+  const Pslg& pslg = domain->pslg;
+  const std::vector<Problem> problems = find_problems(pslg, {.convex_hull = arguments.convex_hull});
 
   std::optional<Repaired> repaired;
   std::optional<Error> beyond_repair;
   if (!arguments.repaired.empty()) {
-    Result<Repaired> result = repair(domain.value().pslg, arguments.snap.value_or(0), domain.value().base);
+    Result<Repaired> result = repair(pslg, arguments.snap.value_or(0));
     if (result) {
-      repaired = std::move(*result);
-      if (Status written = write_poly(repaired->pslg, arguments.repaired, domain.value().base); !written) {
+      repaired.emplace(std::move(*result));
+      if (Status written = write_poly(repaired->domain.pslg(), arguments.repaired, pslg.first_id.value); !written) {
         return written.error();
       }
+    } else if (result.error().kind == ErrorKind::invalid_input && !problems.empty()) {
+      beyond_repair = problems_error(*domain, problems);
     } else {
-      beyond_repair = as_in_file(result.error(), *domain, arguments.convex_hull);
+      beyond_repair = with_name(result.error(), domain->name);
     }
   }
   if (!arguments.quiet && arguments.json != "-") print(*domain, problems, repaired);

@@ -164,6 +164,7 @@ Result<Pslg> domain_of(const Mesh& mesh) {
   pslg.holes = std::move(*holes);
   pslg.segments = std::move(walls.edges);
   pslg.has_segment_markers = true;
+  pslg.first_id = mesh.first_id;
   return pslg;
 }
 

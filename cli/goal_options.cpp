@@ -90,7 +90,7 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
   app.add_flag("--convex-hull", options.convex_hull, "The domain is the convex hull of the points")->group(group);
 }
 
-Result<Goal> make_goal(const GoalOptions& options, const Pslg& pslg) {
+Goal goal_without_sizes(const GoalOptions& options) {
   Goal goal;
   if (options.min_angle_deg) goal.min_angle_deg = *options.min_angle_deg;
   if (options.rho) goal.min_angle_deg = angle_of(*options.rho);
@@ -99,17 +99,22 @@ Result<Goal> make_goal(const GoalOptions& options, const Pslg& pslg) {
   goal.region_caps = options.regions;
   goal.conforming = options.conforming;
   goal.convex_hull = options.convex_hull;
-  if (!options.sizes.empty()) {
-    const Result<std::vector<double>> sizes = read_sizes(options.sizes);
-    if (!sizes) return sizes.error();
-    if (sizes->size() != pslg.points.size()) {
-      return Error{ErrorKind::invalid_input, fmt::format("{}: {} sizes for {} input points", options.sizes.string(),
-                                                         sizes->size(), pslg.points.size())};
-    }
-    Result<std::function<double(Point)>> size = interpolated_size(pslg, *sizes, options.convex_hull);
-    if (!size) return size.error();
-    goal.size = std::move(*size);
+  return goal;
+}
+
+Result<Goal> make_goal(const GoalOptions& options, const ValidPslg& domain) {
+  Goal goal = goal_without_sizes(options);
+  if (options.sizes.empty()) return goal;
+  const Result<std::vector<double>> sizes = read_sizes(options.sizes);
+  if (!sizes) return sizes.error();
+  const std::size_t points = domain.pslg().points.size();
+  if (sizes->size() != points) {
+    return Error{ErrorKind::invalid_input,
+                 fmt::format("{}: {} sizes for {} input points", options.sizes.string(), sizes->size(), points)};
   }
+  Result<std::function<double(Point)>> size = interpolated_size(domain, *sizes);
+  if (!size) return size.error();
+  goal.size = std::move(*size);
   return goal;
 }
 

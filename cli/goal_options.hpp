@@ -1,4 +1,4 @@
-// The options that say what a mesh has to satisfy: `mesh` aims at them, `check` judges by them.
+// The command line options that make a Goal: of `mesh`, which aims at it, and of `check`, which judges by it.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,6 +8,7 @@
 
 #include "../core/goal.hpp"
 #include "../core/result.hpp"
+#include "../parallel/validate.hpp"
 
 namespace pardel::cli {
 
@@ -22,16 +23,19 @@ struct GoalOptions {
   bool convex_hull = false;
 };
 
-/// Largest angle bound that a mesher is asked for, and that a triangulation can have.
-inline constexpr double largest_angle_to_mesh = 33;
+/// No triangulation has a larger smallest angle, in degrees.
 inline constexpr double largest_angle_to_check = 60;
 
+/// Adds the options to the command. --min-angle accepts 0 to largest_angle_deg degrees.
 void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_deg);
 
-/// Accepts finite numbers greater than zero; the message names `what`.
+/// Accepts finite numbers greater than zero. `what` names the quantity in the message: "an area".
 [[nodiscard]] CLI::Validator positive_number(std::string what);
 
-/// Reads the file of sizes, where one is given; the sizes belong to the points of `pslg`.
-[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const Pslg& pslg);
+/// The goal without the sizes.
+[[nodiscard]] Goal goal_without_sizes(const GoalOptions& options);
+
+/// The goal. Reads the file of sizes, if one is given: one size per point of `domain`.
+[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const ValidPslg& domain);
 
 }  // namespace pardel::cli

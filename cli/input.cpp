@@ -38,13 +38,6 @@ Result<Pslg> domain_beside(const fs::path& file, const Mesh& mesh) {
 
 }  // namespace
 
-int number_base(const fs::path& file) {
-  std::ifstream in(file);
-  if (first_number(in, 0) == 0 && file.extension() == ".poly")
-    return number_base(fs::path(file).replace_extension(".node"));
-  return first_number(in, 1) == 0 ? 0 : 1;
-}
-
 bool has_own_points(const fs::path& poly) {
   std::ifstream in(poly);
   return first_number(in, 0) != 0;
@@ -58,17 +51,15 @@ Result<Domain> read_domain(const fs::path& file) {
   }
   Result<Pslg> pslg = read_pslg(file);
   if (!pslg) return pslg.error();
-  return Domain{std::move(*pslg), file.string(), number_base(file)};
+  return Domain{std::move(*pslg), file.string()};
 }
 
-Result<Coarse> read_coarse(const fs::path& file) {
+Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   Result<Mesh> mesh = read_mesh(file);
   if (!mesh) return mesh.error();
-  Coarse coarse;
   Result<Pslg> pslg = domain_beside(file, *mesh);
   if (!pslg) return pslg.error();
-  coarse.mesh = std::move(*mesh);
-  coarse.domain = {std::move(*pslg), file.string(), number_base(fs::path(file).replace_extension(".node"))};
+  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), file.string()}};
   adopt_segments(coarse);
   const fs::path area = fs::path(file).replace_extension(".area");
   std::error_code ignored;
@@ -78,7 +69,7 @@ Result<Coarse> read_coarse(const fs::path& file) {
   return coarse;
 }
 
-Status read_caps(Coarse& coarse, const fs::path& area) {
+Status read_caps(CoarseMesh& coarse, const fs::path& area) {
   Result<std::vector<double>> caps = read_area(area);
   if (!caps) return caps.error();
   if (caps->size() != coarse.mesh.triangles.size()) {
@@ -89,7 +80,7 @@ Status read_caps(Coarse& coarse, const fs::path& area) {
   return Done{};
 }
 
-void adopt_segments(Coarse& coarse) {
+void adopt_segments(CoarseMesh& coarse) {
   const std::vector<Segment>& segments = coarse.domain.pslg.segments;
   coarse.mesh.constrained_edges.clear();
   coarse.mesh.constrained_edges.reserve(segments.size());
@@ -98,31 +89,33 @@ void adopt_segments(Coarse& coarse) {
   }
 }
 
-Result<Mended> mend(Domain domain, bool convex_hull) {
-  Mended mended{std::move(domain), std::nullopt, {}};
-  Pslg& pslg = mended.domain.pslg;
-  if (validate(pslg, {.convex_hull = convex_hull}).empty()) return mended;
-  Result<Repaired> repaired = repair(pslg, 0, mended.domain.base);
-  if (!repaired) return as_in_file(repaired.error(), mended.domain, convex_hull);
-  for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", mended.domain.name, line));
-  mended.original = std::exchange(pslg, std::move(repaired->pslg));
-  mended.point_map = std::move(repaired->point_map);
-  return mended;
+Result<ValidPslg> validated(Domain domain, const ValidateOptions& options) {
+  Result<ValidPslg, std::vector<Problem>> valid = validate(std::move(domain.pslg), options);
+  if (!valid) return problems_error(domain, valid.error());
+  return std::move(valid).value();
 }
 
-Error problems_error(const Domain& domain, const std::vector<Problem>& problems) {
+Result<MaybeRepaired> validated_or_repaired(Domain domain, const ValidateOptions& options) {
+  Result<ValidPslg, std::vector<Problem>> valid = validate(std::move(domain.pslg), options);
+  if (valid) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}};
+  Result<Repaired> repaired = repair(domain.pslg);
+  if (!repaired) return problems_error(domain, valid.error());
+  for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", domain.name, line));
+  return MaybeRepaired{std::move(repaired->domain), std::move(domain.pslg), std::move(repaired->point_map)};
+}
+
+Error problems_error(const Domain& domain, std::span<const Problem> problems) {
+  const int base = domain.pslg.first_id.value;
   if (problems.size() == 1) {
-    return {ErrorKind::invalid_input, fmt::format("{}: {}", domain.name, problems.front().message(domain.base))};
+    return {ErrorKind::invalid_input, fmt::format("{}: {}", domain.name, problems.front().message(base))};
   }
   std::string message = fmt::format("{}: {} problems", domain.name, problems.size());
-  for (const Problem& problem : problems) message += "\n  " + problem.message(domain.base);
+  for (const Problem& problem : problems) message += "\n  " + problem.message(base);
   return {ErrorKind::invalid_input, message};
 }
 
-Error as_in_file(const Error& error, const Domain& domain, bool convex_hull) {
-  if (error.kind != ErrorKind::invalid_input) return error;
-  const std::vector<Problem> problems = validate(domain.pslg, {.convex_hull = convex_hull});
-  return problems.empty() ? Error{error.kind, domain.name + ": " + error.message} : problems_error(domain, problems);
+Error with_name(const Error& error, const std::string& name) {
+  return error.kind == ErrorKind::invalid_input ? Error{error.kind, name + ": " + error.message} : error;
 }
 
 }  // namespace pardel::cli

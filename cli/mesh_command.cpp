@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "../core/formats.hpp"
@@ -51,40 +52,88 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// What is to be meshed; coarse.mesh is empty unless --refine.
-Result<Coarse> read(const Arguments& arguments) {
-  if (arguments.refine) return read_coarse(arguments.input);
-  Result<Domain> domain = read_domain(arguments.input);
-  if (!domain) return domain.error();
-  if (!arguments.repair) return Coarse{{}, {}, std::move(*domain)};
-  Result<Mended> mended = mend(std::move(*domain), arguments.goal.convex_hull);
-  if (!mended) return mended.error();
-  if (mended->original && !arguments.goal.sizes.empty()) {
-    return Error{ErrorKind::usage,
-                 "--sizes speaks of the points of the input, which --repair changed; write the repaired "
-                 "domain with 'pardel doctor' and give sizes for its points"};
-  }
-  return Coarse{{}, {}, std::move(mended->domain)};
+/// A valid domain; with --refine a mesh.
+using Input = std::variant<ValidPslg, CoarseMesh>;
+
+const Pslg& pslg_of(const Input& input) {
+  const auto* domain = std::get_if<ValidPslg>(&input);
+  return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(input).domain.pslg;
 }
 
-Result<Meshed> make_mesh(const Arguments& arguments, const Coarse& input, const Goal& goal, const Options& options) {
-  Result<Meshed> meshed =
-      arguments.refine ? refine(input.mesh, input.max_areas, goal, options) : mesh(input.domain.pslg, goal, options);
-  if (!meshed) return as_in_file(meshed.error(), input.domain, goal.convex_hull);
+ValidateOptions how_to_validate(const Arguments& arguments) {
+  return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
+}
+
+Result<ValidPslg> repair_domain(const Arguments& arguments, Domain domain) {
+  Result<MaybeRepaired> repaired = validated_or_repaired(std::move(domain), how_to_validate(arguments));
+  if (!repaired) return repaired.error();
+  if (repaired->original && !arguments.goal.sizes.empty()) {
+    return Error{ErrorKind::usage,
+                 "--sizes refers to the points of the input, which --repair changed; write the repaired "
+                 "domain with 'pardel doctor' and give sizes for its points"};
+  }
+  return std::move(repaired->domain);
+}
+
+/// Reads the input, and validates a domain: the only validation of a run.
+Result<Input> read(const Arguments& arguments, Seconds& seconds) {
+  Stopwatch watch;
+  if (arguments.refine) {
+    Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
+    if (!coarse) return coarse.error();
+    seconds.read = watch.lap();
+    return Input(std::move(*coarse));
+  }
+  Result<Domain> domain = read_domain(arguments.input);
+  if (!domain) return domain.error();
+  seconds.read = watch.lap();
+  Result<ValidPslg> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
+                                             : validated(std::move(*domain), how_to_validate(arguments));
+  if (!valid) return valid.error();
+  seconds.validate = watch.lap();
+  return Input(std::move(*valid));
+}
+
+/// The domain of a mesh is valid where the mesh is, so it is validated only for --sizes, which triangulates it.
+Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
+  if (const auto* domain = std::get_if<ValidPslg>(&input)) return make_goal(arguments.goal, *domain);
+  if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
+  const Result<ValidPslg> domain = validated(std::get<CoarseMesh>(input).domain, how_to_validate(arguments));
+  if (!domain) return domain.error();
+  return make_goal(arguments.goal, *domain);
+}
+
+/// A mesh that cannot be refined gives the problems of its domain, if there are any.
+Error why_not_refined(const Arguments& arguments, const Domain& domain, const Error& error) {
+  if (error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
+    const std::vector<Problem> problems = find_problems(domain.pslg, how_to_validate(arguments));
+    if (!problems.empty()) return problems_error(domain, problems);
+  }
+  return with_name(error, domain.name);
+}
+
+Result<Meshed> make_mesh(const Arguments& arguments, const Input& input, const Goal& goal, const Options& options) {
+  if (const auto* coarse = std::get_if<CoarseMesh>(&input)) {
+    Result<Meshed> meshed = refine(coarse->mesh, coarse->max_areas, goal, options);
+    if (!meshed) return why_not_refined(arguments, coarse->domain, meshed.error());
+    return meshed;
+  }
+  Result<Meshed> meshed = mesh(std::get<ValidPslg>(input), goal, options);
+  if (!meshed) return with_name(meshed.error(), arguments.input.string());
   return meshed;
 }
 
-Certificate check_mesh(const Arguments& arguments, const Coarse& input, const Meshed& meshed, const Goal& goal) {
-  // A refined mesh numbers regions as the coarse one did; for the domain it is a stranger.
-  return check(input.domain.pslg, meshed.mesh, goal, {.foreign = arguments.refine});
+Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal) {
+  // A refined mesh numbers its regions as the coarse mesh does, not as the domain does.
+  return check(pslg_of(input), meshed.mesh, goal, {.foreign = arguments.refine});
 }
 
-/// Has the mesh checked after every sweep and counts the sweeps.
-void watch_sweeps(const Arguments& arguments, const Coarse& input, const Goal& goal, std::uint64_t& checked,
+/// Makes the mesher check the mesh after every sweep. `checked` counts the sweeps.
+void watch_sweeps(const Arguments& arguments, const Pslg& pslg, const Goal& goal, std::uint64_t& checked,
                   Options& options) {
   const SweepCheck how{.convex_hull = goal.convex_hull, .foreign = arguments.refine};
-  options.after_sweep = [&input, &checked, how](const Mesh& mesh, const Sweep& sweep) {
-    return check_sweep(input.domain.pslg, mesh, ++checked, sweep, how);
+  options.after_sweep = [&pslg, &checked, how](const Mesh& mesh, const Sweep& sweep) {
+    return check_sweep(pslg, mesh, ++checked, sweep, how);
   };
 }
 
@@ -119,16 +168,17 @@ Result<ExitCode> run(Arguments& arguments) {
   const Interrupt interrupt;
 
   MeshRun run;
-  const Result<Coarse> input = read(arguments);
+  const Result<Input> input = read(arguments, run.seconds);
   if (!input) return input.error();
-  const Pslg& pslg = input.value().domain.pslg;
-  const Result<Goal> goal = make_goal(arguments.goal, pslg);
+  const Pslg& pslg = pslg_of(*input);
+  watch.lap();
+  const Result<Goal> goal = make_goal(arguments, *input);
   if (!goal) return goal.error();
-  run.seconds.read = watch.lap();
+  run.seconds.read += watch.lap();
   if (interrupt.requested()) return interrupted();
 
   Options how = arguments.options;
-  if (arguments.paranoid) watch_sweeps(arguments, *input, *goal, run.sweeps_checked.emplace(0), how);
+  if (arguments.paranoid) watch_sweeps(arguments, pslg, *goal, run.sweeps_checked.emplace(0), how);
   Result<Meshed> meshed = supervise(interrupt, arguments.progress, how, [&](const Options& options) {
     return make_mesh(arguments, *input, *goal, options);
   });
@@ -160,7 +210,6 @@ Result<ExitCode> run(Arguments& arguments) {
   run.digest = digest(meshed->mesh);
   run.seconds.statistics = watch.lap();
   run.outputs = arguments.outputs;
-  run.seconds.validate = run.report.validate_seconds;
   run.seconds.triangulate = run.report.triangulate_seconds;
   run.seconds.refine = run.report.refine_seconds;
   run.seconds.total = total.lap();
@@ -197,7 +246,7 @@ Command add_mesh(CLI::App& program) {
       ->type_name("OUT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_goal_options(*app, arguments->goal, largest_angle_to_mesh);
+  add_goal_options(*app, arguments->goal, largest_min_angle_deg);
 
   app->add_option("--max-vertices", options.max_vertices, "Stop at this many vertices")
       ->type_name("N")

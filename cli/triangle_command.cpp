@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "../core/formats.hpp"
@@ -56,46 +57,21 @@ Exit status as for every subcommand (pardel --help), but a bound that was missed
 what it takes is no failure.
 )";
 
-/// What the switches ask to be meshed.
+/// The input: a valid domain, or with r a mesh.
 struct Input {
-  Coarse coarse;                 ///< the mesh is empty without r
-  std::optional<Pslg> original;  ///< as read, where it had to be mended
-  std::vector<Index> point_map;  ///< then: original point -> point
+  std::variant<ValidPslg, CoarseMesh> source;
+  std::optional<Pslg> original;  ///< the domain as read, where it had to be repaired
+  std::vector<Index> point_map;  ///< then: point of the original -> point of the domain
   bool node_was_read = true;
+
+  [[nodiscard]] const Pslg& pslg() const {
+    const auto* domain = std::get_if<ValidPslg>(&source);
+    return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
+  }
 };
 
 void say(const TriangleSwitches& switches, const std::string& line) {
   if (!switches.quiet) fmt::print("{}\n", line);
-}
-
-Result<Input> read_points(const TriangleSwitches& switches) {
-  Input input;
-  const fs::path file = switches.name + (switches.poly ? ".poly" : ".node");
-  say(switches, fmt::format("Opening {}.", file.string()));
-  Result<Domain> domain = read_domain(file);
-  if (!domain) return domain.error();
-  input.node_was_read = !switches.poly || !has_own_points(file);
-  if (switches.no_holes) domain->pslg.holes.clear();
-  input.coarse.domain = std::move(*domain);
-  return input;
-}
-
-Result<Input> read_mesh_to_refine(const TriangleSwitches& switches) {
-  Input input;
-  say(switches, fmt::format("Opening {0}.node and {0}.ele.", switches.name));
-  Result<Mesh> mesh = read_mesh(switches.name + ".ele");
-  if (!mesh) return mesh.error();
-  // Without p the mesh's outline is all that is constrained, whatever lies beside it.
-  if (!switches.poly) mesh->constrained_edges.clear();
-  Result<Pslg> pslg = switches.poly ? read_pslg(switches.name + ".poly") : domain_of(*mesh);
-  if (!pslg) return pslg.error();
-  input.coarse.mesh = std::move(*mesh);
-  input.coarse.domain = {std::move(*pslg), switches.name + ".ele", number_base(switches.name + ".node")};
-  adopt_segments(input.coarse);
-  if (switches.area_caps) {
-    if (Status read = read_caps(input.coarse, switches.name + ".area"); !read) return read.error();
-  }
-  return input;
 }
 
 Goal goal_of(const TriangleSwitches& switches) {
@@ -108,39 +84,62 @@ Goal goal_of(const TriangleSwitches& switches) {
   return goal;
 }
 
+/// Triangle goes on where points coincide or segments cross. So an invalid domain is repaired.
+Result<Input> read_points(const TriangleSwitches& switches) {
+  const fs::path file = switches.name + (switches.poly ? ".poly" : ".node");
+  say(switches, fmt::format("Opening {}.", file.string()));
+  Result<Domain> domain = read_domain(file);
+  if (!domain) return domain.error();
+  if (switches.no_holes) domain->pslg.holes.clear();
+  if (switches.quality) {
+    if (Status in_range = check_goal(goal_of(switches)); !in_range) return in_range.error();
+  }
+  const bool convex_hull = switches.convex_hull || !switches.poly;
+  Result<MaybeRepaired> valid = validated_or_repaired(std::move(*domain), {.convex_hull = convex_hull});
+  if (!valid) return valid.error();
+  return Input{std::move(valid->domain), std::move(valid->original), std::move(valid->point_map),
+               !switches.poly || !has_own_points(file)};
+}
+
+Result<Input> read_mesh_to_refine(const TriangleSwitches& switches) {
+  say(switches, fmt::format("Opening {0}.node and {0}.ele.", switches.name));
+  Result<Mesh> mesh = read_mesh(switches.name + ".ele");
+  if (!mesh) return mesh.error();
+  // Without p only the outline of the mesh is constrained; a .poly or .edge file is ignored.
+  if (!switches.poly) mesh->constrained_edges.clear();
+  Result<Pslg> pslg = switches.poly ? read_pslg(switches.name + ".poly") : domain_of(*mesh);
+  if (!pslg) return pslg.error();
+  pslg->first_id = mesh->first_id;
+  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), switches.name + ".ele"}};
+  adopt_segments(coarse);
+  if (switches.area_caps) {
+    if (Status read = read_caps(coarse, switches.name + ".area"); !read) return read.error();
+  }
+  return Input{std::move(coarse), std::nullopt, {}, true};
+}
+
 Options options_of(const TriangleSwitches& switches, const Input& input) {
   Options options;
   options.no_boundary_splits = switches.no_splits == 1;
   options.no_segment_splits = switches.no_splits > 1;
   if (switches.max_steiner_points) {
-    options.max_vertices = input.coarse.domain.pslg.points.size() + *switches.max_steiner_points;
+    options.max_vertices = input.pslg().points.size() + *switches.max_steiner_points;
   }
   return options;
 }
 
 Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, const Interrupt& interrupt) {
-  const Coarse& coarse = input.coarse;
   const Goal goal = goal_of(switches);
   const ShowProgress show = switches.quiet ? ShowProgress::never : ShowProgress::automatic;
   return supervise(interrupt, show, options_of(switches, input), [&](const Options& options) -> Result<Meshed> {
-    if (switches.refine) return refine(coarse.mesh, coarse.max_areas, goal, options);
-    if (switches.quality) return mesh(coarse.domain.pslg, goal, options);
-    return triangulate(coarse.domain.pslg, goal.convex_hull, options);
+    if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
+      Result<Meshed> meshed = refine(coarse->mesh, coarse->max_areas, goal, options);
+      if (!meshed) return with_name(meshed.error(), coarse->domain.name);
+      return meshed;
+    }
+    const ValidPslg& domain = std::get<ValidPslg>(input.source);
+    return switches.quality ? mesh(domain, goal, options) : triangulate(domain, options);
   });
-}
-
-/// Triangle goes on where points coincide and segments cross; so do we, on a mended domain.
-Result<Meshed> make_mesh_of_mended(const TriangleSwitches& switches, Input& input, const Interrupt& interrupt) {
-  const bool convex_hull = switches.convex_hull || !switches.poly;
-  Result<Meshed> meshed = make_mesh(switches, input, interrupt);
-  if (meshed || meshed.error().kind != ErrorKind::invalid_input) return meshed;
-  if (switches.refine) return Error{meshed.error().kind, input.coarse.domain.name + ": " + meshed.error().message};
-  Result<Mended> mended = mend(std::move(input.coarse.domain), convex_hull);
-  if (!mended) return mended.error();
-  input.coarse.domain = std::move(mended->domain);
-  input.original = std::move(mended->original);
-  input.point_map = std::move(mended->point_map);
-  return make_mesh(switches, input, interrupt);
 }
 
 /// True where nothing but the limits that the switches set stands between the mesh and its goal.
@@ -164,14 +163,14 @@ void set_regions(const TriangleSwitches& switches, Mesh& mesh) {
 
 Status write(const TriangleSwitches& switches, const Input& input, const Mesh& mesh) {
   const std::string stem = next_name(switches.name, switches.no_iteration);
-  const TriangleFiles files = files_to_write(switches, input.coarse.domain.base, input.node_was_read);
+  const TriangleFiles files = files_to_write(switches, input.pslg().first_id.value, input.node_was_read);
   const std::pair<bool, const char*> written[] = {{files.write_node, ".node"},   {files.write_ele, ".ele"},
                                                   {files.write_poly, ".poly"},   {files.write_edge, ".edge"},
                                                   {files.write_neigh, ".neigh"}, {switches.off, ".off"}};
   for (const auto& [wanted, suffix] : written) {
     if (wanted) say(switches, fmt::format("Writing {}{}.", stem, suffix));
   }
-  if (Status done = write_triangle_files(mesh, input.coarse.domain.pslg, stem, files); !done) return done;
+  if (Status done = write_triangle_files(mesh, input.pslg(), stem, files); !done) return done;
   return switches.off ? write_off(mesh, stem + ".off") : Status(Done{});
 }
 
@@ -199,13 +198,12 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   const Interrupt interrupt;
   Result<Input> input = switches.refine ? read_mesh_to_refine(switches) : read_points(switches);
   if (!input) return input.error();
-  Result<Meshed> meshed = make_mesh_of_mended(switches, *input, interrupt);
+  Result<Meshed> meshed = make_mesh(switches, *input, interrupt);
   if (!meshed) return meshed.error();
 
   bool right = true;
   if (switches.check) {
-    const Certificate certificate =
-        check(input->coarse.domain.pslg, meshed->mesh, goal_of(switches), {.foreign = switches.refine});
+    const Certificate certificate = check(input->pslg(), meshed->mesh, goal_of(switches), {.foreign = switches.refine});
     right = certificate.valid || (!meshed->report.goal_met() && only_bounds_missed(certificate));
     if (!certificate.valid) warn(violations_text(certificate, most_listed));
     if (certificate.valid) say(switches, "Checked: the mesh is right.");

@@ -44,6 +44,7 @@ struct Mesh {
   std::size_t attributes_per_point = 0;
   Array<double> point_attributes;  ///< row by row
   Array<int> point_markers;        ///< empty, or one per point
+  FirstId first_id{};              ///< of the file that the mesh was read from
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

@@ -1,4 +1,4 @@
-// Pslg: a planar straight-line graph, the input of everything. Plain values; use validate() before trust.
+// Pslg: a planar straight-line graph, the input of the mesher and of the checker.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,9 @@
 
 namespace pardel {
 
-/// Index of a point, triangle, segment or region. Zero-based everywhere inside; only files know base 1.
+/// Index of a point, triangle, segment, hole or region, counted from 0. Files may count from 1: see FirstId.
 using Index = std::uint32_t;
+/// Stands for "none".
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 struct Point {
@@ -18,7 +19,7 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// A straight constraint between two input points. Marker 0 means "none given".
+/// A straight constraint between two points of a Pslg. Marker 0 means "none given".
 struct Segment {
   Index a = 0;
   Index b = 0;
@@ -26,27 +27,34 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-/// A region: the face of the PSLG that contains `seed`, with an attribute that its triangles carry and an
-/// area cap (the file convention: a negative or zero cap means none; here that is +infinity).
+/// A face of a Pslg with an attribute and an area cap for its triangles.
 struct Region {
-  Point seed;
+  Point seed;  ///< a point inside the face
   double attribute = 0;
-  double max_area = std::numeric_limits<double>::infinity();
+  double max_area = std::numeric_limits<double>::infinity();  ///< > 0; files write no cap as a number <= 0
   friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// Triangle's model of a domain. Segments meet only at common end points (see validate()); what the
-/// exterior or a hole can reach without crossing a segment is not part of the domain. A Pslg without
-/// segments stands for the convex hull of its points.
+/// The number of the first point in the file that a Pslg or a Mesh was read from: 0 or 1. It serves messages, which
+/// number points, segments, holes and regions as the file does, and changes no result. Therefore any two are equal.
+struct FirstId {
+  int value = 0;
+  friend constexpr bool operator==(FirstId, FirstId) { return true; }
+};
+
+/// Triangle's model of a domain. Segments meet only at common end points. The parts of the plane that the exterior or
+/// a hole reaches without crossing a segment do not belong to the domain. A Pslg without segments stands for the
+/// convex hull of its points. A Pslg may hold anything; validate() in parallel/validate.hpp finds what is wrong.
 struct Pslg {
   std::vector<Point> points;
   std::size_t attributes_per_point = 0;
-  std::vector<double> point_attributes;  ///< row by row, points.size() * attributes_per_point
+  std::vector<double> point_attributes;  ///< row by row: points.size() * attributes_per_point numbers
   std::vector<int> point_markers;        ///< empty, or one per point
   std::vector<Segment> segments;
   bool has_segment_markers = false;
-  std::vector<Point> holes;
+  std::vector<Point> holes;  ///< one point inside each face that is a hole
   std::vector<Region> regions;
+  FirstId first_id{};
 
   friend bool operator==(const Pslg&, const Pslg&) = default;
 };

@@ -36,7 +36,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   const Prepared prepared = prepare(drawn);
   if (!prepared.usable) return -1;
   const ValidateOptions options{.convex_hull = drawn.goal.convex_hull};
-  if (const auto problems = validate(prepared.pslg, options); !problems.empty())
+  if (const auto problems = find_problems(prepared.pslg, options); !problems.empty())
     fail("repaired, and still: " + problems.front().message());
 
   const Result<Meshed> meshed = mesh(prepared.pslg, drawn.goal, drawn.options);

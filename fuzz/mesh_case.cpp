@@ -154,11 +154,11 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
 }
 
 Prepared prepare(const MeshCase& drawn) {
-  if (Result<Repaired> repaired = repair(drawn.pslg)) return {std::move(repaired->pslg), true, false};
+  if (Result<Repaired> repaired = repair(drawn.pslg)) return {std::move(repaired->domain).pslg(), true, false};
   Pslg bare = drawn.pslg;
   bare.holes.clear();
   bare.regions.clear();
-  if (Result<Repaired> repaired = repair(bare)) return {std::move(repaired->pslg), true, true};
+  if (Result<Repaired> repaired = repair(bare)) return {std::move(repaired->domain).pslg(), true, true};
   return {};
 }
 

@@ -1,58 +1,97 @@
-// Is a Pslg one that can be meshed? validate() finds every problem.
+// Validation: finds every problem of a Pslg. A valid Pslg becomes a ValidPslg, the type that the mesher takes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "../core/goal.hpp"
 #include "../core/pslg.hpp"
+#include "../core/result.hpp"
 
 namespace pardel {
 
 enum class ProblemKind : std::uint8_t {
   non_finite_coordinate,
-  coordinate_out_of_range,  ///< |x| above largest_coordinate, or tiny but not zero (predicates.hpp)
-  wrong_count,              ///< attribute or marker arrays whose length does not fit the points
-  index_out_of_range,       ///< a segment names a point that does not exist
+  coordinate_out_of_range,  ///< magnitude above 2^200, or below 2^-140 and not zero
+  wrong_count,              ///< the number of attributes or markers does not fit the number of points
+  index_out_of_range,       ///< an end of a segment is no point
   duplicate_points,
   zero_length_segment,
   duplicate_segments,
-  crossing_segments,     ///< at an interior point of both; `where` is the crossing, rounded
-  overlapping_segments,  ///< collinear, with more than a point in common
+  crossing_segments,     ///< in a point that is interior to both; `where` is that point, rounded
+  overlapping_segments,  ///< collinear, with more than one common point
   point_on_segment,      ///< a point in the interior of a segment
-  all_points_collinear,  ///< or fewer than three points
-  unclosed_outline,      ///< the exterior reaches everything: no domain would be left
-  no_domain,             ///< an outline exists, but holes eat all of it
-  hole_outside,          ///< in no bounded face, or at a coordinate that is unusable
+  all_points_collinear,  ///< also reported for fewer than three points
+  unclosed_outline,      ///< no segments enclose a face, so there is no domain
+  no_domain,             ///< every face contains a hole
+  hole_outside,          ///< in no bounded face, or at a coordinate that exact arithmetic cannot use
   hole_on_segment,
-  region_outside,  ///< not in the domain (a hole's face is not), or at a coordinate that is unusable
+  region_outside,  ///< in no face of the domain, or at a coordinate that exact arithmetic cannot use
   region_on_segment,
-  regions_share_face,  ///< two region seeds in one face
-  bad_region_cap,      ///< an area cap that is not positive: zero, negative or NaN
+  regions_share_face,  ///< two regions with seeds in one face
+  bad_region_cap,      ///< an area cap that is zero, negative or NaN
 };
+/// The enumerator as text: "duplicate_points".
 [[nodiscard]] const char* name(ProblemKind kind);
 
-/// ids: the points, segments, holes or regions concerned (which, follows from the kind), zero-based.
 struct Problem {
   ProblemKind kind;
+  /// The points, segments, holes or regions concerned, counted from 0. The kind determines which of them:
+  /// a point and a segment for point_on_segment, a hole and a segment for hole_on_segment, and so on.
   std::vector<Index> ids;
   Point where;
-  /// One sentence with ids and coordinates.
+
+  /// One sentence with ids and coordinates. `base` is the id that the message gives to the first point, segment, hole
+  /// or region: usually Pslg::first_id.value.
   [[nodiscard]] std::string message(int base = 0) const;
 };
 
+/// The messages of several problems, one per line.
+[[nodiscard]] std::string messages(const std::vector<Problem>& problems, int base = 0);
+
 struct ValidateOptions {
-  bool convex_hull = false;  ///< the outline is the hull: an unclosed outline is no problem
-  /// Per kind; crossings can be quadratic in number. The search for conflicts of segments (crossing, overlapping,
-  /// point on segment) ends when it has found so many of one of these.
+  /// The domain is the convex hull of the points. An unclosed outline is then no problem. A Pslg without segments
+  /// always stands for the convex hull.
+  bool convex_hull = false;
+  /// At most so many problems of each kind are returned. The number of crossings can be quadratic, so the search for
+  /// crossing_segments, overlapping_segments and point_on_segment ends when it has found so many of one of them.
   std::size_t max_problems = 10'000;
-  int threads = 1;  ///< up to so many; what is found does not depend on it
+  int threads = 1;  ///< at most so many threads; the result does not depend on it
 };
 
-/// Every problem, in order of kind, then ids. Empty: the Pslg can be meshed. Questions about faces (unclosed
-/// outline, no domain, holes, regions) are asked only where segments meet as they should and coordinates are
-/// usable. O((n + problems) log n) on typical input. Exact: no tolerance anywhere.
-[[nodiscard]] std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options = {});
+/// Finds every problem, sorted by kind, then by ids. A Pslg without problems can be meshed. Exact: there is no
+/// tolerance. Faces are examined (unclosed_outline, no_domain, holes, regions) only where no problem of points or
+/// segments was found. O((n + p) log n) on typical input, with n points and segments and p problems; quadratic where
+/// the bounding boxes of many segments overlap.
+[[nodiscard]] std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options = {});
+
+/// A Pslg that has no problems. Only validate() makes one, so a function that takes a ValidPslg need not check it.
+class ValidPslg {
+ public:
+  [[nodiscard]] const Pslg& pslg() const& { return pslg_; }
+  [[nodiscard]] Pslg pslg() && { return std::move(pslg_); }
+  /// True where the domain is the convex hull: ValidateOptions::convex_hull was set, or there are no segments.
+  [[nodiscard]] bool convex_hull() const { return convex_hull_; }
+
+ private:
+  friend Result<ValidPslg, std::vector<Problem>> validate(Pslg&& pslg, const ValidateOptions& options);
+  friend Result<ValidPslg, std::vector<Problem>> validate(const Pslg& pslg, const ValidateOptions& options);
+  ValidPslg(Pslg pslg, bool convex_hull) : pslg_(std::move(pslg)), convex_hull_(convex_hull) {}
+
+  Pslg pslg_;
+  bool convex_hull_;
+};
+
+/// Returns the Pslg as a ValidPslg, or its problems as find_problems() lists them. `pslg` is moved from where it is
+/// valid and left as it is where it is not. Same time as find_problems().
+///
+///     Result<ValidPslg, std::vector<Problem>> domain = validate(std::move(pslg));
+///     if (!domain) std::cerr << messages(domain.error(), pslg.first_id.value) << '\n';
+///     else use(mesh(*domain, goal));
+[[nodiscard]] Result<ValidPslg, std::vector<Problem>> validate(Pslg&& pslg, const ValidateOptions& options = {});
+/// The same for a Pslg that the caller keeps. A valid one is copied.
+[[nodiscard]] Result<ValidPslg, std::vector<Problem>> validate(const Pslg& pslg, const ValidateOptions& options = {});
 
 }  // namespace pardel

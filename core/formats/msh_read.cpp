@@ -41,6 +41,7 @@ class MshReader {
     const auto has_region = [](double attribute) { return !std::isnan(attribute); };
     if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    mesh_.first_id = {1};
     return std::move(mesh_);
   }
 

@@ -42,32 +42,29 @@ void read_regions(TextReader& in, std::vector<Region>& regions) {
   }
 }
 
-/// Reads the .node that a .poly without points stands beside.
-Result<int> read_node_beside(const fs::path& node, Pslg& pslg) {
+/// Reads the points from a .node file.
+Status read_node(const fs::path& node, Pslg& pslg) {
   const auto text = read_file(node);
   if (!text.ok()) return text.error();
   TextReader in(*text, node.string());
-  const int base = read_points(in, read_point_header(in), pslg);
+  pslg.first_id = {read_points(in, read_point_header(in), pslg)};
   if (in.failed()) return in.error();
-  return base;
+  return Done{};
 }
 
 /// `node`: where the points are if the section of points is empty; null if they may be nowhere else.
 Result<Pslg> read_poly(TextReader& in, const fs::path* node) {
   Pslg pslg;
   const PointHeader header = read_point_header(in);
-  int base = 1;
   if (header.points > 0) {
-    base = read_points(in, header, pslg);
+    pslg.first_id = {read_points(in, header, pslg)};
   } else if (node == nullptr) {
     in.fail("expected points here: only a file can have them in a .node beside it");
   } else if (!in.failed()) {
-    const Result<int> found = read_node_beside(*node, pslg);
-    if (!found.ok()) return found.error();
-    base = *found;
+    if (const Status points = read_node(*node, pslg); !points.ok()) return points.error();
   }
   if (in.failed()) return in.error();
-  SegmentSection section = read_segments(in, pslg.points.size(), base);
+  SegmentSection section = read_segments(in, pslg.points.size(), pslg.first_id.value);
   pslg.segments = std::move(section.segments);
   pslg.has_segment_markers = section.markers;
   read_holes(in, pslg.holes);
@@ -103,15 +100,14 @@ Result<std::vector<double>> read_numbered_values(const fs::path& file, std::stri
 }  // namespace
 
 Result<Pslg> read_pslg(const fs::path& file) {
+  if (file.extension() == ".node") {
+    Pslg pslg;
+    if (const Status points = read_node(file, pslg); !points.ok()) return points.error();
+    return pslg;
+  }
   const auto text = read_file(file);
   if (!text.ok()) return text.error();
   TextReader in(*text, file.string());
-  if (file.extension() == ".node") {
-    Pslg pslg;
-    read_points(in, read_point_header(in), pslg);
-    if (in.failed()) return in.error();
-    return pslg;
-  }
   const fs::path node = fs::path(file).replace_extension(".node");
   return read_poly(in, &node);
 }

@@ -122,6 +122,7 @@ Result<Mesh> read_triangle_mesh(const fs::path& file) {
   const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size());
   if (surplus == 0 && present(".neigh")) read_beside(".neigh", [&](TextReader& in) { check_neighbours(in, read); });
   if (!status.ok()) return status.error();
+  read.mesh.first_id = {read.base};
   return std::move(read.mesh);
 }
 

@@ -1,4 +1,4 @@
-// What a problem is called, and the sentence that tells it.
+// The names and the messages of problems.
 #include "../../core/support/enum_names.hpp"
 #include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -34,7 +34,7 @@ constexpr auto kind_names = enum_names<ProblemKind>({
 
 std::string text(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
 
-/// "3, 5, 8", "3 and 5", "3"; long lists are cut.
+/// "3, 5, 8", "3 and 5" or "3". Of more than eight ids the first eight.
 std::string list(const std::vector<Index>& ids, int base) {
   constexpr std::size_t most = 8;
   std::string result;
@@ -45,7 +45,7 @@ std::string list(const std::vector<Index>& ids, int base) {
   return ids.size() > most ? result + ", ..." : result;
 }
 
-/// Of a hole or a region in no face: the reason, where it is the coordinates.
+/// The message for a hole or a region that is in no face: `otherwise`, or that its coordinates are unusable.
 std::string outside(const std::string& what, Point where, const char* otherwise) {
   return what + (is_usable(where) ? otherwise : " has a coordinate outside the range that exact arithmetic can use.");
 }
@@ -102,6 +102,12 @@ std::string Problem::message(int base) const {
       return "Region " + id + " at " + at + " has an area cap that is not a positive number.";
   }
   return name(kind);
+}
+
+std::string messages(const std::vector<Problem>& problems, int base) {
+  std::string lines;
+  for (const Problem& problem : problems) lines += (lines.empty() ? "" : "\n") + problem.message(base);
+  return lines;
 }
 
 }  // namespace pardel

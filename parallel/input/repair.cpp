@@ -15,8 +15,10 @@
 #include <utility>
 
 #include "../validate.hpp"
+#include "check_values.hpp"
 #include "conflicts.hpp"
 #include "duplicates.hpp"
+#include "findings.hpp"
 #include "segment_index.hpp"
 
 namespace pardel {
@@ -232,35 +234,18 @@ void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
   values.resize(kept);
 }
 
-std::string lines(std::span<const Problem> problems, int base) {
-  std::string text;
-  for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + p.message(base);
-  return text;
-}
-
-bool is_beyond_repair(const Problem& problem) {
-  switch (problem.kind) {
-    case ProblemKind::non_finite_coordinate:
-    case ProblemKind::coordinate_out_of_range:
-    case ProblemKind::wrong_count:
-    case ProblemKind::index_out_of_range:
-    case ProblemKind::bad_region_cap:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// Drops holes and regions that are in no face, or in one that has a region already. What is left over cannot be
-/// mended. Dropping some can show more (a region in a face that a hole took), hence the loop.
-std::vector<Problem> drop_misplaced_seeds(Work& work, int base, std::vector<std::string>& log) {
-  std::vector<Index> hole_source(work.pslg.holes.size()), region_source(work.pslg.regions.size());  // to the old ones
+/// Drops holes and regions that are in no face, and regions in a face that has one already. Returns the domain, or the
+/// problems that remain. A dropped hole or region can bring about another problem, hence the loop.
+Result<ValidPslg, std::vector<Problem>> drop_misplaced_seeds(Work& work, std::vector<std::string>& log) {
+  std::vector<Index> hole_source(work.pslg.holes.size()), region_source(work.pslg.regions.size());  // new -> old
   std::iota(hole_source.begin(), hole_source.end(), Index{0});
   std::iota(region_source.begin(), region_source.end(), Index{0});
   while (true) {
+    Result<ValidPslg, std::vector<Problem>> domain = validate(std::move(work.pslg));
+    if (domain) return domain;
     std::vector<Index> holes, regions;
     std::vector<Problem> rest;
-    for (Problem& p : validate(work.pslg)) {
+    for (Problem p : domain.error()) {
       const bool of_hole = p.kind == ProblemKind::hole_outside || p.kind == ProblemKind::hole_on_segment;
       const bool of_region = p.kind == ProblemKind::region_outside || p.kind == ProblemKind::region_on_segment;
       if (of_hole) {
@@ -275,24 +260,31 @@ std::vector<Problem> drop_misplaced_seeds(Work& work, int base, std::vector<std:
       }
       p.ids[0] = (of_hole ? hole_source : region_source)[p.ids[0]];
       if (p.ids.size() > 1) p.ids[1] = (of_hole || of_region ? work.source : region_source)[p.ids[1]];
-      log.push_back("Dropped: " + p.message(base));
+      log.push_back("Dropped: " + p.message(work.pslg.first_id.value));
     }
-    if (holes.empty() && regions.empty()) return rest;
+    if (!rest.empty()) return rest;
     erase_at(work.pslg.holes, holes);
     erase_at(hole_source, holes);
     erase_at(work.pslg.regions, regions);
     erase_at(region_source, regions);
-    if (!rest.empty()) return rest;
   }
+}
+
+/// The problems that repair() cannot remove.
+std::vector<Problem> find_unusable_values(const Pslg& pslg) {
+  Findings found(20);
+  check_values(pslg, 1, found);
+  check_region_caps(pslg, found);
+  return std::move(found).sorted();
 }
 
 }  // namespace
 
-Result<Repaired> repair(const Pslg& pslg, double snap, int base) {
+Result<Repaired> repair(const Pslg& pslg, double snap) {
   if (!(snap >= 0) || std::isinf(snap)) return Error{ErrorKind::usage, "The snapping distance must not be negative."};
-  std::vector<Problem> beyond = validate(pslg, {.max_problems = 20});
-  std::erase_if(beyond, [](const Problem& p) { return !is_beyond_repair(p); });
-  if (!beyond.empty()) return Error{ErrorKind::invalid_input, lines(beyond, base)};
+  const int base = pslg.first_id.value;
+  if (const std::vector<Problem> unusable = find_unusable_values(pslg); !unusable.empty())
+    return Error{ErrorKind::invalid_input, messages(unusable, base)};
 
   Work begin{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
   std::iota(begin.point_map.begin(), begin.point_map.end(), Index{0});
@@ -311,9 +303,9 @@ Result<Repaired> repair(const Pslg& pslg, double snap, int base) {
         "snapping distance may help."};
 
   std::vector<std::string> log = summary(pslg, work);
-  const std::vector<Problem> rest = drop_misplaced_seeds(work, base, log);
-  if (!rest.empty()) return Error{ErrorKind::invalid_input, lines(rest, base)};
-  return Repaired{std::move(work.pslg), std::move(work.point_map), std::move(work.source), std::move(log)};
+  Result<ValidPslg, std::vector<Problem>> domain = drop_misplaced_seeds(work, log);
+  if (!domain) return Error{ErrorKind::invalid_input, messages(domain.error(), base)};
+  return Repaired{std::move(domain).value(), std::move(work.point_map), std::move(work.source), std::move(log)};
 }
 
 }  // namespace pardel

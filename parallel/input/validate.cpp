@@ -1,19 +1,17 @@
 #include "../validate.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/parallel_arrays.hpp"
+#include "check_values.hpp"
 #include "conflicts.hpp"
 #include "convex_hull.hpp"
 #include "duplicates.hpp"
 #include "faces.hpp"
+#include "findings.hpp"
 #include "segment_index.hpp"
 
 namespace pardel {
@@ -22,47 +20,8 @@ using namespace engine;
 
 namespace {
 
-/// Problems as they are found, up to a number of each kind.
-class Findings {
- public:
-  explicit Findings(std::size_t most) : most_(most) {}
-
-  void add(ProblemKind kind, std::vector<Index> ids, Point where) {
-    if (count_[static_cast<std::size_t>(kind)]++ < most_) problems_.push_back({kind, std::move(ids), where});
-  }
-  [[nodiscard]] bool any(ProblemKind kind) const { return count_[static_cast<std::size_t>(kind)] > 0; }
-  [[nodiscard]] bool empty() const { return problems_.empty(); }
-  std::vector<Problem> sorted() && {
-    std::ranges::sort(problems_, [](const Problem& p, const Problem& q) {
-      return std::tie(p.kind, p.ids) < std::tie(q.kind, q.ids);
-    });
-    return std::move(problems_);
-  }
-
- private:
-  std::size_t most_;
-  std::array<std::size_t, static_cast<std::size_t>(ProblemKind::bad_region_cap) + 1> count_{};
-  std::vector<Problem> problems_;
-};
-
-void check_counts(const Pslg& pslg, Findings& found) {
-  const std::size_t n = pslg.points.size();
-  if (pslg.point_attributes.size() != n * pslg.attributes_per_point ||
-      (!pslg.point_markers.empty() && pslg.point_markers.size() != n))
-    found.add(ProblemKind::wrong_count, {}, {});
-}
-
-void check_coordinates(const Pslg& pslg, int threads, Findings& found) {
-  const auto unusable = [&](std::size_t i) { return !is_usable(pslg.points[i]); };
-  for (const Index i : indices_where(threads, pslg.points.size(), unusable)) {
-    const Point p = pslg.points[i];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
-    found.add(finite ? ProblemKind::coordinate_out_of_range : ProblemKind::non_finite_coordinate, {i}, p);
-  }
-}
-
-/// The segments that can be looked at together: with usable, distinct ends, each pair of ends once. Equal points
-/// are named by the first of them. All vectors are parallel to `segments`.
+/// The segments whose conflicts can be searched: both ends exist, are usable and differ. Of segments with the same ends
+/// there is one. Of equal points the first one stands for all. `id` gives the index of each segment in the Pslg.
 struct SoundSegments {
   std::vector<Segment> segments;
   std::vector<Index> id;
@@ -77,10 +36,7 @@ SoundSegments check_each_segment(const Pslg& pslg, std::span<const Duplicate> du
   SoundSegments sound;
   for (Index s = 0; s < pslg.segments.size(); ++s) {
     Segment segment = pslg.segments[s];
-    if (segment.a >= points.size() || segment.b >= points.size()) {
-      found.add(ProblemKind::index_out_of_range, {s}, {});
-      continue;
-    }
+    if (segment.a >= points.size() || segment.b >= points.size()) continue;
     segment.a = first_equal(segment.a);
     segment.b = first_equal(segment.b);
     if (segment.a == segment.b) {
@@ -117,7 +73,7 @@ void drop_duplicates(const Pslg& pslg, SoundSegments& sound, Findings& found) {
   sound = std::move(kept);
 }
 
-/// The usable points that no sound segment names, of equal ones the first.
+/// The usable points that are no end of a sound segment. Of equal points there is one.
 std::vector<Index> loose_points(const Pslg& pslg, std::span<const Segment> segments,
                                 std::span<const Duplicate> duplicates) {
   std::vector<bool> is_loose(pslg.points.size());
@@ -152,7 +108,7 @@ void check_conflicts(const Pslg& pslg, const SoundSegments& sound, std::span<con
   }
 }
 
-/// The sides of the convex hull that are no segments yet.
+/// The sides of the convex hull that are not segments.
 std::vector<Segment> sides_of_hull(const Pslg& pslg) {
   const auto ends = [](const Segment& s) { return std::pair(std::min(s.a, s.b), std::max(s.a, s.b)); };
   std::vector<std::pair<Index, Index>> known;
@@ -167,7 +123,7 @@ std::vector<Segment> sides_of_hull(const Pslg& pslg) {
   return sides;
 }
 
-/// Precondition: nothing was found so far.
+/// Precondition: no problem was found so far.
 void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
   const bool hull_is_outline = convex_hull || pslg.segments.empty();
   if (hull_is_outline && pslg.holes.empty() && pslg.regions.empty()) return;
@@ -180,7 +136,7 @@ void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
     return;
   }
 
-  // The face of a seed; no_index where that is none, which is reported.
+  // The face that contains a seed; no_index, with a problem reported, where the seed is unusable or on a segment.
   const auto face_of = [&](Index id, Point seed, ProblemKind outside, ProblemKind on_segment) {
     if (!is_usable(seed)) {
       found.add(outside, {id}, seed);
@@ -195,7 +151,7 @@ void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
 
   std::vector<bool> in_domain(faces.count(), true);
   in_domain[Faces::exterior] = false;
-  std::vector<Index> eaters;
+  std::vector<Index> holes_in_faces;
   for (Index h = 0; h < pslg.holes.size(); ++h) {
     const Index face = face_of(h, pslg.holes[h], ProblemKind::hole_outside, ProblemKind::hole_on_segment);
     if (face == no_index) continue;
@@ -204,10 +160,10 @@ void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
       continue;
     }
     in_domain[face] = false;
-    eaters.push_back(h);
+    holes_in_faces.push_back(h);
   }
   if (std::ranges::find(in_domain, true) == in_domain.end())
-    found.add(ProblemKind::no_domain, eaters, pslg.holes[eaters[0]]);
+    found.add(ProblemKind::no_domain, holes_in_faces, pslg.holes[holes_in_faces[0]]);
 
   std::vector<Index> region_of(faces.count(), no_index);
   for (Index r = 0; r < pslg.regions.size(); ++r) {
@@ -225,10 +181,9 @@ void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
 
 }  // namespace
 
-std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options) {
+std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options) {
   Findings found(options.max_problems);
-  check_counts(pslg, found);
-  check_coordinates(pslg, options.threads, found);
+  check_values(pslg, options.threads, found);
   const bool usable =
       !found.any(ProblemKind::non_finite_coordinate) && !found.any(ProblemKind::coordinate_out_of_range);
   const std::vector<Duplicate> duplicates = find_duplicates(pslg.points, options.threads);
@@ -240,9 +195,21 @@ std::vector<Problem> validate(const Pslg& pslg, const ValidateOptions& options) 
   if (usable && all_collinear(pslg.points))
     found.add(ProblemKind::all_points_collinear, {}, pslg.points.empty() ? Point{} : pslg.points[0]);
   if (found.empty()) check_faces(pslg, options.convex_hull, found);
-  for (Index r = 0; r < pslg.regions.size(); ++r)
-    if (!(pslg.regions[r].max_area > 0)) found.add(ProblemKind::bad_region_cap, {r}, pslg.regions[r].seed);
+  check_region_caps(pslg, found);
   return std::move(found).sorted();
+}
+
+Result<ValidPslg, std::vector<Problem>> validate(Pslg&& pslg, const ValidateOptions& options) {
+  std::vector<Problem> problems = find_problems(pslg, options);
+  if (!problems.empty()) return problems;
+  const bool convex_hull = options.convex_hull || pslg.segments.empty();
+  return ValidPslg(std::move(pslg), convex_hull);
+}
+
+Result<ValidPslg, std::vector<Problem>> validate(const Pslg& pslg, const ValidateOptions& options) {
+  std::vector<Problem> problems = find_problems(pslg, options);
+  if (!problems.empty()) return problems;
+  return ValidPslg(pslg, options.convex_hull || pslg.segments.empty());
 }
 
 }  // namespace pardel

@@ -32,7 +32,7 @@ TEST(MeshCase, no_bytes_at_all_still_draw_an_outline) {
   const Prepared prepared = prepare(decode_mesh_case({}));
   ASSERT_TRUE(prepared.usable);
   EXPECT_EQ(prepared.pslg.segments.size(), outline_segments());
-  EXPECT_TRUE(validate(prepared.pslg).empty());
+  EXPECT_TRUE(find_problems(prepared.pslg).empty());
 }
 
 TEST(MeshCase, the_same_bytes_mean_the_same_case) {

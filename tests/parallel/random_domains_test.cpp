@@ -38,7 +38,7 @@ std::vector<Point> random_points(Random& random) {
 /// Takes out of the input or the goal what makes the domain invalid, until nothing does; false where that fails.
 bool make_valid(Pslg& pslg, Goal& goal) {
   for (int round = 0; round < 4; ++round) {
-    const std::vector<Problem> problems = validate(pslg, {goal.convex_hull});
+    const std::vector<Problem> problems = find_problems(pslg, {goal.convex_hull});
     if (problems.empty()) return true;
     for (const Problem& problem : problems) switch (problem.kind) {
         case ProblemKind::hole_outside:

@@ -62,15 +62,15 @@ class RepairRegression : public testing::TestWithParam<fs::path> {};
 TEST_P(RepairRegression, is_mended_within_a_rounding) {
   const Result<Pslg> pslg = read_pslg(GetParam());
   ASSERT_TRUE(pslg) << pslg.error().message;
-  EXPECT_FALSE(validate(*pslg).empty());
+  EXPECT_FALSE(find_problems(*pslg).empty());
   const Result<Repaired> repaired = repair(*pslg);
   ASSERT_TRUE(repaired) << repaired.error().message;
-  EXPECT_TRUE(validate(repaired->pslg).empty());
+  EXPECT_TRUE(find_problems(repaired->domain.pslg()).empty());
   for (std::size_t i = 0; i < repaired->segment_map.size(); ++i) {
     const Segment& old = pslg->segments[repaired->segment_map[i]];
     const Point a = pslg->points[old.a], b = pslg->points[old.b];
-    for (const Index v : {repaired->pslg.segments[i].a, repaired->pslg.segments[i].b}) {
-      const Point p = repaired->pslg.points[v];
+    for (const Index v : {repaired->domain.pslg().segments[i].a, repaired->domain.pslg().segments[i].b}) {
+      const Point p = repaired->domain.pslg().points[v];
       const double twice_area = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
       EXPECT_LE(std::abs(twice_area) / std::hypot(b.x - a.x, b.y - a.y), 1e-14);
     }

@@ -135,7 +135,7 @@ PARDEL_PROPERTY(Generator, validity_is_what_the_mesher_calls_valid,
   const LatticeDomain domain = *unshrunk(spoiled);
   const Pslg pslg = to_pslg(domain);
   exhibit.show(pslg);
-  const std::vector<Problem> problems = validate(pslg);
+  const std::vector<Problem> problems = find_problems(pslg);
   RC_TAG(std::string(problems.empty() ? "valid" : name(problems.front().kind)));
   RC_ASSERT(is_valid(domain) == problems.empty());
 }

@@ -39,7 +39,7 @@ Problem some_turned_problem(Exhibit& exhibit) {
   const Point to{*rc::gen::element(0.0, 654321.0), *rc::gen::element(0.0, 4987654.0)};
   Problem problem{turned(c.domain, 0.01 * *rc::gen::inRange(0, 157), to),
                   {.min_angle_deg = c.goal.min_angle_deg, .conforming = c.goal.conforming}};
-  RC_PRE(validate(problem.pslg).empty());
+  RC_PRE(find_problems(problem.pslg).empty());
   exhibit.show(problem.pslg);
   return problem;
 }

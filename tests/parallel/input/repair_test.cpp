@@ -20,7 +20,7 @@ using Ids = std::vector<Index>;
 Repaired repaired(const Pslg& pslg, double snap = 0) {
   Result<Repaired> result = repair(pslg, snap);
   EXPECT_TRUE(result.ok()) << result.error().message;
-  for (const Problem& p : validate(result->pslg)) ADD_FAILURE() << p.message();
+  for (const Problem& p : find_problems(result->domain.pslg())) ADD_FAILURE() << p.message();
   return std::move(result).value();
 }
 
@@ -34,7 +34,7 @@ TEST(Repair, leaves_a_valid_domain_as_it_is) {
   pslg.holes = {{2, 2}};
   pslg.regions = {{{0.5, 0.5}, 3, 0.1}};
   const Repaired result = repaired(pslg);
-  EXPECT_EQ(result.pslg, pslg);
+  EXPECT_EQ(result.domain.pslg(), pslg);
   EXPECT_EQ(result.point_map, (Ids{0, 1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(result.segment_map, (Ids{0, 1, 2, 3, 4, 5, 6, 7}));
   EXPECT_TRUE(result.log.empty());
@@ -49,10 +49,10 @@ TEST(Repair, merges_equal_points_and_says_where_they_went) {
   pslg.point_markers = {5, 6, 7, 8, 9};
   const Repaired result = repaired(pslg);
   EXPECT_EQ(result.point_map, (Ids{0, 0, 1, 2, 3}));
-  EXPECT_EQ(result.pslg.points, square(4).points);
-  EXPECT_EQ(result.pslg.segments, square(4).segments);
-  EXPECT_EQ(result.pslg.point_attributes, (std::vector<double>{10, 12, 13, 14}));
-  EXPECT_EQ(result.pslg.point_markers, (std::vector<int>{5, 7, 8, 9}));
+  EXPECT_EQ(result.domain.pslg().points, square(4).points);
+  EXPECT_EQ(result.domain.pslg().segments, square(4).segments);
+  EXPECT_EQ(result.domain.pslg().point_attributes, (std::vector<double>{10, 12, 13, 14}));
+  EXPECT_EQ(result.domain.pslg().point_markers, (std::vector<int>{5, 7, 8, 9}));
 }
 
 TEST(Repair, closes_gaps_that_are_smaller_than_the_snapping_distance) {
@@ -61,13 +61,13 @@ TEST(Repair, closes_gaps_that_are_smaller_than_the_snapping_distance) {
   pslg.segments = {{0, 1}, {2, 3}, {4, 5}};
   EXPECT_FALSE(repair(pslg).ok());
   const Repaired result = repaired(pslg, 0.01);
-  EXPECT_EQ(result.pslg.points, (std::vector<Point>{{0, 0}, {4, 0}, {4, 4}}));
+  EXPECT_EQ(result.domain.pslg().points, (std::vector<Point>{{0, 0}, {4, 0}, {4, 4}}));
   EXPECT_EQ(result.point_map, (Ids{0, 1, 1, 2, 2, 0}));
 }
 
 TEST(Repair, does_not_snap_points_as_far_apart_as_the_distance) {
   Pslg pslg = square(1);
-  EXPECT_EQ(repaired(pslg, 1).pslg, pslg);
+  EXPECT_EQ(repaired(pslg, 1).domain.pslg(), pslg);
   EXPECT_FALSE(repair(pslg, 1.0001).ok());
 }
 
@@ -75,7 +75,7 @@ TEST(Repair, drops_segments_without_length_and_duplicates) {
   Pslg pslg = square(4);
   pslg.segments.insert(pslg.segments.begin(), {{3, 3}, {0, 1}, {1, 0, 9}});
   const Repaired result = repaired(pslg);
-  EXPECT_EQ(result.pslg.segments, (std::vector<Segment>{{0, 1, 9}, {1, 2}, {2, 3}, {3, 0}}));
+  EXPECT_EQ(result.domain.pslg().segments, (std::vector<Segment>{{0, 1, 9}, {1, 2}, {2, 3}, {3, 0}}));
   EXPECT_EQ(result.segment_map, (Ids{1, 4, 5, 6}));
 }
 
@@ -87,12 +87,12 @@ TEST(Repair, splits_crossing_segments_and_carries_markers_and_attributes) {
   pslg.point_attributes = {0, 1, 0, 1, 8, 1, 0, 1};
   pslg.point_markers = {1, 1, 1, 1};
   const Repaired result = repaired(pslg);
-  ASSERT_EQ(result.pslg.points.size(), 5);
-  EXPECT_EQ(result.pslg.points[4], (Point{2, 2}));
-  EXPECT_EQ(result.pslg.point_attributes[8], 4);
-  EXPECT_EQ(result.pslg.point_attributes[9], 1);
-  EXPECT_EQ(result.pslg.point_markers[4], 5);
-  EXPECT_EQ(result.pslg.segments,
+  ASSERT_EQ(result.domain.pslg().points.size(), 5);
+  EXPECT_EQ(result.domain.pslg().points[4], (Point{2, 2}));
+  EXPECT_EQ(result.domain.pslg().point_attributes[8], 4);
+  EXPECT_EQ(result.domain.pslg().point_attributes[9], 1);
+  EXPECT_EQ(result.domain.pslg().point_markers[4], 5);
+  EXPECT_EQ(result.domain.pslg().segments,
             (std::vector<Segment>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4, 5}, {4, 2, 5}, {1, 4, 6}, {4, 3, 6}}));
   EXPECT_EQ(result.segment_map, (Ids{0, 1, 2, 3, 4, 4, 5, 5}));
 }
@@ -103,16 +103,17 @@ TEST(Repair, uses_the_point_that_lies_on_a_crossing) {
   pslg.segments.push_back({0, 2});
   pslg.segments.push_back({1, 3});
   const Repaired result = repaired(pslg);
-  EXPECT_EQ(result.pslg.points, pslg.points);
-  EXPECT_EQ(result.pslg.segments.size(), 8);
+  EXPECT_EQ(result.domain.pslg().points, pslg.points);
+  EXPECT_EQ(result.domain.pslg().segments.size(), 8);
 }
 
 TEST(Repair, splits_segments_at_points_inside_them_in_order) {
   Pslg pslg = square(4);
   pslg.points.insert(pslg.points.end(), {{3, 0}, {1, 0}, {2, 0}});
   const Repaired result = repaired(pslg);
-  EXPECT_EQ(result.pslg.points, pslg.points);
-  EXPECT_EQ(result.pslg.segments, (std::vector<Segment>{{0, 5}, {5, 6}, {6, 4}, {4, 1}, {1, 2}, {2, 3}, {3, 0}}));
+  EXPECT_EQ(result.domain.pslg().points, pslg.points);
+  EXPECT_EQ(result.domain.pslg().segments,
+            (std::vector<Segment>{{0, 5}, {5, 6}, {6, 4}, {4, 1}, {1, 2}, {2, 3}, {3, 0}}));
 }
 
 TEST(Repair, keeps_the_first_of_overlapping_segments) {
@@ -121,8 +122,8 @@ TEST(Repair, keeps_the_first_of_overlapping_segments) {
   pslg.segments.push_back({4, 5, 2});
   pslg.segments.push_back({7, 6, 3});
   const Repaired result = repaired(pslg);
-  EXPECT_EQ(result.pslg.points, pslg.points);
-  EXPECT_EQ(result.pslg.segments,
+  EXPECT_EQ(result.domain.pslg().points, pslg.points);
+  EXPECT_EQ(result.domain.pslg().segments,
             (std::vector<Segment>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 6, 2}, {6, 5, 2}, {7, 5, 3}}));
   EXPECT_EQ(result.segment_map, (Ids{0, 1, 2, 3, 4, 4, 5}));
 }
@@ -133,8 +134,8 @@ TEST(Repair, drops_holes_and_regions_that_have_no_face_of_their_own) {
   pslg.holes = {{9, 9}, {2, 2}, {4, 1}};
   pslg.regions = {{{4, 4}, 1}, {{0.5, 0.5}, 2}, {{0.25, 0.5}, 3}, {{2, 1.5}, 4}, {{-1, 0}, 5}};
   const Repaired result = repaired(pslg);
-  EXPECT_EQ(result.pslg.holes, (std::vector<Point>{{2, 2}}));
-  EXPECT_EQ(result.pslg.regions, (std::vector<Region>{{{0.5, 0.5}, 2}}));
+  EXPECT_EQ(result.domain.pslg().holes, (std::vector<Point>{{2, 2}}));
+  EXPECT_EQ(result.domain.pslg().regions, (std::vector<Region>{{{0.5, 0.5}, 2}}));
   EXPECT_EQ(result.log.size(), 6);
 }
 
@@ -150,7 +151,7 @@ TEST(Repair, splits_a_pencil_of_lines_through_nearly_one_point) {
   }
   repaired(pslg);
   const Repaired snapped = repaired(pslg, 1e-9);
-  EXPECT_EQ(snapped.pslg.points.size(), pslg.points.size() + 1);
+  EXPECT_EQ(snapped.domain.pslg().points.size(), pslg.points.size() + 1);
 }
 
 TEST(Repair, keeps_a_log_of_what_it_did) {

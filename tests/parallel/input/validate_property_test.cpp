@@ -102,7 +102,7 @@ Pslg some_planar_graph(Exhibit& exhibit) {
   const Pslg pslg = some_mess(exhibit);
   Result<Repaired> result = repair(pslg);
   RC_ASSERT(result.ok());
-  return std::move(result->pslg);
+  return std::move(result->domain).pslg();
 }
 
 Index number_of_components(const Pslg& pslg, Index& vertices) {
@@ -180,7 +180,7 @@ PARDEL_PROPERTY(Repair, leaves_no_problem,
                 {.statement = "the repaired domain is valid", .source = "parallel/repair.hpp", .families = messes}) {
   const Result<Repaired> result = repair(some_mess(exhibit));
   RC_ASSERT(result.ok());
-  RC_ASSERT(validate(result->pslg).empty());
+  RC_ASSERT(find_problems(result->domain.pslg()).empty());
 }
 
 PARDEL_PROPERTY(Repair, done_twice_is_done_once,
@@ -190,7 +190,7 @@ PARDEL_PROPERTY(Repair, done_twice_is_done_once,
   const Pslg once = some_planar_graph(exhibit);
   const Result<Repaired> twice = repair(once);
   RC_ASSERT(twice.ok());
-  RC_ASSERT(twice->pslg == once);
+  RC_ASSERT(twice->domain.pslg() == once);
   RC_ASSERT(twice->log.empty());
 }
 
@@ -202,7 +202,7 @@ PARDEL_PROPERTY(Repair, moves_no_point,
   const Result<Repaired> result = repair(mess);
   RC_ASSERT(result.ok());
   for (std::size_t i = 0; i < mess.points.size(); ++i)
-    RC_ASSERT(result->pslg.points[result->point_map[i]] == mess.points[i]);
+    RC_ASSERT(result->domain.pslg().points[result->point_map[i]] == mess.points[i]);
 }
 
 PARDEL_PROPERTY(Repair, keeps_every_segment_as_a_chain_within_rounding,
@@ -218,9 +218,9 @@ PARDEL_PROPERTY(Repair, keeps_every_segment_as_a_chain_within_rounding,
     std::set<Index> reached{result->point_map[mess.segments[s].a]};
     for (std::size_t size = 0; size < reached.size();) {
       size = reached.size();
-      for (const Segment& piece : result->pslg.segments) {
-        if (distance_to(mess, s, result->pslg.points[piece.a]) > rounding ||
-            distance_to(mess, s, result->pslg.points[piece.b]) > rounding)
+      for (const Segment& piece : result->domain.pslg().segments) {
+        if (distance_to(mess, s, result->domain.pslg().points[piece.a]) > rounding ||
+            distance_to(mess, s, result->domain.pslg().points[piece.b]) > rounding)
           continue;
         if (reached.contains(piece.a) || reached.contains(piece.b)) reached.insert({piece.a, piece.b});
       }
@@ -238,13 +238,13 @@ PARDEL_PROPERTY(
   const Result<Repaired> result = repair(mess);
   RC_ASSERT(result.ok());
   const double rounding = 1e-14 * mess.points.back().y;
-  RC_ASSERT(result->segment_map.size() == result->pslg.segments.size());
+  RC_ASSERT(result->segment_map.size() == result->domain.pslg().segments.size());
   for (std::size_t i = 0; i < result->segment_map.size(); ++i) {
-    const Segment& piece = result->pslg.segments[i];
+    const Segment& piece = result->domain.pslg().segments[i];
     const Index s = result->segment_map[i];
     RC_ASSERT(piece.marker == mess.segments[s].marker);
-    RC_ASSERT(distance_to(mess, s, result->pslg.points[piece.a]) <= rounding);
-    RC_ASSERT(distance_to(mess, s, result->pslg.points[piece.b]) <= rounding);
+    RC_ASSERT(distance_to(mess, s, result->domain.pslg().points[piece.a]) <= rounding);
+    RC_ASSERT(distance_to(mess, s, result->domain.pslg().points[piece.b]) <= rounding);
   }
 }
 
@@ -256,8 +256,8 @@ PARDEL_PROPERTY(Repair, with_a_snapping_distance_leaves_no_two_points_closer,
   const double snap = 0.003 * mess.points.back().y;
   const Result<Repaired> result = repair(mess, snap);
   RC_ASSERT(result.ok());
-  RC_ASSERT(validate(result->pslg).empty());
-  const std::vector<Point>& points = result->pslg.points;
+  RC_ASSERT(find_problems(result->domain.pslg()).empty());
+  const std::vector<Point>& points = result->domain.pslg().points;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       RC_ASSERT(std::hypot(points[i].x - points[j].x, points[i].y - points[j].y) >= snap);

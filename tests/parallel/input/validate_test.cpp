@@ -23,14 +23,14 @@ using Ids = std::vector<Index>;
 
 /// The problems of one kind.
 std::vector<Problem> of_kind(ProblemKind kind, const Pslg& pslg, const ValidateOptions& options = {}) {
-  std::vector<Problem> problems = validate(pslg, options);
+  std::vector<Problem> problems = find_problems(pslg, options);
   std::erase_if(problems, [&](const Problem& p) { return p.kind != kind; });
   return problems;
 }
 
 /// Expects one problem and nothing else.
 void expect_only(ProblemKind kind, const Ids& ids, Point where, const Pslg& pslg, const ValidateOptions& options = {}) {
-  const std::vector<Problem> problems = validate(pslg, options);
+  const std::vector<Problem> problems = find_problems(pslg, options);
   ASSERT_EQ(problems.size(), 1) << (problems.empty() ? "no problem" : problems[1].message());
   EXPECT_EQ(problems[0].kind, kind) << problems[0].message();
   EXPECT_EQ(problems[0].ids, ids);
@@ -42,7 +42,7 @@ TEST(Validate, finds_nothing_wrong_with_good_domains) {
   add_square(with_hole, 2, {1, 1});
   with_hole.holes = {{2, 2}};
   with_hole.regions = {{{0.5, 0.5}, 1, 0.25}};
-  EXPECT_TRUE(validate(with_hole).empty());
+  EXPECT_TRUE(find_problems(with_hole).empty());
 
   Pslg touching_holes = square(8);
   add_polygon(touching_holes, {{1, 1}, {3, 1}, {3, 3}});
@@ -51,16 +51,16 @@ TEST(Validate, finds_nothing_wrong_with_good_domains) {
   const Index shared = 6;
   touching_holes.segments.insert(touching_holes.segments.end(), {{shared, 7}, {7, 8}, {8, shared}});
   touching_holes.holes = {{2.5, 1.5}, {4.5, 3.5}};
-  EXPECT_TRUE(validate(touching_holes).empty());
+  EXPECT_TRUE(find_problems(touching_holes).empty());
 
   Pslg fringe = square(4);  // dangling and free segments, isolated points inside and outside
   fringe.points.insert(fringe.points.end(), {{1, 1}, {2, 2}, {3, 2}, {1, 3}, {9, 9}, {0.5, 0.5}});
   fringe.segments.push_back({0, 9});
   fringe.segments.push_back({5, 6});
-  EXPECT_TRUE(validate(fringe).empty());
+  EXPECT_TRUE(find_problems(fringe).empty());
 
-  EXPECT_TRUE(validate(points_only({{0, 0}, {1, 0}, {0, 1}})).empty());
-  EXPECT_TRUE(validate(square(4), {.convex_hull = true}).empty());
+  EXPECT_TRUE(find_problems(points_only({{0, 0}, {1, 0}, {0, 1}})).empty());
+  EXPECT_TRUE(find_problems(square(4), {.convex_hull = true}).empty());
 }
 
 TEST(Validate, reports_a_coordinate_that_is_not_finite) {
@@ -68,7 +68,7 @@ TEST(Validate, reports_a_coordinate_that_is_not_finite) {
   pslg.points.push_back({infinity, 0.5});
   expect_only(ProblemKind::non_finite_coordinate, {4}, {infinity, 0.5}, pslg);
   pslg.points[4] = {0.5, nan};
-  const auto problems = validate(pslg);
+  const auto problems = find_problems(pslg);
   ASSERT_EQ(problems.size(), 1);
   EXPECT_EQ(problems[0].kind, ProblemKind::non_finite_coordinate);
   EXPECT_EQ(problems[0].message(1), "Point 5 at (0.5, nan) has a coordinate that is not a finite number.");
@@ -88,7 +88,7 @@ TEST(Validate, reports_a_wrong_number_of_attributes_or_markers) {
   pslg.point_attributes.resize(7);
   expect_only(ProblemKind::wrong_count, {}, {}, pslg);
   pslg.point_attributes.resize(8);
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
   pslg.point_markers = {1, 2, 3};
   expect_only(ProblemKind::wrong_count, {}, {}, pslg);
 }
@@ -97,7 +97,7 @@ TEST(Validate, reports_a_segment_that_names_no_point) {
   Pslg pslg = square(1);
   pslg.segments.push_back({0, 4});
   pslg.segments.push_back({no_index, 2});
-  const auto problems = validate(pslg);
+  const auto problems = find_problems(pslg);
   ASSERT_EQ(problems.size(), 2);
   EXPECT_EQ(problems[0].kind, ProblemKind::index_out_of_range);
   EXPECT_EQ(problems[0].ids, Ids{4});
@@ -108,7 +108,7 @@ TEST(Validate, reports_a_segment_that_names_no_point) {
 TEST(Validate, reports_every_duplicate_of_a_point) {
   Pslg pslg = square(1);
   pslg.points.insert(pslg.points.end(), {{1, 1}, {-0.0, 0.0}, {1, 1}});
-  const auto problems = validate(pslg);
+  const auto problems = find_problems(pslg);
   ASSERT_EQ(problems.size(), 3);
   for (const Problem& p : problems) EXPECT_EQ(p.kind, ProblemKind::duplicate_points);
   EXPECT_EQ(problems[0].ids, (Ids{0, 5}));
@@ -131,7 +131,7 @@ TEST(Validate, reports_segments_with_the_same_ends) {
   Pslg pslg = square(1);
   pslg.segments.push_back({2, 1});
   pslg.segments.push_back({1, 2});
-  const auto problems = validate(pslg);
+  const auto problems = find_problems(pslg);
   ASSERT_EQ(problems.size(), 2);
   EXPECT_EQ(problems[0].kind, ProblemKind::duplicate_segments);
   EXPECT_EQ(problems[0].ids, (Ids{1, 4}));
@@ -152,7 +152,7 @@ TEST(Validate, reports_crossing_segments_with_the_crossing) {
   pslg.segments.push_back({0, 2});
   pslg.segments.push_back({1, 3});
   expect_only(ProblemKind::crossing_segments, {4, 5}, {2, 2}, pslg);
-  EXPECT_EQ(validate(pslg)[0].message(1), "Segments 5 and 6 cross at (2, 2).");
+  EXPECT_EQ(find_problems(pslg)[0].message(1), "Segments 5 and 6 cross at (2, 2).");
 }
 
 TEST(Validate, tells_a_crossing_from_a_near_miss_by_one_rounding) {
@@ -163,7 +163,7 @@ TEST(Validate, tells_a_crossing_from_a_near_miss_by_one_rounding) {
   pslg.segments.push_back({6, 7});
   expect_only(ProblemKind::point_on_segment, {6, 4}, {x, x}, pslg);
   pslg.points[6].y = std::nextafter(x, 0.0);
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
   pslg.points[6].y = std::nextafter(x, 1.0);
   expect_only(ProblemKind::crossing_segments, {4, 5}, {x, x}, pslg);
 }
@@ -198,14 +198,14 @@ TEST(Validate, lets_collinear_segments_meet_at_an_end) {
   pslg.points.push_back({4, 4});
   pslg.segments.push_back({0, 4});
   pslg.segments.push_back({4, 2});
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
 }
 
 TEST(Validate, reports_a_point_inside_a_segment) {
   Pslg pslg = square(4);
   pslg.points.push_back({4, 1});
   expect_only(ProblemKind::point_on_segment, {4, 1}, {4, 1}, pslg);
-  EXPECT_EQ(validate(pslg)[0].message(), "Point 4 at (4, 1) lies in the interior of segment 1.");
+  EXPECT_EQ(find_problems(pslg)[0].message(), "Point 4 at (4, 1) lies in the interior of segment 1.");
 }
 
 TEST(Validate, reports_a_point_inside_two_segments_once_for_each) {
@@ -234,7 +234,7 @@ TEST(Validate, reports_an_outline_that_is_not_closed) {
   Pslg pslg = square(4);
   pslg.segments.pop_back();
   expect_only(ProblemKind::unclosed_outline, {}, {0, 0}, pslg);
-  EXPECT_TRUE(validate(pslg, {.convex_hull = true}).empty());
+  EXPECT_TRUE(find_problems(pslg, {.convex_hull = true}).empty());
 }
 
 TEST(Validate, reports_holes_that_leave_nothing) {
@@ -243,7 +243,7 @@ TEST(Validate, reports_holes_that_leave_nothing) {
   pslg.segments.push_back({0, 2});
   pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {4, 2}};
   pslg.holes = {{1, 3}};
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
   pslg.holes.push_back({3, 1});
   expect_only(ProblemKind::no_domain, {0, 1}, {1, 3}, pslg);
 }
@@ -252,7 +252,7 @@ TEST(Validate, reports_a_hole_outside) {
   Pslg pslg = square(4);
   pslg.holes = {{5, 2}};
   expect_only(ProblemKind::hole_outside, {0}, {5, 2}, pslg);
-  EXPECT_EQ(validate(pslg)[0].message(), "Hole 0 at (5, 2) lies outside every closed outline.");
+  EXPECT_EQ(find_problems(pslg)[0].message(), "Hole 0 at (5, 2) lies outside every closed outline.");
   pslg.holes = {{1e300, 2}};
   expect_only(ProblemKind::hole_outside, {0}, {1e300, 2}, pslg);
   pslg.holes = {{nan, 2}};
@@ -274,7 +274,7 @@ TEST(Validate, reports_a_region_outside_the_domain) {
   add_square(pslg, 2, {1, 1});
   pslg.holes = {{2, 2}};
   pslg.regions = {{{0.5, 0.5}}, {{2, 2.5}}, {{7, 7}}};
-  const auto problems = validate(pslg);
+  const auto problems = find_problems(pslg);
   ASSERT_EQ(problems.size(), 2);
   EXPECT_EQ(problems[0].kind, ProblemKind::region_outside);
   EXPECT_EQ(problems[0].ids, Ids{1});
@@ -293,7 +293,7 @@ TEST(Validate, reports_regions_that_share_a_face) {
   pslg.regions = {{{1, 1}}, {{3, 3}}};
   expect_only(ProblemKind::regions_share_face, {0, 1}, {3, 3}, pslg);
   pslg.segments.push_back({1, 3});
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
 }
 
 TEST(Validate, reports_an_area_cap_that_is_not_positive) {
@@ -309,9 +309,9 @@ TEST(Validate, counts_pockets_of_the_hull_as_domain_when_the_hull_is_the_outline
   add_polygon(wedge, {{0, 0}, {2, 3}, {4, 0}, {4, 4}, {0, 4}});
   wedge.regions = {{{2, 1}}};
   expect_only(ProblemKind::region_outside, {0}, {2, 1}, wedge);
-  EXPECT_TRUE(validate(wedge, {.convex_hull = true}).empty());
+  EXPECT_TRUE(find_problems(wedge, {.convex_hull = true}).empty());
   wedge.holes = {{2, 3.5}};
-  EXPECT_TRUE(validate(wedge, {.convex_hull = true}).empty());
+  EXPECT_TRUE(find_problems(wedge, {.convex_hull = true}).empty());
   wedge.holes.push_back({2, 0.5});
   wedge.regions.clear();
   expect_only(ProblemKind::no_domain, {0, 1}, {2, 3.5}, wedge, {.convex_hull = true});
@@ -320,10 +320,10 @@ TEST(Validate, counts_pockets_of_the_hull_as_domain_when_the_hull_is_the_outline
 TEST(Validate, takes_the_hull_of_points_without_segments_for_the_outline) {
   Pslg pslg = points_only({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}});
   pslg.regions = {{{2, 3}}};
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
   pslg.regions[0].seed = {3, 0};
   expect_only(ProblemKind::region_on_segment, {0}, {3, 0}, pslg);
-  EXPECT_EQ(validate(pslg)[0].message(), "Region 0 at (3, 0) lies on the convex hull.");
+  EXPECT_EQ(find_problems(pslg)[0].message(), "Region 0 at (3, 0) lies on the convex hull.");
   pslg.regions[0].seed = {5, 0};
   expect_only(ProblemKind::region_outside, {0}, {5, 0}, pslg);
 }
@@ -333,7 +333,7 @@ TEST(Validate, finds_holes_in_islands_of_islands) {
   for (int depth = 1; depth < 5; ++depth) add_square(pslg, 10 - 2 * depth, {1.0 * depth, 1.0 * depth});
   pslg.holes = {{1.5, 1.5}, {3.5, 3.5}};
   pslg.regions = {{{0.5, 0.5}}, {{2.5, 2.5}}, {{4.5, 4.5}}};
-  EXPECT_TRUE(validate(pslg).empty());
+  EXPECT_TRUE(find_problems(pslg).empty());
   pslg.regions.push_back({{1.25, 5}});
   expect_only(ProblemKind::region_outside, {3}, {1.25, 5}, pslg);
 }
@@ -342,7 +342,7 @@ TEST(Validate, orders_problems_by_kind_and_ids) {
   Pslg pslg = square(4);
   pslg.points.insert(pslg.points.end(), {{4, 0}, {nan, 0}, {1, 4}});
   pslg.segments.insert(pslg.segments.end(), {{1, 3}, {0, 2}, {2, 2}, {0, 99}});
-  const auto problems = validate(pslg);
+  const auto problems = find_problems(pslg);
   ASSERT_EQ(problems.size(), 6);
   for (std::size_t i = 1; i < problems.size(); ++i)
     EXPECT_TRUE(problems[i - 1].kind < problems[i].kind ||
