@@ -8,12 +8,62 @@
 namespace pardel::engine {
 namespace {
 
+/// The number of a vertex in the mesh.
+Index mesh_vertex(const DomainTriangulation& domain, VertexId v) {
+  return v < domain.input_of_vertex.size() ? domain.input_of_vertex[v] : v;
+}
+
+ConstrainedEdge constrained_edge(const DomainTriangulation& domain, const Slot& slot, unsigned side) {
+  const VertexId a = slot.from(side), b = slot.to(side);
+  const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
+  int marker = domain.segment_marker[segment];
+  if (marker == 0 && slot.n[side].none()) marker = 1;
+  return {mesh_vertex(domain, a), mesh_vertex(domain, b), domain.input_segment[segment], marker};
+}
+
+/// Converts the triangles in place, and lists the constrained edges in the order of the triangles.
+void export_triangles(DomainTriangulation& domain, Mesh& mesh, int threads) {
+  const auto vertex = [&](VertexId v) { return mesh_vertex(domain, v); };
+  const auto neighbour = [](EdgeRef out) { return out.none() ? no_index : out.triangle(); };
+  Array<Triangle> triangles = Array<Triangle>::recast(std::move(domain.triangulation.slots));
+  std::vector<std::vector<ConstrainedEdge>> edges(block_count(triangles.size()));
+  parallel_blocks(threads, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    for (std::size_t id = first; id < last; ++id) {
+      const auto slot = std::bit_cast<Slot>(triangles[id]);
+      if (slot.any_constrained())
+        for (unsigned side = 0; side < 3; ++side) {
+          const EdgeRef across = slot.n[side];
+          if (across.constrained() && (across.none() || across.triangle() > id))
+            edges[block].push_back(constrained_edge(domain, slot, side));
+        }
+      triangles[id] = {{vertex(slot.v[0]), vertex(slot.v[1]), vertex(slot.v[2])},
+                       {neighbour(slot.n[0]), neighbour(slot.n[1]), neighbour(slot.n[2])}};
+    }
+  });
+  for (const auto& block : edges)
+    mesh.constrained_edges.insert(mesh.constrained_edges.end(), block.begin(), block.end());
+  mesh.triangles = std::move(triangles);
+}
+
 /// Moves the input points back to the positions that they have in the input.
 void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points, int threads) {
   const Array<Point> moved = make_array(threads, input_of_vertex.size(), [&](std::size_t v) { return points[v]; });
   parallel_blocks(threads, moved.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v) points[input_of_vertex[v]] = moved[v];
   });
+}
+
+/// Replaces the domain segment of each vertex that lies on one by the input segment, or by hull_vertex.
+void export_origins(DomainTriangulation& domain, Mesh& mesh, int threads) {
+  Array<Index>& origin = domain.triangulation.origin;
+  parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v)
+      if (origin[v] < domain.segments.size()) {
+        const Index segment = domain.input_segment[origin[v]];
+        origin[v] = segment == no_index ? hull_vertex : segment;
+      }
+  });
+  mesh.origin = std::move(origin);
 }
 
 /// The marker of a vertex is the one that the input gives it. If that is 0 or missing, it is the marker of a segment on
@@ -50,47 +100,12 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
 
 Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes, const PointData& data,
                  std::vector<std::array<Index, 3>> background, int threads) {
-  Triangulation& t = domain.triangulation;
   Mesh mesh;
-  const std::size_t inputs = domain.input_of_vertex.size();
-  const auto number = [&](VertexId v) { return v < inputs ? domain.input_of_vertex[v] : v; };
-  const auto triangle_of = [&](EdgeRef out) { return out.none() ? no_index : out.triangle(); };
-  const auto constrained_edge = [&](const Slot& slot, unsigned side) {
-    const Index segment = domain.segments.segment_of(t, slot.from(side), slot.to(side));
-    int marker = domain.segment_marker[segment];
-    if (marker == 0 && slot.n[side].none()) marker = 1;
-    return ConstrainedEdge{number(slot.from(side)), number(slot.to(side)), domain.input_segment[segment], marker};
-  };
-  Array<Triangle> triangles = Array<Triangle>::recast(std::move(t.slots));
-  std::vector<std::vector<ConstrainedEdge>> edges(block_count(triangles.size()));
-  parallel_blocks(threads, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
-    for (std::size_t id = first; id < last; ++id) {
-      const auto slot = std::bit_cast<Slot>(triangles[id]);
-      if (slot.any_constrained())
-        for (unsigned side = 0; side < 3; ++side) {
-          const EdgeRef across = slot.n[side];
-          if (across.constrained() && (across.none() || across.triangle() > id))
-            edges[block].push_back(constrained_edge(slot, side));
-        }
-      triangles[id] = {{number(slot.v[0]), number(slot.v[1]), number(slot.v[2])},
-                       {triangle_of(slot.n[0]), triangle_of(slot.n[1]), triangle_of(slot.n[2])}};
-    }
-  });
-  for (const auto& block : edges)
-    mesh.constrained_edges.insert(mesh.constrained_edges.end(), block.begin(), block.end());
-  mesh.triangles = std::move(triangles);
-  restore_order(domain.input_of_vertex.span(), t.points, threads);
-  parallel_blocks(threads, t.origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t v = first; v < last; ++v)
-      if (t.origin[v] < domain.segments.size()) {
-        const Index segment = domain.input_segment[t.origin[v]];
-        t.origin[v] = segment == no_index ? hull_vertex : segment;
-      }
-  });
-
-  mesh.points = std::move(t.points);
-  mesh.origin = std::move(t.origin);
-  mesh.region = std::move(t.region);
+  export_triangles(domain, mesh, threads);  // first, because it reads the origins of the vertices
+  export_origins(domain, mesh, threads);
+  restore_order(domain.input_of_vertex.span(), domain.triangulation.points, threads);
+  mesh.points = std::move(domain.triangulation.points);
+  mesh.region = std::move(domain.triangulation.region);
   mesh.region_attributes = std::move(region_attributes);
   mark_vertices(mesh, data, threads);
   interpolate_attributes(mesh, data, std::move(background));

@@ -26,7 +26,7 @@ class MeshOf : public testing::TestWithParam<Family> {
   }
 };
 
-TEST_P(MeshOf, is_the_same_bit_for_bit_on_any_number_of_threads_in_any_order_with_delays) {
+TEST_P(MeshOf, is_identical_on_any_number_of_threads_with_any_order_and_delays_of_tasks) {
   for_each_problem([](const Problem& p) {
     const Mesh expected = samples::refined(p.what, p.options, {}).mesh;
     Options options = p.options;
@@ -39,7 +39,7 @@ TEST_P(MeshOf, is_the_same_bit_for_bit_on_any_number_of_threads_in_any_order_wit
 }
 
 /// Otherwise the number of threads and the order of the tasks could not make a difference.
-TEST_P(MeshOf, is_made_by_tasks_that_run_at_once_and_hand_on_to_each_other) {
+TEST_P(MeshOf, is_made_by_concurrent_tasks_that_hand_triangles_on) {
   std::uint64_t with_such_tasks = 0;
   for_each_problem([&](const Problem& p) {
     std::size_t most_at_once = 0;
