@@ -48,6 +48,23 @@ bool run_snippets(const std::filesystem::path& folder) {
     std::printf("triangle %u: %s\n", exemption.triangle, pardel::name(exemption.reason));
   }
 
+  const auto domain = pardel::validate(plate);
+  if (!domain) {
+    for (const pardel::Problem& problem : domain.error()) std::puts(problem.message().c_str());
+    return false;
+  }
+  const auto triangulated = pardel::triangulate(*domain);
+  EXPECT_TRUE(triangulated);
+
+  pardel::Pslg crossing;
+  crossing.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {-1, 1}, {3, 1}};
+  crossing.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}};
+  const auto repaired = pardel::repair(crossing);
+  if (!repaired) return report(repaired.error());
+  for (const std::string& line : repaired->log) std::puts(line.c_str());
+  const auto of_repaired = pardel::mesh(repaired->domain);
+  EXPECT_TRUE(of_repaired);
+
   const pardel::Status written = pardel::write_mesh(meshed->mesh, plate, folder / "plate.vtu");
   if (!written) return report(written.error());
   const auto again = pardel::read_mesh(folder / "plate.vtu");

@@ -29,7 +29,7 @@ class ReportSchema : public Workshop {
   }
 };
 
-/// Calls act(object, key) for every key of every object inside `value`, which act may change and must restore.
+/// Calls act(object, key) for every key of every object inside `value`. act may change the object, and must restore it.
 template <class Act>
 void for_every_key(Json& value, const Act& act) {
   if (value.is_object()) {
@@ -93,13 +93,13 @@ TEST_F(ReportSchema, rejects_a_report_with_an_unknown_key) {
   Json right = report({"--check"});
   const auto reject = [&](Json& object, const std::string& key) {
     object["unknown"] = 1;
-    EXPECT_FALSE(schema_violations(all, right).empty()) << "beside " << key;
+    EXPECT_FALSE(schema_violations(all, right).empty()) << "next to " << key;
     object.erase("unknown");
   };
   for_every_key(right, reject);
 }
 
-TEST_F(ReportSchema, knows_every_reason_and_every_kind_of_violation) {
+TEST_F(ReportSchema, lists_every_reason_and_every_kind_of_violation) {
   const Json definitions = schema().at("$defs");
   Json reasons = Json::array();
   for (int i = 0; i < exempt_reasons; ++i) reasons.push_back(name(static_cast<ExemptReason>(i)));
@@ -111,7 +111,7 @@ TEST_F(ReportSchema, knows_every_reason_and_every_kind_of_violation) {
   EXPECT_EQ(definitions.at("violation_kind").at("enum"), kinds);
 }
 
-TEST(JsonSchema, notices_what_is_wrong_with_a_value) {
+TEST(JsonSchema, finds_each_kind_of_violation) {
   const Json schema = Json::parse(R"({"type": "object", "properties": {
     "n": {"type": "integer", "minimum": 1}, "s": {"type": "string", "pattern": "^a+$"}, "e": {"enum": [1, null]},
     "p": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}, "c": {"const": true}}})");
