@@ -1,0 +1,106 @@
+// Pending triangles go to the cells of their split points, are deferred again where a rule says so, and none is lost.
+#include "../../../parallel/scheduling/pending_triangles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../../../parallel/scheduling/initial_assessment.hpp"
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// Random points in the unit square, with most triangles bad.
+struct Scene {
+  samples::Sample sample = samples::triangulated(samples::uniform_points(2000, 3));
+  DomainSegments segments{sample.triangulation.points, sample.constraints};
+  Options options;
+  Criteria criteria{{.min_angle_deg = 30}, Placement::circumcentre, {}};
+  Assessor assessor{sample.triangulation, segments, criteria, options};
+  Lattice lattice{{0, 0, 1, 1}, 4, 4};
+
+  [[nodiscard]] const Triangulation& t() const { return sample.triangulation; }
+  [[nodiscard]] PendingTriangles all_bad(int threads) const {
+    PendingTriangles pending(t(), assessor, threads);
+    pending.defer(assess_all(t(), criteria, assessor, threads).bad);
+    return pending;
+  }
+};
+
+std::vector<TriangleId> ids(const SeedsByCell& seeds) {
+  std::vector<TriangleId> all;
+  for (const auto& of_cell : seeds)
+    for (const QueuedTriangle seed : of_cell) all.push_back(seed.id());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<TriangleId> bad_triangles(const Scene& scene) {
+  std::vector<TriangleId> bad;
+  for (TriangleId id = 0; id < scene.t().slots.size(); ++id)
+    if (scene.assessor.assess(id).need != Assessment::Need::nothing) bad.push_back(id);
+  return bad;
+}
+
+TEST(PendingTriangles, go_to_the_cells_of_their_split_points_on_any_number_of_threads) {
+  const Scene scene;
+  const SeedsByCell one = scene.all_bad(1).take_due_by_cell(scene.lattice, {});
+  ASSERT_EQ(one.size(), scene.lattice.cells());
+  EXPECT_EQ(ids(one), bad_triangles(scene));
+  EXPECT_GT(ids(one).size(), 100U);
+  for (Index cell = 0; cell < one.size(); ++cell)
+    for (const QueuedTriangle seed : one[cell]) {
+      const Assessment a = scene.assessor.assess(seed.id());
+      EXPECT_EQ(scene.lattice.cell_of(scene.assessor.point_for(seed.id(), a)), cell);
+    }
+  const SeedsByCell three = scene.all_bad(3).take_due_by_cell(scene.lattice, {});
+  for (Index cell = 0; cell < one.size(); ++cell)
+    EXPECT_TRUE(std::ranges::equal(one[cell], three[cell], {}, &QueuedTriangle::id, &QueuedTriangle::id));
+}
+
+TEST(PendingTriangles, are_deferred_where_the_rule_says_so_and_are_due_later) {
+  const Scene scene;
+  PendingTriangles pending = scene.all_bad(2);
+  const Deferral later{.last_key = pending.median_key()};
+  std::vector<TriangleId> seen = ids(pending.take_due_by_cell(scene.lattice, later));
+  const std::vector<TriangleId> rest = ids(pending.take_due_by_cell(scene.lattice, {}));
+  EXPECT_GE(3 * seen.size(), rest.size());
+  EXPECT_GE(3 * rest.size(), seen.size());
+  for (const TriangleId id : seen) EXPECT_LE(scene.assessor.assess(id).key, later.last_key);
+  for (const TriangleId id : rest) EXPECT_GT(scene.assessor.assess(id).key, later.last_key);
+  seen.insert(seen.end(), rest.begin(), rest.end());
+  std::sort(seen.begin(), seen.end());
+  EXPECT_EQ(seen, bad_triangles(scene));
+}
+
+TEST(PendingTriangles, come_back_after_they_were_set_aside) {
+  const Scene scene;
+  PendingTriangles pending = scene.all_bad(2);
+  pending.set_aside({.longest_squared = 0.002});
+  const std::vector<TriangleId> before = ids(pending.take_due_by_cell(scene.lattice, {}));
+  pending.bring_back();
+  const std::vector<TriangleId> after = ids(pending.take_due_by_cell(scene.lattice, {}));
+  EXPECT_FALSE(before.empty());
+  EXPECT_FALSE(after.empty());
+  EXPECT_EQ(before.size() + after.size(), bad_triangles(scene).size());
+}
+
+TEST(PendingTriangles, that_are_stale_or_good_are_dropped) {
+  const Scene scene;
+  PendingTriangles pending(scene.t(), scene.assessor, 1);
+  const std::vector<TriangleId> bad = bad_triangles(scene);
+  TriangleId good = 0;
+  while (std::binary_search(bad.begin(), bad.end(), good)) ++good;
+  QueuedTriangle stale = QueuedTriangle::now(scene.t(), EdgeRef(bad[1], 0));
+  ++stale.first_corner;
+  EXPECT_FALSE(pending.any_needs_larger_box());
+  pending.add_needing_larger_box(std::vector{QueuedTriangle::now(scene.t(), EdgeRef(bad[0], 0)), stale,
+                                             QueuedTriangle::now(scene.t(), EdgeRef(good, 0))});
+  EXPECT_TRUE(pending.any_needs_larger_box());
+  EXPECT_EQ(ids(pending.take_needing_larger_box_by_cell(scene.lattice)), std::vector{bad[0]});
+  EXPECT_FALSE(pending.any_needs_larger_box());
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,46 @@
+// The record of the tiles: the finest lattice, and the first thread that worked on each of its cells.
+#include "../../../parallel/scheduling/tiling_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace pardel::engine {
+namespace {
+
+TEST(TilingRecord, holds_the_finest_lattice_and_the_bounds_on_circumradii) {
+  const Box bounds{-1, 2, 5, 4};
+  const Lattice finest(bounds, 3, 2);
+  TilingRecord record;
+  record.set_finest(finest, bounds, {.radius = 0.25, .ratio = 1.5, .area = 0.125}, 77);
+  record.add_sweep({.columns = 3, .rows = 2, .inserted = 5});
+  const Tiling tiling = std::move(record).take();
+  EXPECT_EQ(tiling.columns, 3U);
+  EXPECT_EQ(tiling.rows, 2U);
+  EXPECT_EQ(tiling.cell_width, 2);
+  EXPECT_EQ(tiling.cell_height, 1);
+  EXPECT_EQ(tiling.low, (Point{-1, 2}));
+  EXPECT_EQ(tiling.high, (Point{5, 4}));
+  EXPECT_EQ(tiling.vertices_before, 77U);
+  EXPECT_EQ(tiling.largest_radius, 0.25);
+  EXPECT_EQ(tiling.radius_by_t3, radius_bound(1.5, 0.125));
+  EXPECT_EQ(tiling.radius_by_t3_sharp, sharp_radius_bound(1.5, 0.125));
+  ASSERT_EQ(tiling.sweeps.size(), 1U);
+  EXPECT_EQ(tiling.sweeps[0].inserted, 5U);
+}
+
+TEST(TilingRecord, holds_the_first_thread_of_each_cell_of_the_finest_lattice) {
+  const Box bounds{0, 0, 1, 1};
+  const Lattice coarse(bounds, 1, 1), finest(bounds, 2, 2);
+  TilingRecord record;
+  record.add_task(coarse, 0, 3);
+  record.set_finest(finest, bounds, {}, 0);
+  record.add_task(finest, 2, 1);
+  record.add_task(finest, 2, 0);
+  record.add_task(finest, 3, 0);
+  record.add_task(coarse, 0, 3);
+  EXPECT_EQ(std::move(record).take().thread_of_cell, (std::vector<std::int16_t>{-1, -1, 1, 0}));
+}
+
+}  // namespace
+}  // namespace pardel::engine
