@@ -2,7 +2,7 @@
 
 namespace pardel::engine {
 
-void IndexAllocator::assign(std::size_t count, std::vector<IndexRange>& ranges) {
+void IndexAllocator::allocate(std::size_t count, std::vector<IndexRange>& ranges) {
   while (count > 0 && first_free_ < free_.size()) {
     IndexRange& lowest = free_[first_free_];
     const auto take = static_cast<Index>(std::min<std::size_t>(count, lowest.size()));
@@ -17,7 +17,7 @@ void IndexAllocator::assign(std::size_t count, std::vector<IndexRange>& ranges) 
   end_ += fresh;
 }
 
-void IndexAllocator::take_back(const IndexPool& pool) {
+void IndexAllocator::release(const IndexPool& pool) {
   for (const IndexRange r : pool.rest()) {
     if (r.size() == 0) continue;
     free_.push_back(r);

@@ -53,9 +53,10 @@ class IndexAllocator {
   [[nodiscard]] std::size_t available() const { return limit_ - in_use(); }
 
   /// Appends ranges with `count` indices to `ranges`, or with all that are available if those are fewer.
-  void assign(std::size_t count, std::vector<IndexRange>& ranges);
+  void allocate(std::size_t count, std::vector<IndexRange>& ranges);
   /// Frees the unused indices of a pool. Call settle() after the last pool of a phase.
-  void take_back(const IndexPool& pool);
+  void release(const IndexPool& pool);
+  /// Sorts and joins the free ranges. Free indices at the end are no longer below end().
   void settle();
   /// The free ranges below end(), in ascending order. Precondition: settled.
   [[nodiscard]] const std::vector<IndexRange>& holes() const { return free_; }

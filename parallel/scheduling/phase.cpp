@@ -93,8 +93,8 @@ void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, c
   if (schedule_.after_phase) schedule_.after_phase();
 
   for (const PlannedTask& task : tasks) {
-    vertices_.take_back(task.free.vertices);
-    triangles_.take_back(task.free.triangles);
+    vertices_.release(task.free.vertices);
+    triangles_.release(task.free.triangles);
   }
   vertices_.settle();
   triangles_.settle();
@@ -138,8 +138,8 @@ void PhaseRunner::assign_indices(std::vector<PlannedTask>& tasks) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const auto expected = static_cast<std::size_t>(std::min(tasks[i].insertions, 1e9));
       const std::size_t insertions = first ? expected + expected / 4 : expected - expected / 4;
-      vertices_.assign(insertions, vertices[i]);
-      triangles_.assign(2 * insertions, triangles[i]);
+      vertices_.allocate(insertions, vertices[i]);
+      triangles_.allocate(2 * insertions, triangles[i]);
     }
   for (std::size_t i = 0; i < tasks.size(); ++i)
     tasks[i].free = {IndexPool(std::move(vertices[i])), IndexPool(std::move(triangles[i]))};

@@ -1,4 +1,4 @@
-// No index is allocated twice, none is lost, and compaction leaves none unused.
+// No index is allocated twice, and none is lost.
 #include "../../../parallel/concurrency/index_allocator.hpp"
 
 #include <gtest/gtest.h>
@@ -15,44 +15,44 @@ namespace {
 /// Simulates phases of tasks that get indices, use some of them and return the others.
 class Phases {
  public:
-  Phases(Index used, Index limit, std::uint64_t seed) : ledger_(used, limit), random_(seed) {
+  Phases(Index used, Index limit, std::uint64_t seed) : allocator_(used, limit), random_(seed) {
     for (Index n = 0; n < used; ++n) in_use_.insert(n);
   }
 
   void phase() {
-    const std::size_t available = ledger_.available();
+    const std::size_t available = allocator_.available();
     std::vector<IndexPool> tasks;
     std::size_t given = 0;
     for (Index task = 0; task < 1 + random_.below(6); ++task) {
-      const std::size_t asked = random_.below(40);
+      const std::size_t requested = random_.below(40);
       std::vector<IndexRange> ranges;
-      ledger_.assign(asked, ranges);
+      allocator_.allocate(requested, ranges);
       tasks.emplace_back(ranges);
-      EXPECT_EQ(tasks.back().left(), std::min(asked, available - given));
+      EXPECT_EQ(tasks.back().left(), std::min(requested, available - given));
       given += tasks.back().left();
     }
-    for (IndexPool& numbers : tasks) {
-      for (std::size_t left = random_.below(numbers.left() + 1); numbers.left() > left;)
-        EXPECT_TRUE(in_use_.insert(numbers.take()).second) << "allocated twice";
-      ledger_.take_back(numbers);
+    for (IndexPool& pool : tasks) {
+      for (std::size_t left = random_.below(pool.left() + 1); pool.left() > left;)
+        EXPECT_TRUE(in_use_.insert(pool.take()).second) << "allocated twice";
+      allocator_.release(pool);
     }
-    ledger_.settle();
+    allocator_.settle();
   }
 
-  [[nodiscard]] const IndexAllocator& ledger() const { return ledger_; }
+  [[nodiscard]] const IndexAllocator& allocator() const { return allocator_; }
   [[nodiscard]] const std::set<Index>& in_use() const { return in_use_; }
 
  private:
-  IndexAllocator ledger_;
+  IndexAllocator allocator_;
   samples::Random random_;
   std::set<Index> in_use_;
 };
 
 /// The indices below end() that lie in no hole.
-std::set<Index> below_end_and_in_no_hole(const IndexAllocator& ledger) {
+std::set<Index> below_end_and_in_no_hole(const IndexAllocator& allocator) {
   std::set<Index> result;
-  for (Index n = 0; n < ledger.end(); ++n) result.insert(n);
-  for (const IndexRange hole : ledger.holes())
+  for (Index n = 0; n < allocator.end(); ++n) result.insert(n);
+  for (const IndexRange hole : allocator.holes())
     for (Index n = hole.begin; n < hole.end; ++n) EXPECT_EQ(result.erase(n), 1U) << "free twice, or beyond the end";
   return result;
 }
@@ -62,20 +62,20 @@ TEST(IndexAllocator, gives_no_index_twice_and_records_which_are_free) {
     Phases phases(Index(seed % 7), 500, seed);
     for (int phase = 0; phase < 10; ++phase) {
       phases.phase();
-      ASSERT_EQ(below_end_and_in_no_hole(phases.ledger()), phases.in_use());
-      ASSERT_EQ(phases.ledger().in_use(), phases.in_use().size());
-      ASSERT_EQ(phases.ledger().available(), 500 - phases.in_use().size());
-      ASSERT_LE(phases.ledger().end(), 500U);
+      ASSERT_EQ(below_end_and_in_no_hole(phases.allocator()), phases.in_use());
+      ASSERT_EQ(phases.allocator().in_use(), phases.in_use().size());
+      ASSERT_EQ(phases.allocator().available(), 500 - phases.in_use().size());
+      ASSERT_LE(phases.allocator().end(), 500U);
     }
   }
 }
 
-TEST(IndexMoves, fill_every_hole_with_what_lies_above) {
+TEST(IndexMoves, fill_every_hole_with_an_element_from_above) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Phases phases(3, 10'000, seed);
     for (int phase = 0; phase < 10; ++phase) phases.phase();
     std::set<Index> numbers = phases.in_use();
-    for (const IndexMove move : moves_into_holes(phases.ledger())) {
+    for (const IndexMove move : moves_into_holes(phases.allocator())) {
       ASSERT_EQ(numbers.erase(move.from), 1U) << "moves an index that is not in use";
       ASSERT_TRUE(numbers.insert(move.to).second) << "moves to an index that is in use";
     }

@@ -63,9 +63,9 @@ TEST(LargestRadii, ignore_unused_indices) {
   t.slots.push_back({{0, 1, 2}, {}});
   IndexAllocator ledger(0, 10);
   std::vector<IndexRange> all;
-  ledger.assign(3, all);
+  ledger.allocate(3, all);
   EXPECT_GT(largest_radii(t, ledger, 1).radius, 400);
-  ledger.take_back(IndexPool({{1, 2}}));
+  ledger.release(IndexPool({{1, 2}}));
   ledger.settle();
   EXPECT_NEAR(largest_radii(t, ledger, 1).radius, std::sqrt(0.5), 1e-12);
 }

@@ -46,10 +46,10 @@ struct WithHoles {
   static IndexAllocator with_holes(Index count, Index step) {
     IndexAllocator indices(0, max_engine_triangles);
     std::vector<IndexRange> all;
-    indices.assign(count + (count + step - 1) / step, all);
+    indices.allocate(count + (count + step - 1) / step, all);
     std::vector<IndexRange> holes;
     for (Index n = 0; n < count; n += step) holes.push_back({n, n + 1});
-    indices.take_back(IndexPool(holes));
+    indices.release(IndexPool(holes));
     indices.settle();
     return indices;
   }
