@@ -127,12 +127,10 @@ void write_if_changed(const fs::path& file, const std::string& text) {
   if (!out) throw std::runtime_error("cannot write " + file.string());
 }
 
-void remove_files_without_source(const fs::path& copy, const Sources& sources) {
-  std::vector<fs::path> stale;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copy))
-    if (entry.is_regular_file() && !sources.contains(entry.path().lexically_relative(copy)))
-      stale.push_back(entry.path());
-  for (const fs::path& file : stale) fs::remove(file);
+void remove_files_without_source(const fs::path& copy, const std::vector<std::string>& folders,
+                                 const Sources& sources) {
+  for (const auto& [file, text] : read_sources(copy, folders))
+    if (!sources.contains(file)) fs::remove(copy / file);
 }
 
 }  // namespace
@@ -178,9 +176,9 @@ std::vector<std::string> copy_with_mutants(const fs::path& root, const std::vect
     attempt(errors, [&] { apply(*patch, sources); });
   if (!errors.empty()) return errors;
 
-  fs::create_directories(copy);
+  for (const std::string& folder : folders) fs::create_directories(copy / folder);
   for (const auto& [file, text] : sources) write_if_changed(copy / file, text);
-  remove_files_without_source(copy, sources);
+  remove_files_without_source(copy, folders, sources);
   return {};
 }
 

@@ -38,9 +38,9 @@ struct Patch {
 
 /// Copies the C++ files (*.hpp, *.cpp) below the given folders of `root` to the same paths in `copy`, with the patches
 /// in root/properties/mutants/patches applied in the order of root/properties/mutants/registry. Writes only the files
-/// whose text changes, and removes from `copy` every other file. If something is wrong with the registry or a patch, it
-/// changes nothing and returns one line for each patch that does not apply, each mutant without a patch and each patch
-/// without a mutant.
+/// whose text changes. Removes the C++ files below the same folders of `copy` that have no source. If something is
+/// wrong with a patch, it changes nothing and returns one line for each patch that does not apply, each mutant without
+/// a patch and each patch without a mutant.
 [[nodiscard]] std::vector<std::string> copy_with_mutants(const std::filesystem::path& root,
                                                          const std::vector<std::string>& folders,
                                                          const std::filesystem::path& copy);
