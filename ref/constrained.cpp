@@ -9,7 +9,8 @@
 namespace pardel::ref {
 namespace {
 
-/// The two triangles at an edge: `left` holds it from a to b, `right` from b to a; c and d are their apices.
+/// The two triangles at the edge ab. `left` contains it in the direction a to b, `right` in the direction b to a; c and
+/// d are their apexes.
 struct Quadrilateral {
   Index left, right;
   Index a, b, c, d;
@@ -52,7 +53,7 @@ std::set<Edge> edges(const PlainMesh& mesh) {
   return all;
 }
 
-/// Do the open segments cross, each end of one strictly on either side of the other?
+/// Do the open segments cross: are the ends of each strictly on different sides of the other?
 bool cross(const PlainMesh& mesh, const Edge& e, const Edge& f) {
   const auto side = [&](const Edge& of, Index v) {
     return CGAL::orientation(mesh.points[of[0]], mesh.points[of[1]], mesh.points[v]);
@@ -63,18 +64,12 @@ bool cross(const PlainMesh& mesh, const Edge& e, const Edge& f) {
 }  // namespace
 
 PlainMesh delaunay(const std::vector<Point>& points) {
-  // Three points of a lattice of spacing u and extent E that are not on a line have a circumradius below E³ / u²;
-  // beyond that, the corners of the enclosing box lie in no circumdisk of three points.
-  constexpr double far = 0x1p202;
-  PlainMesh mesh;
-  mesh.points = {{-far, -far}, {far, -far}, {far, far}, {-far, far}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  for (const Point& p : points) insert(mesh, exact(p));
-
-  std::erase_if(mesh.triangles, [](const Corners& t) { return *std::min_element(t.begin(), t.end()) < 4; });
-  mesh.points.erase(mesh.points.begin(), mesh.points.begin() + 4);
-  for (Corners& t : mesh.triangles)
-    for (Index& v : t) v -= 4;
+  // On a lattice of spacing u and extent E, three points that are not collinear have a circumradius below E³ / u². So
+  // no circumdisk of three points contains a corner of a box of this half-width.
+  constexpr double half_width = 0x1p202;
+  PlainMesh mesh = delaunay_in_box(points, half_width);
+  std::erase_if(mesh.triangles, [&](const Corners& t) { return *std::ranges::max_element(t) >= points.size(); });
+  mesh.points.resize(points.size());
   return mesh;
 }
 
@@ -88,7 +83,7 @@ void force_edge(PlainMesh& mesh, Index a, Index b) {
     crossing.pop_front();
     const Quadrilateral q = *around(mesh, e);
     if (!is_strictly_convex(mesh, q)) {
-      crossing.push_back(e);  // its turn comes when a neighbour has been flipped
+      crossing.push_back(e);  // retry after a neighbour was flipped
       continue;
     }
     flip(mesh, q);

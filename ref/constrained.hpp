@@ -1,4 +1,5 @@
-// Constrained Delaunay triangulation, by flips: force the segments, then flip what is not locally Delaunay.
+// Constrained Delaunay triangulation by flips: first make every segment an edge, then flip every edge that is not
+// locally Delaunay.
 //
 // Sources: C. L. Lawson, "Software for C1 surface interpolation", 1977 (flips end in the Delaunay triangulation);
 // S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993 (forcing an edge).
@@ -10,18 +11,20 @@
 
 namespace pardel::ref {
 
-/// The Delaunay triangulation of the convex hull of the points: distinct, not all on a line, multiples of 2^-50 of
-/// at most 2^50. Cubic time. The hull's edges are no constraints.
+/// The Delaunay triangulation of the convex hull of the points. Preconditions: the points are distinct, do not all lie
+/// on one line, and their coordinates are multiples of 2^-50 of absolute value at most 2^50. Cubic time. The edges of
+/// the hull are not constrained.
 [[nodiscard]] PlainMesh delaunay(const std::vector<Point>& points);
 
-/// Makes ab an edge by flipping those that cross it, and constrains it. It must run through no vertex and cross no
-/// constraint. The mesh is in general not constrained Delaunay afterwards.
+/// Flips the edges that cross ab until ab is an edge, and constrains it. Precondition: the open segment ab contains no
+/// vertex and crosses no constrained edge. Afterwards the mesh need not be constrained Delaunay.
 void force_edge(PlainMesh& mesh, Index a, Index b);
 
-/// Flips unconstrained edges until each is locally Delaunay; the mesh is constrained Delaunay then.
+/// Flips unconstrained edges until every one is locally Delaunay. Then the mesh is constrained Delaunay.
 void flip_to_delaunay(PlainMesh& mesh);
 
-/// All of it. Walls meet at most in common ends and run through no point.
+/// The constrained Delaunay triangulation of the convex hull of the points. Preconditions: those of delaunay(); two
+/// walls meet only in common ends, and no point lies inside a wall.
 [[nodiscard]] PlainMesh constrained_delaunay(const std::vector<Point>& points, const std::vector<Edge>& walls);
 
 }  // namespace pardel::ref

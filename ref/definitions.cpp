@@ -15,7 +15,7 @@ std::set<Index> used_vertices(const PlainMesh& mesh) {
   return used;
 }
 
-/// Does the constraint ab hide q from p: does it meet the open segment pq?
+/// Does the constraint ab hide q from p? That is, does it meet the open segment pq?
 bool blocks(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p, const ExactPoint& q) {
   const auto ends = CGAL::intersection(Kernel::Segment_2(a, b), Kernel::Segment_2(p, q));
   if (!ends) return false;
@@ -23,7 +23,7 @@ bool blocks(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p, const
   return true;  // a common piece
 }
 
-/// Does the line through m and n have points on both its sides?
+/// Are there points strictly on both sides of the line through m and n?
 bool separates(const ExactPoint& m, const ExactPoint& n, const std::array<ExactPoint, 4>& points) {
   bool left = false, right = false;
   for (const ExactPoint& p : points) {
@@ -34,8 +34,8 @@ bool separates(const ExactPoint& m, const ExactPoint& n, const std::array<ExactP
   return left && right;
 }
 
-/// Do two triangles without a common vertex, with one, or with two meet in nothing, that vertex or that edge only?
-/// Each is positively oriented.
+/// Is the intersection of t and u empty, exactly their common vertex, or exactly their common edge? Precondition: both
+/// are positively oriented.
 bool meet_as_in_a_mesh(const PlainMesh& mesh, const Corners& t, const Corners& u) {
   const auto shape = [&](const Corners& c) {
     return Kernel::Triangle_2(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
@@ -45,8 +45,8 @@ bool meet_as_in_a_mesh(const PlainMesh& mesh, const Corners& t, const Corners& u
     if (is_corner(u, t[i])) common.push_back(i);
   if (common.empty()) return !CGAL::do_intersect(shape(t), shape(u));
   if (common.size() == 3) return false;
-  // With one: were there a second common point, then the ray to it from the common vertex would leave one of the
-  // triangles first, by the edge opposite that vertex and still within the other triangle.
+  // One common vertex: suppose that there is a second common point. The ray to it from the common vertex leaves one of
+  // the triangles first. It leaves through the edge opposite to the common vertex, at a point of the other triangle.
   const auto opposite_edge_meets = [&](const Corners& of, const Corners& other) {
     for (int i = 0; i < 3; ++i)
       if (of[i] == t[common[0]]) {
@@ -56,7 +56,8 @@ bool meet_as_in_a_mesh(const PlainMesh& mesh, const Corners& t, const Corners& u
     return false;
   };
   if (common.size() == 1) return !opposite_edge_meets(t, u) && !opposite_edge_meets(u, t);
-  // With two: they run through the common edge in opposite directions, and so lie on opposite sides.
+  // Two common vertices: the triangles lie on different sides of the common edge if they contain it in opposite
+  // directions.
   const int apex = 3 - common[0] - common[1];
   const Index a = t[(apex + 1) % 3], b = t[(apex + 2) % 3];
   for (int i = 0; i < 3; ++i)
@@ -95,7 +96,8 @@ bool circumdisk_contains(const PlainMesh& mesh, const Corners& t, const ExactPoi
 
 bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t) {
   const ExactPoint a = corner(mesh, t, 0), b = corner(mesh, t, 1), c = corner(mesh, t, 2);
-  // Only a constraint that meets the convex hull of p and t can be in the way, and that has some of it on either side.
+  // A constraint can hide t from p only if it meets the convex hull of p and t, and if its line has points of the hull
+  // on both sides.
   const CGAL::Bbox_2 around = p.bbox() + a.bbox() + b.bbox() + c.bbox();
   std::vector<Kernel::Segment_2> walls;
   for (const Edge& e : mesh.constraints) {
@@ -103,15 +105,15 @@ bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t) {
     if (CGAL::do_overlap(m.bbox() + n.bbox(), around) && separates(m, n, {p, a, b, c})) walls.emplace_back(m, n);
   }
   if (walls.empty()) return true;
-  // What p sees changes only where a ray from p passes an end of a wall, so t's edges are cut by all those
-  // rays, and p looks once through every piece. No wall enters t's interior, so that whatever is seen of t
-  // along a ray is seen as a whole: its middle stands for it.
+  // As a ray from p turns, visibility changes only where it passes an end of a wall. So these rays cut the edges of t
+  // into pieces, and one ray through each piece is tested. No wall enters the interior of t. So p sees the whole part
+  // of t along a ray or none of it, and the midpoint of this part decides.
   std::vector<ExactPoint> turns = {a, b, c};
   for (const Kernel::Segment_2& wall : walls) turns.insert(turns.end(), {wall.source(), wall.target()});
   const Kernel::Triangle_2 triangle(a, b, c);
   for (int i = 0; i < 3; ++i) {
     const ExactPoint from = triangle.vertex(i), to = triangle.vertex(i + 1);
-    if (CGAL::collinear(p, from, to)) continue;  // edge-on: what lies behind it is met through the other edges
+    if (CGAL::collinear(p, from, to)) continue;  // rays into t pass through the other edges
     std::vector<ExactPoint> stops;
     for (const ExactPoint& turn : turns) {
       if (turn == p) continue;

@@ -7,7 +7,7 @@
 namespace pardel::ref {
 namespace {
 
-/// The triangles at every edge.
+/// The triangles at each edge.
 std::map<Edge, std::vector<Index>> incidence(const PlainMesh& mesh) {
   std::map<Edge, std::vector<Index>> at;
   for (Index t = 0; t < mesh.triangles.size(); ++t)
@@ -20,7 +20,7 @@ bool contains(const PlainMesh& mesh, const Corners& t, const ExactPoint& p) {
   return !triangle.has_on_unbounded_side(p);
 }
 
-/// Triangle's rule: the segment's own marker, else 1 on the boundary, else 0.
+/// Triangle's rule: the marker of the segment if it is not 0; otherwise 1 on the boundary and 0 elsewhere.
 int edge_marker(const Segment& segment, bool on_boundary) {
   return segment.marker != 0 ? segment.marker : static_cast<int>(on_boundary);
 }
@@ -46,17 +46,25 @@ std::vector<Index> face_of(const PlainMesh& mesh, const ExactPoint& p) {
 }
 
 void carve(PlainMesh& mesh, const ExactPoint& outside, const std::vector<Point>& holes) {
-  std::set<Index> eaten;
+  std::set<Index> removed;
   std::vector<ExactPoint> starts = {outside};
   for (const Point& hole : holes) starts.push_back(exact(hole));
   for (const ExactPoint& start : starts) {
     const std::vector<Index> face = face_of(mesh, start);
-    eaten.insert(face.begin(), face.end());
+    removed.insert(face.begin(), face.end());
   }
   std::vector<Corners> kept;
   for (Index t = 0; t < mesh.triangles.size(); ++t)
-    if (!eaten.contains(t)) kept.push_back(mesh.triangles[t]);
+    if (!removed.contains(t)) kept.push_back(mesh.triangles[t]);
   mesh.triangles = kept;
+}
+
+PlainMesh to_plain_mesh(const Mesh& mesh) {
+  PlainMesh plain;
+  for (const Point& p : mesh.points) plain.points.push_back(exact(p));
+  for (const Triangle& t : mesh.triangles) plain.triangles.push_back(t.v);
+  for (const ConstrainedEdge& e : mesh.constrained_edges) plain.constraints.insert(edge(e.a, e.b));
+  return plain;
 }
 
 Mesh to_mesh(const PlainMesh& plain, const Provenance& provenance, const Pslg& pslg) {

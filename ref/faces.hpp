@@ -1,4 +1,4 @@
-// Faces of a domain: what can be reached without crossing a constrained edge.
+// Faces of a domain. A face is a maximal set of triangles that are connected across unconstrained edges.
 #pragma once
 
 #include <map>
@@ -9,21 +9,25 @@
 
 namespace pardel::ref {
 
-/// The triangles that can be reached from the triangles that contain p (their borders included) without
-/// crossing a constrained edge; ascending. Empty where p lies outside the mesh.
+/// The triangles of the faces that contain p, inside or on the border of a triangle. Returns ascending indices; empty
+/// if p lies outside the mesh.
 [[nodiscard]] std::vector<Index> face_of(const PlainMesh& mesh, const ExactPoint& p);
 
-/// Triangle's model of a domain: takes away what the exterior (from `outside`, a point of it) and the holes
-/// can reach.
+/// Removes the face of `outside`, a point of the exterior, and the face of every hole point. This is how the program
+/// Triangle defines a domain.
 void carve(PlainMesh& mesh, const ExactPoint& outside, const std::vector<Point>& holes);
 
-/// The mesh as the rest of the project knows it: neighbours found, regions spread from their seeds, markers
-/// given by Triangle's rule. `segment_of_edge` tells each constrained edge's input segment, `origin` every
-/// vertex's; points are rounded to doubles (exactly so where they came from doubles).
+/// Where the parts of a mesh come from.
 struct Provenance {
-  std::map<Edge, Index> segment_of_edge;
-  std::vector<Index> origin;
+  std::map<Edge, Index> segment_of_edge;  ///< the input segment of each constrained edge
+  std::vector<Index> origin;              ///< of each vertex, as Mesh::origin defines it
 };
+
+/// The mesh in the data structure of core/. Finds neighbours, spreads regions from their seeds, and sets markers by
+/// Triangle's rule. Points are rounded to doubles; points that are doubles stay exact.
 [[nodiscard]] Mesh to_mesh(const PlainMesh& plain, const Provenance& provenance, const Pslg& pslg);
+
+/// The points, triangles and constrained edges of a mesh of core/, with exact coordinates.
+[[nodiscard]] PlainMesh to_plain_mesh(const Mesh& mesh);
 
 }  // namespace pardel::ref

@@ -53,7 +53,7 @@ bool are_independent(const PlainMesh& mesh, const ExactPoint& p, const ExactPoin
     const bool is_wall = mesh.constraints.contains(edge(e[0], e[1]));
     if (!is_common || is_wall) return false;
     const ExactPoint &m = mesh.points[e[0]], &n = mesh.points[e[1]];
-    // On the line through m and n, q makes no triangle of them, and p's touches none.
+    // If q lies on the line mn, the fan of q has no triangle at mn.
     if (CGAL::collinear(q, m, n)) return false;
     return CGAL::side_of_bounded_circle(q, m, n, p) == CGAL::ON_BOUNDED_SIDE;
   });

@@ -47,23 +47,25 @@ Index insert(PlainMesh& mesh, const ExactPoint& p) {
   return vertex;
 }
 
-PlainMesh delaunay_in_far_box(const std::vector<Point>& points) {
-  // Far enough that the box's corners lie outside the diametral circle of every two points.
-  double extent = 1;
-  for (const Point& p : points) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
-  const double far = 16 * extent;
-
+PlainMesh delaunay_in_box(const std::vector<Point>& points, double half_width) {
   PlainMesh mesh;
-  mesh.points = {{-far, -far}, {far, -far}, {far, far}, {-far, far}};
+  mesh.points = {
+      {-half_width, -half_width}, {half_width, -half_width}, {half_width, half_width}, {-half_width, half_width}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   for (const Point& p : points) insert(mesh, exact(p));
 
-  // Renumber: the box's corners last.
+  // Renumber, so that the corners of the box come last.
   const auto n = static_cast<Index>(points.size());
   std::rotate(mesh.points.begin(), mesh.points.begin() + 4, mesh.points.end());
   for (Corners& t : mesh.triangles)
     for (Index& v : t) v = v < 4 ? n + v : v - 4;
   return mesh;
+}
+
+PlainMesh delaunay_in_far_box(const std::vector<Point>& points) {
+  double extent = 1;
+  for (const Point& p : points) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
+  return delaunay_in_box(points, 16 * extent);
 }
 
 }  // namespace pardel::ref

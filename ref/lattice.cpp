@@ -6,11 +6,11 @@
 namespace pardel::ref {
 namespace {
 
-/// How far apart points in cells that are no neighbours are at least, in units of r̄ [CC, Theorem 1].
+/// The least distance between points in cells that are not neighbours, in units of r̄ [CC, Theorem 1].
 constexpr double separation = 4;
 
 std::int64_t floor_of(const Number& x) {
-  double below = std::floor(CGAL::to_double(x));  // or one beside it, where x is all but an integer
+  double below = std::floor(CGAL::to_double(x));  // may be wrong by 1 if x is close to an integer
   while (x < below) below -= 1;
   while (x >= below + 1) below += 1;
   return static_cast<std::int64_t>(below);

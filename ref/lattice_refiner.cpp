@@ -9,17 +9,17 @@
 namespace pardel::ref {
 namespace {
 
-/// What the phases of a sweep work on.
+/// The data that the phases of a sweep share.
 struct Work {
   Refinement& state;
   Criteria& criteria;
   const Lattice& lattice;
 };
 
-/// Only the cells of the phase's colour are at work [CC].
+/// Only cells of the phase's colour work [CC].
 bool is_at_work(const Cell& cell, const Phase& phase) { return colour_of(cell) == phase.colour; }
 
-/// Notes what p has to do with; returns its cavity.
+/// Records the triangles and vertices that inserting p uses; returns the cavity of p.
 std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
   const std::vector<Index> hole = cavity(mesh, p);
   touched.vertices.merge(closure(mesh, hole));
@@ -32,8 +32,8 @@ std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoi
   return hole;
 }
 
-/// The subsegment e has to be split because of something that the cell `from` did: a task for the cell in which the
-/// midpoint lies.
+/// Requests a split of the subsegment e, which the cell `from` made necessary. The cell that contains the midpoint does
+/// it.
 void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
   if (work.state.waiting.contains(e)) return;
   demand_split(work.state, e);
@@ -43,8 +43,8 @@ void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
   phase.handed_on.push_back({from, to, middle});
 }
 
-/// For each cell at work the point that it inserts next, if it has one left: the midpoint of a subsegment that waits,
-/// or else the circumcentre of a poor triangle that encroaches on no subsegment. All are found in the same mesh.
+/// The next point to insert for each working cell that has one: the midpoint of a subsegment that waits for its split,
+/// or else the circumcentre of a bad triangle, if it encroaches upon no subsegment. All are found in the same mesh.
 std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
   const PlainMesh& mesh = work.state.mesh;
   std::map<Cell, ExactPoint> found;
@@ -57,10 +57,11 @@ std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
   for (const Corners& t : mesh.triangles) {
     const std::optional<ExactPoint>& centre = work.criteria.split_point(mesh, t);
     if (!centre) continue;
-    // A poor triangle is split in the phase of the cell in which its circumcentre lies.
+    // A bad triangle is split in the phase of the cell that contains its circumcentre.
     const Cell cell = cell_of(work.lattice, *centre);
     if (!is_at_work(cell, phase) || found.contains(cell)) continue;
-    // Where a subsegment hides the circumcentre from its triangle, some subsegment is encroached and waits.
+    // If a subsegment hides the circumcentre from its triangle, some subsegment is encroached and waits already
+    // (THEORY.md, Lemma 7).
     if (!circumdisk_contains(mesh, t, *centre) || !sees(mesh, *centre, t)) continue;
     const std::vector<Edge> upon = encroached_by(mesh, *centre);
     if (upon.empty()) {
@@ -77,12 +78,12 @@ std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
 }
 
 enum class Round : std::uint8_t {
-  nothing_left,  ///< no cell at work has a candidate
-  inserted,
-  outgrown,  ///< inserted, and now there is a circumradius for which the cells are too small
+  nothing_left,  ///< no working cell has a candidate
+  inserted,      ///< points were inserted
+  outgrown,      ///< points were inserted, and a new circumradius is too large for the cells
 };
 
-/// Every cell at work inserts one point, independently of each other.
+/// Every working cell that has a candidate inserts it; all insertions are independent.
 Round insert_round(const Work& work, Phase& phase) {
   Refinement& state = work.state;
   const std::map<Cell, ExactPoint> found = candidates(work, phase);
@@ -98,13 +99,13 @@ Round insert_round(const Work& work, Phase& phase) {
     for (Index t : touch(phase.touched[cell], state.mesh, p))
       if (!deleted.insert(t).second) state.failure = Error{ErrorKind::invalid_input, "Two cells met in one triangle."};
   }
-  if (state.failure) return Round::nothing_left;  // what would come out is no mesh
+  if (state.failure) return Round::nothing_left;  // the result would not be a mesh
   const auto first = static_cast<Index>(state.mesh.points.size());
   state.mesh = insert_independently(state.mesh, points);
 
   for (Index k = 0; k < points.size(); ++k) account_for(state, first + k, splits[k]);
   for (Index k = 0; k < points.size(); ++k) {
-    if (!splits[k]) continue;  // a circumcentre that encroached was not inserted
+    if (!splits[k]) continue;  // inserted circumcentres encroach upon nothing
     for (const Edge& e : encroached_since(state, first + k)) hand_on(work, phase, cell_of(work.lattice, points[k]), e);
   }
 
@@ -115,7 +116,7 @@ Round insert_round(const Work& work, Phase& phase) {
   return all_fit ? Round::inserted : Round::outgrown;
 }
 
-/// Phase by phase, until all colours had their turn or the lattice is outgrown.
+/// Runs one phase per colour; stops early if the cells are too small for a new circumradius.
 Sweep run_sweep(const Work& work) {
   Sweep sweep{work.lattice, {}};
   for (const Colour& colour : all_colours) {

@@ -1,12 +1,13 @@
-// The parallel refiner of [CC] as its paper describes it, without threads: a lattice, four colours, one phase per
-// colour. What tasks would do at the same time is done in rounds: one point for each cell of the colour, all of them
-// found in the same mesh, and inserted as by tasks that know nothing of each other.
+// The parallel refiner that [CC] describes, without threads: a lattice, four colours, one phase per colour. Rounds
+// stand for the work of concurrent tasks: in each round every cell of the colour inserts one point. All cavities of a
+// round are found in the same mesh, and the points are inserted independently (independent.hpp).
 //
-// Where we say more than the paper:
-// - A point belongs to the cell in which the point that is inserted lies, wherever the triangle is that asked for it.
-//   A circumcentre that encroaches hands the subsegments on to the cells of their midpoints.
-// - Four phases are a sweep; sweeps follow until one leaves nothing to do. How many that takes is measured.
-// - Splitting a subsegment at a corner of less than 90 degrees may raise r̄. The lattice is laid anew then.
+// Details that the paper leaves open:
+// - A point belongs to the cell that contains the inserted point, wherever its triangle lies. If a circumcentre
+// encroaches
+//   upon subsegments, they are handed on: their midpoints belong to the cells that contain them.
+// - Four phases are a sweep. Sweeps are repeated until one inserts nothing. Their number is measured.
+// - Splitting a subsegment at a corner of less than 90 degrees may raise r̄. Then a new lattice is computed.
 #pragma once
 
 #include <map>
@@ -19,11 +20,11 @@
 
 namespace pardel::ref {
 
-/// What the work of one cell had to do with: by every point that it inserted, and by every circumcentre that it tried
-/// and that encroached.
+/// The vertices and triangles that one cell used, over all points that it inserted and all circumcentres that it
+/// rejected because they encroached.
 struct Touched {
-  std::set<Index> vertices;     ///< of the triangles that it deleted or made, or would have: the closures of cavities
-  std::set<Corners> triangles;  ///< that it read or wrote: the cavities, and the triangles around them
+  std::set<Index> vertices;     ///< of the closures of the cavities
+  std::set<Corners> triangles;  ///< read or written: the cavities and the triangles across their boundaries
 };
 
 struct Insertion {
@@ -31,7 +32,7 @@ struct Insertion {
   ExactPoint point;
 };
 
-/// A subsegment that has to be split because of what a cell did, at a point that lies in another cell.
+/// A subsegment that the cell `from` found to need a split, at a point that lies in another cell.
 struct HandedOn {
   Cell from;
   Cell to;
@@ -40,7 +41,7 @@ struct HandedOn {
 
 struct Phase {
   Colour colour;
-  std::vector<Insertion> insertions;  ///< round by round
+  std::vector<Insertion> insertions;  ///< in the order of the rounds
   std::vector<HandedOn> handed_on;
   std::map<Cell, Touched> touched;
   PlainMesh after;
@@ -48,18 +49,18 @@ struct Phase {
 
 struct Sweep {
   Lattice lattice;
-  std::vector<Phase> phases;  ///< four, or fewer where the lattice had to be laid anew
+  std::vector<Phase> phases;  ///< four, or fewer if a new lattice was needed
 };
 
 struct LatticeRefinement {
   Mesh mesh;
   PlainMesh preprocessed;
-  std::vector<Sweep> sweeps;  ///< the last one did nothing
+  std::vector<Sweep> sweeps;  ///< the last one inserts nothing
 };
 
-/// A mesh as ruppert() makes it, with the same preconditions and errors, and the story of how it was made. The
-/// preprocessing is Ruppert's algorithm with the goal `coarse`, which must meet those preconditions as well; the
-/// finer it is, the more cells there are.
+/// A mesh that meets the goal, with the same preconditions and errors as ruppert(), and a record of all sweeps. The
+/// preprocessing runs Ruppert's algorithm with the goal `coarse`, which must meet the same preconditions. A finer
+/// preprocessed mesh gives more cells.
 [[nodiscard]] Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse);
 
 }  // namespace pardel::ref

@@ -16,7 +16,7 @@ bool below_sixty_degrees(const ExactPoint& apex, const ExactPoint& p, const Exac
   return dot > 0 && 4 * dot * dot > u.squared_length() * v.squared_length();
 }
 
-/// Takes four vertices from `first` on away, to which no triangle belongs any more.
+/// Removes the four vertices from `first` on. Precondition: no triangle uses them.
 void drop_four_vertices(Refinement& state, Index first) {
   const auto renumbered = [&](Index v) { return v < first ? v : v - 4; };
   const auto drop = [&](auto& values) { values.erase(values.begin() + first, values.begin() + first + 4); };
@@ -50,8 +50,8 @@ std::optional<Error> refused(const Pslg& pslg, const Goal& goal) {
 }
 
 Refinement conforming_delaunay(const Pslg& pslg) {
-  // The Delaunay triangulation of the input's vertices; splitting every subsegment that is encroached makes
-  // all of them edges of it, since an edge with an empty diametral circle is Delaunay.
+  // Start with the Delaunay triangulation of the input vertices, and split every encroached subsegment. In the end all
+  // subsegments are edges, because an edge whose diametral circle is empty is Delaunay.
   Refinement state;
   state.mesh = delaunay_in_far_box(pslg.points);
   const auto inputs = static_cast<Index>(pslg.points.size());
@@ -63,7 +63,7 @@ Refinement conforming_delaunay(const Pslg& pslg) {
   }
   split_waiting(state);
 
-  // From here on the subsegments bound the domain. The far box goes, and what is outside and in holes.
+  // Now the subsegments bound the domain. Remove the far box, the exterior and the holes.
   for (const auto& [e, segment] : state.provenance.segment_of_edge) state.mesh.constraints.insert(e);
   carve(state.mesh, state.mesh.points[inputs], pslg.holes);
   drop_four_vertices(state, inputs);
@@ -123,7 +123,7 @@ Criteria::Criteria(const Pslg& pslg, const Goal& goal, const PlainMesh& mesh) : 
 
 const std::optional<ExactPoint>& Criteria::split_point(const PlainMesh& mesh, const Corners& t) {
   const auto [entry, is_new] = known_.try_emplace(t);
-  if (is_new && is_poor(mesh, t)) entry->second = exact(rounded(circumcentre(mesh, t)));
+  if (is_new && is_bad(mesh, t)) entry->second = exact(rounded(circumcentre(mesh, t)));
   return entry->second;
 }
 
@@ -136,7 +136,7 @@ double Criteria::area_cap_at(const ExactPoint& p) const {
   return std::numeric_limits<double>::infinity();
 }
 
-bool Criteria::is_poor(const PlainMesh& mesh, const Corners& t) const {
+bool Criteria::is_bad(const PlainMesh& mesh, const Corners& t) const {
   const double sine = std::sin(goal_.min_angle_deg * (std::numbers::pi / 180));
   if (squared_circumradius(mesh, t) * (4 * sine * sine) > squared_shortest_edge(mesh, t)) return true;
 

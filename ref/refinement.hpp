@@ -1,5 +1,5 @@
-// What Delaunay refinement is made of, whoever decides about the order: which triangles are poor, where their split
-// points go, which subsegments have to be split, and where everything comes from.
+// The parts of Delaunay refinement that do not depend on the order of insertions: the test for bad triangles, their
+// split points, the subsegments that have to be split, and the origin of vertices and subsegments.
 //
 // Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation", 1995;
 // the angle condition after J. R. Shewchuk, "Delaunay refinement algorithms for triangular mesh
@@ -16,44 +16,45 @@
 
 namespace pardel::ref {
 
-/// A mesh on its way.
+/// The state of a refinement.
 struct Refinement {
   PlainMesh mesh;
-  Provenance provenance;               ///< its keys are the subsegments
+  Provenance provenance;               ///< the keys of segment_of_edge are the subsegments
   std::map<Edge, ExactPoint> waiting;  ///< subsegments that must be split, each with its midpoint
-  std::optional<Error> failure;        ///< why it cannot go on: a split point that is no double
+  std::optional<Error> failure;        ///< set if refinement cannot continue: a split point is not representable
 };
 
-/// Why Ruppert's proof does not cover this, or nothing: an Error of kind `usage` where there are no segments, where
-/// two of them meet at less than 60 degrees, where the angle bound is above arcsin(1 / (2 sqrt 2)) = 20.7 degrees,
-/// and for what the reference does not carry: point attributes, hulls as domains.
+/// Returns an Error of kind `usage` if Ruppert's proof does not cover the input: it has no segments, two segments meet
+/// at less than 60 degrees, or the angle bound is above arcsin(1 / (2 sqrt 2)) = 20.7 degrees. The same for features
+/// that the reference does not support: point attributes, and convex hulls as domains. Otherwise returns nothing.
 [[nodiscard]] std::optional<Error> refused(const Pslg& pslg, const Goal& goal);
 
-/// Where refinement starts: a Delaunay mesh of the domain in which every subsegment is an edge and none is
-/// encroached, so that it is constrained Delaunay as well. The input's points come first.
+/// The start of refinement: a Delaunay mesh of the domain in which every subsegment is an edge and none is encroached.
+/// It is therefore constrained Delaunay, too. The input points come first.
 [[nodiscard]] Refinement conforming_delaunay(const Pslg& pslg);
 
-/// Says that e must be split; nothing happens where it is known already.
+/// Requests a split of the subsegment e at its midpoint. No effect if e is waiting already. Sets `failure` if the
+/// midpoint is not representable in doubles.
 void demand_split(Refinement& state, const Edge& e);
 
-/// Splits whatever waits and becomes encroached by that, until no subsegment waits: one after the other.
+/// Splits waiting subsegments one after the other, and those that become encroached, until none waits.
 void split_waiting(Refinement& state);
 
-/// Notes where the vertex comes from, which has just been inserted: it splits the subsegment `split`, if given.
+/// Records the origin of a vertex that was just inserted. If `split` is given, the vertex splits this subsegment.
 void account_for(Refinement& state, Index vertex, const std::optional<Edge>& split);
 
-/// What can be encroached since that vertex was inserted: any subsegment, by the vertex, and a half of the subsegment
-/// that it split, by any other.
+/// The subsegments that became encroached when `vertex` was inserted: subsegments upon which the vertex encroaches, and
+/// halves of the subsegment that it split, upon which any vertex encroaches.
 [[nodiscard]] std::vector<Edge> encroached_since(const Refinement& state, Index vertex);
 
-/// What a triangle must be like: the goal's bounds and the area caps of the regions.
+/// Tests triangles against the bounds of a goal and the area caps of regions.
 class Criteria {
  public:
-  /// The mesh, of any resolution, tells the faces of the domain from each other.
+  /// `mesh` is any mesh of the domain. It determines which part of the domain each region covers.
   Criteria(const Pslg& pslg, const Goal& goal, const PlainMesh& mesh);
 
-  /// Where a poor triangle wants a vertex: its circumcentre, rounded to doubles. Nothing for a good one. A triangle
-  /// is poor whose ratio of circumradius to shortest edge is above 1 / (2 sin(angle bound)), or that is too large.
+  /// The circumcentre of t, rounded to doubles, if t is bad; nothing otherwise. A triangle is bad if its ratio of
+  /// circumradius to shortest edge exceeds 1 / (2 sin(angle bound)), or if it is too large.
   const std::optional<ExactPoint>& split_point(const PlainMesh& mesh, const Corners& t);
 
  private:
@@ -62,11 +63,11 @@ class Criteria {
     double max_area;
   };
   [[nodiscard]] double area_cap_at(const ExactPoint& p) const;
-  [[nodiscard]] bool is_poor(const PlainMesh& mesh, const Corners& t) const;
+  [[nodiscard]] bool is_bad(const PlainMesh& mesh, const Corners& t) const;
 
   Goal goal_;
   std::vector<Cap> caps_;
-  std::map<Corners, std::optional<ExactPoint>> known_;  ///< triangles never change
+  std::map<Corners, std::optional<ExactPoint>> known_;  ///< results so far; vertices never move
 };
 
 }  // namespace pardel::ref

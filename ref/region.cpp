@@ -5,7 +5,7 @@
 namespace pardel::ref {
 namespace {
 
-/// Convex, counter-clockwise; it may be flat.
+/// The corners of a convex polygon, counter-clockwise. The polygon may be a segment or a point.
 using Polygon = std::vector<ExactPoint>;
 
 Polygon corners_of(const Box& box) {
@@ -22,7 +22,7 @@ Disk circumdisk(const PlainMesh& mesh, const Corners& t) {
   return {centre, CGAL::squared_distance(centre, mesh.points[t[0]])};
 }
 
-/// The open disk meets the polygon.
+/// Does the open disk meet the polygon?
 bool meets(const Disk& disk, const Polygon& polygon) {
   int left_turns = 0, right_turns = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -34,14 +34,14 @@ bool meets(const Disk& disk, const Polygon& polygon) {
   return left_turns > 0 && right_turns == 0;  // the centre is inside
 }
 
-/// Does the constraint ab cross all of the disk, or run along a chord of it?
+/// Does the constraint ab cut the open disk into two parts?
 bool crosses(const Disk& disk, const ExactPoint& a, const ExactPoint& b) {
   return CGAL::squared_distance(disk.centre, a) >= disk.squared_radius &&
          CGAL::squared_distance(disk.centre, b) >= disk.squared_radius &&
          CGAL::squared_distance(disk.centre, Kernel::Segment_2(a, b)) < disk.squared_radius;
 }
 
-/// What of the polygon lies on the line ab or to the left of it.
+/// The part of the polygon on the line ab or to the left of it.
 Polygon left_part(const Polygon& polygon, const ExactPoint& a, const ExactPoint& b) {
   Polygon part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -54,7 +54,7 @@ Polygon left_part(const Polygon& polygon, const ExactPoint& a, const ExactPoint&
   return part;
 }
 
-/// Does some corner of t lie to the left of ab? The line does not cross t.
+/// Does t lie to the left of ab? Precondition: the line ab does not cross the interior of t.
 bool lies_left(const PlainMesh& mesh, const Corners& t, const ExactPoint& a, const ExactPoint& b) {
   return std::any_of(t.begin(), t.end(), [&](Index v) { return CGAL::left_turn(a, b, mesh.points[v]); });
 }

@@ -1,5 +1,5 @@
-// What a task may work on while others work elsewhere: the triangles that insertions in a region can reach, and the
-// rule by which a task that owns a box knows which triangles it may change.
+// The triangles that a task may use while other tasks work elsewhere (THEORY.md, T-region): the triangles that
+// insertions in a region can reach, and the triangles that the owner of a box may change.
 #pragma once
 
 #include <vector>
@@ -8,25 +8,27 @@
 
 namespace pardel::ref {
 
-/// A closed box with sides parallel to the axes; it may be flat.
+/// A closed box with sides parallel to the axes. It may have width or height 0.
 struct Box {
   Point low, high;
 };
 
 [[nodiscard]] bool contains(const Box& box, const ExactPoint& p);
 
-/// K(L): the triangles whose open circumdisk meets the region, seen or unseen; ascending.
+/// The triangles whose open circumdisk meets the region, whether or not they are seen from there; ascending indices.
+/// This contains K(L), where L is the region.
 [[nodiscard]] std::vector<Index> in_reach_of(const PlainMesh& mesh, const Box& region);
 
-/// The same, but of each disk only the part counts from which its triangle is seen. In a constrained Delaunay mesh
-/// that is the union of the cavities of all points of the region: no end of a constraint that t sees lies in its
-/// disk, so what hides a part of the disk is constraints that cross all of it, and t sees what is on its side of those.
+/// K(L), where L is the region: the triangles t such that some point of the region lies in the open circumdisk of t and
+/// sees t; ascending indices. This is the union of the cavities of all points of the region. Precondition: the mesh is
+/// constrained Delaunay. Then only constraints that cross the whole disk hide a part of it (THEORY.md, T-region, the
+/// visible part of a disk).
 [[nodiscard]] std::vector<Index> in_reach_and_sight_of(const PlainMesh& mesh, const Box& region);
 
-/// The edges of the triangles that are no constraints.
+/// The unconstrained edges of the triangles.
 [[nodiscard]] std::set<Edge> free_edges(const PlainMesh& mesh, const std::vector<Index>& triangles);
 
-/// May a task that owns the box change these triangles: do all three corners of each lie in it?
+/// May a task that owns the box change these triangles? That is, do all corners of all triangles lie in the box?
 [[nodiscard]] bool owns(const PlainMesh& mesh, const Box& box, const std::vector<Index>& triangles);
 
 }  // namespace pardel::ref

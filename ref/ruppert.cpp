@@ -8,11 +8,11 @@ namespace pardel::ref {
 
 void refine_sequentially(Refinement& state, Criteria& criteria) {
   while (!state.failure) {
-    const auto poor = std::ranges::find_if(
+    const auto bad = std::ranges::find_if(
         state.mesh.triangles, [&](const Corners& t) { return criteria.split_point(state.mesh, t).has_value(); });
-    if (poor == state.mesh.triangles.end()) return;
+    if (bad == state.mesh.triangles.end()) return;
 
-    const ExactPoint centre = *criteria.split_point(state.mesh, *poor);
+    const ExactPoint centre = *criteria.split_point(state.mesh, *bad);
     const std::vector<Edge> upon = encroached_by(state.mesh, centre);
     if (!upon.empty()) {
       for (const Edge& e : upon) demand_split(state, e);

@@ -1,4 +1,5 @@
-// Delaunay refinement, sequential, as its inventor wrote it: one point after the other, encroached subsegments first.
+// Ruppert's sequential algorithm for Delaunay refinement: insert one point after the other, and split encroached
+// subsegments first.
 //
 // Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation", 1995.
 #pragma once
@@ -8,13 +9,13 @@
 
 namespace pardel::ref {
 
-/// A mesh of the Pslg that is Delaunay and meets the goal with no exemption. Preconditions (else an Error of
-/// kind `usage`): those of `refused`. The Pslg must be valid.
-/// `invalid_input` where a segment's midpoint is no double, since this refiner moves no segment.
-/// Time: cubic in the size of the mesh at worst; meant for a few thousand triangles.
+/// A Delaunay mesh of the Pslg that meets the goal without any exempt triangle. Precondition: the Pslg is valid.
+/// Errors: those of refused(), of kind `usage`; and `invalid_input` if the midpoint of a subsegment is not
+/// representable in doubles, because this refiner moves no segment. Time: at worst cubic in the size of the mesh;
+/// intended for a few thousand triangles.
 [[nodiscard]] Result<Mesh> ruppert(const Pslg& pslg, const Goal& goal = {});
 
-/// The same from a mesh without encroached subsegments on, until every triangle is good or `failure` is set.
+/// Continues from a mesh without encroached subsegments until no triangle is bad or `failure` is set.
 void refine_sequentially(Refinement& state, Criteria& criteria);
 
 }  // namespace pardel::ref

@@ -5,7 +5,7 @@
 namespace pardel::ref {
 namespace {
 
-/// Two triangles below and above the edge from (0, 0) to (4, 0), vertices 0 and 1; optionally a wall there.
+/// Two triangles above and below the edge from (0, 0) to (4, 0), which joins vertices 0 and 1 and may be a wall.
 PlainMesh two_triangles(bool wall) {
   PlainMesh mesh;
   mesh.points = {{0, 0}, {4, 0}, {2, -3}, {2, 3}};
@@ -47,15 +47,15 @@ TEST(Definitions, a_point_on_a_wall_sees_both_sides) {
 }
 
 TEST(Definitions, a_triangle_is_seen_past_the_end_of_a_wall) {
-  // The triangle lies behind a wall of length 2 at y = 1; p looks from below. What is left and what is
-  // right of the wall can be seen, what is behind it cannot.
+  // p lies below a wall of length 2 at y = 1. Triangles behind the wall are hidden; triangles that extend to its left
+  // or right are seen.
   PlainMesh mesh;
   mesh.points = {{-1, 1}, {1, 1}, {-9, 5}, {9, 5}, {0, 6}, {-0.5, 2}, {0.5, 2}, {0, 3}};
   mesh.constraints = {edge(0, 1)};
   const ExactPoint p(0, 0);
   EXPECT_TRUE(sees(mesh, p, {2, 3, 4}));   // wider than the shadow
   EXPECT_FALSE(sees(mesh, p, {5, 6, 7}));  // within the shadow
-  // One end of the shadow's triangle pokes out.
+  // Now one corner of the triangle lies outside the shadow.
   mesh.points[6] = {3, 2};
   EXPECT_TRUE(sees(mesh, p, {5, 6, 7}));
 }
@@ -124,7 +124,7 @@ TEST(Definitions, a_point_on_the_diametral_circle_encroaches_and_an_end_does_not
   EXPECT_FALSE(encroaches({3, 0}, a, b));
 }
 
-TEST(Definitions, encroachment_is_asked_of_every_constrained_edge) {
+TEST(Definitions, encroachment_is_tested_for_every_constrained_edge) {
   const PlainMesh mesh = two_triangles(true);
   EXPECT_EQ(encroached_by(mesh, {2, 1}), std::vector<Edge>{edge(0, 1)});
   EXPECT_TRUE(encroached_by(mesh, {2, 2.5}).empty());

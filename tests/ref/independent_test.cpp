@@ -1,4 +1,4 @@
-// Two points at a distance, inserted without knowing of each other.
+// Independent insertion of two points.
 #include "../../ref/independent.hpp"
 
 #include <gtest/gtest.h>
@@ -12,19 +12,14 @@
 namespace pardel::ref {
 namespace {
 
-/// A fine Delaunay mesh of the unit square, so that points can be several circumradii apart.
+/// A Delaunay mesh of the unit square, so fine that points can be several circumradii apart.
 const PlainMesh& square_mesh() {
   static const PlainMesh result = [] {
     Goal goal;
     goal.max_area = 0.002;
     goal.conforming = true;
     const auto mesh = ruppert(domains::square(), goal);
-    PlainMesh plain;
-    if (!mesh) return plain;
-    for (const Point& p : mesh->points) plain.points.push_back(exact(p));
-    for (const Triangle& t : mesh->triangles) plain.triangles.push_back(t.v);
-    for (const ConstrainedEdge& e : mesh->constrained_edges) plain.constraints.insert(edge(e.a, e.b));
-    return plain;
+    return mesh ? to_plain_mesh(*mesh) : PlainMesh{};
   }();
   return result;
 }
@@ -35,7 +30,8 @@ bool apart(const ExactPoint& p, const ExactPoint& q, int factor) {
   return CGAL::squared_distance(p, q) >= factor * factor * squared_bound;
 }
 
-bool is_harmless(const ExactPoint& p) {
+/// Is p no vertex, and does it encroach upon no segment?
+bool is_insertable(const ExactPoint& p) {
   return encroached_by(square_mesh(), p).empty() && std::ranges::count(square_mesh().points, p) == 0;
 }
 
@@ -64,12 +60,12 @@ TEST(Independence, fails_for_two_points_in_one_triangle) {
 
 TEST(Independence, of_two_distant_points_gives_a_delaunay_mesh_by_definition) {
   const ExactPoint p(0.25, 0.25), q(0.75, 0.8125);
-  ASSERT_TRUE(is_harmless(p) && is_harmless(q) && apart(p, q, 4));
+  ASSERT_TRUE(is_insertable(p) && is_insertable(q) && apart(p, q, 4));
   EXPECT_TRUE(is_delaunay(insert_independently(square_mesh(), {p, q})));
 }
 
-/// Two triangles on either side of the edge from (0, 0) to (4, 0), far enough apart that each is the cavity of the
-/// points near its own apex; optionally a wall between them.
+/// Two triangles on the two sides of the edge from (0, 0) to (4, 0), which may be a wall. Their apexes are so far apart
+/// that each triangle alone is the cavity of points near its apex.
 PlainMesh two_triangles(bool wall) {
   PlainMesh mesh;
   mesh.points = {{0, 0}, {4, 0}, {2, -8}, {2, 8}};

@@ -1,4 +1,4 @@
-// What every theorem about insertion starts from: the kernel makes (constrained) Delaunay meshes.
+// The basis of all theorems on insertion: insertion gives a (constrained) Delaunay mesh (THEORY.md, Lemma 4).
 #include <algorithm>
 #include <map>
 
@@ -9,7 +9,7 @@ namespace pardel::ref {
 namespace {
 
 constexpr const char* lattice = "random points of a 9 x 9 lattice, many collinear, many cocircular";
-constexpr const char* walled_lattice = "the same in a far box, with every third triangle's first edge a wall";
+constexpr const char* walled_lattice = "the same in a far box, where the first edge of every third triangle is a wall";
 
 /// Distinct points of a small lattice.
 std::vector<Point> lattice_points() {
@@ -26,7 +26,7 @@ PlainMesh walled(const std::vector<Point>& points) {
   return mesh;
 }
 
-/// For the picture. Walls that end in a corner of the far box are left out.
+/// The scene for the picture, without walls that end in a corner of the far box.
 properties::Scene scene_of(const std::vector<Point>& points, const PlainMesh& mesh, std::vector<Point> insertions) {
   properties::Scene scene{points, {}, std::move(insertions)};
   for (const Edge& e : mesh.constraints)
@@ -34,11 +34,11 @@ properties::Scene scene_of(const std::vector<Point>& points, const PlainMesh& me
   return scene;
 }
 
-/// Never a lattice point.
+/// A random point that is not a lattice point.
 Point half_lattice_point() { return {*rc::gen::inRange(0, 17) / 2.0, *rc::gen::inRange(0, 17) / 2.0 + 0.25}; }
 
-/// The cavity as every program finds it: from the triangles that hold p on, over edges that are no walls, as
-/// long as the circumdisk contains p.
+/// The cavity as programs find it, by a flood fill: starts from the triangles that contain p, crosses edges that are no
+/// walls, and stops at triangles whose circumdisk does not contain p.
 std::vector<Index> flooded_cavity(const PlainMesh& mesh, const ExactPoint& p) {
   std::map<Edge, std::vector<Index>> at;
   std::vector<Index> frontier;
@@ -61,8 +61,8 @@ std::vector<Index> flooded_cavity(const PlainMesh& mesh, const ExactPoint& p) {
 }
 
 PARDEL_PROPERTY(Insertion, of_point_after_point_makes_a_conformal_delaunay_mesh,
-                {.statement = "Inserting points one after the other makes a mesh that is conformal and Delaunay by "
-                              "definition, with as many triangles as Euler's formula asks for",
+                {.statement = "Inserting points one after the other gives a mesh that is conformal and Delaunay by "
+                              "definition. The number of triangles agrees with Euler's formula.",
                  .source = "Bowyer 1981, Watson 1981; [CC]",
                  .families = lattice}) {
   const std::vector<Point> points = lattice_points();
@@ -74,8 +74,8 @@ PARDEL_PROPERTY(Insertion, of_point_after_point_makes_a_conformal_delaunay_mesh,
 }
 
 PARDEL_PROPERTY(Insertion, order_does_not_matter_where_no_four_points_are_cocircular,
-                {.statement = "Where no four points are cocircular, every order of insertion makes the same mesh",
-                 .source = "the Delaunay triangulation is unique then",
+                {.statement = "If no four points are cocircular, every order of insertion gives the same mesh.",
+                 .source = "the Delaunay triangulation is then unique",
                  .families = "points (x, x²), x > 0: no four of them lie on a circle"}) {
   auto abscissae = *rc::gen::resize(12, rc::gen::unique<std::vector<int>>(rc::gen::inRange(1, 40)));
   const auto triangulated = [&] {
@@ -94,20 +94,20 @@ PARDEL_PROPERTY(Insertion, order_does_not_matter_where_no_four_points_are_cocirc
 
 PARDEL_PROPERTY(
     Insertion, a_walled_delaunay_mesh_has_the_cavity_that_a_flood_finds,
-    {.statement = "The triangles whose open circumdisk contains p and that p sees are those that a flood from "
-                  "p's triangle reaches over edges that are no walls",
-     .source = "the definition of a cavity against what programs do",
+    {.statement = "The cavity of p by definition (the triangles that p sees and whose open circumdisk contains p) is "
+                  "the set that a flood fill from the triangle of p reaches across edges that are no walls.",
+     .source = "THEORY.md, Lemma 3",
      .families = walled_lattice}) {
   const std::vector<Point> points = lattice_points();
   const PlainMesh mesh = walled(points);
-  // Of the lattice too, so that p is on circumcircles and on walls.
+  // p may be a lattice point, so it often lies on circumcircles and walls.
   const Point p{*rc::gen::inRange(0, 17) / 2.0, *rc::gen::inRange(0, 17) / 2.0};
   RC_PRE(std::ranges::count(points, p) == 0);
   exhibit.show(scene_of(points, mesh, {p}));
   RC_ASSERT(cavity(mesh, exact(p)) == flooded_cavity(mesh, exact(p)));
 }
 
-/// Along a wall these add up exactly.
+/// The sum of the lengths of the projections of e onto the axes. It is exact, and additive along a wall.
 Number length_of_projections(const PlainMesh& mesh, const Edge& e) {
   const Kernel::Vector_2 along = mesh.points[e[1]] - mesh.points[e[0]];
   return CGAL::abs(along.x()) + CGAL::abs(along.y());
@@ -115,9 +115,9 @@ Number length_of_projections(const PlainMesh& mesh, const Edge& e) {
 
 PARDEL_PROPERTY(
     Insertion, keeps_a_walled_mesh_constrained_delaunay_and_its_walls_whole,
-    {.statement = "Inserting points, on walls too, keeps a constrained Delaunay mesh conformal and constrained "
-                  "Delaunay, and walls are covered by edges as before",
-     .source = "the kernel of [CC] with constraints",
+    {.statement = "Inserting points, also on walls, keeps a constrained Delaunay mesh conformal and constrained "
+                  "Delaunay, and edges still cover the walls.",
+     .source = "THEORY.md, Lemma 4",
      .families = walled_lattice}) {
   const std::vector<Point> points = lattice_points();
   PlainMesh mesh = walled(points);

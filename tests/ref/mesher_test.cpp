@@ -1,4 +1,4 @@
-// The mesher's meshes, held against the definitions themselves: no local criterion, no lemma in between.
+// Tests the meshes of the mesher against the definitions: no local criterion and no lemma is used.
 #include "../../parallel/mesher.hpp"
 
 #include <gtest/gtest.h>
@@ -9,14 +9,6 @@
 
 namespace pardel::ref {
 namespace {
-
-PlainMesh plain(const Mesh& mesh) {
-  PlainMesh result;
-  for (const Point& p : mesh.points) result.points.push_back(exact(p));
-  for (const Triangle& t : mesh.triangles) result.triangles.push_back(t.v);
-  for (const ConstrainedEdge& e : mesh.constrained_edges) result.constraints.insert(edge(e.a, e.b));
-  return result;
-}
 
 Goal goal_of(double max_area, bool conforming) {
   Goal goal;
@@ -37,8 +29,8 @@ TEST(TheMesher, triangulates_constrained_delaunay_by_definition) {
   for (const Pslg& pslg : small_domains()) {
     const auto meshed = triangulate(pslg);
     ASSERT_TRUE(meshed.ok()) << meshed.error().message;
-    EXPECT_TRUE(is_constrained_delaunay(plain(meshed->mesh)));
-    EXPECT_TRUE(is_conformal(plain(meshed->mesh)));
+    EXPECT_TRUE(is_constrained_delaunay(to_plain_mesh(meshed->mesh)));
+    EXPECT_TRUE(is_conformal(to_plain_mesh(meshed->mesh)));
   }
 }
 
@@ -46,7 +38,7 @@ TEST(TheMesher, refines_to_constrained_delaunay_by_definition) {
   for (const Pslg& pslg : small_domains()) {
     const auto meshed = mesh(pslg, goal_of(1, false));
     ASSERT_TRUE(meshed.ok()) << meshed.error().message;
-    EXPECT_TRUE(is_constrained_delaunay(plain(meshed->mesh)));
+    EXPECT_TRUE(is_constrained_delaunay(to_plain_mesh(meshed->mesh)));
   }
 }
 
@@ -54,17 +46,17 @@ TEST(TheMesher, refines_to_delaunay_by_definition_where_the_goal_is_conforming) 
   for (const Pslg& pslg : {domains::square(), domains::grid(3), domains::grid_points(4), domains::regions()}) {
     const auto meshed = mesh(pslg, goal_of(0.05, true));
     ASSERT_TRUE(meshed.ok()) << meshed.error().message;
-    EXPECT_TRUE(is_delaunay(plain(meshed->mesh)));
+    EXPECT_TRUE(is_delaunay(to_plain_mesh(meshed->mesh)));
   }
 }
 
-TEST(TheMesher, needs_no_more_triangles_than_ruppert_did) {
+TEST(TheMesher, needs_at_most_a_quarter_more_triangles_than_ruppert) {
   for (const Pslg& pslg : {domains::square(), domains::touching_holes(), domains::regions()}) {
     const Goal goal = goal_of(0.01, true);
     const auto ours = mesh(pslg, goal);
-    const auto his = ruppert(pslg, goal);
-    ASSERT_TRUE(ours.ok() && his.ok());
-    EXPECT_LE(ours->mesh.triangles.size(), his->triangles.size() * 5 / 4);
+    const auto theirs = ruppert(pslg, goal);
+    ASSERT_TRUE(ours.ok() && theirs.ok());
+    EXPECT_LE(ours->mesh.triangles.size(), theirs->triangles.size() * 5 / 4);
   }
 }
 

@@ -1,38 +1,26 @@
-// T2: inserting a point does not raise the largest circumradius.
-//
-// A new triangle stands on an edge ab of the cavity's boundary, with the cavity's triangle on the same side and, where
-// ab is neither constrained nor on the hull, a triangle on the other. The circles through a and b form a pencil; let
-// h be the signed distance of a circle's centre from ab, positive on the side of p, so that r² = h² + |ab|²/4, and the
-// part of the disk on the side of p grows with h. p lies in the disk of the cavity's triangle: h_new < h_in. And p
-// lies not in the disk of the triangle beyond: h_new ≥ h_out. Hence r_new ≤ max(r_in, r_out). Where nothing lies
-// beyond, p outside or on the diametral circle of ab gives h_new ≥ 0 instead, and then r_new < r_in.
+// T2: inserting a point that does not encroach does not raise the largest circumradius. Proof: properties/THEORY.md, T2
+// and Lemma 5.
 #include <algorithm>
 #include <cmath>
 
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scenes.hpp"
+#include "left_triangle.hpp"
 
 namespace pardel::properties {
 namespace {
 using generators::Random;
 using ref::Number;
 
-/// A triangle that inserting a point makes, on the edge ab with the point on its left.
+/// A new triangle abp on the edge ab of the boundary of the cavity of p.
 struct Replacement {
   Index a, b;
   Number squared_radius;
-  Number inside;                 ///< r² of the cavity's triangle at ab
-  std::optional<Number> beyond;  ///< r² across ab; none where ab is constrained or on the hull
-  bool encroaches;               ///< the point, upon ab
+  Number inside;                 ///< r² of the triangle of the cavity at ab
+  std::optional<Number> beyond;  ///< r² of the triangle beyond ab; none if ab is constrained or on the hull
+  bool encroaches;               ///< does p encroach upon ab?
 };
-
-std::optional<Number> squared_radius_left_of(const ref::PlainMesh& mesh, Index a, Index b) {
-  for (const ref::Corners& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i)
-      if (t[i] == a && t[(i + 1) % 3] == b) return squared_circumradius(mesh, t);
-  return std::nullopt;
-}
 
 std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
   ref::PlainMesh with_p = mesh;
@@ -41,15 +29,15 @@ std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::Exa
   for (const ref::Corners& t :
        ref::retriangulation(with_p, ref::cavity(mesh, p), static_cast<Index>(mesh.points.size()))) {
     const bool is_constrained = mesh.constraints.contains(ref::edge(t[0], t[1]));
-    result.push_back({t[0], t[1], squared_circumradius(with_p, t), *squared_radius_left_of(mesh, t[0], t[1]),
-                      is_constrained ? std::nullopt : squared_radius_left_of(mesh, t[1], t[0]),
+    result.push_back({t[0], t[1], squared_circumradius(with_p, t), *squared_circumradius_left_of(mesh, t[0], t[1]),
+                      is_constrained ? std::nullopt : squared_circumradius_left_of(mesh, t[1], t[0]),
                       ref::encroaches(p, mesh.points[t[0]], mesh.points[t[1]])});
   }
   return result;
 }
 
-/// Does the point encroach upon no edge of its cavity's boundary that is constrained or on the hull, but one that
-/// it splits?
+/// Does the point encroach upon no constrained or hull edge of the boundary of its cavity, except an edge that it
+/// splits?
 bool encroaches_on_nothing(const std::vector<Replacement>& replacements) {
   return std::none_of(replacements.begin(), replacements.end(),
                       [](const Replacement& r) { return !r.beyond && r.encroaches; });
@@ -57,16 +45,16 @@ bool encroaches_on_nothing(const std::vector<Replacement>& replacements) {
 
 struct Case {
   MeshedScene meshed;
-  std::vector<ref::ExactPoint> points;  ///< insertions of the scene, and middles of walls
+  std::vector<ref::ExactPoint> points;  ///< insertions of the scene, and midpoints of walls
 };
 
-Case some_case(Exhibit& exhibit, const SceneWish& wish) {
-  Case result{*scenes(wish).as("scene"), {}};
+Case some_case(Exhibit& exhibit, const SceneSpec& spec) {
+  Case result{*scenes(spec).as("scene"), {}};
   const Scene& scene = result.meshed.scene;
   exhibit.show(scene);
   tag_families(result.meshed);
   for (const Point& p : scene.insertions) result.points.push_back(ref::exact(p));
-  if (!scene.walls.empty() && *rc::gen::arbitrary<bool>().as("a wall is split, too")) {
+  if (!scene.walls.empty() && *rc::gen::arbitrary<bool>().as("also split a wall")) {
     const ref::Edge wall = *rc::gen::elementOf(scene.walls).as("wall");
     result.points.push_back(CGAL::midpoint(ref::exact(scene.points[wall[0]]), ref::exact(scene.points[wall[1]])));
   }
@@ -80,7 +68,7 @@ void every_new_radius_is_bounded_across_its_edge(Exhibit& exhibit, bool walls) {
   const Case given = some_case(exhibit, {.walls = walls, .insertions = 1});
   for (const ref::ExactPoint& p : given.points)
     for (const Replacement& made : replacements(given.meshed.mesh, p)) {
-      RC_CLASSIFY(!made.beyond && made.encroaches, "encroaches: nothing is claimed");
+      RC_CLASSIFY(!made.beyond && made.encroaches, "encroaches: no claim");
       RC_CLASSIFY(!made.beyond && !made.encroaches, "constrained or hull edge, not encroached");
       if (made.beyond)
         RC_ASSERT(made.squared_radius <= std::max(made.inside, *made.beyond));
@@ -90,10 +78,10 @@ void every_new_radius_is_bounded_across_its_edge(Exhibit& exhibit, bool walls) {
 }
 
 PARDEL_PROPERTY(T2, a_new_circumradius_is_at_most_the_larger_of_the_two_across_its_edge,
-                {.statement = "Inserting p into a Delaunay mesh makes a triangle abp on each edge ab of its cavity's "
-                              "boundary. Its circumradius is at most the larger one of the two triangles that met at "
-                              "ab; where ab is on the hull and p does not encroach upon it, less than that of the "
-                              "one there.",
+                {.statement = "Inserting p into a Delaunay mesh makes a triangle abp on each edge ab of the boundary "
+                              "of its cavity. The circumradius of abp is at most the larger of the circumradii of "
+                              "the two triangles that met at ab. If ab is on the hull and p does not encroach upon "
+                              "it, the circumradius is less than that of the old triangle at ab.",
                  .source = "[CC]; THEORY.md, T2",
                  .families = scene_kinds}) {
   every_new_radius_is_bounded_across_its_edge(exhibit, false);
@@ -101,9 +89,10 @@ PARDEL_PROPERTY(T2, a_new_circumradius_is_at_most_the_larger_of_the_two_across_i
 
 PARDEL_PROPERTY(T2, and_so_it_is_where_there_are_constrained_edges,
                 {.statement = "Inserting p into a constrained Delaunay mesh makes a triangle abp on each edge ab of "
-                              "its cavity's boundary. Its circumradius is at most the larger one of the two triangles "
-                              "that met at ab; where ab is constrained or on the hull and p does not encroach upon "
-                              "it, less than that of the one on p's side. p may split a constrained edge.",
+                              "the boundary of its cavity. The circumradius of abp is at most the larger of the "
+                              "circumradii of the two triangles that met at ab. If ab is constrained or on the hull "
+                              "and p does not encroach upon it, the circumradius is less than that of the old "
+                              "triangle on the side of p. p may split a constrained edge.",
                  .source = "THEORY.md, T2",
                  .families = scene_kinds}) {
   every_new_radius_is_bounded_across_its_edge(exhibit, true);
@@ -123,8 +112,8 @@ void the_bound_is_kept(Exhibit& exhibit, bool walls) {
 }
 
 PARDEL_PROPERTY(T2, inserting_points_that_encroach_on_no_hull_edge_of_their_cavities_keeps_the_circumradius_bound,
-                {.statement = "Inserting points into a Delaunay mesh, one after the other, each of which encroaches "
-                              "upon no hull edge that bounds its cavity, never raises the largest circumradius.",
+                {.statement = "Insert points into a Delaunay mesh one after the other. If no point encroaches upon a "
+                              "hull edge of the boundary of its cavity, the largest circumradius never grows.",
                  .source = "[CC]; THEORY.md, T2",
                  .families = scene_kinds}) {
   the_bound_is_kept(exhibit, false);
@@ -132,15 +121,16 @@ PARDEL_PROPERTY(T2, inserting_points_that_encroach_on_no_hull_edge_of_their_cavi
 
 PARDEL_PROPERTY(T2,
                 inserting_points_that_encroach_on_no_constrained_edge_of_their_cavities_keeps_the_circumradius_bound,
-                {.statement = "Inserting points into a constrained Delaunay mesh, one after the other, each of which "
-                              "encroaches upon no constrained edge and no hull edge that bounds its cavity, but one "
-                              "that it splits, never raises the largest circumradius.",
+                {.statement = "Insert points into a constrained Delaunay mesh one after the other. If no point "
+                              "encroaches upon a constrained edge or hull edge of the boundary of its cavity, except "
+                              "an edge that it splits, the largest circumradius never grows.",
                  .source = "THEORY.md, T2",
                  .families = scene_kinds}) {
   the_bound_is_kept(exhibit, true);
 }
 
-/// The first random scene in which inserting a point that encroaches upon an edge of a kind raises r̄.
+/// Searches for a random scene in which inserting a point raises r̄, where the point encroaches upon walls (if `walls`)
+/// or upon unconstrained hull edges only. Returns the factor.
 std::optional<double> growth_by_encroaching(bool walls, Facts& facts) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
@@ -148,21 +138,21 @@ std::optional<double> growth_by_encroaching(bool walls, Facts& facts) {
     ++facts.cases;
     for (const Point& p : given.scene.insertions) {
       const std::vector<Replacement> made = replacements(given.mesh, ref::exact(p));
-      const bool upon_the_wanted_kind = std::all_of(made.begin(), made.end(), [&](const Replacement& r) {
+      const bool only_upon_this_kind = std::all_of(made.begin(), made.end(), [&](const Replacement& r) {
         return r.beyond || !r.encroaches || given.mesh.constraints.contains(ref::edge(r.a, r.b)) == walls;
       });
       ref::PlainMesh mesh = given.mesh;
       ref::insert(mesh, ref::exact(p));
       const Number growth = squared_circumradius_bound(mesh) / given.squared_bound;
-      if (upon_the_wanted_kind && growth > 1) return std::sqrt(CGAL::to_double(growth));
+      if (only_upon_this_kind && growth > 1) return std::sqrt(CGAL::to_double(growth));
     }
   }
   return std::nullopt;
 }
 
 PARDEL_FACT(T2, fails_for_points_that_encroach,
-            {.statement = "Fails when the point encroaches upon a constrained edge of its cavity, and as well when it "
-                          "encroaches upon an edge of the hull that is no constraint.",
+            {.statement = "T2 fails if the point encroaches upon a constrained edge of its cavity, or upon an "
+                          "unconstrained edge of the hull.",
              .source = "THEORY.md, T2",
              .families = "random scenes with walls and without, until one is found"}) {
   for (const bool walls : {true, false}) {

@@ -1,22 +1,12 @@
-// T2-corner: where a split point encroaches upon another segment, circumradii grow, and how far.
-//
-// Segments ab and ax meet at a at the angle θ < 90°, c = cos θ; neither is encroached; m is the midpoint of ab and
-// encroaches upon ax. What inserting m puts on ax is the triangle (a, x, m). Let D be the open circumdisk of the
-// triangle that was there. It holds m and not b (m sees b along ab, so that what sees m in D sees b), so its circle
-// meets ab at a point y, |ay| = t |ab|, 1/2 < t ≤ 1. Both triangles (a, x, m) and (a, x, y) have the angle θ at a, so
-// their circumradii are as |mx| to |yx|, and |yx| is at least the distance of x from ab. In units of |ab|, |ax| = s:
-//
-//   factor² ≤ (s² - sc + 1/4) / (s² sin² θ) = (1/c² - 1/u + 1/(4u²)) / tan² θ,   u = sc.
-//
-// That grows in u > 1/2, and u < 1, since b does not encroach upon ax. At u = 1 it is (4/c² - 3) / (4/c² - 4), which
-// the triangle abx alone comes as close to as one likes, as b nears the diametral circle of ax.
-//
-// All other new triangles obey T2. Segments that share no end with ab know no such bound: see the channel below.
+// T2-corner: if a split point encroaches upon another segment, circumradii grow. These properties test by how much.
+// Proof: properties/THEORY.md, T2-corner. Notation: segments ab and ax meet at a at the angle θ < 90°, c = cos θ, and m
+// is the midpoint of ab.
 #include <cmath>
 
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
+#include "left_triangle.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -27,13 +17,13 @@ using ref::Number;
 /// The square of the largest factor at an angle θ, from cos² θ in (0, 1).
 Number squared_factor(const Number& squared_cosine) { return (4 / squared_cosine - 3) / (4 / squared_cosine - 4); }
 
-/// Of the angle at a between ab and ax.
+/// cos² of the angle at a between ab and ax.
 Number squared_cosine(const ExactPoint& a, const ExactPoint& b, const ExactPoint& x) {
   const auto u = b - a, v = x - a;
   return (u * v) * (u * v) / (u.squared_length() * v.squared_length());
 }
 
-/// r̄² after over r̄² before splitting the edge ab at its midpoint.
+/// The factor by which splitting the edge ab at its midpoint multiplies r̄².
 Number squared_growth(ref::PlainMesh mesh, Index a, Index b) {
   const Number before = squared_circumradius_bound(mesh);
   ref::insert(mesh, CGAL::midpoint(mesh.points[a], mesh.points[b]));
@@ -50,13 +40,14 @@ ref::PlainMesh triangle_at_corner(const ExactPoint& x, double ab) {
   return {{{0, 0}, {ab, 0}, x}, {{0, 1, 2}}, {{0, 1}, {0, 2}}};
 }
 
-/// Searches along one ray for the apex x whose triangle grows most when ab is split, neither segment being
-/// encroached; lengths in units of |ab|.
+/// The worst apex x on a ray. Lengths are in units of |ab|.
 struct Best {
-  double length = 0;
-  double growth = 0;
+  double length = 0;  ///< |ax|
+  double growth = 0;  ///< factor of the circumradius
 };
 
+/// Searches along the ray at this angle for the apex x for which splitting ab raises the circumradius most, among those
+/// for which neither segment is encroached.
 Best worst_corner(double degrees, Facts& facts) {
   constexpr double ab = 0x1p30;
   const double angle = degrees * std::acos(-1.0) / 180;
@@ -80,12 +71,12 @@ Best worst_corner(double degrees, Facts& facts) {
 }
 
 PARDEL_FACT(T2Corner, a_search_for_the_worst_corner_finds_the_factors_of_the_formula,
-            {.statement = "Segments ab and ax meet at an angle θ < 90°, triangle abx is in the mesh, neither segment "
-                          "is encroached. Splitting ab at its midpoint raises the largest circumradius by a factor "
-                          "below sqrt((4/c² - 3) / (4/c² - 4)), c = cos θ, and by any factor below that: 1.04 at 60°, "
-                          "1.12 at 45°, 1.32 at 30°, 1.70 at 20°.",
+            {.statement = "Segments ab and ax meet at an angle θ < 90°, c = cos θ. The triangle abx is in the mesh, "
+                          "and neither segment is encroached. Splitting ab at its midpoint raises the largest "
+                          "circumradius by a factor below sqrt((4/c² - 3) / (4/c² - 4)), and every smaller factor "
+                          "occurs. The limit is 1.04 at 60°, 1.12 at 45°, 1.32 at 30°, 1.70 at 20°.",
              .source = "THEORY.md, T2-corner",
-             .families = "the triangle abx alone, x on a ray of each angle, in exact arithmetic"}) {
+             .families = "the triangle abx alone, with x on a ray at each angle, in exact arithmetic"}) {
   const std::vector<std::pair<double, double>> table = {{60, 1.04}, {45, 1.12}, {30, 1.32}, {20, 1.70}};
   for (const auto& [degrees, factor] : table) {
     const Best found = worst_corner(degrees, facts);
@@ -93,15 +84,15 @@ PARDEL_FACT(T2Corner, a_search_for_the_worst_corner_finds_the_factors_of_the_for
     const double cosine = std::cos(degrees * std::acos(-1.0) / 180);
     const double formula = std::sqrt(CGAL::to_double(squared_factor(Number(cosine * cosine))));
     EXPECT_NEAR(found.growth, formula, 5e-5) << degrees << " degrees";
-    EXPECT_NEAR(found.length, 1 / cosine, 1e-4) << "where b reaches the diametral circle of ax";
+    EXPECT_NEAR(found.length, 1 / cosine, 1e-4) << "there b is on the diametral circle of ax";
     facts.notes.push_back("θ = " + std::to_string(static_cast<int>(degrees)) + "°: " + std::to_string(found.growth) +
                           " found at |ax| = " + std::to_string(found.length) + " |ab|, the formula says " +
                           std::to_string(formula));
   }
 }
 
-/// Two segments from point 0, to points 1 and 2, among other points; none encroaches upon either. The insertion is
-/// the midpoint of the first.
+/// Two segments from point 0 to points 1 and 2, and other points; no point encroaches upon a segment. The insertion is
+/// the midpoint of the first segment.
 Scene some_corner(Random& random, int size) {
   const auto any = [&](int most) {
     return Point{static_cast<double>(random.between(-most, most)), static_cast<double>(random.between(-most, most))};
@@ -116,7 +107,7 @@ Scene some_corner(Random& random, int size) {
     scene = {{{0, 0}, b, x}, {{0, 1}, {0, 2}}, {u}};
     break;
   }
-  // A frame whose edges are too short for the insertion to encroach upon.
+  // A frame. Its edges are so short that the insertion does not encroach upon them.
   for (int k = -2; k < 2; ++k)
     for (const Point& p : {Point{16.0 * k, -32}, Point{32, 16.0 * k}, Point{-16.0 * k, 32}, Point{-32, -16.0 * k}})
       scene.points.push_back(p);
@@ -128,7 +119,7 @@ Scene some_corner(Random& random, int size) {
   return scene;
 }
 
-std::vector<Scene> with_a_point_less(const Scene& scene) {
+std::vector<Scene> without_one_point(const Scene& scene) {
   std::vector<Scene> simpler;
   for (std::size_t k = 19; k < scene.points.size(); ++k) {
     simpler.push_back(scene);
@@ -137,35 +128,26 @@ std::vector<Scene> with_a_point_less(const Scene& scene) {
   return simpler;
 }
 
-/// r² of the triangle on the left of the directed edge.
-Number squared_circumradius_left_of(const ref::PlainMesh& mesh, Index a, Index b) {
-  for (const ref::Corners& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i)
-      if (t[i] == a && t[(i + 1) % 3] == b) return squared_circumradius(mesh, t);
-  throw std::logic_error("no triangle on the left of the edge");
-}
-
 PARDEL_PROPERTY(
     T2Corner, a_midpoint_raises_the_circumradius_at_the_other_segment_at_most_by_the_factor,
-    {.statement = "Segments ab and ax meet at an angle θ < 90° and no vertex encroaches upon them; the "
-                  "midpoint m of ab encroaches upon no other constrained edge. Whatever the mesh around "
-                  "them, the triangle that inserting m puts on ax has at most sqrt((4/c² - 3) / (4/c² - 4)) "
-                  "times the circumradius of the one that it replaces there, c = cos θ; and not even as "
-                  "much where m does not encroach upon ax.",
+    {.statement = "Segments ab and ax meet at an angle θ < 90°, c = cos θ, and no vertex encroaches upon them. The "
+                  "midpoint m of ab encroaches upon no constrained edge other than ax. In any mesh, inserting m "
+                  "multiplies the circumradius of the triangle on ax by at most sqrt((4/c² - 3) / (4/c² - 4)). If m "
+                  "does not encroach upon ax, this circumradius does not grow.",
      .source = "THEORY.md, T2-corner",
      .families = "two segments at a random angle among up to 32 lattice points; points in general and in "
                  "cocircular position"}) {
-  const Scene scene = *generators::generator(some_corner, with_a_point_less).as("scene");
+  const Scene scene = *generators::generator(some_corner, without_one_point).as("scene");
   exhibit.show(scene);
   const ref::PlainMesh before = mesh_of(scene);
   ref::PlainMesh after = before;
   ref::insert(after, ref::exact(scene.insertions[0]));
 
   const auto& p = before.points;
-  const bool is_left = CGAL::left_turn(p[0], p[1], p[2]);  // the side of ax on which b lies
+  const bool is_left = CGAL::left_turn(p[0], p[1], p[2]);  // is x left of ab?
   const Index from = is_left ? 2 : 0, to = is_left ? 0 : 2;
-  const Number old = squared_circumradius_left_of(before, from, to);
-  const Number now = squared_circumradius_left_of(after, from, to);
+  const Number old = squared_circumradius_left_of(before, from, to).value();
+  const Number now = squared_circumradius_left_of(after, from, to).value();
   const bool encroaches = ref::encroaches(ref::exact(scene.insertions[0]), p[0], p[2]);
   RC_CLASSIFY(encroaches, "m encroaches upon ax");
   RC_CLASSIFY(now > old, "the circumradius grows");
@@ -176,11 +158,11 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_FACT(T2Corner, without_its_hypothesis_the_circumradius_bound_is_refuted,
-            {.statement = "Fails when a split point encroaches upon another constrained edge: a random search finds a "
-                          "scene with no encroached edge in which splitting one at its midpoint raises the largest "
-                          "circumradius.",
+            {.statement = "T2 fails if a split point encroaches upon another constrained edge: a random search finds "
+                          "a scene with no encroached edge in which splitting an edge at its midpoint raises the "
+                          "largest circumradius.",
              .source = "THEORY.md, T2-corner",
-             .families = "the triangle of a random corner alone"}) {
+             .families = "triangles at random corners, alone"}) {
   Random random(1);
   Number most = 1;
   while (most == 1 && ++facts.cases < 1000) {
@@ -194,9 +176,9 @@ PARDEL_FACT(T2Corner, without_its_hypothesis_the_circumradius_bound_is_refuted,
 }
 
 PARDEL_FACT(T2Corner, across_a_thin_channel_no_factor_bounds_the_growth,
-            {.statement = "Where a split point encroaches upon a constrained edge that shares no end with the one "
-                          "split, no factor bounds the growth: splitting one long side of a rectangle of width 1 and "
-                          "length 2h, none of whose sides is encroached, multiplies the largest circumradius by "
+            {.statement = "If a split point encroaches upon a constrained edge that shares no end with the split "
+                          "edge, no factor bounds the growth. Example: a rectangle of width 1 and length 2h with no "
+                          "encroached side. Splitting a long side multiplies the largest circumradius by "
                           "(h² + 1) / sqrt(4h² + 1) > h/2.",
              .source = "THEORY.md, T2-corner",
              .families = "h = 2, 4, ..., 2^20"}) {

@@ -1,12 +1,8 @@
-// T3 and T3-sharp: a bound on the ratio of circumradius to shortest edge and one on the area give one on the
-// circumradius.
+// T3 and T3-sharp: bounds on the ratio of circumradius to shortest edge and on the area give a bound on the
+// circumradius. Proofs: properties/THEORY.md, T3 and T3-sharp.
 //
-// Everything is squared until no root is left, so that the numbers stay rational and equality means equality: with
-// s = ρ̄², T3 reads r⁴ ≤ 16 s³ Δ̄², T3-sharp r⁴ ≤ 16 s⁴ Δ̄² / (4s - 1).
-//
-// Why T3-sharp: let α ≤ β, γ be the angles, so sin α = 1 / 2ρ. The area is 2r² sin α sin β sin γ, and
-// sin β sin γ = (cos(β - γ) + cos α) / 2 is least where β and γ lie farthest apart, β = α. There the area is
-// 2r² sin² α sin 2α = r² sqrt(4ρ² - 1) / 4ρ⁴, which is the bound with equality. In ρ² it grows from 1/3 on.
+// All quantities are squared until no root is left. So numbers are rational and equality is exact: with s = ρ̄², T3
+// reads r⁴ ≤ 16 s³ Δ̄², and T3-sharp reads r⁴ ≤ 16 s⁴ Δ̄² / (4s - 1).
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -23,7 +19,7 @@ namespace {
 using generators::Random;
 using ref::Number;
 
-/// What the theorem knows of a triangle, squared: r², the shortest edge's l², A².
+/// The squared measures of a triangle: r², l² of its shortest edge, A².
 struct Squares {
   Number radius, shortest, area;
   [[nodiscard]] Number ratio() const { return radius / shortest; }
@@ -34,13 +30,13 @@ Squares squares_of(const ref::PlainMesh& mesh, const ref::Corners& t) {
   return {ref::squared_circumradius(mesh, t), ref::squared_shortest_edge(mesh, t), area * area};
 }
 
-/// From the squared sides, by Heron's formula; a the shortest.
+/// Computed from the squared sides by Heron's formula; a is the shortest side.
 Squares squares_of_sides(const Number& aa, const Number& bb, const Number& cc) {
   const Number area = (2 * (aa * bb + bb * cc + cc * aa) - aa * aa - bb * bb - cc * cc) / 16;
   return {aa * bb * cc / (16 * area), aa, area};
 }
 
-/// The triangle with two angles arcsin(1 / 2ρ), of shortest edge 1; `ratio` is ρ² > 1/4.
+/// The triangle with two angles arcsin(1 / 2ρ) and shortest edge 1; `ratio` is ρ² > 1/4.
 Squares isosceles(const Number& ratio) { return squares_of_sides(1, 1, (4 * ratio - 1) / ratio); }
 
 /// The fourth powers of three bounds on r; `ratio` is ρ̄², `area` is Δ̄².
@@ -51,7 +47,7 @@ Number sharp_bound(const Number& ratio, const Number& area) {
 Number root_two_bound(const Number& ratio, const Number& area) { return 4 * ratio * ratio * ratio * area; }
 Number fourth_power(const Number& squared) { return squared * squared; }
 
-/// Values of ρ² from 1/3, the least there is, to about 1000, finer where the bounds change faster.
+/// Values of ρ² from 1/3, the least possible value, to about 1000; denser where the bounds change faster.
 std::vector<Number> ratios() {
   std::vector<Number> grid;
   for (int k = 0; k <= 400; ++k) grid.push_back(Number(1) / 3 + Number(k * k * k) / 64'000);
@@ -59,7 +55,7 @@ std::vector<Number> ratios() {
   return grid;
 }
 
-/// Integer corners, counter-clockwise.
+/// A triangle with integer corners, counter-clockwise.
 struct LatticeTriangle {
   ref::PlainMesh mesh;
   const char* family = "";
@@ -124,7 +120,7 @@ LatticeTriangle some_triangle(Random& random, int /*size*/) {
   }
 }
 
-/// At half the size, and at the origin.
+/// The triangle at half the size, and moved to the origin.
 std::vector<LatticeTriangle> simpler(const LatticeTriangle& triangle) {
   std::vector<LatticeTriangle> simpler;
   const ref::ExactPoint o = triangle.mesh.points[0];
@@ -139,7 +135,7 @@ std::vector<LatticeTriangle> simpler(const LatticeTriangle& triangle) {
   return simpler;
 }
 
-/// A triangle and bounds on its ρ² and A², both attained now and then.
+/// A triangle and bounds on its ρ² and A²; the triangle attains some of these bounds.
 struct Bounded {
   Squares triangle;
   bool has_two_shortest_sides;
@@ -168,11 +164,11 @@ Bounded some_bounded_triangle(Exhibit& exhibit) {
 
 constexpr const char* triangle_families =
     "integer triangles: general, needles, caps, isosceles, right, nearly equilateral; at the origin and far from it; "
-    "bounds that are attained and bounds that are not";
+    "bounds that are attained and bounds that are not attained";
 
 PARDEL_PROPERTY(T3, the_circumradius_is_at_most_twice_the_ratio_to_the_three_halves_times_the_root_of_the_area,
-                {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ its area, "
-                              "then r ≤ 2 ρ̄^(3/2) sqrt(Δ̄).",
+                {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ bounds its "
+                              "area, then r ≤ 2 ρ̄^(3/2) sqrt(Δ̄).",
                  .source = "[CC]; THEORY.md, T3",
                  .families = triangle_families}) {
   const Bounded given = some_bounded_triangle(exhibit);
@@ -180,9 +176,9 @@ PARDEL_PROPERTY(T3, the_circumradius_is_at_most_twice_the_ratio_to_the_three_hal
 }
 
 PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_the_isosceles_triangles_with_equality_for_it_alone,
-                {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ its area, "
-                              "then r ≤ 2 ρ̄² sqrt(Δ̄) / (4ρ̄² - 1)^(1/4). Equality holds if and only if both bounds "
-                              "are attained and the two shorter sides are equal.",
+                {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ bounds its "
+                              "area, then r ≤ 2 ρ̄² sqrt(Δ̄) / (4ρ̄² - 1)^(1/4). Equality holds if and only if both "
+                              "bounds are attained and the two shorter sides are equal.",
                  .source = "THEORY.md, T3-sharp",
                  .families = triangle_families}) {
   const Bounded given = some_bounded_triangle(exhibit);
@@ -196,8 +192,9 @@ PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_the_isosceles_triangles_wit
 }
 
 PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_it_at_every_ratio,
-            {.statement = "For every ρ̄ ≥ 1/sqrt(3) the isosceles triangle with two angles arcsin(1/2ρ̄) has ratio ρ̄ "
-                          "and exactly the circumradius that T3-sharp allows for its area, so no smaller bound holds.",
+            {.statement = "For every ρ̄ ≥ 1/sqrt(3), the isosceles triangle with two angles arcsin(1/2ρ̄) has the "
+                          "ratio ρ̄, and its circumradius equals the bound of T3-sharp for its area. So no smaller "
+                          "bound holds.",
              .source = "THEORY.md, T3-sharp",
              .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
   for (const Number& ratio : ratios()) {
@@ -207,16 +204,16 @@ PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_it_at_every_ratio,
     ++facts.cases;
   }
   const auto factor = [](const Number& power) { return std::to_string(std::pow(CGAL::to_double(power), 0.25)); };
-  facts.notes.push_back("at ρ̄ = sqrt 2: r ≤ " + factor(sharp_bound(2, 1)) + " sqrt(Δ̄), against the paper's " +
-                        factor(paper_bound(2, 1)));
+  facts.notes.push_back("at ρ̄ = sqrt 2: r ≤ " + factor(sharp_bound(2, 1)) + " sqrt(Δ̄) by T3-sharp, r ≤ " +
+                        factor(paper_bound(2, 1)) + " sqrt(Δ̄) by T3");
   facts.notes.push_back("the same bound on r allows " +
                         std::to_string(std::sqrt(CGAL::to_double(paper_bound(2, 1) / sharp_bound(2, 1)))) +
                         " times the area at ρ̄ = sqrt 2");
 }
 
 PARDEL_FACT(T3, it_is_attained_by_the_equilateral_triangle_alone,
-            {.statement = "T3's bound is attained at ρ̄ = 1/sqrt(3), by the equilateral triangle. For every larger ρ̄ "
-                          "T3-sharp's bound is smaller, so that even the worst triangle stays below T3's.",
+            {.statement = "The equilateral triangle attains the bound of T3, at ρ̄ = 1/sqrt(3). For every larger ρ̄ "
+                          "the bound of T3-sharp is smaller, so no triangle attains the bound of T3.",
              .source = "THEORY.md, T3",
              .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
   for (const Number& ratio : ratios()) {
@@ -234,7 +231,7 @@ PARDEL_FACT(T3, it_is_attained_by_the_equilateral_triangle_alone,
 
 PARDEL_FACT(T3, the_reading_with_root_two_is_false_at_every_ratio,
             {.statement = "r ≤ sqrt(2) ρ̄^(3/2) sqrt(Δ̄) is false for every ρ̄ ≥ 1/sqrt(3): the isosceles triangle "
-                          "with two angles arcsin(1/2ρ̄) exceeds it.",
+                          "with two angles arcsin(1/2ρ̄) has a larger circumradius.",
              .source = "THEORY.md, T3",
              .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
   for (const Number& ratio : ratios()) {
@@ -245,8 +242,8 @@ PARDEL_FACT(T3, the_reading_with_root_two_is_false_at_every_ratio,
 }
 
 PARDEL_FACT(T3Sharp, it_fails_where_a_bound_is_not_one,
-            {.statement = "Fails when ρ̄ is less than the ratio, or Δ̄ less than the area: by however little, the "
-                          "isosceles triangle's circumradius exceeds T3-sharp's bound.",
+            {.statement = "T3-sharp fails if ρ̄ is less than the ratio or Δ̄ is less than the area, even slightly: "
+                          "the circumradius of the isosceles triangle then exceeds the bound.",
              .source = "THEORY.md, T3-sharp",
              .families = "402 exact values of ρ̄² from 1/3 to 1000, bounds too small by 2^-60 of their value"}) {
   const Number a_little_less = 1 - Number(0x1p-60);
@@ -261,8 +258,9 @@ PARDEL_FACT(T3Sharp, it_fails_where_a_bound_is_not_one,
 }
 
 PARDEL_FACT(T3Sharp, it_grows_with_the_ratio_from_the_equilateral_one_on,
-            {.statement = "T3-sharp's bound falls in ρ̄ between 1/2 and 1/sqrt(3), which no triangle has for its "
-                          "ratio, and grows from there; so it holds for every upper bound ρ̄ on ratios.",
+            {.statement = "The bound of T3-sharp decreases in ρ̄ between 1/2 and 1/sqrt(3), where no triangle has "
+                          "such a ratio, and increases from there on. So it holds for every upper bound ρ̄ on the "
+                          "ratios.",
              .source = "THEORY.md, T3-sharp",
              .families = "402 exact values of ρ̄² from 1/3 to 1000, and 80 from 1/4 to 1/3"}) {
   const std::vector<Number> grid = ratios();
@@ -277,10 +275,9 @@ PARDEL_FACT(T3Sharp, it_grows_with_the_ratio_from_the_equilateral_one_on,
   }
 }
 
-/// The largest ρ², A² and r² of a mesh.
+/// The largest ρ², A² and r² over the triangles of a mesh.
 Squares largest(const Mesh& mesh) {
-  ref::PlainMesh plain;
-  for (const Point& p : mesh.points) plain.points.push_back(ref::exact(p));
+  const ref::PlainMesh plain = ref::to_plain_mesh(mesh);
   Squares most{0, 1, 0};
   Number ratio = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -294,10 +291,10 @@ Squares largest(const Mesh& mesh) {
 }
 
 PARDEL_FACT(T3Sharp, it_bounds_the_circumradii_of_whole_meshes,
-            {.statement = "In a mesh with angles of at least 20.7 degrees (ρ̄ = sqrt 2), every circumradius is at "
-                          "most 2.459 sqrt(Δ̄), Δ̄ being its largest area.",
+            {.statement = "In a mesh whose angles are at least 20.7 degrees (ρ̄ = sqrt 2), every circumradius is at "
+                          "most 2.459 sqrt(Δ̄), where Δ̄ is the largest area of a triangle.",
              .source = "THEORY.md, T3-sharp",
-             .families = "meshes of two domains by ref::ruppert, under three bounds on the area each"}) {
+             .families = "meshes of two domains by ref::ruppert, each with three bounds on the area"}) {
   const double proven = 180 / std::acos(-1.0) * std::asin(1 / (2 * std::sqrt(2.0)));
   const std::vector<std::pair<const char*, Pslg>> inputs = {{"square", domains::square()},
                                                             {"comb", domains::comb(2, 0.25)}};

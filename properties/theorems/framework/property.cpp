@@ -24,13 +24,14 @@ std::string environment(const char* name, std::string otherwise = {}) {
   return value == nullptr ? std::move(otherwise) : std::string(value);
 }
 
-/// SUITE.NAME of the test that runs.
+/// SUITE.NAME of the running test.
 std::string test_name() {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   return std::string(test->test_suite_name()) + "." + test->name();
 }
 
-/// What RC_PARAMS says; what it leaves open is not as RapidCheck has it (100 cases, another seed each time).
+/// The settings in RC_PARAMS. Settings that it leaves open get fixed values, in place of RapidCheck's own defaults (100
+/// cases and a new seed in each run).
 rc::detail::Configuration configuration() {
   rc::detail::Configuration usual;
   usual.testParams.maxSuccess = usual_cases;
@@ -65,7 +66,7 @@ std::map<std::string, std::uint64_t> shares_of(const rc::detail::Distribution& d
   std::map<std::string, std::uint64_t> shares;
   for (const auto& [tags, count] : distribution)
     for (std::string tag : tags) {
-      std::erase(tag, '"');  // RapidCheck shows strings with quotes
+      std::erase(tag, '"');  // RapidCheck quotes strings
       shares[tag] += static_cast<std::uint64_t>(count);
     }
   return shares;
@@ -96,7 +97,7 @@ void check_property(const Statement& statement, void (*body)(Exhibit&)) {
   metadata.id = test_name();
   metadata.description = testing::UnitTest::GetInstance()->current_test_info()->name();
 
-  // Shrinking goes on from every case that fails, so the last one to fail is the smallest.
+  // Shrinking continues from every case that fails, so the last case that fails is the smallest.
   Exhibit smallest;
   const auto one_case = [&] {
     Exhibit exhibit;

@@ -1,8 +1,8 @@
-// A property of the theory as a test: RapidCheck in GoogleTest, with what the catalogue needs to know about it and
-// with a picture of the smallest case that breaks it.
+// A property of the theory as a test: RapidCheck runs inside GoogleTest. Each property carries its entry for the
+// catalogue, and a failure produces a picture of the smallest case that breaks it.
 //
 //   PARDEL_PROPERTY(T1, at_four_circumradii_the_closures_of_the_cavities_are_disjoint,
-//                   {.statement = "|pq| >= 4 r̄ implies that the closures of C(p) and C(q) are disjoint",
+//                   {.statement = "If |pq| >= 4 r̄, the closures of C(p) and C(q) are disjoint.",
 //                    .source = "[CC] Theorem 1",
 //                    .families = "lattice points of every family"}) {
 //     const Scene scene = *scenes(...);
@@ -10,9 +10,10 @@
 //     RC_ASSERT(...);
 //   }
 //
-// 2,000 cases from a fixed seed, or what RC_PARAMS says (max_success=100000 seed=7). A failure prints the seed and the
-// line that replays it and writes the shrunk case as SUITE.NAME.poly and .svg to the folder PARDEL_FAILURES (default:
-// property-failures). With PARDEL_RECORDS set, every property leaves SUITE.NAME.json there, for the catalogue.
+// A property runs 2,000 cases from a fixed seed. The environment variable RC_PARAMS overrides this, for example
+// RC_PARAMS="max_success=100000 seed=7". A failure prints the seed and a command line that replays it. It writes the
+// shrunk case as SUITE.NAME.poly and SUITE.NAME.svg to the folder PARDEL_FAILURES (default: property-failures). If
+// PARDEL_RECORDS names a folder, every property writes SUITE.NAME.json there; the catalogue is made of these files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,31 +31,33 @@
 
 namespace pardel::properties {
 
+/// The entry of a property in the catalogue.
 struct Statement {
-  const char* statement;      ///< what holds, with its hypotheses, in one or two sentences
+  const char* statement;      ///< the claim with its hypotheses, in one or two sentences
   const char* source;         ///< paper and theorem, or the section of properties/THEORY.md
-  const char* families = "";  ///< what it was tried on
+  const char* families = "";  ///< the kinds of inputs that it was tried on
 };
 
-/// What a failing case is shown by. A case says what it is about as soon as it knows; the last word counts.
+/// The input of the current case, for the report of a failure. A case calls show() as soon as it has its input; the
+/// last call counts.
 class Exhibit {
  public:
   void show(Scene scene) { shown_ = std::move(scene); }
   void show(Pslg pslg) { shown_ = std::move(pslg); }
-  /// With the mesh made of it, which is what the picture shows then.
+  /// The picture shows the mesh.
   void show(Pslg pslg, Mesh mesh) { shown_ = std::pair(std::move(pslg), std::move(mesh)); }
 
-  /// Writes STEM.poly and STEM.svg; returns what was written and what was not, for the report.
+  /// Writes STEM.poly and STEM.svg. Returns a text for the report: the names of the files, and errors in writing them.
   [[nodiscard]] std::string write(const std::string& stem) const;
 
  private:
   std::variant<std::monostate, Scene, Pslg, std::pair<Pslg, Mesh>> shown_;
 };
 
-/// What a search or a sweep over a grid has to tell the catalogue.
+/// The results of a search or of a sweep over a grid, for the catalogue.
 struct Facts {
-  std::uint64_t cases = 0;         ///< how many were tried
-  std::vector<std::string> notes;  ///< figures found, a sentence each
+  std::uint64_t cases = 0;         ///< number of cases tried
+  std::vector<std::string> notes;  ///< figures found, one sentence each
 };
 
 void check_property(const Statement& statement, void (*body)(Exhibit&));
@@ -62,7 +65,7 @@ void check_fact(const Statement& statement, void (*body)(Facts&));
 
 }  // namespace pardel::properties
 
-/// A property for random cases; the body sees `exhibit`.
+/// A property that is tried on random cases. The body may use the variable `exhibit` (Exhibit&).
 #define PARDEL_PROPERTY(Suite, name, ...)                                                                      \
   static void Suite##_##name##_case(::pardel::properties::Exhibit& exhibit);                                   \
   TEST(Suite, name) {                                                                                          \
@@ -70,7 +73,8 @@ void check_fact(const Statement& statement, void (*body)(Facts&));
   }                                                                                                            \
   static void Suite##_##name##_case([[maybe_unused]] ::pardel::properties::Exhibit& exhibit)
 
-/// A statement that a search, a grid or a stored witness settles, with GoogleTest's assertions; sees `facts`.
+/// A statement that a search, a grid or a stored witness decides, with GoogleTest's assertions. The body may use the
+/// variable `facts` (Facts&).
 #define PARDEL_FACT(Suite, name, ...)                                                                      \
   static void Suite##_##name##_fact(::pardel::properties::Facts& facts);                                   \
   TEST(Suite, name) {                                                                                      \

@@ -1,4 +1,4 @@
-// From a plain generator and a plain shrinker to what RapidCheck wants.
+// Makes a RapidCheck generator from a function that generates a value and a function that shrinks it.
 #pragma once
 
 #include <rapidcheck.h>
@@ -9,8 +9,8 @@
 
 namespace pardel::generators {
 
-/// `make(Random&, int size)` makes a value, larger ones for larger sizes (0 to 100); `shrinks(value)` lists simpler
-/// ones, the simplest first. Both must be pure.
+/// `make(Random&, int size)` makes a value; sizes are 0 to 100, and larger sizes make larger values. `shrinks(value)`
+/// lists simpler values, the simplest first. Both must be pure functions.
 template <class Make, class Shrinks>
 [[nodiscard]] auto generator(Make make, Shrinks shrinks) {
   using Value = decltype(make(std::declval<Random&>(), 0));
@@ -24,13 +24,13 @@ template <class Make, class Shrinks>
 
 inline constexpr auto shrinks_of = [](const auto& value) { return shrinks(value); };
 
-/// Valid domains of all families, evenly.
+/// Valid domains; all families are equally likely.
 [[nodiscard]] inline auto domains() { return generator(any_domain, shrinks_of); }
-/// Valid domains with this family's trait; shrinking may lose it.
+/// Valid domains of one family. Shrunk domains may lose the trait of the family.
 [[nodiscard]] inline auto domains(Family family) {
   return generator([family](Random& random, int size) { return generate(family, random, size); }, shrinks_of);
 }
-/// Domains of all families with goals.
+/// Valid domains of all families, each with a goal.
 [[nodiscard]] inline auto cases() { return generator(any_case, shrinks_of); }
 
 }  // namespace pardel::generators

@@ -81,7 +81,7 @@ Status draw(const Scene& scene, const std::filesystem::path& file) {
       for (const Index v : closures[i])
         if (closures[j].contains(v)) picture.dot(ref::rounded(mesh.points[v]), "red");
 
-  // All inserted at once: what the theorems say is right, and what is wrong without their hypotheses.
+  // Independent insertion of all points: right under the hypotheses of the theorems, wrong without them.
   const ref::PlainMesh result = ref::insert_independently(mesh, insertions);
   for (const ref::Corners& t : result.triangles)
     if (*std::max_element(t.begin(), t.end()) >= scene.points.size()) {

@@ -1,6 +1,6 @@
-// A scene: what a theorem about insertion is tried on. Points with walls make a (constrained) Delaunay mesh, and
-// some points are to be inserted into it. Its file is a .poly: the point marked k > 0 is the k-th insertion, all
-// unmarked points are vertices of the mesh, segments are walls.
+// A scene is the input of a theorem about insertion: points and walls, which define a (constrained) Delaunay mesh, and
+// further points to insert into this mesh. Its file is a .poly. The point with marker k > 0 is the k-th insertion,
+// points with marker 0 are vertices of the mesh, and segments are walls.
 #pragma once
 
 #include <filesystem>
@@ -15,24 +15,25 @@
 namespace pardel::properties {
 
 struct Scene {
-  std::vector<Point> points;      ///< distinct, not all on a line
-  std::vector<ref::Edge> walls;   ///< meet at most in common ends, run through no point
-  std::vector<Point> insertions;  ///< in order; none is a point of the mesh
+  std::vector<Point> points;      ///< distinct, not all on one line
+  std::vector<ref::Edge> walls;   ///< two walls meet only in common ends; no point lies inside a wall
+  std::vector<Point> insertions;  ///< in order; different from all points
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// As RapidCheck prints it.
+/// RapidCheck uses this to print a scene.
 std::ostream& operator<<(std::ostream& out, const Scene& scene);
 
-/// The constrained Delaunay triangulation of the points' convex hull. The hull's edges are no constraints.
+/// The constrained Delaunay triangulation of the convex hull of the points. The edges of the hull are not constrained.
 [[nodiscard]] ref::PlainMesh mesh_of(const Scene& scene);
 
 [[nodiscard]] Pslg to_pslg(const Scene& scene);
-/// Precondition: as written by to_pslg.
+/// The inverse of to_pslg().
 [[nodiscard]] Scene to_scene(const Pslg& pslg);
 
-/// The mesh, each insertion with its cavity, and what is wrong with inserting all of them independently: the
-/// vertices that two cavities share, and every circumcircle of the result that is not empty.
+/// Writes an SVG picture. It shows the mesh, each insertion with its cavity, the triangles that independent insertion
+/// makes (dashed), and in red what is wrong: vertices that two cavities share, and circumcircles of new triangles that
+/// are not empty.
 [[nodiscard]] Status draw(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace pardel::properties

@@ -1,6 +1,7 @@
 #include "scene_layouts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pardel::properties {
@@ -15,8 +16,8 @@ void add(Scene& scene, Point p) {
   if (std::ranges::count(scene.points, p) == 0) scene.points.push_back(p);
 }
 
-/// A square grid. `displaced` moves the points inside; those on the outline stay, as circles near an uneven outline
-/// are large.
+/// A square grid. `displaced` moves the inner points. Points on the outline stay, because circumcircles near an uneven
+/// outline are large.
 template <class Displaced>
 Scene grid(int lines, const Displaced& displaced) {
   Scene scene;
@@ -38,11 +39,11 @@ Scene jittered_grid(Random& random, int lines) {
   return grid(lines, [&](Point at, int, int) { return jittered(random, at); });
 }
 
-Scene exact_grid(int lines) {
+Scene exact_grid(Random& /*random*/, int lines) {
   return grid(lines, [](Point at, int, int) { return at; });
 }
 
-/// A row, a column or a diagonal has all its points on a line, twice as many as the others.
+/// A jittered grid in which one row, column or diagonal is straight and has twice as many points.
 Scene collinear_runs(Random& random, int lines) {
   const int kind = random.between(0, 2), at_line = random.between(1, lines - 2);
   const auto on_run = [&](int i, int j) { return kind == 0 ? j == at_line : kind == 1 ? i == at_line : i == j; };
@@ -54,7 +55,7 @@ Scene collinear_runs(Random& random, int lines) {
   return scene;
 }
 
-/// Some points have a twin one unit away.
+/// A jittered grid with two to five pairs of points one unit apart.
 Scene near_duplicates(Random& random, int lines) {
   Scene scene = jittered_grid(random, lines);
   const std::vector<Point> steps = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -79,7 +80,7 @@ Scene points_removed(Random& random, int lines) {
   return scene;
 }
 
-/// Exact in double precision, but far from the origin.
+/// A jittered grid far from the origin; coordinates are still exact in double precision.
 Scene far_away(Random& random, int lines) {
   Scene scene = jittered_grid(random, lines);
   const double x = std::ldexp(1, random.between(20, 48)), y = -std::ldexp(1, random.between(0, 48));
@@ -87,7 +88,7 @@ Scene far_away(Random& random, int lines) {
   return scene;
 }
 
-/// No spacing at all, on a small lattice.
+/// Random points of a small lattice, without any spacing.
 Scene scattered_points(Random& random, int lines) {
   const int last = (lines - 1) * spacing / 2;
   Scene scene;
@@ -99,6 +100,20 @@ Scene scattered_points(Random& random, int lines) {
   return scene;
 }
 
+struct Layout {
+  const char* family;
+  Scene (*make)(Random&, int lines);
+};
+
+/// "scattered" is the last one.
+constexpr std::array<Layout, 7> layouts = {{{"points: jittered grid", jittered_grid},
+                                            {"points: exact grid", exact_grid},
+                                            {"points: collinear runs", collinear_runs},
+                                            {"points: near-duplicates", near_duplicates},
+                                            {"points: some removed", points_removed},
+                                            {"points: far away", far_away},
+                                            {"points: scattered", scattered_points}}};
+
 bool add_wall(Scene& scene, Index a, Index b) {
   const ref::Edge wall = ref::edge(a, b);
   if (a == b || std::ranges::count(scene.walls, wall) != 0 || !can_be_wall(scene, wall)) return false;
@@ -108,7 +123,7 @@ bool add_wall(Scene& scene, Index a, Index b) {
 
 Index random_index(Random& random, const Scene& scene) { return static_cast<Index>(random.below(scene.points.size())); }
 
-/// Those at least `least` and at most `most` spacings from `from`; never `from` itself.
+/// The points other than `from` at a distance of `least` to `most` spacings from it.
 std::vector<Index> at_distance(const Scene& scene, Index from, double least, double most) {
   std::vector<Index> found;
   for (Index v = 0; v < scene.points.size(); ++v) {
@@ -139,7 +154,7 @@ bool add_long_wall(Random& random, Scene& scene) {
   return !to.empty() && add_wall(scene, from, random.one_of(to));
 }
 
-/// Three to five neighbours, in the order of their directions from their centre.
+/// Joins three to five nearby points to a polygon, in the order of their directions from their centre.
 bool add_loop(Random& random, Scene& scene) {
   std::vector<Index> loop = at_distance(scene, random_index(random, scene), 0, 1.6);
   random.shuffle(loop);
@@ -185,29 +200,9 @@ bool can_be_wall(const Scene& scene, const ref::Edge& wall) {
 }
 
 Scene random_points(Random& random, int lines, bool scattered, Families& families) {
-  switch (random.below(scattered ? 7 : 6)) {
-    case 0:
-      families.emplace_back("points: jittered grid");
-      return jittered_grid(random, lines);
-    case 1:
-      families.emplace_back("points: exact grid");
-      return exact_grid(lines);
-    case 2:
-      families.emplace_back("points: collinear runs");
-      return collinear_runs(random, lines);
-    case 3:
-      families.emplace_back("points: near-duplicates");
-      return near_duplicates(random, lines);
-    case 4:
-      families.emplace_back("points: some removed");
-      return points_removed(random, lines);
-    case 5:
-      families.emplace_back("points: far away");
-      return far_away(random, lines);
-    default:
-      families.emplace_back("points: scattered");
-      return scattered_points(random, lines);
-  }
+  const Layout& layout = layouts[random.below(scattered ? layouts.size() : layouts.size() - 1)];
+  families.emplace_back(layout.family);
+  return layout.make(random, lines);
 }
 
 void add_random_walls(Random& random, Scene& scene, Families& families) {

@@ -1,27 +1,29 @@
-// Where the points and the walls of random scenes lie.
+// Random positions for the points and walls of scenes.
 #pragma once
 
 #include "scenes.hpp"
 
 namespace pardel::properties {
 
-/// The spacing of the points, in units of the lattice. On a square of side ten lie no lattice points but its corners
-/// and others at (±1, ±7), (±7, ±1) and (±5, ±5) from its centre: there are positions that are cocircular with it.
+/// The spacing of the points, in units of the lattice. The circumcircle of a square of side 10 contains lattice points
+/// at (±1, ±7), (±7, ±1) and (±5, ±5) from its centre. So there are lattice positions that are cocircular with the
+/// square.
 inline constexpr int spacing = 10;
 
-/// A layout of lines × lines points about, of a random family. The scattered one, whose circumradii are large, only
-/// where separations do not matter.
+/// About lines × lines points, in a layout of a random family, which is appended to `families`. The family "scattered"
+/// has large circumradii; it is chosen only if `scattered` is true.
 [[nodiscard]] Scene random_points(generators::Random& random, int lines, bool scattered, Families& families);
 
-/// Adds one to three of: cracks (open chains of short walls), closed loops, long walls that are no Delaunay edges.
+/// Adds up to three groups of walls: cracks (open chains of short walls), closed loops, or long walls that are no edges
+/// of the Delaunay triangulation.
 void add_random_walls(generators::Random& random, Scene& scene, Families& families);
 
-/// Does the wall run through no point of the scene and cross none of its walls?
+/// May the wall be added? That is, does it contain no other point of the scene and cross none of its walls?
 [[nodiscard]] bool can_be_wall(const Scene& scene, const ref::Edge& wall);
 
-/// The sign of the area of abc; exact where differences of coordinates are integers or halves below 2^25.
+/// The sign of the area of abc. Exact if differences of coordinates are multiples of 1/2 below 2^25.
 [[nodiscard]] int orientation(Point a, Point b, Point c);
-/// Does p lie on the segment ab, its ends included? Exact as orientation.
+/// Does p lie on the closed segment ab? Exact under the same condition as orientation().
 [[nodiscard]] bool lies_on(Point p, Point a, Point b);
 
 }  // namespace pardel::properties

@@ -1,4 +1,4 @@
-// How scenes shrink.
+// Simpler scenes, for shrinking.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ bool all_on_a_line(const std::vector<Point>& points) {
   return std::ranges::all_of(points, [&](Point p) { return orientation(points[0], points[1], p) == 0; });
 }
 
-/// Does it keep what Scene promises?
+/// Does the scene satisfy the conditions that struct Scene states?
 bool is_valid(const Scene& scene) {
   const auto are_distinct = [](std::vector<Point> points) {
     std::ranges::sort(points, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -29,14 +29,14 @@ std::vector<T> without(std::vector<T> values, std::size_t k) {
   return values;
 }
 
-/// Without the points that `goes` names, and without the walls that end there.
-template <class Goes>
-Scene without_points(const Scene& scene, const Goes& goes) {
+/// Removes the points v with is_removed(v), and the walls that end there.
+template <class IsRemoved>
+Scene without_points(const Scene& scene, const IsRemoved& is_removed) {
   Scene rest;
   rest.insertions = scene.insertions;
   std::vector<Index> number(scene.points.size(), no_index);
   for (Index v = 0; v < scene.points.size(); ++v) {
-    if (goes(v)) continue;
+    if (is_removed(v)) continue;
     number[v] = static_cast<Index>(rest.points.size());
     rest.points.push_back(scene.points[v]);
   }
@@ -79,7 +79,7 @@ std::vector<Scene> simpler(const Scene& scene) {
   const Point low = lower_left(scene.points);
   offer(with_points_moved(scene, [&](Point p) { return Point{p.x - low.x, p.y - low.y}; }));
   if (low == Point{0, 0}) {
-    // Points to even places, insertions to whole ones; then everything halved.
+    // Halve all coordinates. Points are rounded down to integers, insertions to halves.
     Scene halved = with_points_moved(scene, [](Point p) { return Point{std::floor(p.x) / 2, std::floor(p.y) / 2}; });
     for (Point& p : halved.points) p = {std::floor(p.x), std::floor(p.y)};
     offer(std::move(halved));

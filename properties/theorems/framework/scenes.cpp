@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "../../../core/enum_names.hpp"
 #include "../../../ref/insertion.hpp"
 #include "rapidcheck_generators.hpp"
 #include "scene_layouts.hpp"
@@ -15,40 +16,29 @@ using generators::Random;
 
 Point on_halves(double x, double y) { return {std::round(2 * x) / 2, std::round(2 * y) / 2}; }
 
+/// Kinds of positions of an insertion.
 enum class Kind : std::uint8_t {
   anywhere,
   on_an_edge,
   on_a_circumcircle,
   above_a_vertex,
   next_to_a_vertex,
-  facing_a_former_one,
-  beside_a_wall,
+  facing_an_earlier_one,
+  near_a_wall,
   on_a_wall
 };
 
-const char* name(Kind kind) {
-  switch (kind) {
-    case Kind::anywhere:
-      return "inserted: anywhere";
-    case Kind::on_an_edge:
-      return "inserted: on an edge";
-    case Kind::on_a_circumcircle:
-      return "inserted: on a circumcircle";
-    case Kind::above_a_vertex:
-      return "inserted: above a vertex";
-    case Kind::next_to_a_vertex:
-      return "inserted: next to a vertex";
-    case Kind::facing_a_former_one:
-      return "inserted: on a circle through an edge and a former one";
-    case Kind::beside_a_wall:
-      return "inserted: beside a wall";
-    case Kind::on_a_wall:
-      return "inserted: on a wall";
-  }
-  return "";
-}
+constexpr auto kind_names =
+    enum_names<Kind>({{Kind::anywhere, "inserted: anywhere"},
+                      {Kind::on_an_edge, "inserted: on an edge"},
+                      {Kind::on_a_circumcircle, "inserted: on a circumcircle"},
+                      {Kind::above_a_vertex, "inserted: above a vertex"},
+                      {Kind::next_to_a_vertex, "inserted: next to a vertex"},
+                      {Kind::facing_an_earlier_one, "inserted: on a circle through an edge and an earlier insertion"},
+                      {Kind::near_a_wall, "inserted: near a wall"},
+                      {Kind::on_a_wall, "inserted: on a wall"}});
 
-/// Chooses positions for one scene; its points, relative to its lower left corner, are small integers or halves.
+/// Chooses positions in one scene. Relative to its lower left corner, they are small multiples of 1/2.
 class Positions {
  public:
   Positions(Random& random, const MeshedScene& scene)
@@ -60,15 +50,15 @@ class Positions {
     }
   }
 
-  /// In the hull's box; its family is given back, too. `former` is one of the insertions so far, if any.
-  Point any(const SceneWish& wish, const Point* former, std::string& family) {
+  /// A position in the bounding box; also returns its family. `earlier` is one of the insertions so far, or null.
+  Point any(const SceneSpec& spec, const Point* earlier, std::string& family) {
     std::vector<Kind> kinds = {Kind::anywhere,          Kind::anywhere,       Kind::on_an_edge,
                                Kind::on_a_circumcircle, Kind::above_a_vertex, Kind::next_to_a_vertex};
-    if (former != nullptr) kinds.push_back(Kind::facing_a_former_one);
-    if (!scene_.scene.walls.empty()) kinds.push_back(Kind::beside_a_wall);
-    if (!scene_.scene.walls.empty() && wish.on_walls) kinds.push_back(Kind::on_a_wall);
+    if (earlier != nullptr) kinds.push_back(Kind::facing_an_earlier_one);
+    if (!scene_.scene.walls.empty()) kinds.push_back(Kind::near_a_wall);
+    if (!scene_.scene.walls.empty() && spec.on_walls) kinds.push_back(Kind::on_a_wall);
     const Kind kind = random_.one_of(kinds);
-    family = name(kind);
+    family = kind_names[kind];
     switch (kind) {
       case Kind::anywhere:
         return anywhere();
@@ -80,9 +70,9 @@ class Positions {
         return {random_.one_of(points_).x, anywhere().y};
       case Kind::next_to_a_vertex:
         return moved(random_.one_of(points_), 1);
-      case Kind::facing_a_former_one:
-        return on_a_circle(facing(*former));
-      case Kind::beside_a_wall:
+      case Kind::facing_an_earlier_one:
+        return on_a_circle(facing(*earlier));
+      case Kind::near_a_wall:
         return moved(middle_of_a_wall(), 6);
       case Kind::on_a_wall:
         return middle_of_a_wall();
@@ -90,7 +80,7 @@ class Positions {
     return {};
   }
 
-  /// Is p in the mesh, and is it neither a vertex nor, where that is not wished, on a wall?
+  /// Is p in the mesh and not at a vertex? If on_walls is false, p must not lie on a wall either.
   [[nodiscard]] bool is_free(Point p, bool on_walls) const {
     const auto at = [&](Index v) { return points_[v]; };
     return std::ranges::all_of(hull_, [&](const ref::Edge& e) { return orientation(at(e[0]), at(e[1]), p) >= 0; }) &&
@@ -124,26 +114,26 @@ class Positions {
     return middle(points_[wall[0]], points_[wall[1]]);
   }
 
-  /// By up to so many halves in either direction.
+  /// Moves both coordinates by up to `halves` times 1/2 in either direction.
   Point moved(Point from, int halves) {
     const double dx = random_.between(-halves, halves) / 2.0, dy = random_.between(-halves, halves) / 2.0;
     return {from.x + dx, from.y + dy};
   }
 
-  /// p and an edge of its cavity's boundary: who lies inside of their circle is not independent of p.
+  /// p and an edge of the boundary of its cavity. A point inside the circle through them is not independent of p.
   Three facing(Point p) {
     const auto edges = ref::boundary(scene_.mesh, ref::cavity(scene_.mesh, ref::exact(p)));
     const ref::Edge e = random_.one_of(edges);
     return {p, points_[e[0]], points_[e[1]]};
   }
 
-  /// A position exactly on the circle through three points; one of the three where there is no other.
+  /// A position exactly on the circle through three points; one of the three if there is no other.
   Point on_a_circle(const Three& t) {
     const double bx = t[1].x - t[0].x, by = t[1].y - t[0].y, cx = t[2].x - t[0].x, cy = t[2].y - t[0].y;
     const double twice = bx * cy - by * cx;
     if (twice == 0) return t[0];
     const double b = bx * bx + by * by, c = cx * cx + cy * cy;
-    // The circle is twice · (x² + y²) + u x + v y = 0, relative to t[0]; these are exact.
+    // Relative to t[0], the circle is twice · (x² + y²) + u x + v y = 0. These coefficients are exact.
     const double u = by * c - cy * b, v = cx * b - bx * c;
     const double centre_x = -u / (2 * twice), centre_y = -v / (2 * twice), radius = std::hypot(centre_x, centre_y);
     const double first = std::max(low_.x - t[0].x, std::ceil(2 * (centre_x - radius)) / 2);
@@ -168,19 +158,19 @@ class Positions {
 
 ref::Number squared_distance(Point p, Point q) { return CGAL::squared_distance(ref::exact(p), ref::exact(q)); }
 
-/// Is p as far from the insertions before the k-th as the wish says?
-bool keeps_distance(const MeshedScene& meshed, const SceneWish& wish, Point p, std::size_t k) {
-  bool is_near_one = k == 0 || std::isinf(wish.most);
+/// Does p have the specified distances from the insertions before the k-th?
+bool keeps_distance(const MeshedScene& meshed, const SceneSpec& spec, Point p, std::size_t k) {
+  bool is_near_one = k == 0 || std::isinf(spec.most);
   for (std::size_t i = 0; i < k; ++i) {
     const ref::Number distance = squared_distance(p, meshed.scene.insertions[i]);
-    if (distance < wish.least * wish.least * meshed.squared_bound) return false;
-    is_near_one = is_near_one || distance < wish.most * wish.most * meshed.squared_bound;
+    if (distance < spec.least * spec.least * meshed.squared_bound) return false;
+    is_near_one = is_near_one || distance < spec.most * spec.most * meshed.squared_bound;
   }
   return is_near_one;
 }
 
-bool may_encroach(const MeshedScene& meshed, const SceneWish& wish, Point at) {
-  if (wish.encroaching || meshed.mesh.constraints.empty()) return true;
+bool may_encroach(const MeshedScene& meshed, const SceneSpec& spec, Point at) {
+  if (spec.encroaching || meshed.mesh.constraints.empty()) return true;
   const ref::ExactPoint p = ref::exact(at);
   return std::ranges::none_of(ref::boundary(meshed.mesh, ref::cavity(meshed.mesh, p)), [&](const ref::Edge& e) {
     return meshed.mesh.constraints.contains(ref::edge(e[0], e[1])) &&
@@ -188,36 +178,36 @@ bool may_encroach(const MeshedScene& meshed, const SceneWish& wish, Point at) {
   });
 }
 
-/// How many lines of points a scene needs for so many insertions at such a distance, since r̄ is about a spacing.
-int lines_for(Random& random, const SceneWish& wish) {
-  const double count = std::max(2, wish.insertions);
-  return random.between(5, 7) + static_cast<int>(std::ceil(wish.least * (std::sqrt(count) - 1) / 2));
+/// The number of lines of points that a scene needs for the specified insertions. r̄ is about one spacing.
+int lines_for(Random& random, const SceneSpec& spec) {
+  const double count = std::max(2, spec.insertions);
+  return random.between(5, 7) + static_cast<int>(std::ceil(spec.least * (std::sqrt(count) - 1) / 2));
 }
 
-MeshedScene random_mesh(Random& random, const SceneWish& wish) {
+MeshedScene random_mesh(Random& random, const SceneSpec& spec) {
   Families families;
-  Scene layout = random_points(random, lines_for(random, wish), wish.least == 0, families);
-  if (wish.walls) add_random_walls(random, layout, families);
+  Scene layout = random_points(random, lines_for(random, spec), spec.least == 0, families);
+  if (spec.walls) add_random_walls(random, layout, families);
   return meshed(std::move(layout), std::move(families));
 }
 
-/// Can two points of the mesh be as far apart as the wish says? Long walls make large circumradii.
-bool is_large_enough(const MeshedScene& meshed, const SceneWish& wish) {
+/// Is the mesh wide enough for the specified separation? Long walls make r̄ large.
+bool is_large_enough(const MeshedScene& meshed, const SceneSpec& spec) {
   const std::vector<Point>& points = meshed.scene.points;
   const auto [low, high] = std::ranges::minmax(points, {}, [](Point p) { return p.x + p.y; });
-  return squared_distance(low, high) >= wish.least * wish.least * meshed.squared_bound;
+  return squared_distance(low, high) >= spec.least * spec.least * meshed.squared_bound;
 }
 
-/// Adds an insertion that grants the wish, if it finds one.
-bool add_insertion(Random& random, MeshedScene& meshed, const SceneWish& wish, Positions& positions) {
+/// Adds an insertion that satisfies the specification, if one is found.
+bool add_insertion(Random& random, MeshedScene& meshed, const SceneSpec& spec, Positions& positions) {
   std::vector<Point>& insertions = meshed.scene.insertions;
   constexpr int trials = 40;
   for (int trial = 0; trial < trials; ++trial) {
     std::string family;
-    const Point* former = insertions.empty() ? nullptr : &random.one_of(insertions);
-    const Point p = positions.any(wish, former, family);
-    if (positions.is_free(p, wish.on_walls) && std::ranges::count(insertions, p) == 0 &&
-        keeps_distance(meshed, wish, p, insertions.size()) && may_encroach(meshed, wish, p)) {
+    const Point* earlier = insertions.empty() ? nullptr : &random.one_of(insertions);
+    const Point p = positions.any(spec, earlier, family);
+    if (positions.is_free(p, spec.on_walls) && std::ranges::count(insertions, p) == 0 &&
+        keeps_distance(meshed, spec, p, insertions.size()) && may_encroach(meshed, spec, p)) {
       insertions.push_back(p);
       meshed.families.push_back(std::move(family));
       return true;
@@ -243,51 +233,51 @@ MeshedScene meshed(Scene scene, Families families) {
   return result;
 }
 
-MeshedScene random_scene(Random& random, const SceneWish& wish) {
-  const auto wanted = static_cast<std::size_t>(wish.insertions);
+MeshedScene random_scene(Random& random, const SceneSpec& spec) {
+  const auto wanted = static_cast<std::size_t>(spec.insertions);
   constexpr int attempts = 6, trials = 4;
   MeshedScene result;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    result = random_mesh(random, wish);
-    if (!is_large_enough(result, wish)) continue;
+    result = random_mesh(random, spec);
+    if (!is_large_enough(result, spec)) continue;
     const Families without_insertions = result.families;
     Positions positions(random, result);
     for (int trial = 0; trial < trials; ++trial) {
       result.scene.insertions.clear();
       result.families = without_insertions;
-      while (result.scene.insertions.size() < wanted && add_insertion(random, result, wish, positions)) {
+      while (result.scene.insertions.size() < wanted && add_insertion(random, result, spec, positions)) {
       }
       if (result.scene.insertions.size() < wanted) continue;
-      for (int k = 0; k < wish.more && add_insertion(random, result, wish, positions);) ++k;
+      for (int k = 0; k < spec.more && add_insertion(random, result, spec, positions);) ++k;
       return result;
     }
   }
   return result;
 }
 
-bool grants(const MeshedScene& meshed, const SceneWish& wish) {
+bool satisfies(const MeshedScene& meshed, const SceneSpec& spec) {
   Random unused(0);
   const Positions positions(unused, meshed);
   const std::vector<Point>& insertions = meshed.scene.insertions;
-  if (insertions.size() < static_cast<std::size_t>(wish.insertions)) return false;
+  if (insertions.size() < static_cast<std::size_t>(spec.insertions)) return false;
   for (std::size_t k = 0; k < insertions.size(); ++k)
-    if (!positions.is_free(insertions[k], wish.on_walls) || !keeps_distance(meshed, wish, insertions[k], k) ||
-        !may_encroach(meshed, wish, insertions[k]))
+    if (!positions.is_free(insertions[k], spec.on_walls) || !keeps_distance(meshed, spec, insertions[k], k) ||
+        !may_encroach(meshed, spec, insertions[k]))
       return false;
   return true;
 }
 
-rc::Gen<MeshedScene> scenes(const SceneWish& wish) {
-  const auto make = [wish](Random& random, int /*size*/) {
-    MeshedScene scene = random_scene(random, wish);
-    if (scene.scene.insertions.size() < static_cast<std::size_t>(wish.insertions))
+rc::Gen<MeshedScene> scenes(const SceneSpec& spec) {
+  const auto make = [spec](Random& random, int /*size*/) {
+    MeshedScene scene = random_scene(random, spec);
+    if (scene.scene.insertions.size() < static_cast<std::size_t>(spec.insertions))
       throw rc::GenerationFailure("no room for the insertions");
     return scene;
   };
-  const auto shrinks = [wish](const MeshedScene& large) {
+  const auto shrinks = [spec](const MeshedScene& large) {
     std::vector<MeshedScene> result;
     for (Scene& scene : simpler(large.scene))
-      if (MeshedScene small = meshed(std::move(scene), large.families); grants(small, wish))
+      if (MeshedScene small = meshed(std::move(scene), large.families); satisfies(small, spec))
         result.push_back(std::move(small));
     return result;
   };

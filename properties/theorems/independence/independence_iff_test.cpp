@@ -1,4 +1,4 @@
-// Exactly when points are independent: what is left when no distance is known.
+// T1-iff: the exact condition for the independence of points, at any distance.
 #include <algorithm>
 
 #include "../../../ref/independent.hpp"
@@ -12,16 +12,16 @@ namespace {
 constexpr const char* near_and_far =
     "pairs below 2.5 r̄ and at any distance; all layouts of points; with and without walls; degenerate positions";
 
-/// At any distance, but half of them near each other, where it matters.
+/// A scene with insertions at any distance. In half of the scenes each insertion is near an earlier one.
 MeshedScene at_any_distance(int insertions, int more) {
   const bool walls = *rc::gen::arbitrary<bool>(), near = *rc::gen::arbitrary<bool>();
-  SceneWish wish{.walls = walls, .insertions = insertions, .more = more};
-  wish.on_walls = true;
-  if (near) wish.most = 2.5;
-  return *scenes(wish);
+  SceneSpec spec{.walls = walls, .insertions = insertions, .more = more};
+  spec.on_walls = true;
+  if (near) spec.most = 2.5;
+  return *scenes(spec);
 }
 
-/// The edges on the boundaries of both cavities, as p's sees them.
+/// The edges on the boundaries of both cavities, directed with the cavity of p on the left.
 std::vector<ref::Edge> common_edges(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref::ExactPoint& q) {
   std::vector<ref::Edge> common = ref::boundary(mesh, ref::cavity(mesh, p));
   const std::vector<ref::Edge> of_q = ref::boundary(mesh, ref::cavity(mesh, q));
@@ -29,13 +29,13 @@ std::vector<ref::Edge> common_edges(const ref::PlainMesh& mesh, const ref::Exact
   return common;
 }
 
-/// Where p is with respect to the circle through q, m and n.
+/// The position of p relative to the circle through q, m and n.
 CGAL::Bounded_side side(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref::ExactPoint& q,
                         const ref::Edge& mn) {
   return CGAL::side_of_bounded_circle(q, mesh.points[mn[0]], mesh.points[mn[1]], p);
 }
 
-/// Counts what the equivalence is about, so that no side of it goes untested.
+/// Tags the case by how the cavities meet. The shares show that all sides of the equivalence are tested.
 void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::ExactPoint& q) {
   const Contact meet = contact(scene.mesh, p, q);
   RC_TAG(name(meet));
@@ -53,12 +53,11 @@ void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::Exa
 
 PARDEL_PROPERTY(
     T1Iff, two_points_are_independent_iff_no_triangle_is_common_and_circles_on_common_edges_part_them,
-    {.statement = "Let p and q be distinct points of a constrained Delaunay mesh, and none of its vertices. These are "
-                  "equivalent: (a) their cavities have no triangle in common, and p is not strictly inside the "
-                  "circumcircle of q, m and n for any unconstrained edge mn on the boundaries of both; (b) "
-                  "inserting them independently leaves the mesh conformal and constrained Delaunay; (c) doing so "
-                  "makes the mesh of inserting one after the other, in either order. Ties are independent; across "
-                  "a constrained edge no circle matters.",
+    {.statement = "Let p and q be distinct points of a constrained Delaunay mesh, and not vertices. These are "
+                  "equivalent: (a) their cavities have no triangle in common, and for no unconstrained edge mn on both "
+                  "boundaries is p strictly inside the circumcircle of q, m and n; (b) inserting them independently "
+                  "gives a conformal constrained Delaunay mesh; (c) it gives the mesh of both sequential orders. "
+                  "Cocircular points are independent. Constrained edges are not tested.",
      .source = "properties/THEORY.md, T1-iff",
      .families = near_and_far}) {
   const MeshedScene scene = at_any_distance(2, 0);
@@ -73,9 +72,9 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(T1Iff, independence_is_mutual,
-                {.statement = "Let p and q lie in a constrained Delaunay mesh. If p is independent of q, then q is "
-                              "independent of p: for an edge mn on the boundaries of both cavities, p is inside the "
-                              "circumcircle of q, m and n if and only if q is inside that of p, m and n.",
+                {.statement = "The condition of T1-iff is symmetric in p and q: for an edge mn on the boundaries of "
+                              "both cavities, p is inside the circumcircle of q, m and n if and only if q is inside "
+                              "the circumcircle of p, m and n.",
                  .source = "properties/THEORY.md, T1-iff",
                  .families = near_and_far}) {
   const MeshedScene scene = at_any_distance(2, 0);
@@ -89,13 +88,13 @@ PARDEL_PROPERTY(T1Iff, independence_is_mutual,
 }
 
 PARDEL_PROPERTY(T1Iff, a_set_of_points_is_independent_iff_every_two_of_them_are,
-                {.statement = "Let points be distinct, in a constrained Delaunay mesh, and none of its vertices. "
-                              "Inserting all of them independently makes a conformal and constrained Delaunay mesh, "
-                              "the one that inserting one after the other makes, if and only if every two of the "
-                              "points are independent.",
+                {.statement = "Let points of a constrained Delaunay mesh be distinct and not vertices. These are "
+                              "equivalent: every two of the points are independent; inserting all of them "
+                              "independently gives a conformal constrained Delaunay mesh; it gives the mesh of "
+                              "sequential insertion.",
                  .source = "properties/THEORY.md, T1-iff",
-                 .families = "three to five points below 2.5 r̄ from another, or at any distance; all layouts, walls, "
-                             "positions"}) {
+                 .families = "three to five points, each closer than 2.5 r̄ to an earlier one or at any distance; all "
+                             "layouts, walls, positions"}) {
   const MeshedScene scene = at_any_distance(3, 2);
   exhibit.show(scene.scene);
   tag_families(scene);

@@ -1,4 +1,5 @@
-// T1-sharp: as a statement about meshes, twice the largest circumradius is enough, and no less.
+// T1-sharp: two points whose distance is at least twice the largest circumradius are independent. No smaller factor
+// suffices.
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
@@ -14,24 +15,23 @@ namespace {
 
 constexpr const char* two_to_four = "pairs at 2 to 4 r̄; all layouts; with and without walls; degenerate positions";
 
-MeshedScene two_apart(const SceneWish& otherwise) {
-  SceneWish wish = otherwise;
-  wish.walls = *rc::gen::arbitrary<bool>();
-  wish.least = 2;
-  wish.on_walls = true;
-  return *scenes(wish);
+MeshedScene two_apart(const SceneSpec& otherwise) {
+  SceneSpec spec = otherwise;
+  spec.walls = *rc::gen::arbitrary<bool>();
+  spec.least = 2;
+  spec.on_walls = true;
+  return *scenes(spec);
 }
 
 bool encroaches_on_its_cavity(const MeshedScene& scene) {
-  return !grants(scene, {.walls = true, .on_walls = true, .encroaching = false});
+  return !satisfies(scene, {.walls = true, .on_walls = true, .encroaching = false});
 }
 
 PARDEL_PROPERTY(T1Sharp, from_two_circumradii_two_points_make_one_mesh_in_either_order_and_at_once,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. "
-                              "Inserting p and q independently makes the "
-                              "conformal and constrained Delaunay mesh of either order; their cavities have no "
-                              "triangle in common, but may touch. That a point encroaches upon a constrained edge of "
-                              "its cavity does no harm.",
+                              "Inserting p and q independently gives a conformal constrained Delaunay mesh, and both "
+                              "sequential orders give the same mesh. The cavities have no triangle in common, but may "
+                              "touch. The points may encroach upon constrained edges of their cavities.",
                  .source = "properties/THEORY.md, T1-sharp",
                  .families = two_to_four}) {
   const MeshedScene scene = two_apart({.most = 4});
@@ -48,11 +48,12 @@ PARDEL_PROPERTY(T1Sharp, from_two_circumradii_two_points_make_one_mesh_in_either
 }
 
 PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inserted_independently,
-                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let points be "
-                              "pairwise at least 2 r̄ apart. Inserting all of them independently "
-                              "makes the conformal and constrained Delaunay mesh of inserting one after the other.",
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let points be pairwise "
+                              "at least 2 r̄ apart. Inserting all of them independently gives a conformal constrained "
+                              "Delaunay mesh. Sequential insertion gives the same mesh.",
                  .source = "properties/THEORY.md, T1-sharp",
-                 .families = "three to six points, each below 4 r̄ from another; all layouts, walls, positions"}) {
+                 .families = "three to six points, each closer than 4 r̄ to an earlier one; all layouts, walls, "
+                             "positions"}) {
   const MeshedScene scene = two_apart({.insertions = 3, .more = 3, .most = 4});
   exhibit.show(scene.scene);
   tag_families(scene);
@@ -63,9 +64,9 @@ PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inser
 }
 
 PARDEL_PROPERTY(T1Sharp, after_the_first_insertion_the_cavity_of_a_point_two_circumradii_away_is_what_it_was,
-                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. The "
-                              "cavity of q after the insertion of p has the triangles that it had before.",
-                 .source = "properties/THEORY.md, Lemma 5",
+                {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. "
+                              "Inserting p does not change the cavity of q.",
+                 .source = "properties/THEORY.md, T1-iff and T1-sharp",
                  .families = two_to_four}) {
   const MeshedScene scene = two_apart({.most = 4});
   exhibit.show(scene.scene);
@@ -89,8 +90,8 @@ ref::Number squared_radius_of_cavity(const ref::PlainMesh& mesh, const ref::Exac
 
 PARDEL_PROPERTY(T1Sharp, the_circumradii_of_the_two_cavities_are_all_that_counts,
                 {.statement = "Let R be the largest circumradius in the cavities of p and q in a constrained Delaunay "
-                              "mesh. If |pq| >= 2 R, then p and q are independent, however large other circumradii "
-                              "of the mesh are.",
+                              "mesh. If |pq| >= 2 R, p and q are independent. Other circumradii of the mesh do not "
+                              "matter.",
                  .source = "properties/THEORY.md, T1-sharp",
                  .families = "pairs below 2 r̄; all layouts; with and without walls; degenerate positions"}) {
   const bool walls = *rc::gen::arbitrary<bool>();
@@ -107,25 +108,25 @@ PARDEL_PROPERTY(T1Sharp, the_circumradii_of_the_two_cavities_are_all_that_counts
   if (far_enough) RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
 }
 
-/// Follows one kind of pair over finer and finer lattices; the separations grow towards `limit`.
+/// Searches for one kind of pair on finer and finer lattices. The separations must grow towards `limit`.
 void approach(Facts& facts, const char* kind, MeshedScene (*widest)(int), double limit) {
-  double former = 0;
+  double last = 0;
   for (const int scale : {4, 16, 64, 256, 1024}) {
     const double found = separation(widest(scale));
-    EXPECT_GT(found, former) << "scale " << scale;
+    EXPECT_GT(found, last) << "scale " << scale;
     EXPECT_LT(found, limit) << "scale " << scale;
-    former = found;
+    last = found;
     ++facts.cases;
   }
-  EXPECT_GT(former, limit - 0.01);
+  EXPECT_GT(last, limit - 0.01);
   std::ostringstream note;
-  note << kind << ": found up to a separation of " << std::setprecision(7) << former << " r̄";
+  note << kind << ": found up to a separation of " << std::setprecision(7) << last << " r̄";
   facts.notes.push_back(note.str());
 }
 
 PARDEL_FACT(T1Sharp, just_below_two_circumradii_independent_insertion_may_be_non_conformal,
             {.statement = "For every s < 2 there are a Delaunay mesh and points p and q at least s r̄ apart such that "
-                          "inserting them independently leaves the mesh non-conformal.",
+                          "inserting them independently gives a mesh that is not conformal.",
              .source = "properties/THEORY.md, T1-sharp, tightness; [CC] Figure 1a",
              .families = "a square grid, points near antipodes of the circle of one square"}) {
   approach(facts, "non-conformal", widest_non_conformal, 2);
@@ -133,7 +134,7 @@ PARDEL_FACT(T1Sharp, just_below_two_circumradii_independent_insertion_may_be_non
 
 PARDEL_FACT(T1Sharp, just_below_two_circumradii_independent_insertion_may_be_conformal_but_not_delaunay,
             {.statement = "For every s < 2 there are a Delaunay mesh and points p and q at least s r̄ apart such that "
-                          "inserting them independently leaves the mesh conformal, but not Delaunay.",
+                          "inserting them independently gives a mesh that is conformal but not Delaunay.",
              .source = "properties/THEORY.md, T1-sharp, tightness; [CC] Figure 1b",
              .families = "a square grid, points near antipodes of the circle of one square"}) {
   approach(facts, "conformal but not Delaunay", widest_not_delaunay, 2);

@@ -1,4 +1,5 @@
-// T1: from four times the largest circumradius, and whenever the closures of the cavities are disjoint.
+// T1: two points whose distance is at least four times the largest circumradius are independent. T1-closures: so are
+// two points whose cavities have disjoint closures.
 #include "../../../ref/independent.hpp"
 #include "../framework/property.hpp"
 #include "pairs.hpp"
@@ -8,7 +9,7 @@ namespace {
 
 constexpr const char* all_families = "all layouts of points; with and without walls; degenerate positions";
 
-/// Insertions at least four r̄ apart; any of them may encroach upon walls.
+/// A scene whose insertions are pairwise at least 4 r̄ apart. Insertions may encroach upon walls.
 MeshedScene four_apart(int insertions, int more) {
   const bool walls = *rc::gen::arbitrary<bool>();
   return *scenes({.walls = walls, .insertions = insertions, .more = more, .least = 4});
@@ -16,7 +17,7 @@ MeshedScene four_apart(int insertions, int more) {
 
 PARDEL_PROPERTY(T1, every_vertex_of_a_cavity_is_closer_than_two_circumradii,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh. Every vertex of the cavity "
-                              "of a point p has a distance below 2 r̄ from p.",
+                              "of a point p is closer than 2 r̄ to p.",
                  .source = "[CC] Theorem 1, its lemma",
                  .families = all_families}) {
   const bool walls = *rc::gen::arbitrary<bool>();
@@ -45,8 +46,8 @@ PARDEL_PROPERTY(T1, at_four_circumradii_the_closures_of_the_cavities_are_disjoin
 
 PARDEL_PROPERTY(T1, at_four_circumradii_independent_insertion_is_insertion_in_either_order,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 4 r̄. "
-                              "Inserting p and q independently leaves the mesh conformal and constrained Delaunay, "
-                              "and makes the mesh that inserting them one after the other makes, in either order.",
+                              "Inserting p and q independently gives a conformal constrained Delaunay mesh. Both "
+                              "sequential orders give the same mesh.",
                  .source = "[CC] Theorem 1",
                  .families = all_families}) {
   const MeshedScene scene = four_apart(2, 0);
@@ -59,8 +60,8 @@ PARDEL_PROPERTY(T1, at_four_circumradii_independent_insertion_is_insertion_in_ei
 
 PARDEL_PROPERTY(T1, any_number_of_points_four_circumradii_apart_may_be_inserted_independently,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let points be pairwise "
-                              "at least 4 r̄ apart. Inserting all of them independently leaves the mesh conformal and "
-                              "constrained Delaunay, and makes the mesh that inserting one after the other makes.",
+                              "at least 4 r̄ apart. Inserting all of them independently gives a conformal constrained "
+                              "Delaunay mesh. Sequential insertion gives the same mesh.",
                  .source = "[CC] Theorem 1, for the sets of points that one phase inserts",
                  .families = all_families}) {
   const MeshedScene scene = four_apart(3, 3);
@@ -74,11 +75,11 @@ PARDEL_PROPERTY(T1, any_number_of_points_four_circumradii_apart_may_be_inserted_
 
 PARDEL_PROPERTY(
     EdelsbrunnerGuoy, disjoint_closures_of_the_cavities_suffice_for_independence,
-    {.statement = "Let the closures of the cavities of p and q in a constrained Delaunay mesh be disjoint, "
-                  "whatever the distance of p and q. Then p and q are independent: inserting them "
-                  "independently makes the conformal and constrained Delaunay mesh of either order.",
-     .source = "H. Edelsbrunner and D. Guoy, Sink insertion for mesh improvement, 2001",
-     .families = "pairs at 0 to 4 r̄, with closures that are disjoint or not; all layouts, walls, positions"}) {
+    {.statement = "If the closures of the cavities of p and q in a constrained Delaunay mesh are disjoint, p and q "
+                  "are independent, at any distance: inserting them independently gives a conformal constrained "
+                  "Delaunay mesh, and both sequential orders give the same mesh.",
+     .source = "[EG]; properties/THEORY.md, T1-closures",
+     .families = "pairs at 0 to 4 r̄, with disjoint closures or not; all layouts, walls, positions"}) {
   const bool walls = *rc::gen::arbitrary<bool>();
   const MeshedScene scene = *scenes({.walls = walls, .least = 0, .most = 4});
   exhibit.show(scene.scene);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "../../../core/enum_names.hpp"
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
 
@@ -17,7 +18,7 @@ std::set<ref::Edge> edges_of(const ref::PlainMesh& mesh, const std::vector<Index
   return edges;
 }
 
-/// Of two sorted ranges.
+/// Do two sorted ranges have a common element?
 template <class Range>
 bool have_common_element(const Range& a, const Range& b) {
   std::vector<typename Range::value_type> common;
@@ -41,17 +42,11 @@ Contact contact(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref:
 }
 
 std::string name(Contact contact) {
-  switch (contact) {
-    case Contact::none:
-      return "cavities: apart";
-    case Contact::vertex:
-      return "cavities: share a vertex only";
-    case Contact::edge:
-      return "cavities: share an edge";
-    case Contact::triangle:
-      return "cavities: share a triangle";
-  }
-  return {};
+  constexpr auto names = enum_names<Contact>({{Contact::none, "cavities: apart"},
+                                              {Contact::vertex, "cavities: share a vertex only"},
+                                              {Contact::edge, "cavities: share an edge"},
+                                              {Contact::triangle, "cavities: share a triangle"}});
+  return names[contact];
 }
 
 double separation(const MeshedScene& meshed) {

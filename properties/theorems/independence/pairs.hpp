@@ -1,4 +1,4 @@
-// What the theorems about the independence of points speak of.
+// Terms of the theorems about independent points.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace pardel::properties {
 
 [[nodiscard]] std::vector<ref::ExactPoint> insertions_of(const Scene& scene);
 
-/// How the cavities of two points meet, in the mesh without either.
+/// The largest common part of the cavities of two points, in the mesh before either is inserted.
 enum class Contact : std::uint8_t { none, vertex, edge, triangle };
 
 [[nodiscard]] Contact contact(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref::ExactPoint& q);
@@ -19,18 +19,19 @@ enum class Contact : std::uint8_t { none, vertex, edge, triangle };
 /// |pq| / r̄ of a scene's first two insertions.
 [[nodiscard]] double separation(const MeshedScene& meshed);
 
-/// By definition, of all of its triangles: is it a constrained Delaunay mesh?
+/// Is the mesh conformal and constrained Delaunay, by definition, tested on all triangles?
 [[nodiscard]] bool is_conformal_and_delaunay(const ref::PlainMesh& mesh);
 
-/// What independent insertion and insertion one after the other, in either order, make of the points.
+/// The meshes that independent insertion and sequential insertion in two orders make.
 struct Outcomes {
-  ref::PlainMesh at_once, in_order, in_reverse;
+  ref::PlainMesh at_once;               ///< independent insertion
+  ref::PlainMesh in_order, in_reverse;  ///< sequential insertion
 
   [[nodiscard]] bool are_one_mesh() const;
 };
 [[nodiscard]] Outcomes outcomes(const ref::PlainMesh& mesh, const std::vector<ref::ExactPoint>& points);
 
-/// May every two of the points be inserted independently?
+/// Are every two of the points independent?
 [[nodiscard]] bool are_pairwise_independent(const ref::PlainMesh& mesh, const std::vector<ref::ExactPoint>& points);
 
 }  // namespace pardel::properties

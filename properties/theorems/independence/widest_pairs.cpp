@@ -18,7 +18,7 @@ double squared_distance(const Pair& pair) {
   return dx * dx + dy * dy;
 }
 
-/// Every lattice position within two units of p with every one within two units of q, the most distant pairs first.
+/// All pairs of a lattice position within two units of p and one within two units of q, the most distant pairs first.
 std::vector<Pair> pairs_around(Point p, Point q) {
   constexpr int reach = 2;
   const auto around = [](Point at) {
@@ -34,13 +34,13 @@ std::vector<Pair> pairs_around(Point p, Point q) {
   return pairs;
 }
 
-/// Strictly inside of the mesh, which is convex?
+/// Does p lie strictly inside the convex hull of the mesh?
 bool lies_inside(const std::vector<ref::Edge>& hull, const Scene& scene, Point p) {
   return std::ranges::all_of(
       hull, [&](const ref::Edge& e) { return orientation(scene.points[e[0]], scene.points[e[1]], p) > 0; });
 }
 
-/// The first of the pairs that can be inserted and `meets` as wanted.
+/// The first pair inside the mesh for which `meets(mesh, p, q)` is true.
 template <class Meets>
 MeshedScene first_that_meets(Scene layout, const std::vector<Pair>& pairs, const Meets& meets) {
   MeshedScene scene = meshed(std::move(layout));
@@ -51,11 +51,11 @@ MeshedScene first_that_meets(Scene layout, const std::vector<Pair>& pairs, const
         meets(scene.mesh, ref::exact(p), ref::exact(q)))
       return scene;
   }
-  throw std::logic_error("No pair of the family meets as wanted.");
+  throw std::logic_error("no pair of the family meets in the required way");
 }
 
-/// Three squares in a row, of side 10 scale: all circumradii are √50 scale. (7, 1) and (−7, −1) times the scale are
-/// antipodes of the middle one's circle and lie in the other two squares.
+/// Three squares in a row with side 10 scale; all circumradii are √50 scale. Relative to its centre, the circumcircle
+/// of the middle square has the antipodes (7, 1) and (−7, −1) times scale, which lie in the other two squares.
 struct Squares {
   Scene scene;
   std::vector<Pair> pairs;
@@ -74,7 +74,7 @@ void add_mirrored(Scene& scene, double x, double y) {
     if (std::ranges::count(scene.points, p) == 0) scene.points.push_back(p);
 }
 
-/// Two octagons with their corners on circles of the radius √(scale² + 1), which share a side of length 2.
+/// Two octagons that share a side of length 2. Their corners lie on circles of radius √(scale² + 1).
 Scene octagons(int scale) {
   const double c = scale;
   Scene scene;
@@ -85,8 +85,8 @@ Scene octagons(int scale) {
   return scene;
 }
 
-/// Two dodecagons with their corners on circles of the radius 5 scale, which share a corner; and two points that
-/// bridge the notches between them.
+/// Two dodecagons that share a corner, and two points in the notches between them. The corners lie on circles of radius
+/// 5 scale.
 Scene dodecagons(int scale) {
   const double k = scale;
   Scene scene;

@@ -1,19 +1,21 @@
-// Searches for pairs of points that are as far apart as they can be and still meet in a certain way. Each looks
-// through a family of scenes in which circumradii are all but equal, so that r̄ is not wasted, on a lattice that grows
-// finer with `scale` (at least 2), around the two positions that are best in the limit.
+// Searches for pairs of points that are as far apart as possible although their cavities meet in a certain way. Each
+// search uses a family of scenes in which all circumradii are nearly equal, so that r̄ is as small as possible. The
+// lattice gets finer with `scale` (at least 2). The search tries lattice positions near the two positions that are best
+// in the limit.
 #pragma once
 
 #include "../framework/scenes.hpp"
 
 namespace pardel::properties {
 
-/// Independent insertion leaves the mesh non-conformal, as in [CC], Figure 1a; the separation tends to 2 r̄.
+/// Independent insertion gives a non-conformal mesh, as in [CC], Figure 1a. The separation tends to 2 r̄.
 [[nodiscard]] MeshedScene widest_non_conformal(int scale);
-/// It leaves the mesh conformal but not Delaunay, as in [CC], Figure 1b; the separation tends to 2 r̄.
+/// Independent insertion gives a conformal mesh that is not Delaunay, as in [CC], Figure 1b. The separation tends to 2
+/// r̄.
 [[nodiscard]] MeshedScene widest_not_delaunay(int scale);
-/// The cavities share an edge and no triangle; the separation tends to 4 r̄.
+/// The cavities share an edge and no triangle. The separation tends to 4 r̄.
 [[nodiscard]] MeshedScene widest_shared_edge(int scale);
-/// The cavities share a vertex and no edge; the separation tends to 4 r̄.
+/// The cavities share a vertex and no edge. The separation tends to 4 r̄.
 [[nodiscard]] MeshedScene widest_shared_vertex(int scale);
 
 }  // namespace pardel::properties

@@ -1,4 +1,4 @@
-// The random domains and their shrinkers keep their own promises; all else rests on them.
+// The generators of random domains and their shrinkers. All other suites rely on these properties.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,9 +13,9 @@
 namespace pardel::generators {
 namespace {
 
-constexpr const char* every_family = "all families, evenly";
+constexpr const char* every_family = "all families, equally likely";
 
-/// Shrinkers do not shrink their own failures.
+/// A generator without shrinking: tests of the shrinkers must not use them on their own failures.
 auto unshrunk(auto make) {
   return generator(make, [](const auto& value) { return std::vector<std::decay_t<decltype(value)>>(); });
 }
@@ -28,7 +28,7 @@ T& any_of(std::vector<T>& values, Random& random) {
   return values[random.below(values.size())];
 }
 
-/// One thing about a domain changed, which makes it invalid more often than not.
+/// A domain with one random change, which makes most domains invalid.
 LatticeDomain spoiled(Random& random, int size) {
   LatticeDomain d = any_domain(random, size);
   const auto n = static_cast<Index>(d.points.size());
@@ -77,7 +77,7 @@ LatticeDomain spoiled(Random& random, int size) {
     case 10:
       if (!d.holes.empty()) move(any_of(d.holes, random));
       break;
-    default: {  // somewhere on a segment, or on the line that it lies on
+    default: {  // near the middle of two points, which may lie on a segment
       const LatticePoint a = any_of(d.points, random), b = any_of(d.points, random);
       d.points.push_back({(a.x + b.x) / 2, (a.y + b.y) / 2});
     }
@@ -86,7 +86,7 @@ LatticeDomain spoiled(Random& random, int size) {
 }
 
 PARDEL_PROPERTY(Generator, domains_are_valid,
-                {.statement = "Every domain that is drawn is valid",
+                {.statement = "Every generated domain is valid.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
   const LatticeDomain domain = *domains();
@@ -101,7 +101,7 @@ PARDEL_PROPERTY(Generator, domains_are_valid,
 }
 
 PARDEL_PROPERTY(Generator, domains_have_the_trait_of_their_family,
-                {.statement = "Every domain that is drawn has what its family is named for",
+                {.statement = "Every generated domain has the trait of its family.",
                  .source = "lattice_domain.hpp, Family",
                  .families = every_family}) {
   const LatticeDomain domain = *domains();
@@ -111,7 +111,7 @@ PARDEL_PROPERTY(Generator, domains_have_the_trait_of_their_family,
 }
 
 PARDEL_FACT(Generator, draws_no_family_less_than_its_share,
-            {.statement = "Of domains drawn from all families, each family has at least 5 % (of 9.1 %)",
+            {.statement = "Each family has a share of at least 5 % of the generated domains (expected: 9.1 %).",
              .source = "lattice_domain.hpp",
              .families = every_family}) {
   std::vector<std::uint64_t> drawn(all_families().size());
@@ -129,9 +129,9 @@ PARDEL_FACT(Generator, draws_no_family_less_than_its_share,
 }
 
 PARDEL_PROPERTY(Generator, validity_is_what_the_mesher_calls_valid,
-                {.statement = "is_valid() and the mesher's validate() agree, on valid domains and on spoiled ones",
+                {.statement = "is_valid() and the mesher's validate() agree on valid and on invalid domains.",
                  .source = "lattice_domain.hpp, parallel/validate.hpp",
-                 .families = "all families, evenly, each domain with one thing changed"}) {
+                 .families = "all families, equally likely, each domain with one random change"}) {
   const LatticeDomain domain = *unshrunk(spoiled);
   const Pslg pslg = to_pslg(domain);
   exhibit.show(pslg);
@@ -142,7 +142,8 @@ PARDEL_PROPERTY(Generator, validity_is_what_the_mesher_calls_valid,
 
 PARDEL_PROPERTY(
     Generator, coordinates_are_exact,
-    {.statement = "(k + offset) / 2^exponent is the coordinate, without rounding; seeds likewise, in quarters",
+    {.statement = "A point with lattice coordinate k has the coordinate (k + offset) / 2^exponent, without rounding. "
+                  "Seeds of holes and regions have lattice coordinates in quarters.",
      .source = "lattice_domain.hpp",
      .families = every_family}) {
   const LatticeDomain domain = *domains();
@@ -161,7 +162,7 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(Generator, cases_ask_for_few_triangles,
-                {.statement = "The mesh of a random domain with a random goal has at most 4,000 triangles",
+                {.statement = "The mesh of a random domain with a random goal has at most 4,000 triangles.",
                  .source = "goals.hpp",
                  .families = every_family}) {
   const Case c = *cases();
@@ -178,7 +179,7 @@ PARDEL_PROPERTY(Generator, cases_ask_for_few_triangles,
 }
 
 PARDEL_PROPERTY(Shrinker, shrinks_are_valid,
-                {.statement = "Every shrink of a domain is valid",
+                {.statement = "Every shrunk domain is valid.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
   const LatticeDomain domain = *small_domains();
@@ -189,11 +190,10 @@ PARDEL_PROPERTY(Shrinker, shrinks_are_valid,
   }
 }
 
-PARDEL_PROPERTY(
-    Shrinker, shrinks_weigh_less_than_the_original,
-    {.statement = "Every shrink has a smaller weight() than the domain, so that it is another one and shrinking ends",
-     .source = "lattice_domain.hpp",
-     .families = every_family}) {
+PARDEL_PROPERTY(Shrinker, shrinks_weigh_less_than_the_original,
+                {.statement = "Every shrunk domain has a smaller weight() than the original. So shrinking ends.",
+                 .source = "lattice_domain.hpp",
+                 .families = every_family}) {
   const LatticeDomain domain = *small_domains();
   exhibit.show(to_pslg(domain));
   for (const LatticeDomain& simpler : shrinks(domain)) {
@@ -202,7 +202,7 @@ PARDEL_PROPERTY(
   }
 }
 
-/// Goes on from the first shrink that still holds, as RapidCheck does.
+/// Repeats with the first shrunk domain for which `holds` is true, like RapidCheck.
 LatticeDomain shrunk(LatticeDomain domain, const std::function<bool(const LatticeDomain&)>& holds) {
   for (bool ended = false; !ended;) {
     std::vector<LatticeDomain> simpler = shrinks(domain);
@@ -214,7 +214,7 @@ LatticeDomain shrunk(LatticeDomain domain, const std::function<bool(const Lattic
 }
 
 PARDEL_PROPERTY(Shrinker, ends_at_a_triangle,
-                {.statement = "What nothing has to be kept of shrinks to one triangle",
+                {.statement = "If no trait has to be kept, every domain shrinks to one triangle.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
   const LatticeDomain domain = *small_domains();
@@ -227,7 +227,7 @@ PARDEL_PROPERTY(Shrinker, ends_at_a_triangle,
 }
 
 PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_hole,
-                {.statement = "A domain with a hole shrinks to one with one hole and at most ten points",
+                {.statement = "If a hole has to be kept, a domain shrinks to one hole and at most ten points.",
                  .source = "lattice_domain.hpp",
                  .families = "nested and touching holes"}) {
   const Family family = *rc::gen::element(Family::nested_holes, Family::touching_holes);
@@ -241,7 +241,7 @@ PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_hole,
 }
 
 PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_so_many_points,
-                {.statement = "A domain of at least k points shrinks to one of exactly k",
+                {.statement = "If k points have to be kept, a domain shrinks to exactly k points.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
   const LatticeDomain domain = *small_domains();
@@ -253,7 +253,7 @@ PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_so_many_points,
 }
 
 PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_trait,
-                {.statement = "A domain shrinks to one of at most 16 points that has its family's trait still",
+                {.statement = "If the trait of its family has to be kept, a domain shrinks to at most 16 points.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
   const LatticeDomain domain = *small_domains();
@@ -264,10 +264,12 @@ PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_trait,
   RC_ASSERT(least.points.size() <= 16U);
 }
 
-PARDEL_PROPERTY(Shrinker, goals_shrink_to_the_default,
-                {.statement = "Shrinking a goal changes one number at a time to its default, and ends when all are",
-                 .source = "goals.hpp",
-                 .families = every_family}) {
+PARDEL_PROPERTY(
+    Shrinker, goals_shrink_to_the_default,
+    {.statement = "Shrinking a goal sets one number at a time to its default. It ends when all numbers have "
+                  "their defaults.",
+     .source = "goals.hpp",
+     .families = every_family}) {
   const Case c = *unshrunk([](Random& random, int size) { return any_case(random, size / 3); });
   exhibit.show(to_pslg(c.domain));
   LatticeGoal goal = c.goal;

@@ -1,4 +1,4 @@
-// The generator of random scenes: a property that holds on scenes that never occur proves nothing.
+// The generator of random scenes. The theorem suites rely on it: every family of scenes must occur often enough.
 #include "../framework/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -12,15 +12,15 @@
 namespace pardel::properties {
 namespace {
 
-constexpr SceneWish two_apart{.walls = true, .least = 2, .encroaching = false};
+constexpr SceneSpec two_apart{.walls = true, .least = 2, .encroaching = false};
 
-/// How many of 500 scenes are of each family, each family counted once in a scene.
-std::map<std::string, int> shares(const SceneWish& wish) {
+/// The number of scenes of each family among 500 scenes.
+std::map<std::string, int> shares(const SceneSpec& spec) {
   std::map<std::string, int> count;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     generators::Random random(seed);
-    const MeshedScene scene = random_scene(random, wish);
-    if (scene.scene.insertions.size() < static_cast<std::size_t>(wish.insertions)) ++count["refused"];
+    const MeshedScene scene = random_scene(random, spec);
+    if (scene.scene.insertions.size() < static_cast<std::size_t>(spec.insertions)) ++count["refused"];
     const std::set<std::string> families(scene.families.begin(), scene.families.end());
     for (const std::string& family : families) ++count[family];
   }
@@ -39,25 +39,26 @@ TEST(Scenes, of_every_family_have_their_share) {
       expect_share(layout, 30);
     if (separation == 0) expect_share("points: scattered", 30);
     for (const char* walls : {"walls: crack", "walls: closed loop", "walls: long"}) expect_share(walls, 50);
-    for (const char* position : {"inserted: on an edge", "inserted: on a wall", "inserted: beside a wall",
+    for (const char* position : {"inserted: on an edge", "inserted: on a wall", "inserted: near a wall",
                                  "inserted: above a vertex", "inserted: next to a vertex", "inserted: anywhere"})
       expect_share(position, 40);
     expect_share("inserted: on a circumcircle", 25);
-    expect_share("inserted: on a circle through an edge and a former one", separation == 0 ? 25 : 0);
+    expect_share("inserted: on a circle through an edge and an earlier insertion", separation == 0 ? 25 : 0);
     const auto refused = count.find("refused");
     EXPECT_LE(refused == count.end() ? 0 : refused->second, 25) << "at a separation of " << separation;
   }
 }
 
-PARDEL_PROPERTY(Scenes, keep_their_promises_and_grant_the_wish,
-                {.statement = "A random scene can be triangulated to a conformal constrained Delaunay mesh with every "
-                              "wall an edge of it, and its insertions grant the wish.",
-                 .source = "properties/theorems/framework/scenes.hpp",
-                 .families = "all layouts, walls, positions"}) {
+PARDEL_PROPERTY(
+    Scenes, keep_their_promises_and_grant_the_wish,
+    {.statement = "A random scene has a conformal constrained Delaunay mesh in which every wall is an edge. "
+                  "Its insertions satisfy the specification (SceneSpec).",
+     .source = "properties/theorems/framework/scenes.hpp",
+     .families = "all layouts, walls, positions"}) {
   const MeshedScene scene = *scenes(two_apart);
   exhibit.show(scene.scene);
   tag_families(scene);
-  RC_ASSERT(grants(scene, two_apart));
+  RC_ASSERT(satisfies(scene, two_apart));
   RC_ASSERT(ref::is_conformal(scene.mesh));
   RC_ASSERT(ref::is_constrained_delaunay(scene.mesh));
   std::set<ref::Edge> edges;
@@ -69,13 +70,13 @@ PARDEL_PROPERTY(Scenes, keep_their_promises_and_grant_the_wish,
 PARDEL_PROPERTY(
     Scenes, shrink_to_smaller_ones_that_grant_the_wish,
     {.statement =
-         "What a scene with at least two insertions shrinks to has fewer insertions, walls and points in sum, "
-         "or as many and coordinates of a smaller sum of sizes; one of these, drawn at random, has at least two "
-         "insertions and a conformal, constrained Delaunay mesh.",
+         "A scene with at least two insertions shrinks to scenes with a smaller total of insertions, walls and points, "
+         "or with the same total and a smaller sum of absolute coordinates. A randomly chosen one of them has at least "
+         "two insertions and a conformal constrained Delaunay mesh.",
      .source = "properties/theorems/framework/scenes.hpp",
      .families = "all layouts, walls, positions"}) {
-  const SceneWish wish{.walls = true, .insertions = 3, .least = 2};
-  const MeshedScene large = *scenes(wish);
+  const SceneSpec spec{.walls = true, .insertions = 3, .least = 2};
+  const MeshedScene large = *scenes(spec);
   exhibit.show(large.scene);
   const std::vector<Scene> candidates = simpler(large.scene);
   RC_ASSERT(!candidates.empty());
@@ -90,21 +91,21 @@ PARDEL_PROPERTY(
   for (const Scene& scene : candidates)
     RC_ASSERT(count(scene) < count(large.scene) ||
               (count(scene) == count(large.scene) && extent(scene) < extent(large.scene)));
-  // One of them in full, as meshes of all would take long.
+  // Test the mesh of one candidate only; testing all would take too long.
   const MeshedScene small = meshed(candidates[*rc::gen::inRange<std::size_t>(0, candidates.size())]);
-  RC_CLASSIFY(grants(small, wish), "grants the wish");
+  RC_CLASSIFY(satisfies(small, spec), "satisfies the specification");
   RC_ASSERT(small.scene.insertions.size() >= 2);
   RC_ASSERT(ref::is_conformal(small.mesh));
   RC_ASSERT(ref::is_constrained_delaunay(small.mesh));
 }
 
 TEST(Scenes, shrink_to_a_handful_of_points) {
-  // Whatever can go goes, until nothing simpler is left in which p and q meet.
+  // Shrink as long as a simpler scene still satisfies the specification and has at least two triangles.
   generators::Random random(1);
   Scene scene = random_scene(random, {.walls = true, .insertions = 4}).scene;
   const auto still_fails = [](const Scene& candidate) {
     const MeshedScene small = meshed(candidate);
-    return grants(small, {.walls = true}) && small.mesh.triangles.size() >= 2;
+    return satisfies(small, {.walls = true}) && small.mesh.triangles.size() >= 2;
   };
   for (bool shrunk = true; shrunk;) {
     shrunk = false;

@@ -1,5 +1,6 @@
-// Domains for the parallel refiner: so long and narrow that few triangles make many cells. Integer coordinates; no
-// two segments meet at less than 60 degrees, since Ruppert's proof covers no more.
+// Channels: domains for the lattice refiner. They are so long and narrow that a mesh of few triangles has many cells.
+// Coordinates are integers. No two segments meet at less than 60 degrees, because Ruppert's proof covers no smaller
+// angle.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <ostream>
 #include <vector>
 
+#include "../../../core/enum_names.hpp"
 #include "../../../core/goal.hpp"
 #include "../../../core/pslg.hpp"
 #include "../../../ref/refinement.hpp"
@@ -18,23 +20,24 @@ enum class Shape : std::uint8_t {
   bar,    ///< straight
   bend,   ///< an L
   ring,   ///< around a square hole
-  slant,  ///< a short parallelogram with corners of 63 degrees, at which a split may raise the largest circumradius
+  slant,  ///< a short parallelogram with corners of 63 degrees; a split there may raise the largest circumradius
 };
 
 inline const char* name(Shape shape) {
-  constexpr std::array names = {"bar", "bend", "ring", "slant"};
-  return names.at(static_cast<std::size_t>(shape));
+  constexpr auto names =
+      enum_names<Shape>({{Shape::bar, "bar"}, {Shape::bend, "bend"}, {Shape::ring, "ring"}, {Shape::slant, "slant"}});
+  return names[shape];
 }
 
 struct Channel {
   Shape shape = Shape::bar;
   int width = 6;                  ///< lattice units, even, at least 6
-  int length = 12;                ///< of a bar, of an arm of a bend, of a side of a ring; in widths
-  std::array<Point, 8> nudges{};  ///< added to the corners, -1, 0 or 1 each
-  bool has_wall = false;          ///< across a bar; triangles are to be smaller on its right
-  bool has_crack = false;         ///< a segment of one width along the middle that touches nothing
-  double max_area = 8;
-  double coarse_area = 16;  ///< of the preprocessing
+  int length = 12;                ///< of a bar, of an arm of a bend or of a side of a ring, in widths
+  std::array<Point, 8> nudges{};  ///< added to the corners; each coordinate is -1, 0 or 1
+  bool has_wall = false;          ///< a wall across a bar; the area bound is halved on its right
+  bool has_crack = false;         ///< a segment of one width along the middle that touches no other segment
+  double max_area = 8;            ///< the area bound of the goal
+  double coarse_area = 16;        ///< the area bound of the preprocessing
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Channel& c) {
@@ -42,7 +45,7 @@ inline std::ostream& operator<<(std::ostream& out, const Channel& c) {
              << (c.has_crack ? ", a crack" : "") << ", areas up to " << c.max_area << ", first up to " << c.coarse_area;
 }
 
-/// Adds a polygon with these corners, nudged.
+/// Adds a polygon with these corners, moved by the channel's nudges.
 inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& channel) {
   const auto first = static_cast<Index>(pslg.points.size()), n = static_cast<Index>(corners.size());
   for (Index k = 0; k < n; ++k) {
@@ -122,7 +125,7 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
   return ref::refused(to_pslg(channel), goal_of(channel)) ? straight : channel;
 }
 
-/// Fewer features first, then shorter, then coarser.
+/// Simpler channels: first with fewer features, then shorter, then with larger triangles.
 [[nodiscard]] inline std::vector<Channel> simpler(const Channel& channel) {
   std::vector<Channel> all;
   const auto offer = [&](auto change) {

@@ -1,5 +1,5 @@
-// The engine beside the executable specification: the same mesh wherever there is only one right answer, the same
-// guarantees and like sizes wherever the order of insertions decides.
+// The engine compared with the executable specification. If only one mesh is right, both make it. If the result depends
+// on the order of insertions, both meshes have the same guarantees and similar sizes.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -28,16 +28,9 @@ namespace {
 using generators::LatticeDomain;
 using generators::Random;
 
-ref::PlainMesh plain(const Mesh& mesh) {
-  ref::PlainMesh result;
-  for (const Point& p : mesh.points) result.points.push_back(ref::exact(p));
-  for (const Triangle& t : mesh.triangles) result.triangles.push_back(t.v);
-  for (const ConstrainedEdge& e : mesh.constrained_edges) result.constraints.insert(ref::edge(e.a, e.b));
-  return result;
-}
-
-/// By definition: the constrained Delaunay triangulation of the domain inside a box, without what the outside and the
-/// holes can reach. The box keeps out of the domain by the domain's own outline.
+/// The triangulation of a domain by definition: the constrained Delaunay triangulation of the domain in a larger box,
+/// without the faces of the exterior and of the holes. The outline of the domain separates the corners of the box from
+/// it.
 ref::PlainMesh triangulation_by_definition(const Pslg& pslg) {
   std::vector<ref::Edge> walls;
   for (const Segment& s : pslg.segments) walls.push_back(ref::edge(s.a, s.b));
@@ -66,7 +59,8 @@ std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corne
   return result;
 }
 
-/// Two triangles side by side on one circle. Where there are none, no other triangulation is Delaunay.
+/// Do two triangles with a common unconstrained edge have the same circumcircle? If not, no other triangulation is
+/// Delaunay.
 bool has_cocircular_neighbours(const ref::PlainMesh& mesh) {
   std::map<ref::Edge, std::vector<Index>> apices;
   for (const ref::Corners& t : mesh.triangles)
@@ -79,7 +73,7 @@ bool has_cocircular_neighbours(const ref::PlainMesh& mesh) {
   });
 }
 
-/// A third as large as elsewhere, since the reference takes cubic time; where the unit of the lattice is 1.
+/// A domain a third as large as in other suites, because the reference takes cubic time. The lattice has the unit 1.
 LatticeDomain small_domain(Exhibit& exhibit) {
   const auto make = [](Random& random, int size) {
     LatticeDomain domain = generators::any_domain(random, size / 3);
@@ -94,8 +88,8 @@ LatticeDomain small_domain(Exhibit& exhibit) {
 }
 
 PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_the_same_where_only_one_is_delaunay,
-                {.statement = "the engine's triangulation of a domain is the constrained Delaunay triangulation of the "
-                              "reference, and where cocircular neighbours allow several, as large",
+                {.statement = "The engine and the reference make the same constrained Delaunay triangulation of a "
+                              "domain. If cocircular triangles allow several, both have the same number of triangles.",
                  .source = "ref/constrained.hpp",
                  .families = "small lattice domains of every family"}) {
   const Pslg pslg = to_pslg(small_domain(exhibit));
@@ -110,19 +104,19 @@ PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_the_same_where_only_o
 }
 
 PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_constrained_delaunay_by_definition,
-                {.statement = "the engine's triangulation is conformal, and the open circumdisk of each triangle is "
-                              "empty of vertices that see it",
+                {.statement = "The engine's triangulation is conformal, and the open circumdisk of each triangle "
+                              "contains no vertex that sees the triangle.",
                  .source = "[CC], the empty circumdisk property; ref/definitions.hpp",
                  .families = "small lattice domains of every family"}) {
   const Pslg pslg = to_pslg(small_domain(exhibit));
   const Mesh found = value_of(triangulate(pslg)).mesh;
   exhibit.show(pslg, found);
-  RC_ASSERT(ref::is_conformal(plain(found)));
-  RC_ASSERT(ref::is_constrained_delaunay(plain(found)));
+  RC_ASSERT(ref::is_conformal(ref::to_plain_mesh(found)));
+  RC_ASSERT(ref::is_constrained_delaunay(ref::to_plain_mesh(found)));
 }
 
-/// Does an angle of 138 degrees or more face a segment? Its corner lies in the segment's diametral lens, the narrowest
-/// that the engine uses.
+/// Is an angle opposite to a segment 138 degrees or more? Then its corner lies in the lens of the segment, even in the
+/// narrowest lens that the engine uses.
 bool has_a_vertex_in_a_lens(const Mesh& mesh) {
   std::set<ref::Edge> segments;
   for (const ConstrainedEdge& e : mesh.constrained_edges) segments.insert(ref::edge(e.a, e.b));
@@ -138,8 +132,8 @@ bool has_a_vertex_in_a_lens(const Mesh& mesh) {
 }
 
 PARDEL_PROPERTY(EngineAgainstReference, with_nothing_asked_for_the_mesh_is_the_triangulation,
-                {.statement = "a goal without bounds gives the constrained Delaunay triangulation, nothing inserted, "
-                              "where no vertex encroaches upon a segment",
+                {.statement = "If no vertex encroaches upon a segment, a goal without bounds gives the constrained "
+                              "Delaunay triangulation, without any inserted point.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {
   const Pslg pslg = to_pslg(some_case(exhibit).domain);
@@ -151,8 +145,8 @@ PARDEL_PROPERTY(EngineAgainstReference, with_nothing_asked_for_the_mesh_is_the_t
   if (found.report.segment_splits == 0) RC_ASSERT(digest(found.mesh) == digest(expected));
 }
 
-/// What the reference refines: no two segments at less than 60 degrees. A square of side 2^k, perhaps with a square
-/// hole or island, and a few points, all of a lattice fine enough for every midpoint to be a double.
+/// A domain that the reference can refine (no two segments at less than 60 degrees): a square of side 16, possibly with
+/// a square hole or island, and isolated points. Coordinates are integers, so all midpoints are doubles.
 Pslg right_angled_domain(Random& random, int size) {
   Pslg pslg;
   const auto add_square = [&](double low, double high) {
@@ -170,8 +164,8 @@ Pslg right_angled_domain(Random& random, int size) {
   std::set<std::pair<int, int>> used;
   for (int i = size / 25; i > 0; --i) {
     const int x = random.between(1, 15), y = random.between(1, 15);
-    const auto beside = [&](int k) { return double(k) < low || double(k) > high; };
-    const bool free = !has_square || beside(x) || beside(y);
+    const auto is_outside = [&](int k) { return double(k) < low || double(k) > high; };
+    const bool free = !has_square || is_outside(x) || is_outside(y);
     if (free && used.insert({x, y}).second) pslg.points.push_back({double(x), double(y)});
   }
   return pslg;
@@ -189,9 +183,9 @@ std::vector<Pslg> with_fewer_points(const Pslg& pslg) {
 }
 
 PARDEL_PROPERTY(EngineAgainstReference, both_refiners_certify_and_make_meshes_of_like_size,
-                {.statement = "where no two segments meet at less than 60 degrees and the bound is at most 20.7 "
-                              "degrees, the engine and Ruppert's algorithm both reach the goal without exemption, with "
-                              "numbers of triangles that differ by a factor of at most 2 (and 16 triangles)",
+                {.statement = "If no two segments meet at less than 60 degrees and the angle bound is at most 20.7 "
+                              "degrees, the engine and Ruppert's algorithm both reach the goal without exempt "
+                              "triangles. Neither mesh has more than twice the triangles of the other plus 16.",
                  .source = "Ruppert 1995; ref/ruppert.hpp",
                  .families = "squares with a square hole or island and isolated points"}) {
   const Pslg pslg = *generators::generator(right_angled_domain, with_fewer_points);

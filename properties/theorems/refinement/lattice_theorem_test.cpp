@@ -1,4 +1,4 @@
-// Lattice: [CC]'s decomposition and the refinement over it, by the reference that runs it without threads.
+// Lattice: the decomposition of [CC] and refinement with it. The tests run the reference, which uses no threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,9 +20,10 @@ using ref::Kernel;
 using ref::Number;
 using ref::PlainMesh;
 
-constexpr const char* families = "bars, bends, rings and slants, with walls, cracks, area caps and uneven corners";
+constexpr const char* families =
+    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners";
 
-/// A random channel, refined on a lattice.
+/// A random channel and its refinement on a lattice.
 struct Refined {
   Pslg pslg;
   Goal goal;
@@ -41,7 +42,7 @@ Refined refined_channel(Exhibit& exhibit) {
   return refined;
 }
 
-/// Visits every phase with its sweep and with the mesh in which it began.
+/// Calls visit(sweep, phase, mesh at the start of the phase) for every phase.
 template <class Visit>
 void for_each_phase(const ref::LatticeRefinement& refinement, Visit visit) {
   const PlainMesh* before = &refinement.preprocessed;
@@ -58,7 +59,7 @@ std::size_t insertions_of(const ref::Sweep& sweep) {
   return count;
 }
 
-/// Some of the cell's points are on its lower sides, some just below its upper ones.
+/// A point of the cell: on its lower sides, in its middle, or just below its upper sides.
 ExactPoint random_point_of(const ref::Cell& cell, const ref::Lattice& lattice, Random& random) {
   const auto fraction = [&] { return random.one_of<double>({0, 0x1p-40, 0.5, 1 - 0x1p-40}); };
   return lattice.corner + Kernel::Vector_2((static_cast<double>(cell.i) + fraction()) * lattice.side,
@@ -67,11 +68,11 @@ ExactPoint random_point_of(const ref::Cell& cell, const ref::Lattice& lattice, R
 
 PARDEL_PROPERTY(
     Lattice, points_in_two_cells_of_one_colour_are_four_circumradii_apart,
-    {.statement = "In a lattice of cells with sides of at least 4 r̄, coloured by (i mod 2, j mod 2), points in "
-                  "two cells of one colour, or in any two that do not touch, are at least 4 r̄ apart, and the lattice "
-                  "over a mesh is such a one",
+    {.statement =
+         "The lattice over a mesh has cells with sides of at least 4 r̄, coloured by (i mod 2, j mod 2). Points "
+         "in two cells of one colour, or in any two cells that do not touch, are at least 4 r̄ apart.",
      .source = "[CC], the uniform lattice",
-     .families = "random points, many cocircular; points on the sides of cells and just off them"}) {
+     .families = "random points, many cocircular; points on the sides of cells and just inside"}) {
   const auto scene = *generators::generator(
       [](Random& random, int) {
         Scene made{{{0, 0}, {4, 0}, {0, 3}}, {}, {}};
@@ -109,10 +110,10 @@ PARDEL_PROPERTY(
 
 PARDEL_PROPERTY(
     Lattice, a_cell_inserts_its_own_points_in_the_phase_of_its_colour_while_it_is_large_enough,
-    {.statement = "Every point is inserted by the cell in which it lies, in a phase of that cell's colour, and "
-                  "no phase begins in a mesh for which 4 r̄ is more than the side of a cell",
-     .source = "[CC], the uniform lattice; that the point inserted counts, not its triangle, and that r̄ is "
-               "measured again, is ours",
+    {.statement = "Every point is inserted by the cell that contains it, in a phase of the colour of this cell. No "
+                  "phase starts in a mesh for which 4 r̄ is more than the side of a cell.",
+     .source = "[CC], the uniform lattice; properties/THEORY.md, Lattice, for the cell of a point and for measuring r̄ "
+               "again",
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
   bool was_outgrown = false;
@@ -124,14 +125,14 @@ PARDEL_PROPERTY(
       RC_ASSERT((phase.colour == ref::Colour{static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}));
     }
   });
-  RC_CLASSIFY(was_outgrown, "circumradii grew, and a new lattice was laid");
+  RC_CLASSIFY(was_outgrown, "circumradii grew, and a new lattice was computed");
 }
 
 PARDEL_PROPERTY(
     Lattice, cells_of_one_colour_touch_no_common_vertex_in_a_phase,
-    {.statement = "In a phase, over all that the cells of its colour insert or try, the closures of the cavities "
-                  "of two cells share no vertex, and no triangle is read or written by both, the triangles "
-                  "around the cavities included",
+    {.statement = "In a phase, consider all points that the cells of its colour insert or reject. The closures of the "
+                  "cavities of two different cells share no vertex. No triangle is read or written by both cells; "
+                  "this includes the triangles across the boundaries of the cavities.",
      .source = "[CC], Theorem 1 and the uniform lattice",
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
@@ -145,11 +146,11 @@ PARDEL_PROPERTY(
     }
     cells_at_once = std::max(cells_at_once, phase.touched.size());
   });
-  RC_CLASSIFY(cells_at_once >= 2, "two cells or more work at once");
-  RC_CLASSIFY(cells_at_once >= 3, "three cells or more work at once");
+  RC_CLASSIFY(cells_at_once >= 2, "two or more cells work at once");
+  RC_CLASSIFY(cells_at_once >= 3, "three or more cells work at once");
 }
 
-/// The points of a phase in another order: that of each cell is kept, the cells take turns at random.
+/// The points of a phase in another order: the order within each cell is kept, and the cells alternate at random.
 std::vector<ExactPoint> interleaved(const ref::Phase& phase, Random& random) {
   std::map<ref::Cell, std::vector<ExactPoint>> of_cell;
   std::vector<ref::Cell> turns;
@@ -166,8 +167,8 @@ std::vector<ExactPoint> interleaved(const ref::Phase& phase, Random& random) {
 
 PARDEL_PROPERTY(
     Lattice, one_after_the_other_in_any_order_makes_the_mesh_that_a_phase_makes,
-    {.statement = "Inserting a phase's points one after the other, the cells in any order and taking turns at "
-                  "random, makes the mesh that inserting them independently makes",
+    {.statement = "Inserting the points of a phase one after the other, with cells alternating at random, gives the "
+                  "mesh of the phase, whose points were inserted independently.",
      .source = "[CC], Theorem 1",
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
@@ -181,8 +182,9 @@ PARDEL_PROPERTY(
 
 PARDEL_PROPERTY(
     Lattice, refinement_makes_a_conformal_delaunay_mesh_that_meets_the_goal,
-    {.statement = "The result is conformal and Delaunay by definition, no subsegment is encroached, and the "
-                  "independent checker finds every bound met with no triangle exempt",
+    {.statement =
+         "The result is conformal and Delaunay by definition, and no subsegment is encroached. The independent "
+         "checker finds that all bounds are met and no triangle is exempt.",
      .source = "[CC]; Ruppert 1995",
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
@@ -197,9 +199,9 @@ PARDEL_PROPERTY(
 
 PARDEL_PROPERTY(
     Lattice, sweeps_end_and_leave_nothing_that_was_handed_on,
-    {.statement = "Sweeps over the four colours come to an end; every split point that was handed on to another "
-                  "cell is inserted by a later phase; the cell to which it is handed on is another colour's",
-     .source = "[CC] speaks of four iterations; how many sweeps it takes is measured",
+    {.statement = "Sweeps over the four colours end. A split point that one cell needs and another cell contains is "
+                  "handed on to that cell, which has another colour. Every such point is inserted in a later phase.",
+     .source = "[CC] has four iterations; here sweeps are repeated, and their number is measured",
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
   std::set<ExactPoint> waiting;

@@ -1,4 +1,4 @@
-// What the properties of the engine share: random meshing problems, meshed and checked.
+// Helpers for the properties of the engine: random meshing problems, and functions that mesh and check them.
 #pragma once
 
 #include <sstream>
@@ -19,7 +19,7 @@ struct Problem {
   Goal goal;
 };
 
-/// A random domain with a random goal; each family has its share in the catalogue.
+/// A random domain with a random goal. Tags the case with its family, for the catalogue.
 inline generators::Case some_case(Exhibit& exhibit) {
   const auto simpler = [](const generators::Case& c) { return generators::shrinks(c); };
   const generators::Case c = *generators::generator(generators::any_case, simpler);
@@ -30,7 +30,7 @@ inline generators::Case some_case(Exhibit& exhibit) {
 inline Problem to_problem(const generators::Case& c) { return {to_pslg(c.domain), to_goal(c.goal, c.domain)}; }
 inline Problem some_problem(Exhibit& exhibit) { return to_problem(some_case(exhibit)); }
 
-/// What `meshed` holds; an error fails the case.
+/// The value of `meshed`; an error fails the case.
 inline Meshed value_of(Result<Meshed> meshed) {
   if (!meshed) RC_FAIL(meshed.error().message);
   return std::move(meshed).value();
@@ -41,13 +41,13 @@ inline Meshed meshed(const Problem& problem, Exhibit& exhibit, const Options& op
   return result;
 }
 
-/// The certificate's text where it is not valid, as a reason to fail.
+/// Fails the case with the text of the certificate if the certificate is not valid.
 inline void require_valid(const Certificate& certificate) {
   if (!certificate.valid) RC_FAIL(to_text(certificate));
 }
 
-/// Every way in which the engine may be told to work: where points go, how the plane is cut. So few triangles a tile
-/// that small domains have many tiles, and several levels of lattices.
+/// Random options: the placement of points, the decomposition of the plane, and the number of triangles per tile. A
+/// small number gives small domains many tiles and several levels of lattices.
 inline Options some_options() {
   constexpr auto tiny = 4U;
   Options options;

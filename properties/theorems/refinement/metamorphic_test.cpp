@@ -1,13 +1,10 @@
-// How the mesh of a changed input follows from the mesh of the input.
+// Metamorphic: how the mesh changes when the input changes. The laws and their reasons are in properties/THEORY.md,
+// Metamorphic.
 //
-// Exact laws. A power of two scales every coordinate and every intermediate result without rounding. The order in
-// which things are listed and the direction of a segment decide nothing, since every order that the engine follows
-// comes from coordinates. Isometries of the lattice (translations, quarter turns, reflections) move no input point by
-// a rounding, so they keep a triangulation wherever it is the only constrained Delaunay one.
-// No exact laws: new points are rounded, which a translation changes, and a turn or a reflection changes the
-// space-filling curve and with it the order of insertions. What isometries keep of a refined mesh are its guarantees
-// and, about, its size: nearly always within a tenth, but where rounding decides whether a segment at a small angle is
-// split, shell by shell all of it is.
+// There are no exact laws for isometries of refined meshes: new points are rounded, which a translation changes, and a
+// turn or a reflection changes the space-filling curve and with it the order of insertions. The guarantees stay, and
+// the size stays similar. The size nearly always changes by less than a tenth. But if rounding decides whether a
+// segment at a small angle is split, the whole segment may be split, shell by shell.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +24,7 @@ using generators::Random;
 
 constexpr const char* source = "properties/THEORY.md, Metamorphic";
 
-/// Where every point of the plane goes.
+/// The image under a map of the plane.
 template <class Map>
 Pslg mapped(Pslg pslg, const Map& map) {
   for (Point& p : pslg.points) p = map(p);
@@ -46,7 +43,7 @@ Mesh mapped(Mesh mesh, const Map& map, bool turns_over = false) {
   return mesh;
 }
 
-/// That the engine makes the mesh of this problem, whatever its numbering.
+/// Fails the case unless the engine makes the expected mesh, up to numbering.
 void require_mesh(const Problem& problem, const Options& options, const Mesh& expected) {
   RC_ASSERT(digest(value_of(mesh(problem.pslg, problem.goal, options)).mesh) == digest(expected));
 }
@@ -54,7 +51,8 @@ void require_mesh(const Problem& problem, const Options& options, const Mesh& ex
 Random some_random() { return Random(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>())); }
 
 PARDEL_PROPERTY(Metamorphic, scaling_by_a_power_of_two_scales_the_mesh,
-                {.statement = "the mesh of a domain times 2^k, for bounds on areas times 4^k, is the mesh times 2^k",
+                {.statement = "If the coordinates of a domain are multiplied by 2^k and its area bounds by 4^k, the "
+                              "mesh is multiplied by 2^k.",
                  .source = source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
@@ -69,7 +67,7 @@ PARDEL_PROPERTY(Metamorphic, scaling_by_a_power_of_two_scales_the_mesh,
 }
 
 PARDEL_PROPERTY(Metamorphic, the_numbering_of_points_decides_nothing,
-                {.statement = "points listed in another order give the same mesh",
+                {.statement = "Listing the points in another order gives the same mesh.",
                  .source = source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
@@ -86,7 +84,7 @@ PARDEL_PROPERTY(Metamorphic, the_numbering_of_points_decides_nothing,
 }
 
 PARDEL_PROPERTY(Metamorphic, the_order_of_segments_holes_and_regions_decides_nothing,
-                {.statement = "segments, holes and regions listed in another order give the same mesh",
+                {.statement = "Listing segments, holes and regions in another order gives the same mesh.",
                  .source = source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
@@ -100,7 +98,7 @@ PARDEL_PROPERTY(Metamorphic, the_order_of_segments_holes_and_regions_decides_not
 }
 
 PARDEL_PROPERTY(Metamorphic, the_direction_of_segments_decides_nothing,
-                {.statement = "segments given from b to a instead of from a to b give the same mesh",
+                {.statement = "Reversing the direction of segments gives the same mesh.",
                  .source = source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
@@ -112,7 +110,7 @@ PARDEL_PROPERTY(Metamorphic, the_direction_of_segments_decides_nothing,
   require_mesh(problem, options, expected);
 }
 
-/// One of the eight symmetries of the square, and then a translation by whole units of the lattice.
+/// One of the eight symmetries of the square, followed by a translation by whole units of the lattice.
 struct Isometry {
   bool swaps = false, flips_x = false, flips_y = false;
   Point by{};
@@ -124,7 +122,7 @@ struct Isometry {
   }
 };
 
-/// That moves no point of the domain by a rounding.
+/// An isometry that maps the points of the domain without rounding.
 Isometry some_isometry(const generators::LatticeDomain& domain) {
   const auto either = rc::gen::arbitrary<bool>();
   const auto units =
@@ -132,7 +130,7 @@ Isometry some_isometry(const generators::LatticeDomain& domain) {
   return {*either, *either, *either, {*units, *units}};
 }
 
-/// Every edge that is no constraint is locally Delaunay strictly: no other triangulation has this property.
+/// Is every unconstrained edge strictly locally Delaunay? Then no other triangulation is Delaunay.
 bool is_the_only_delaunay_one(const Mesh& mesh) {
   std::set<std::array<Index, 2>> constrained;
   for (const ConstrainedEdge& e : mesh.constrained_edges) constrained.insert({std::min(e.a, e.b), std::max(e.a, e.b)});
@@ -150,8 +148,9 @@ bool is_the_only_delaunay_one(const Mesh& mesh) {
 }
 
 PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_triangulation,
-                {.statement = "translations by lattice vectors, quarter turns and reflections map the triangulation of "
-                              "a domain to that of its image, if no two triangles side by side are cocircular",
+                {.statement = "Translations by lattice vectors, quarter turns and reflections map the triangulation of "
+                              "a domain to the triangulation of its image, if no two neighbouring triangles are "
+                              "cocircular.",
                  .source = source,
                  .families = every_family}) {
   const generators::Case c = some_case(exhibit);
@@ -166,8 +165,8 @@ PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_triangulation,
 }
 
 PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_guarantees_and_about_the_size,
-                {.statement = "the mesh of a domain that was translated by a lattice vector, turned by 90 degrees or "
-                              "reflected is certified, and at most 8 times as large or small",
+                {.statement = "If a domain is translated by a lattice vector, turned by 90 degrees or reflected, its "
+                              "mesh is certified, and the number of triangles changes by a factor of at most 8.",
                  .source = source,
                  .families = every_family}) {
   const generators::Case c = some_case(exhibit);
@@ -211,29 +210,30 @@ std::vector<bool> face_of(const Mesh& mesh, Index start) {
   return reached;
 }
 
-PARDEL_PROPERTY(Metamorphic, a_hole_takes_away_its_face_and_nothing_else,
-                {.statement = "with one more hole, the triangulation has lost the triangles that the hole's triangle "
-                              "can reach without crossing a segment, and keeps all others",
-                 .source = source,
-                 .families = every_family}) {
+PARDEL_PROPERTY(
+    Metamorphic, a_hole_takes_away_its_face_and_nothing_else,
+    {.statement = "One more hole removes the triangles that can be reached from the hole's triangle without "
+                  "crossing a segment, and keeps all others.",
+     .source = source,
+     .families = every_family}) {
   const generators::Case c = some_case(exhibit);
   Pslg pslg = to_pslg(c.domain);
   pslg.regions.clear();
   const Mesh before = value_of(triangulate(pslg)).mesh;
   const Index start = *rc::gen::inRange(Index{0}, static_cast<Index>(before.triangles.size()));
-  const std::vector<bool> lost = face_of(before, start);
+  const std::vector<bool> removed = face_of(before, start);
   const auto& v = before.triangles[start].v;
   const Point a = before.points[v[0]], b = before.points[v[1]], d = before.points[v[2]];
   const auto middle = [&](double Point::*x) { return (2 * (a.*x) + b.*x + d.*x) / 4; };
   pslg.holes.push_back({middle(&Point::x), middle(&Point::y)});
-  const bool all_lost = std::ranges::find(lost, false) == lost.end();
+  const bool all_removed = std::ranges::find(removed, false) == removed.end();
   const Result<Meshed> after = triangulate(pslg);
-  RC_ASSERT(after.ok() != all_lost);
-  if (all_lost) return;
+  RC_ASSERT(after.ok() != all_removed);
+  if (all_removed) return;
   Mesh rest = before;
   rest.triangles.clear();
   for (Index t = 0; t < before.triangles.size(); ++t)
-    if (!lost[t]) rest.triangles.push_back(before.triangles[t]);
+    if (!removed[t]) rest.triangles.push_back(before.triangles[t]);
   RC_ASSERT(corners(after->mesh) == corners(rest));
 }
 

@@ -1,5 +1,4 @@
-// What lattice domains and their goals do not have: coordinates that have to be rounded, labels of points, bounds on
-// lengths.
+// Refinement of inputs that differ from lattice domains: rounded coordinates, labels of points, bounds on edge lengths.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +11,7 @@ namespace {
 
 constexpr const char* source = "properties/THEORY.md, refinement";
 
-/// The domain in a square of side 1000, turned and moved far from the origin, each coordinate rounded.
+/// The domain, scaled to coordinates up to 1000, turned, and moved far from the origin. All coordinates are rounded.
 Pslg turned(const generators::LatticeDomain& domain, double angle, Point to) {
   generators::LatticeDomain near = domain;
   near.offset = {};
@@ -33,7 +32,7 @@ Pslg turned(const generators::LatticeDomain& domain, double angle, Point to) {
 
 constexpr const char* turned_families = "lattice domains of every family, turned and far from the origin";
 
-/// Rounding bends what was straight, so validity is asked for anew.
+/// A turned domain that is valid. Rounding can make a domain invalid; such cases are discarded.
 Problem some_turned_problem(Exhibit& exhibit) {
   const generators::Case c = some_case(exhibit);
   const Point to{*rc::gen::element(0.0, 654321.0), *rc::gen::element(0.0, 4987654.0)};
@@ -45,7 +44,8 @@ Problem some_turned_problem(Exhibit& exhibit) {
 }
 
 PARDEL_PROPERTY(Refinement, does_not_depend_on_the_direction_of_segments_where_coordinates_are_rounded,
-                {.statement = "segments given from b to a instead of from a to b give the same mesh, rounding included",
+                {.statement = "Reversing the direction of segments gives the same mesh, including rounded "
+                              "coordinates.",
                  .source = source,
                  .families = turned_families}) {
   Problem problem = some_turned_problem(exhibit);
@@ -56,21 +56,21 @@ PARDEL_PROPERTY(Refinement, does_not_depend_on_the_direction_of_segments_where_c
 
 PARDEL_PROPERTY(
     Refinement, gives_a_certified_mesh_where_coordinates_are_rounded,
-    {.statement = "the mesh of a valid domain is certified where every split point has to be rounded; where "
-                  "rounding leaves angles below the bound, the report says so",
+    {.statement = "The mesh of a valid domain is certified, even if every split point has to be rounded. If rounding "
+                  "leaves angles below the bound, the report lists the triangles.",
      .source = source,
      .families = turned_families}) {
   const Problem problem = some_turned_problem(exhibit);
   const Meshed result = meshed(problem, exhibit, some_options());
-  RC_CLASSIFY(!result.report.goal_met(), "rounding leaves something");
+  RC_CLASSIFY(!result.report.goal_met(), "rounding leaves angles below the bound");
   Goal kept = problem.goal;
   if (!result.report.goal_met()) kept = {.min_angle_deg = 0};
   require_valid(check(problem.pslg, result.mesh, kept));
 }
 
 PARDEL_PROPERTY(Refinement, keeps_bounds_on_lengths,
-                {.statement = "no edge is longer than the goal's bound, nor than the sizing function allows at the "
-                              "centroids of its triangles",
+                {.statement = "No edge is longer than the bound of the goal, nor longer than the value of the sizing "
+                              "function at the centroids of its triangles.",
                  .source = source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
@@ -87,7 +87,7 @@ PARDEL_PROPERTY(Refinement, keeps_bounds_on_lengths,
 }
 
 PARDEL_PROPERTY(Refinement, keeps_the_labels_of_points,
-                {.statement = "input points keep their markers and attributes",
+                {.statement = "Input points keep their markers and attributes.",
                  .source = source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);

@@ -1,5 +1,5 @@
-// What refinement promises of every domain and goal: it ends, its mesh is right, what breaks the goal is excused by a
-// small input angle, and there is nothing left to do.
+// The guarantees of refinement for every domain and goal: it ends; its mesh is certified; a triangle may miss the angle
+// bound only because of a small input angle; refining again changes nothing.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ namespace {
 
 /// A vertex or a segment of the domain.
 struct Feature {
-  Index a, b;  ///< vertices; the same one twice for a vertex alone
+  Index a, b;  ///< the ends of a segment; a == b for a vertex
 };
 
 double distance_to(const Mesh& domain, const Feature& feature, Point p) {
@@ -27,7 +27,7 @@ double distance_to(const Mesh& domain, const Feature& feature, Point p) {
   return std::hypot(wx - along * ux, wy - along * uy);
 }
 
-/// Ruppert's local feature size: the radius of the least disk about p that meets two features which do not touch.
+/// Ruppert's local feature size: the radius of the smallest disk around p that meets two features that do not touch.
 double local_feature_size(const Mesh& domain, const std::vector<Feature>& features, Point p) {
   std::vector<std::pair<double, Feature>> nearest;
   for (const Feature& f : features) nearest.emplace_back(distance_to(domain, f, p), f);
@@ -41,9 +41,9 @@ double local_feature_size(const Mesh& domain, const std::vector<Feature>& featur
   return std::numeric_limits<double>::infinity();
 }
 
-/// The number of triangles that sizes ask for: the integral over the mesh of 1 / (the square of the local feature
-/// size), or 1 / (the largest area allowed) where that is more.
-double triangles_asked_for(const Problem& problem, const Mesh& mesh) {
+/// An estimate of the number of triangles: the integral over the mesh of 1 / (local feature size)², or of 1 / (area
+/// bound) where that is larger.
+double estimated_triangles(const Problem& problem, const Mesh& mesh) {
   const Mesh domain = value_of(triangulate(problem.pslg)).mesh;
   std::vector<Feature> features;
   for (const ConstrainedEdge& e : domain.constrained_edges) features.push_back({e.a, e.b});
@@ -63,21 +63,22 @@ double triangles_asked_for(const Problem& problem, const Mesh& mesh) {
 }
 
 PARDEL_PROPERTY(Refinement, ends_with_as_many_triangles_as_sizes_ask_for,
-                {.statement = "refinement ends, with at most 64 triangles and 256 times the integral of 1 / lfs^2, "
-                              "or of 1 / (the largest area) where that is more; most of the factor is for small input "
-                              "angles, of which the integral knows nothing",
+                {.statement = "Refinement ends. The number of triangles is at most 64 plus 256 times the integral of "
+                              "1 / lfs^2, or of 1 / (area bound) where that is larger; lfs is the local feature size. "
+                              "The factor is large because the integral does not account for small input angles.",
                  .source = "Ruppert 1995, Theorem 2; the factor as measured",
                  .families = every_family}) {
   const Problem problem = some_problem(exhibit);
   const Options options = some_options();
   const Meshed result = meshed(problem, exhibit, options);
   const auto triangles = static_cast<double>(result.mesh.triangles.size());
-  RC_ASSERT(triangles <= 64 + 256 * triangles_asked_for(problem, result.mesh));
+  RC_ASSERT(triangles <= 64 + 256 * estimated_triangles(problem, result.mesh));
 }
 
 PARDEL_PROPERTY(Refinement, gives_a_mesh_that_the_checker_certifies,
-                {.statement = "the mesh of a valid domain conforms to it, is (constrained) Delaunay and keeps the "
-                              "bounds on angles, areas and regions, but for angles that a small input angle excuses",
+                {.statement = "The mesh of a valid domain conforms to it, is (constrained) Delaunay, and satisfies the "
+                              "bounds on angles, areas and regions, except for angles that a small input angle "
+                              "justifies.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {
   const Problem problem = some_problem(exhibit);
@@ -87,8 +88,8 @@ PARDEL_PROPERTY(Refinement, gives_a_mesh_that_the_checker_certifies,
 }
 
 PARDEL_PROPERTY(Refinement, exempts_exactly_what_the_checker_finds_justified,
-                {.statement = "the triangles that the engine reports as exempt are those that the checker, from "
-                              "coordinates alone, finds below the angle bound and justified",
+                {.statement = "The engine reports as exempt exactly the triangles that the checker finds below the "
+                              "angle bound and justified. The checker uses coordinates only.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {
   const Problem problem = some_problem(exhibit);
@@ -97,17 +98,17 @@ PARDEL_PROPERTY(Refinement, exempts_exactly_what_the_checker_finds_justified,
   std::set<Index> reported, found;
   for (const Exemption& e : result.report.exempt) reported.insert(e.triangle);
   for (const Justified& j : certificate.justified) found.insert(j.triangle);
-  RC_CLASSIFY(!found.empty(), "some triangle exempt");
+  RC_CLASSIFY(!found.empty(), "some triangles are exempt");
   RC_ASSERT(result.report.goal_met());
   RC_ASSERT(reported == found);
 }
 
 PARDEL_PROPERTY(Refinement, done_twice_is_done_once,
-                {.statement = "refining the mesh to the same goal changes nothing",
+                {.statement = "Refining the mesh again with the same goal changes nothing.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
-  problem.goal.region_caps = false;  // a mesh carries no caps
+  problem.goal.region_caps = false;  // a Mesh does not store area caps
   const Options options = some_options();
   const Mesh once = meshed(problem, exhibit, options).mesh;
   const Meshed twice = value_of(refine(once, {}, problem.goal, options));
@@ -116,7 +117,7 @@ PARDEL_PROPERTY(Refinement, done_twice_is_done_once,
 }
 
 PARDEL_PROPERTY(Refinement, does_not_depend_on_threads,
-                {.statement = "one, two and three threads give the same mesh, numbering included",
+                {.statement = "One, two and three threads give the same mesh with the same numbering.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {
   const Problem problem = some_problem(exhibit);
@@ -127,8 +128,8 @@ PARDEL_PROPERTY(Refinement, does_not_depend_on_threads,
 }
 
 PARDEL_FACT(Refinement, at_thirty_degrees_may_halve_triangles_down_to_the_floor,
-            {.statement = "fails when the bound is 30 degrees: there is a domain without a small angle in which "
-                          "refinement ends by the floor on edges only; the report says so",
+            {.statement = "There is a domain without small angles in which refinement at a bound of 30 degrees stops "
+                          "only at the floor on edge lengths. The report lists the triangles that miss the bound.",
              .source = "properties/THEORY.md, refinement"}) {
   const Result<Pslg> domain = read_pslg(PARDEL_WITNESSES "/halved_down_to_the_floor_at_thirty_degrees.poly");
   ASSERT_TRUE(domain);

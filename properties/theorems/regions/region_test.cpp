@@ -1,40 +1,8 @@
-// T-region: tasks whose regions reach no common vertex never meet, however their steps interleave; and the rule that
-// the engine makes of it, a box for each task.
+// T-region: two tasks whose regions reach no common vertex give the same mesh however their steps interleave; and the
+// practical form of this theorem, in which each task owns a box. Definitions and proofs: properties/THEORY.md,
+// T-region.
 //
-// M is a constrained Delaunay mesh; W are its walls, as a set of points, which inserting points on them does not
-// change. D(t) is the open circumdisk of t, and S(t) the part of it from which t is seen.
-//
-// Lemma 1. A point of D(t) that sees one inner point of t sees all of them. Else, let x see y but not z. Some wall
-// enters the triangle xyz through xz alone and so ends inside of it, in D(t). Of those ends, one at the least angle
-// from xy, and of these the one farthest from x, sees y: an end in D(t) that sees t, in a constrained Delaunay mesh.
-// (So S(t) is D(t) cut off by the walls that cross all of it, a convex set; ref/region.cpp computes it so.)
-//
-// Lemma 2. Let inserting p make the triangle t = abp, and let t1 be the cavity's triangle at ab and t2 the one beyond.
-// Then S(t) ⊂ S(t1) ∪ S(t2); and S(t) ⊂ S(t1) where ab is a wall. On the side of ab where p lies, D(t) ⊂ D(t1), and
-// beyond, D(t) ⊂ D(t2), since the three circles are of one pencil (circumradius_test.cpp). Let x in D(t) see t, hence,
-// by Lemma 1, a point z of t close to ab, which is one of t1, too. From the side of p or from ab, x sees t1 in z. From
-// beyond, xz runs through ab inside the disk, so ab is no wall, and just before ab it runs through t2.
-//
-// Theorem. K(L) are the triangles t for which S(t) meets the region L of the domain: the union of the cavities of
-// all points of L. Let K(L) and K(L') have neither a triangle nor an edge that is no wall in common. Inserting p in L
-// removes triangles of K(L) alone and leaves K(L') as it is: by Lemma 2, if S(t) of a new triangle t met L', then so
-// did S(t1) or S(t2); but t1 is in K(L), and t2 shares the edge ab, no wall, with it. And what the two sets share does
-// not grow: K(L) gains triangles on edges of K(L), and p. So for ever after, a task in L finds the cavities and makes
-// the triangles that it would if it were alone. No hypothesis on angles, radii or positions is used; and it does not
-// matter when a cavity is found and when it is replaced.
-//
-// That V(L) and V(L'), the corners of those triangles, are disjoint is more than enough. It also keeps the two
-// tasks from writing to one triangle: one beside a cavity of either task has two of its corners in V(L). With whole
-// disks D(t) instead of S(t), K(L) is larger, so the theorem holds all the more. But it asks for more than is needed
-// near walls, and a whole disk may come to meet L' later: close to a wall, new disks bulge far beyond it, unseen.
-//
-// Boxes. Let a task that owns the box B change only triangles with all three corners in B, and hand on every point
-// whose cavity has others. It finds cavities from the triangle that holds the point by going from neighbour to
-// neighbour, and it can stop at the first triangle that is not its own. All that it looks at has two corners in B, at
-// least, but for the triangle that it starts from; and what has two corners in B has not three in a disjoint box, so
-// nobody else changes it. Neither does anybody make or remove triangles of B. (Where the first triangle is not its own,
-// then none that will ever hold the point is.) So what a task does, and what it hands on, does not depend on the
-// others.
+// K(L) is the set of triangles that insertions in the region L can reach, and V(L) is the set of their vertices.
 #include "../../../ref/region.hpp"
 
 #include <algorithm>
@@ -64,7 +32,7 @@ bool box_is_in_hull(const ref::PlainMesh& mesh, const std::vector<ref::Edge>& hu
   return std::ranges::all_of(corners, [&](Point p) { return is_in_hull(mesh, hull, ref::exact(p)); });
 }
 
-/// A box with sides of at most `side`, around a random point of the scene's bounding box.
+/// A box with sides of at most `side`, at a random point of the scene's bounding box.
 Box some_box(Random& random, const Scene& scene, int side) {
   const auto [left, right] = std::ranges::minmax(scene.points, {}, &Point::x);
   const auto [below, above] = std::ranges::minmax(scene.points, {}, &Point::y);
@@ -73,7 +41,8 @@ Box some_box(Random& random, const Scene& scene, int side) {
   return {corner, {corner.x + random.between(0, side), corner.y + random.between(0, side)}};
 }
 
-/// Up to `count` positions in the box, on halves and on walls; no point of the scene and not in `taken`.
+/// Up to `count` positions in the box: multiples of 1/2, and points on walls. They differ from the points of the scene
+/// and from `taken`, to which they are added.
 std::vector<Point> some_points(Random& random, const Scene& scene, const Box& box, int count,
                                std::vector<Point>& taken) {
   std::vector<Point> on_walls;
@@ -99,7 +68,7 @@ std::vector<Point> some_points(Random& random, const Scene& scene, const Box& bo
 
 using Regions = std::array<Box, 2>;
 
-/// Two boxes in the hull that are apart, large ones first; none where none are found.
+/// Searches for two boxes in the hull that satisfy the hypothesis `how`, from large boxes to small ones.
 std::optional<Regions> regions_apart(Random& random, const MeshedScene& given, Apart how) {
   const ref::PlainMesh& mesh = given.mesh;
   const std::vector<ref::Edge> hull = hull_of(mesh);
@@ -120,7 +89,7 @@ std::optional<Regions> regions_apart(Random& random, const MeshedScene& given, A
   return std::nullopt;
 }
 
-/// What a case of these properties is made of: a scene, and numbers to choose everything else by.
+/// The input of a case: a scene, and random numbers for all other choices.
 struct Given {
   MeshedScene meshed;
   Random random;
@@ -130,7 +99,7 @@ struct Given {
 Given some_scene(bool walls) {
   MeshedScene scene = *scenes({.walls = walls, .insertions = 0}).as("scene");
   tag_families(scene);
-  const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()).as("what chooses regions and points");
+  const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()).as("seed of regions and points");
   const int most = *rc::gen::inRange(1, 13).as("insertions per task");
   return {std::move(scene), Random(seed), most};
 }
@@ -163,51 +132,52 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
 }
 
 constexpr const char* region_kinds =
-    "all layouts of random scenes; two random boxes; up to 12 points each on halves of the lattice and on walls; "
-    "finding a cavity and replacing it are steps of their own";
+    "all layouts of random scenes; two random boxes; up to 12 points each, at multiples of half a unit and on walls; "
+    "finding a cavity and replacing it are separate steps";
 
 PARDEL_PROPERTY(
     TRegion, any_interleaving_of_tasks_whose_disks_reach_no_common_vertex_gives_one_mesh,
-    {.statement = "M is Delaunay; K(L) are the triangles whose open circumdisk meets the region L within the "
-                  "domain, V(L) their vertices. If V(L) and V(L') are disjoint when two tasks start, any "
-                  "interleaving of any insertions in L by one task and in L' by the other, in which "
-                  "a cavity may be found long before it is replaced, gives the mesh of either sequential "
-                  "order, and no vertex is touched by both.",
+    {.statement = "Let K(L) be the triangles of a Delaunay mesh whose open circumdisks meet the region L, and V(L) "
+                  "their vertices. One task inserts points of L and another task points of L'. If V(L) and V(L') "
+                  "are disjoint when the tasks start, every interleaving of their steps gives the mesh of both "
+                  "sequential orders, and no vertex is touched by both tasks. A cavity may be found long before it "
+                  "is replaced.",
      .source = "THEORY.md, T-region",
      .families = region_kinds}) {
   tasks_apart_give_one_mesh(exhibit, false, Apart::vertices_of_disks);
 }
 
 PARDEL_PROPERTY(TRegion, and_so_it_does_in_a_constrained_mesh_with_whole_disks,
-                {.statement = "T-region holds in constrained Delaunay meshes, insertions on constrained edges "
-                              "included, when K(L) counts whole circumdisks, hidden parts and all.",
+                {.statement = "T-region holds in constrained Delaunay meshes, also for insertions on constrained "
+                              "edges, if K(L) is defined by whole circumdisks, including hidden parts.",
                  .source = "THEORY.md, T-region",
                  .families = region_kinds}) {
   tasks_apart_give_one_mesh(exhibit, true, Apart::vertices_of_disks);
 }
 
 PARDEL_PROPERTY(TRegion, the_part_of_a_disk_that_sees_its_triangle_is_enough,
-                {.statement = "T-region holds in constrained Delaunay meshes when K(L) counts of each circumdisk only "
-                              "the part from which its triangle is seen: K(L) is the union of the cavities of all "
-                              "points of L.",
+                {.statement = "T-region holds in constrained Delaunay meshes if K(L) is defined by the part of each "
+                              "circumdisk from which its triangle is seen. Then K(L) is the union of the cavities of "
+                              "all points of L.",
                  .source = "THEORY.md, T-region",
                  .families = region_kinds}) {
   tasks_apart_give_one_mesh(exhibit, true, Apart::vertices_in_sight);
 }
 
 PARDEL_PROPERTY(TRegion, for_the_mesh_alone_no_common_unconstrained_edge_is_enough,
-                {.statement = "For the mesh to be the same it is enough that the triangles in K(L) and K(L') are "
-                              "different ones and share no unconstrained edge; common vertices, and constrained edges "
-                              "with the regions on either side of them, do no harm.",
+                {.statement = "Every interleaving gives the same mesh if K(L) and K(L') have no common triangle and "
+                              "no common unconstrained edge. Common vertices and common constrained edges are "
+                              "allowed.",
                  .source = "THEORY.md, T-region",
                  .families = region_kinds}) {
   tasks_apart_give_one_mesh(exhibit, true, Apart::free_edges_in_sight);
 }
 
 PARDEL_PROPERTY(TRegion, what_a_new_triangle_can_reach_one_of_two_old_ones_reached,
-                {.statement = "Inserting p makes a triangle abp on an edge ab of its cavity's boundary. A point in its "
-                              "open circumdisk that sees it lies in the open circumdisk of, and sees, the cavity's "
-                              "triangle at ab or, where ab is no constraint, the one beyond.",
+                {.statement = "Inserting p makes a triangle abp on an edge ab of the boundary of its cavity. Suppose "
+                              "that a point lies in the open circumdisk of abp and sees abp. Then it lies in the open "
+                              "circumdisk of, and sees, the old triangle at ab on the side of p or, if ab is not "
+                              "constrained, the triangle beyond ab.",
                  .source = "THEORY.md, T-region",
                  .families = "all layouts, walls and positions of random scenes"}) {
   const MeshedScene given = *scenes({.walls = true, .insertions = 2}).as("scene");
@@ -217,7 +187,7 @@ PARDEL_PROPERTY(TRegion, what_a_new_triangle_can_reach_one_of_two_old_ones_reach
   const ExactPoint q = ref::exact(given.scene.insertions[1]);
   ref::PlainMesh after = before;
   const Index p = ref::insert(after, ref::exact(given.scene.insertions[0]));
-  std::set<ref::Edge> allowed;  // directed edges of what q reached: of a triangle in the cavity of q, on either side
+  std::set<ref::Edge> allowed;  // edges of the old cavity of q, in both directions unless constrained
   for (const Index i : ref::cavity(before, q))
     for (int k = 0; k < 3; ++k) {
       const ref::Corners& t = before.triangles[i];
@@ -236,9 +206,8 @@ PARDEL_PROPERTY(TRegion, what_a_new_triangle_can_reach_one_of_two_old_ones_reach
 }
 
 PARDEL_PROPERTY(TRegion, what_is_in_reach_and_sight_of_a_point_is_its_cavity,
-                {.statement = "In a constrained Delaunay mesh, the part of a circumdisk from which its triangle is "
-                              "seen is what the constraints that cross all of the disk leave of it; hence what is in "
-                              "reach and sight of a single point is its cavity.",
+                {.statement = "In a constrained Delaunay mesh, only constraints that cross the whole circumdisk of a "
+                              "triangle hide a part of it. Hence K({p}), computed in this way, is the cavity of p.",
                  .source = "THEORY.md, T-region",
                  .families = "all layouts, walls and positions of random scenes, and points on walls"}) {
   const MeshedScene given = *scenes({.walls = true, .insertions = 2}).as("scene");
@@ -253,7 +222,7 @@ PARDEL_PROPERTY(TRegion, what_is_in_reach_and_sight_of_a_point_is_its_cavity,
     RC_ASSERT(ref::in_reach_and_sight_of(given.mesh, {p, p}) == cavity(given.mesh, ref::exact(p)));
 }
 
-/// The scene's bounding box, cut in two by a line that belongs to neither, and one of its parts perhaps cut again.
+/// Two disjoint boxes: cuts the scene's bounding box in two with a gap between the parts, and perhaps one part again.
 Regions some_disjoint_boxes(Random& random, const Scene& scene) {
   const auto [left, right] = std::ranges::minmax(scene.points, {}, &Point::x);
   const auto [below, above] = std::ranges::minmax(scene.points, {}, &Point::y);
@@ -270,7 +239,7 @@ Regions some_disjoint_boxes(Random& random, const Scene& scene) {
   return boxes;
 }
 
-/// Up to `count` points in the hull, most of them in the box.
+/// Up to `count` points in the box and up to two points anywhere, all in the hull.
 std::vector<Point> some_work(Random& random, const MeshedScene& given, const Box& box, int count,
                              std::vector<Point>& taken) {
   const std::vector<ref::Edge> hull = hull_of(given.mesh);
@@ -304,10 +273,10 @@ void tasks_that_own_boxes_do_not_meet(Exhibit& exhibit, bool walls) {
 
 PARDEL_PROPERTY(
     TRegion, tasks_that_own_disjoint_boxes_give_one_mesh_and_hand_on_the_same_points,
-    {.statement = "Two tasks own disjoint boxes. Each changes only triangles whose three corners lie in its "
-                  "box and hands on every point whose cavity has others. Any interleaving gives one mesh, "
-                  "each task hands on the same points, and no vertex is touched by both; on every "
-                  "Delaunay mesh.",
+    {.statement = "Two tasks own disjoint boxes. A task changes only triangles with all three corners in its box, and "
+                  "hands on every point whose cavity has other triangles (leaves it to a later task). In every "
+                  "Delaunay mesh, every interleaving gives the same mesh, each task hands on the same points, and no "
+                  "vertex is touched by both.",
      .source = "THEORY.md, T-region, practical form",
      .families = "all layouts of random scenes; random disjoint boxes; points in the boxes and outside"}) {
   tasks_that_own_boxes_do_not_meet(exhibit, false);
@@ -315,22 +284,22 @@ PARDEL_PROPERTY(
 
 PARDEL_PROPERTY(
     TRegion, and_so_do_they_in_a_constrained_mesh,
-    {.statement = "Two tasks own disjoint boxes. Each changes only triangles whose three corners lie in its "
-                  "box and hands on every point whose cavity has others. Any interleaving gives one mesh, "
-                  "each task hands on the same points, and no vertex is touched by both; on every "
-                  "constrained Delaunay mesh, points on constrained edges included.",
+    {.statement = "Two tasks own disjoint boxes. A task changes only triangles with all three corners in its box, and "
+                  "hands on every point whose cavity has other triangles (leaves it to a later task). In every "
+                  "constrained Delaunay mesh, every interleaving gives the same mesh, each task hands on the same "
+                  "points, and no vertex is touched by both. Points may lie on constrained edges.",
      .source = "THEORY.md, T-region, practical form",
      .families = "all layouts and walls of random scenes; random disjoint boxes; points in the boxes, on "
                  "walls and outside"}) {
   tasks_that_own_boxes_do_not_meet(exhibit, true);
 }
 
-/// The first random scene with two points to insert that shows something, made as small as it gets.
+/// Searches for a random scene with two insertions for which shows(scene) is true, and shrinks it.
 template <class Shows>
-std::optional<Scene> search(Facts& facts, const SceneWish& wish, Shows shows) {
+std::optional<Scene> search(Facts& facts, const SceneSpec& spec, Shows shows) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     Random random(seed);
-    MeshedScene given = random_scene(random, wish);
+    MeshedScene given = random_scene(random, spec);
     if (given.scene.insertions.size() != 2) continue;
     ++facts.cases;
     if (!shows(given)) continue;
@@ -338,7 +307,7 @@ std::optional<Scene> search(Facts& facts, const SceneWish& wish, Shows shows) {
       is_smaller = false;
       for (const Scene& scene : simpler(given.scene)) {
         MeshedScene small = meshed(scene);
-        if (!grants(small, wish) || !shows(small)) continue;
+        if (!satisfies(small, spec) || !shows(small)) continue;
         given = std::move(small);
         is_smaller = true;
         break;
@@ -353,35 +322,35 @@ std::optional<Scene> search(Facts& facts, const SceneWish& wish, Shows shows) {
 }
 
 PARDEL_FACT(TRegion, fails_for_regions_that_reach_a_common_triangle,
-            {.statement = "Fails when K(L) and K(L') have a triangle in common: two tasks that find their cavities "
-                          "before either is replaced make something else than one after the other.",
+            {.statement = "T-region fails if K(L) and K(L') have a common triangle: if two tasks find their cavities "
+                          "before either is replaced, the result differs from that of sequential insertion.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
   EXPECT_TRUE(search(facts, {.walls = true}, fails_at_a_common_triangle));
 }
 
 PARDEL_FACT(TRegion, fails_for_regions_that_reach_both_sides_of_an_unconstrained_edge,
-            {.statement = "Fails when K(L) and K(L') have no triangle but an unconstrained edge in common: two tasks "
-                          "that find their cavities before either is replaced make something else than one after the "
-                          "other.",
+            {.statement = "T-region fails if K(L) and K(L') have a common unconstrained edge, even without a common "
+                          "triangle: if two tasks find their cavities before either is replaced, the result differs "
+                          "from that of sequential insertion.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
   EXPECT_TRUE(search(facts, {.walls = true}, fails_at_a_common_edge));
 }
 
 PARDEL_FACT(TRegion, with_cocircular_points_even_whole_insertions_depend_on_their_order,
-            {.statement = "Fails when K(L) and K(L') meet: among cocircular points even the two sequential orders may "
-                          "give two different Delaunay meshes.",
+            {.statement = "If K(L) and K(L') meet and points are cocircular, even the two sequential orders may give "
+                          "different Delaunay meshes.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
   EXPECT_TRUE(search(facts, {.walls = false}, depends_on_the_order));
 }
 
 PARDEL_FACT(TRegion, what_is_hidden_and_vertices_in_common_do_no_harm,
-            {.statement = "That V(L) and V(L') of whole disks are disjoint is not necessary: there are regions on two "
-                          "sides of a constrained edge whose whole disks reach a common triangle though what they "
-                          "reach in sight has no vertex in common, and regions that reach a common vertex but no "
-                          "common edge.",
+            {.statement = "It is not necessary that V(L) and V(L'), computed from whole disks, are disjoint. There are "
+                          "regions on two sides of a constrained edge whose whole disks reach a common triangle, "
+                          "although the visible parts reach no common vertex. And there are regions that reach a "
+                          "common vertex but no common edge. T-region holds for both.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one of each is found"}) {
   EXPECT_TRUE(search(facts, {.walls = true, .encroaching = false}, is_kept_apart_by_a_wall));
@@ -389,17 +358,17 @@ PARDEL_FACT(TRegion, what_is_hidden_and_vertices_in_common_do_no_harm,
 }
 
 PARDEL_FACT(TRegion, whole_disks_grow_beyond_walls_but_not_what_they_see,
-            {.statement = "Inserting a point close to a constrained edge may make a disk that meets a region beyond, "
-                          "where no disk of the task's was before. From there it does not see its triangle; so V(L) "
-                          "counted by whole disks may grow into V(L'), and T-region holds all the same.",
+            {.statement = "Inserting a point close to a constrained edge may make a triangle whose disk meets a region "
+                          "beyond the edge, although no disk reached it before. The triangle is not seen from there. "
+                          "So V(L), computed from whole disks, may grow into V(L'); T-region still holds.",
              .source = "THEORY.md, T-region",
              .families = "random scenes until one is found"}) {
   EXPECT_TRUE(search(facts, {.walls = true}, grows_beyond_a_wall));
 }
 
 PARDEL_FACT(TRegion, fails_for_boxes_that_overlap,
-            {.statement = "Fails when the boxes overlap: two tasks that own the same box make something else at once "
-                          "than one after the other.",
+            {.statement = "The practical form fails if boxes overlap: for two tasks that own the same box, the result "
+                          "of alternating steps differs from that of sequential insertion.",
              .source = "THEORY.md, T-region, practical form",
              .families = "random scenes until one is found"}) {
   EXPECT_TRUE(search(facts, {.walls = true}, fails_for_one_box));

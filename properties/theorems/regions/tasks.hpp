@@ -1,4 +1,4 @@
-// Two tasks at work in one mesh, step by step, in any order; and what keeps them apart (T-region).
+// Two tasks that work in one mesh, step by step, in any order; and the hypotheses of T-region (properties/THEORY.md).
 #pragma once
 
 #include <algorithm>
@@ -14,21 +14,22 @@
 
 namespace pardel::properties {
 
-/// A task inserts its points in order, each in two steps: it finds the cavity, and later replaces it by triangles
-/// around the point.
+/// A task inserts its points in order. Each insertion has two steps: the first finds the cavity, the second replaces it
+/// by the fan of the point.
 class Task {
  public:
-  /// With a box, hands on what would change triangles that are not the box's own.
+  /// If a box is given, the task hands on every point whose insertion would change a triangle that is not in the box:
+  /// it skips the point, which is left to a later task.
   explicit Task(std::vector<Point> points, std::optional<ref::Box> box = {}) : points_(std::move(points)), box_(box) {}
 
   [[nodiscard]] bool is_done() const { return handed_on_.size() == points_.size(); }
 
-  /// Precondition: not done.
+  /// Takes the next step. Precondition: !is_done().
   void step(ref::PlainMesh& mesh);
 
-  /// One for each point so far.
+  /// For each point so far: was it handed on?
   [[nodiscard]] const std::vector<bool>& handed_on() const { return handed_on_; }
-  /// The corners of every triangle that it removed or made.
+  /// The corners of all triangles that the task removed or made.
   [[nodiscard]] const std::set<Index>& touched() const { return touched_; }
 
  private:
@@ -36,14 +37,14 @@ class Task {
 
   std::vector<Point> points_;
   std::optional<ref::Box> box_;
-  std::optional<std::vector<ref::Corners>> hole_;  ///< found, not yet replaced
+  std::optional<std::vector<ref::Corners>> hole_;  ///< a cavity that was found and not yet replaced
   std::vector<bool> handed_on_;
   std::set<Index> touched_;
 };
 
 using Tasks = std::array<Task, 2>;
 
-/// What two tasks leave behind, whatever the numbers of the vertices.
+/// The result of two tasks, independent of the numbering of vertices.
 struct Outcome {
   std::set<std::array<ref::ExactPoint, 3>> triangles;
   std::set<std::array<ref::ExactPoint, 2>> constraints;
@@ -51,14 +52,16 @@ struct Outcome {
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
-/// Runs both tasks on a copy of the mesh; `turn()` says which of the two takes the next step while both have some.
+/// Runs both tasks on a copy of the mesh. While both have steps left, `turn()` returns which takes the next step, 0
+/// or 1.
 [[nodiscard]] Outcome outcome(ref::PlainMesh mesh, Tasks& tasks, const std::function<int()>& turn);
 [[nodiscard]] Outcome one_after_the_other(const ref::PlainMesh& mesh, Tasks tasks, int first);
-/// In turns: with a point each, both find their cavities before either replaces its own.
+/// The tasks alternate. If each has one point, both find their cavities before either replaces its own.
 [[nodiscard]] Outcome in_turns(const ref::PlainMesh& mesh, Tasks tasks);
+/// In a random order.
 [[nodiscard]] Outcome interleaved(const ref::PlainMesh& mesh, Tasks& tasks, generators::Random& random);
 
-/// Two tasks with a point each. Is what they make in turns what either order makes?
+/// Two tasks insert one point each. Do alternating steps and both sequential orders give one mesh?
 [[nodiscard]] bool make_one_mesh(const ref::PlainMesh& mesh, Point p, Point q);
 
 template <class Set>
@@ -66,16 +69,21 @@ template <class Set>
   return std::ranges::none_of(a, [&](const auto& each) { return b.contains(each); });
 }
 
-/// Hypotheses about what two regions reach, from the strongest to the weakest.
-enum class Apart : std::uint8_t { vertices_of_disks, vertices_in_sight, free_edges_in_sight };
+/// Hypotheses on two regions, from the strongest to the weakest.
+enum class Apart : std::uint8_t {
+  vertices_of_disks,   ///< K(L) and K(L') from whole disks have no common vertex
+  vertices_in_sight,   ///< K(L) and K(L') from visible parts have no common vertex
+  free_edges_in_sight  ///< K(L) and K(L') from visible parts have no common triangle and no common unconstrained edge
+};
 
-/// K(L), for one of the hypotheses.
+/// K(L), from whole disks or from visible parts as `how` requires.
 [[nodiscard]] std::vector<Index> reach(const ref::PlainMesh& mesh, const ref::Box& region, Apart how);
+/// Do K(L) = k and K(L') = l satisfy the hypothesis?
 [[nodiscard]] bool are_apart(const ref::PlainMesh& mesh, const std::vector<Index>& k, const std::vector<Index>& l,
                              Apart how);
-/// Are two regions that are single points apart?
+/// The same for two regions that are single points.
 [[nodiscard]] bool are_apart(const ref::PlainMesh& mesh, Point p, Point q, Apart how);
-/// Do the cavities of p and q have a triangle in common?
+/// Do the cavities of p and q have a common triangle?
 [[nodiscard]] bool cavities_meet(const ref::PlainMesh& mesh, Point p, Point q);
 
 }  // namespace pardel::properties

@@ -1,10 +1,10 @@
-// The stored witnesses: scenes that show that a theorem's hypothesis is needed, that its bound is tight, or that a
-// statement near it is false. Each is tests/witnesses/NAME.poly, with its picture beside it.
+// The stored witnesses: scenes which show that a hypothesis of a theorem is needed, that its bound is tight, or that a
+// similar statement is false. The witness NAME has the files NAME.poly and NAME.svg (its picture) in tests/witnesses.
 //
-// To add one: put its .poly there (the point marked k is the k-th insertion; properties/theorems/framework/scene.hpp),
-// add a row to the table of its theorem (witnesses_THEOREM.cpp; a new table goes into all_witnesses), and run
-// `pardel_witnesses tests/witnesses` for the picture. witnesses_test then holds the file to its claim; it fails for
-// files that no row claims and for pictures that are not what would be drawn.
+// To add a witness: write its .poly file (the point with marker k is the k-th insertion; see framework/scene.hpp), add
+// a row to the table of its theorem (witnesses_THEOREM.cpp; a new table also goes into all_witnesses()), and run
+// `pardel_witnesses tests/witnesses` to draw the picture. witnesses_test checks the claim of every witness. It fails
+// for files without a row, and for pictures that differ from what the program draws.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,17 +18,18 @@
 namespace pardel::properties {
 
 struct Witness {
-  std::string name;   ///< of its file, without .poly
-  std::string claim;  ///< a sentence
+  std::string name;   ///< the name of the file, without .poly
+  std::string claim;  ///< what the scene shows, in one sentence
   testing::AssertionResult (*holds)(const Scene& scene);
-  Scene (*make)() = nullptr;  ///< where a search or a formula made the scene: again; otherwise it was made by hand
+  Scene (*make)() = nullptr;  ///< makes the scene again by a search or a formula; null for scenes made by hand
 };
 
-/// As GoogleTest prints it.
+/// GoogleTest uses this to print a witness.
 inline void PrintTo(const Witness& witness, std::ostream* out) { *out << witness.name; }
 
 [[nodiscard]] std::vector<Witness> independence_witnesses();
 [[nodiscard]] std::vector<Witness> radius_witnesses();
+[[nodiscard]] std::vector<Witness> region_witnesses();
 [[nodiscard]] std::vector<Witness> refinement_witnesses();
 
 [[nodiscard]] std::vector<Witness> all_witnesses();

@@ -4,7 +4,7 @@ namespace pardel::properties {
 
 std::vector<Witness> all_witnesses() {
   std::vector<Witness> all;
-  for (const auto& table : {independence_witnesses(), radius_witnesses(), refinement_witnesses()})
+  for (const auto& table : {independence_witnesses(), radius_witnesses(), region_witnesses(), refinement_witnesses()})
     all.insert(all.end(), table.begin(), table.end());
   return all;
 }

@@ -1,4 +1,5 @@
-// pardel_witnesses FOLDER: makes the witnesses there that a search or a formula makes, and draws the pictures of all.
+// pardel_witnesses FOLDER: writes the .poly files of the witnesses that a search or a formula makes, and draws the
+// pictures of all witnesses in this folder.
 #include <filesystem>
 #include <iostream>
 #include <span>
@@ -9,7 +10,7 @@
 namespace {
 using namespace pardel;
 
-/// Says what went wrong, if anything did.
+/// Prints the message of an error.
 bool succeeded(const Status& status) {
   if (!status) std::cerr << status.error().message << '\n';
   return status.ok();

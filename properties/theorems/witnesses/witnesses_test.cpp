@@ -1,4 +1,4 @@
-// Every stored witness is what its name claims.
+// Tests that every stored witness satisfies its claim.
 #include <gtest/gtest.h>
 
 #include <filesystem>
