@@ -36,7 +36,7 @@ std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoi
 /// it.
 void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
   if (work.state.waiting.contains(e)) return;
-  demand_split(work.state, e);
+  request_split(work.state, e);
   const ExactPoint middle = work.state.waiting.at(e);
   const Cell to = cell_of(work.lattice, middle);
   if (to == from) return;
@@ -103,10 +103,10 @@ Round insert_round(const Work& work, Phase& phase) {
   const auto first = static_cast<Index>(state.mesh.points.size());
   state.mesh = insert_independently(state.mesh, points);
 
-  for (Index k = 0; k < points.size(); ++k) account_for(state, first + k, splits[k]);
+  for (Index k = 0; k < points.size(); ++k) record_origin(state, first + k, splits[k]);
   for (Index k = 0; k < points.size(); ++k) {
     if (!splits[k]) continue;  // inserted circumcentres encroach upon nothing
-    for (const Edge& e : encroached_since(state, first + k)) hand_on(work, phase, cell_of(work.lattice, points[k]), e);
+    for (const Edge& e : newly_encroached(state, first + k)) hand_on(work, phase, cell_of(work.lattice, points[k]), e);
   }
 
   const auto fits = [&](const Corners& t) { return allows(work.lattice, squared_circumradius(state.mesh, t)); };
@@ -138,7 +138,7 @@ bool did_nothing(const Sweep& sweep) {
 
 Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse) {
   for (const Goal& asked : {goal, coarse})
-    if (auto error = refused(pslg, asked)) return *error;
+    if (auto error = unsupported(pslg, asked)) return *error;
   Refinement state = conforming_delaunay(pslg);
   Criteria coarse_criteria(pslg, coarse, state.mesh), criteria(pslg, goal, state.mesh);
   refine_sequentially(state, coarse_criteria);

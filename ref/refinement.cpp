@@ -32,7 +32,7 @@ void drop_four_vertices(Refinement& state, Index first) {
 
 }  // namespace
 
-std::optional<Error> refused(const Pslg& pslg, const Goal& goal) {
+std::optional<Error> unsupported(const Pslg& pslg, const Goal& goal) {
   const auto usage = [](const char* why) { return Error{ErrorKind::usage, why}; };
   const double proven = std::asin(1 / (2 * std::numbers::sqrt2)) * (180 / std::numbers::pi);
   if (pslg.segments.empty()) return usage("The reference refiner needs segments.");
@@ -59,7 +59,7 @@ Refinement conforming_delaunay(const Pslg& pslg) {
   for (Index s = 0; s < pslg.segments.size(); ++s) {
     const Edge e = edge(pslg.segments[s].a, pslg.segments[s].b);
     state.provenance.segment_of_edge[e] = s;
-    if (is_encroached(state.mesh, e)) demand_split(state, e);
+    if (is_encroached(state.mesh, e)) request_split(state, e);
   }
   split_waiting(state);
 
@@ -75,7 +75,7 @@ Refinement conforming_delaunay(const Pslg& pslg) {
   return state;
 }
 
-void demand_split(Refinement& state, const Edge& e) {
+void request_split(Refinement& state, const Edge& e) {
   const ExactPoint middle = CGAL::midpoint(state.mesh.points[e[0]], state.mesh.points[e[1]]);
   if (exact(rounded(middle)) != middle)
     state.failure = Error{ErrorKind::invalid_input, "The midpoint of a subsegment is not representable."};
@@ -86,12 +86,12 @@ void split_waiting(Refinement& state) {
   while (!state.waiting.empty() && !state.failure) {
     const auto [e, middle] = *state.waiting.begin();
     const Index vertex = insert(state.mesh, middle);
-    account_for(state, vertex, e);
-    for (const Edge& other : encroached_since(state, vertex)) demand_split(state, other);
+    record_origin(state, vertex, e);
+    for (const Edge& other : newly_encroached(state, vertex)) request_split(state, other);
   }
 }
 
-void account_for(Refinement& state, Index vertex, const std::optional<Edge>& split) {
+void record_origin(Refinement& state, Index vertex, const std::optional<Edge>& split) {
   auto& segment_of_edge = state.provenance.segment_of_edge;
   const Index segment = split ? segment_of_edge.at(*split) : interior_vertex;
   state.provenance.origin.push_back(segment);
@@ -101,7 +101,7 @@ void account_for(Refinement& state, Index vertex, const std::optional<Edge>& spl
   state.waiting.erase(*split);
 }
 
-std::vector<Edge> encroached_since(const Refinement& state, Index vertex) {
+std::vector<Edge> newly_encroached(const Refinement& state, Index vertex) {
   const std::vector<ExactPoint>& points = state.mesh.points;
   std::vector<Edge> encroached;
   for (const auto& [e, segment] : state.provenance.segment_of_edge) {

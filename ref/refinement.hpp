@@ -27,7 +27,7 @@ struct Refinement {
 /// Returns an Error of kind `usage` if Ruppert's proof does not cover the input: it has no segments, two segments meet
 /// at less than 60 degrees, or the angle bound is above arcsin(1 / (2 sqrt 2)) = 20.7 degrees. The same for features
 /// that the reference does not support: point attributes, and convex hulls as domains. Otherwise returns nothing.
-[[nodiscard]] std::optional<Error> refused(const Pslg& pslg, const Goal& goal);
+[[nodiscard]] std::optional<Error> unsupported(const Pslg& pslg, const Goal& goal);
 
 /// The start of refinement: a Delaunay mesh of the domain in which every subsegment is an edge and none is encroached.
 /// It is therefore constrained Delaunay, too. The input points come first.
@@ -35,17 +35,17 @@ struct Refinement {
 
 /// Requests a split of the subsegment e at its midpoint. No effect if e is waiting already. Sets `failure` if the
 /// midpoint is not representable in doubles.
-void demand_split(Refinement& state, const Edge& e);
+void request_split(Refinement& state, const Edge& e);
 
 /// Splits waiting subsegments one after the other, and those that become encroached, until none waits.
 void split_waiting(Refinement& state);
 
 /// Records the origin of a vertex that was just inserted. If `split` is given, the vertex splits this subsegment.
-void account_for(Refinement& state, Index vertex, const std::optional<Edge>& split);
+void record_origin(Refinement& state, Index vertex, const std::optional<Edge>& split);
 
 /// The subsegments that became encroached when `vertex` was inserted: subsegments upon which the vertex encroaches, and
 /// halves of the subsegment that it split, upon which any vertex encroaches.
-[[nodiscard]] std::vector<Edge> encroached_since(const Refinement& state, Index vertex);
+[[nodiscard]] std::vector<Edge> newly_encroached(const Refinement& state, Index vertex);
 
 /// Tests triangles against the bounds of a goal and the area caps of regions.
 class Criteria {

@@ -15,18 +15,18 @@ void refine_sequentially(Refinement& state, Criteria& criteria) {
     const ExactPoint centre = *criteria.split_point(state.mesh, *bad);
     const std::vector<Edge> upon = encroached_by(state.mesh, centre);
     if (!upon.empty()) {
-      for (const Edge& e : upon) demand_split(state, e);
+      for (const Edge& e : upon) request_split(state, e);
       split_waiting(state);
     } else if (cavity(state.mesh, centre).empty()) {
       state.failure = Error{ErrorKind::invalid_input, "A circumcentre is not representable inside the domain."};
     } else {
-      account_for(state, insert(state.mesh, centre), std::nullopt);
+      record_origin(state, insert(state.mesh, centre), std::nullopt);
     }
   }
 }
 
 Result<Mesh> ruppert(const Pslg& pslg, const Goal& goal) {
-  if (auto error = refused(pslg, goal)) return *error;
+  if (auto error = unsupported(pslg, goal)) return *error;
   Refinement state = conforming_delaunay(pslg);
   Criteria criteria(pslg, goal, state.mesh);
   refine_sequentially(state, criteria);

@@ -10,7 +10,7 @@
 namespace pardel::ref {
 
 /// A Delaunay mesh of the Pslg that meets the goal without any exempt triangle. Precondition: the Pslg is valid.
-/// Errors: those of refused(), of kind `usage`; and `invalid_input` if the midpoint of a subsegment is not
+/// Errors: those of unsupported(), of kind `usage`; and `invalid_input` if the midpoint of a subsegment is not
 /// representable in doubles, because this refiner moves no segment. Time: at worst cubic in the size of the mesh;
 /// intended for a few thousand triangles.
 [[nodiscard]] Result<Mesh> ruppert(const Pslg& pslg, const Goal& goal = {});

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "../../../core/enum_names.hpp"
+#include "../../../core/support/enum_names.hpp"
 #include "../../../ref/insertion.hpp"
 #include "rapidcheck_generators.hpp"
 #include "scene_layouts.hpp"

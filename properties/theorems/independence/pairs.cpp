@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "../../../core/enum_names.hpp"
+#include "../../../core/support/enum_names.hpp"
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
 

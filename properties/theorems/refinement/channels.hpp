@@ -8,7 +8,7 @@
 #include <ostream>
 #include <vector>
 
-#include "../../../core/enum_names.hpp"
+#include "../../../core/support/enum_names.hpp"
 #include "../../../core/goal.hpp"
 #include "../../../core/pslg.hpp"
 #include "../../../ref/refinement.hpp"
@@ -122,7 +122,7 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
   if (random.chance(4)) return straight;
   for (Point& nudge : channel.nudges)
     nudge = {static_cast<double>(random.between(-1, 1)), static_cast<double>(random.between(-1, 1))};
-  return ref::refused(to_pslg(channel), goal_of(channel)) ? straight : channel;
+  return ref::unsupported(to_pslg(channel), goal_of(channel)) ? straight : channel;
 }
 
 /// Simpler channels: first with fewer features, then shorter, then with larger triangles.
@@ -131,7 +131,7 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
   const auto offer = [&](auto change) {
     Channel changed = channel;
     change(changed);
-    if (!ref::refused(to_pslg(changed), goal_of(changed))) all.push_back(changed);
+    if (!ref::unsupported(to_pslg(changed), goal_of(changed))) all.push_back(changed);
   };
   if (channel.shape == Shape::bend || channel.shape == Shape::ring) offer([](Channel& c) { c.shape = Shape::bar; });
   if (channel.has_wall) offer([](Channel& c) { c.has_wall = false; });
