@@ -20,7 +20,7 @@ void carve(PlainMesh& mesh, const ExactPoint& outside, const std::vector<Point>&
 /// Where the parts of a mesh come from.
 struct Provenance {
   std::map<Edge, Index> segment_of_edge;  ///< the input segment of each constrained edge
-  std::vector<Index> origin;              ///< of each vertex, as Mesh::origin defines it
+  std::vector<Index> origin;              ///< the origin of each vertex; see Mesh::origin
 };
 
 /// The mesh in the data structure of core/. Finds neighbours, spreads regions from their seeds, and sets markers by

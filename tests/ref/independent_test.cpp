@@ -74,7 +74,7 @@ PlainMesh two_triangles(bool wall) {
   return mesh;
 }
 
-TEST(Independence, of_points_with_a_common_boundary_edge_is_settled_by_one_circle) {
+TEST(Independence, of_points_with_a_common_boundary_edge_is_decided_by_one_circle) {
   // The circle through (0, 0), (4, 0) and (2, 2) has its centre on the edge and the radius 2.
   EXPECT_TRUE(are_independent(two_triangles(false), {2, 2}, {2, -3}));
   EXPECT_TRUE(are_independent(two_triangles(false), {2, 2}, {2, -2}));  // cocircular: not inside
@@ -82,13 +82,13 @@ TEST(Independence, of_points_with_a_common_boundary_edge_is_settled_by_one_circl
   EXPECT_FALSE(closures_are_disjoint(two_triangles(false), {2, 2}, {2, -3}));
 }
 
-TEST(Independence, is_given_where_a_wall_is_between_two_points) {
+TEST(Independence, holds_for_two_points_on_both_sides_of_a_wall) {
   EXPECT_TRUE(are_independent(two_triangles(true), {2, 2}, {2, -1.75}));
 }
 
-TEST(Independence, is_not_given_within_one_cavity) {
+TEST(Independence, fails_for_two_points_with_a_common_cavity_triangle) {
   EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 3}));
-  EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 0}));  // on the wall, of both its triangles
+  EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 0}));  // on the wall: its cavity has both triangles
 }
 
 TEST(Independence, of_one_point_is_sequential_insertion) {

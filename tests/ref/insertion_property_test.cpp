@@ -60,7 +60,7 @@ std::vector<Index> flooded_cavity(const PlainMesh& mesh, const ExactPoint& p) {
   return {reached.begin(), reached.end()};
 }
 
-PARDEL_PROPERTY(Insertion, of_point_after_point_makes_a_conformal_delaunay_mesh,
+PARDEL_PROPERTY(Insertion, of_one_point_after_the_other_makes_a_conformal_delaunay_mesh,
                 {.statement = "Inserting points one after the other gives a mesh that is conformal and Delaunay by "
                               "definition. The number of triangles agrees with Euler's formula.",
                  .source = "Bowyer 1981, Watson 1981; [CC]",
@@ -93,7 +93,7 @@ PARDEL_PROPERTY(Insertion, order_does_not_matter_where_no_four_points_are_cocirc
 }
 
 PARDEL_PROPERTY(
-    Insertion, a_walled_delaunay_mesh_has_the_cavity_that_a_flood_finds,
+    Insertion, finds_the_same_cavity_by_definition_and_by_a_flood_fill,
     {.statement = "The cavity of p by definition (the triangles that p sees and whose open circumdisk contains p) is "
                   "the set that a flood fill from the triangle of p reaches across edges that are no walls.",
      .source = "THEORY.md, Lemma 3",
@@ -114,7 +114,7 @@ Number length_of_projections(const PlainMesh& mesh, const Edge& e) {
 }
 
 PARDEL_PROPERTY(
-    Insertion, keeps_a_walled_mesh_constrained_delaunay_and_its_walls_whole,
+    Insertion, keeps_a_constrained_delaunay_mesh_and_its_walls,
     {.statement = "Inserting points, also on walls, keeps a constrained Delaunay mesh conformal and constrained "
                   "Delaunay, and edges still cover the walls.",
      .source = "THEORY.md, Lemma 4",

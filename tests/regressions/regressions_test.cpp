@@ -1,5 +1,5 @@
-// Each file of this folder, at each angle: meshed, certified by the independent checker, and exempt triangles
-// only beside small input angles. Each file of repair/: mended, with new points within a rounding of where they belong.
+// Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt triangles
+// occur only at small input angles. Each file of repair/ is repaired; new points lie on their segments up to rounding.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Files, Regression, testing::ValuesIn(inputs(PARDEL_REGR
 
 class RepairRegression : public testing::TestWithParam<fs::path> {};
 
-TEST_P(RepairRegression, is_mended_within_a_rounding) {
+TEST_P(RepairRegression, is_repaired_up_to_rounding) {
   const Result<Pslg> pslg = read_pslg(GetParam());
   ASSERT_TRUE(pslg) << pslg.error().message;
   EXPECT_FALSE(find_problems(*pslg).empty());

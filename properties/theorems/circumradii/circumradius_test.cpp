@@ -87,7 +87,7 @@ PARDEL_PROPERTY(T2, a_new_circumradius_is_at_most_the_larger_of_the_two_across_i
   every_new_radius_is_bounded_across_its_edge(exhibit, false);
 }
 
-PARDEL_PROPERTY(T2, and_so_it_is_where_there_are_constrained_edges,
+PARDEL_PROPERTY(T2, a_new_circumradius_has_the_same_bound_in_a_constrained_mesh,
                 {.statement = "Inserting p into a constrained Delaunay mesh makes a triangle abp on each edge ab of "
                               "the boundary of its cavity. The circumradius of abp is at most the larger of the "
                               "circumradii of the two triangles that met at ab. If ab is constrained or on the hull "

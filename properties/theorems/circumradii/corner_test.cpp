@@ -86,7 +86,7 @@ PARDEL_FACT(T2Corner, a_search_for_the_worst_corner_finds_the_factors_of_the_for
     EXPECT_NEAR(found.growth, formula, 5e-5) << degrees << " degrees";
     EXPECT_NEAR(found.length, 1 / cosine, 1e-4) << "there b is on the diametral circle of ax";
     facts.notes.push_back("θ = " + std::to_string(static_cast<int>(degrees)) + "°: " + std::to_string(found.growth) +
-                          " found at |ax| = " + std::to_string(found.length) + " |ab|, the formula says " +
+                          " found at |ax| = " + std::to_string(found.length) + " |ab|, the formula gives " +
                           std::to_string(formula));
   }
 }
@@ -157,7 +157,7 @@ PARDEL_PROPERTY(
     RC_ASSERT(now <= old);
 }
 
-PARDEL_FACT(T2Corner, without_its_hypothesis_the_circumradius_bound_is_refuted,
+PARDEL_FACT(T2Corner, t2_fails_for_a_split_point_that_encroaches_upon_another_segment,
             {.statement = "T2 fails if a split point encroaches upon another constrained edge: a random search finds "
                           "a scene with no encroached edge in which splitting an edge at its midpoint raises the "
                           "largest circumradius.",

@@ -175,7 +175,7 @@ PARDEL_PROPERTY(T3, the_circumradius_is_at_most_twice_the_ratio_to_the_three_hal
   RC_ASSERT(fourth_power(given.triangle.radius) <= paper_bound(given.ratio, given.area));
 }
 
-PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_the_isosceles_triangles_with_equality_for_it_alone,
+PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_that_of_the_isosceles_triangle_which_alone_attains_it,
                 {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ bounds its "
                               "area, then r ≤ 2 ρ̄² sqrt(Δ̄) / (4ρ̄² - 1)^(1/4). Equality holds if and only if both "
                               "bounds are attained and the two shorter sides are equal.",
@@ -191,7 +191,7 @@ PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_the_isosceles_triangles_wit
   RC_ASSERT((power == bound) == (given.has_two_shortest_sides && attained));
 }
 
-PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_it_at_every_ratio,
+PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_the_bound_at_every_ratio,
             {.statement = "For every ρ̄ ≥ 1/sqrt(3), the isosceles triangle with two angles arcsin(1/2ρ̄) has the "
                           "ratio ρ̄, and its circumradius equals the bound of T3-sharp for its area. So no smaller "
                           "bound holds.",
@@ -211,7 +211,7 @@ PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_it_at_every_ratio,
                         " times the area at ρ̄ = sqrt 2");
 }
 
-PARDEL_FACT(T3, it_is_attained_by_the_equilateral_triangle_alone,
+PARDEL_FACT(T3, only_the_equilateral_triangle_attains_the_bound,
             {.statement = "The equilateral triangle attains the bound of T3, at ρ̄ = 1/sqrt(3). For every larger ρ̄ "
                           "the bound of T3-sharp is smaller, so no triangle attains the bound of T3.",
              .source = "THEORY.md, T3",
@@ -229,7 +229,7 @@ PARDEL_FACT(T3, it_is_attained_by_the_equilateral_triangle_alone,
   }
 }
 
-PARDEL_FACT(T3, the_reading_with_root_two_is_false_at_every_ratio,
+PARDEL_FACT(T3, the_bound_with_factor_root_two_is_false_at_every_ratio,
             {.statement = "r ≤ sqrt(2) ρ̄^(3/2) sqrt(Δ̄) is false for every ρ̄ ≥ 1/sqrt(3): the isosceles triangle "
                           "with two angles arcsin(1/2ρ̄) has a larger circumradius.",
              .source = "THEORY.md, T3",
@@ -241,7 +241,7 @@ PARDEL_FACT(T3, the_reading_with_root_two_is_false_at_every_ratio,
   }
 }
 
-PARDEL_FACT(T3Sharp, it_fails_where_a_bound_is_not_one,
+PARDEL_FACT(T3Sharp, fails_if_a_bound_is_too_small,
             {.statement = "T3-sharp fails if ρ̄ is less than the ratio or Δ̄ is less than the area, even slightly: "
                           "the circumradius of the isosceles triangle then exceeds the bound.",
              .source = "THEORY.md, T3-sharp",
@@ -257,7 +257,7 @@ PARDEL_FACT(T3Sharp, it_fails_where_a_bound_is_not_one,
   }
 }
 
-PARDEL_FACT(T3Sharp, it_grows_with_the_ratio_from_the_equilateral_one_on,
+PARDEL_FACT(T3Sharp, the_bound_grows_with_the_ratio_from_the_equilateral_triangle_on,
             {.statement = "The bound of T3-sharp decreases in ρ̄ between 1/2 and 1/sqrt(3), where no triangle has "
                           "such a ratio, and increases from there on. So it holds for every upper bound ρ̄ on the "
                           "ratios.",
@@ -290,7 +290,7 @@ Squares largest(const Mesh& mesh) {
   return most;
 }
 
-PARDEL_FACT(T3Sharp, it_bounds_the_circumradii_of_whole_meshes,
+PARDEL_FACT(T3Sharp, holds_for_whole_meshes,
             {.statement = "In a mesh whose angles are at least 20.7 degrees (ρ̄ = sqrt 2), every circumradius is at "
                           "most 2.459 sqrt(Δ̄), where Δ̄ is the largest area of a triangle.",
              .source = "THEORY.md, T3-sharp",

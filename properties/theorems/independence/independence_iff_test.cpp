@@ -52,7 +52,7 @@ void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::Exa
 }
 
 PARDEL_PROPERTY(
-    T1Iff, two_points_are_independent_iff_no_triangle_is_common_and_circles_on_common_edges_part_them,
+    T1Iff, two_points_are_independent_iff_no_triangle_is_common_and_common_edges_stay_locally_delaunay,
     {.statement = "Let p and q be distinct points of a constrained Delaunay mesh, and not vertices. These are "
                   "equivalent: (a) their cavities have no triangle in common, and for no unconstrained edge mn on both "
                   "boundaries is p strictly inside the circumcircle of q, m and n; (b) inserting them independently "
@@ -71,7 +71,7 @@ PARDEL_PROPERTY(
   RC_ASSERT(made.are_one_mesh() == independent);
 }
 
-PARDEL_PROPERTY(T1Iff, independence_is_mutual,
+PARDEL_PROPERTY(T1Iff, independence_is_symmetric,
                 {.statement = "The condition of T1-iff is symmetric in p and q: for an edge mn on the boundaries of "
                               "both cavities, p is inside the circumcircle of q, m and n if and only if q is inside "
                               "the circumcircle of p, m and n.",

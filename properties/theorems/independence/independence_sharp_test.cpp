@@ -27,7 +27,7 @@ bool encroaches_on_its_cavity(const MeshedScene& scene) {
   return !satisfies(scene, {.walls = true, .on_walls = true, .encroaching = false});
 }
 
-PARDEL_PROPERTY(T1Sharp, from_two_circumradii_two_points_make_one_mesh_in_either_order_and_at_once,
+PARDEL_PROPERTY(T1Sharp, at_two_circumradii_independent_insertion_is_insertion_in_either_order,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. "
                               "Inserting p and q independently gives a conformal constrained Delaunay mesh, and both "
                               "sequential orders give the same mesh. The cavities have no triangle in common, but may "
@@ -63,7 +63,7 @@ PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inser
   RC_ASSERT(made.are_one_mesh());
 }
 
-PARDEL_PROPERTY(T1Sharp, after_the_first_insertion_the_cavity_of_a_point_two_circumradii_away_is_what_it_was,
+PARDEL_PROPERTY(T1Sharp, an_insertion_does_not_change_the_cavity_of_a_point_two_circumradii_away,
                 {.statement = "Let r̄ bound the circumradii of a constrained Delaunay mesh, and let |pq| >= 2 r̄. "
                               "Inserting p does not change the cavity of q.",
                  .source = "properties/THEORY.md, T1-iff and T1-sharp",
@@ -88,7 +88,7 @@ ref::Number squared_radius_of_cavity(const ref::PlainMesh& mesh, const ref::Exac
   return ref::squared_circumradius_bound(cavity);
 }
 
-PARDEL_PROPERTY(T1Sharp, the_circumradii_of_the_two_cavities_are_all_that_counts,
+PARDEL_PROPERTY(T1Sharp, only_the_circumradii_of_the_two_cavities_matter,
                 {.statement = "Let R be the largest circumradius in the cavities of p and q in a constrained Delaunay "
                               "mesh. If |pq| >= 2 R, p and q are independent. Other circumradii of the mesh do not "
                               "matter.",

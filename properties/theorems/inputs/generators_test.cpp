@@ -110,7 +110,7 @@ PARDEL_PROPERTY(Generator, domains_have_the_trait_of_their_family,
   RC_ASSERT(has_trait(domain.family, domain));
 }
 
-PARDEL_FACT(Generator, draws_no_family_less_than_its_share,
+PARDEL_FACT(Generator, draws_every_family_often_enough,
             {.statement = "Each family has a share of at least 5 % of the generated domains (expected: 9.1 %).",
              .source = "lattice_domain.hpp",
              .families = every_family}) {
@@ -128,7 +128,7 @@ PARDEL_FACT(Generator, draws_no_family_less_than_its_share,
   }
 }
 
-PARDEL_PROPERTY(Generator, validity_is_what_the_mesher_calls_valid,
+PARDEL_PROPERTY(Generator, is_valid_agrees_with_the_mesher,
                 {.statement = "is_valid() and the mesher's validate() agree on valid and on invalid domains.",
                  .source = "lattice_domain.hpp, parallel/validate.hpp",
                  .families = "all families, equally likely, each domain with one random change"}) {
@@ -161,7 +161,7 @@ PARDEL_PROPERTY(
     RC_ASSERT(on_lattice(pslg.regions[i].seed, domain.regions[i].seed, 4));
 }
 
-PARDEL_PROPERTY(Generator, cases_ask_for_few_triangles,
+PARDEL_PROPERTY(Generator, cases_have_small_meshes,
                 {.statement = "The mesh of a random domain with a random goal has at most 4,000 triangles.",
                  .source = "goals.hpp",
                  .families = every_family}) {
@@ -190,7 +190,7 @@ PARDEL_PROPERTY(Shrinker, shrinks_are_valid,
   }
 }
 
-PARDEL_PROPERTY(Shrinker, shrinks_weigh_less_than_the_original,
+PARDEL_PROPERTY(Shrinker, shrinks_have_a_smaller_weight,
                 {.statement = "Every shrunk domain has a smaller weight() than the original. So shrinking ends.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
@@ -213,7 +213,7 @@ LatticeDomain shrunk(LatticeDomain domain, const std::function<bool(const Lattic
   return domain;
 }
 
-PARDEL_PROPERTY(Shrinker, ends_at_a_triangle,
+PARDEL_PROPERTY(Shrinker, ends_with_one_triangle,
                 {.statement = "If no trait has to be kept, every domain shrinks to one triangle.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
@@ -226,7 +226,7 @@ PARDEL_PROPERTY(Shrinker, ends_at_a_triangle,
   RC_ASSERT(weight(least).oddities == 0U);
 }
 
-PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_hole,
+PARDEL_PROPERTY(Shrinker, finds_a_small_domain_with_a_hole,
                 {.statement = "If a hole has to be kept, a domain shrinks to one hole and at most ten points.",
                  .source = "lattice_domain.hpp",
                  .families = "nested and touching holes"}) {
@@ -240,7 +240,7 @@ PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_hole,
   RC_ASSERT(least.points.size() <= 10U);
 }
 
-PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_so_many_points,
+PARDEL_PROPERTY(Shrinker, finds_a_domain_with_exactly_the_required_number_of_points,
                 {.statement = "If k points have to be kept, a domain shrinks to exactly k points.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {
@@ -252,7 +252,7 @@ PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_so_many_points,
   RC_ASSERT(least.points.size() == k);
 }
 
-PARDEL_PROPERTY(Shrinker, finds_a_least_domain_with_a_trait,
+PARDEL_PROPERTY(Shrinker, finds_a_small_domain_with_the_trait,
                 {.statement = "If the trait of its family has to be kept, a domain shrinks to at most 16 points.",
                  .source = "lattice_domain.hpp",
                  .families = every_family}) {

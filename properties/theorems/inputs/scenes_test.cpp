@@ -50,7 +50,7 @@ TEST(Scenes, of_every_family_have_their_share) {
 }
 
 PARDEL_PROPERTY(
-    Scenes, keep_their_promises_and_grant_the_wish,
+    Scenes, are_valid_and_satisfy_the_specification,
     {.statement = "A random scene has a conformal constrained Delaunay mesh in which every wall is an edge. "
                   "Its insertions satisfy the specification (SceneSpec).",
      .source = "properties/theorems/framework/scenes.hpp",
@@ -68,7 +68,7 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(
-    Scenes, shrink_to_smaller_ones_that_grant_the_wish,
+    Scenes, shrink_to_smaller_valid_scenes,
     {.statement =
          "A scene with at least two insertions shrinks to scenes with a smaller total of insertions, walls and points, "
          "or with the same total and a smaller sum of absolute coordinates. A randomly chosen one of them has at least "

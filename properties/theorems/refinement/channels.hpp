@@ -8,9 +8,9 @@
 #include <ostream>
 #include <vector>
 
-#include "../../../core/support/enum_names.hpp"
 #include "../../../core/goal.hpp"
 #include "../../../core/pslg.hpp"
+#include "../../../core/support/enum_names.hpp"
 #include "../../../ref/refinement.hpp"
 #include "../../domains/generators/random.hpp"
 

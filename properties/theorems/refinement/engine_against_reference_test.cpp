@@ -2,7 +2,6 @@
 // on the order of insertions, both meshes have the same guarantees and similar sizes.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <ostream>
 #include <set>
@@ -12,6 +11,7 @@
 #include "../../../ref/constrained.hpp"
 #include "../../../ref/faces.hpp"
 #include "../../../ref/ruppert.hpp"
+#include "cocircular_neighbours.hpp"
 #include "meshing.hpp"
 
 namespace pardel {
@@ -57,20 +57,6 @@ std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corne
     result.insert(corners);
   }
   return result;
-}
-
-/// Do two triangles with a common unconstrained edge have the same circumcircle? If not, no other triangulation is
-/// Delaunay.
-bool has_cocircular_neighbours(const ref::PlainMesh& mesh) {
-  std::map<ref::Edge, std::vector<Index>> apices;
-  for (const ref::Corners& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) apices[ref::edge_of(t, i)].push_back(t[i]);
-  return std::ranges::any_of(apices, [&](const auto& at) {
-    const auto& [e, tips] = at;
-    return tips.size() == 2 && !mesh.constraints.contains(e) &&
-           CGAL::side_of_oriented_circle(mesh.points[e[0]], mesh.points[e[1]], mesh.points[tips[0]],
-                                         mesh.points[tips[1]]) == CGAL::ON_ORIENTED_BOUNDARY;
-  });
 }
 
 /// A domain a third as large as in other suites, because the reference takes cubic time. The lattice has the unit 1.
@@ -131,7 +117,7 @@ bool has_a_vertex_in_a_lens(const Mesh& mesh) {
   });
 }
 
-PARDEL_PROPERTY(EngineAgainstReference, with_nothing_asked_for_the_mesh_is_the_triangulation,
+PARDEL_PROPERTY(EngineAgainstReference, a_goal_without_bounds_gives_the_triangulation,
                 {.statement = "If no vertex encroaches upon a segment, a goal without bounds gives the constrained "
                               "Delaunay triangulation, without any inserted point.",
                  .source = "properties/THEORY.md, refinement",
@@ -182,7 +168,7 @@ std::vector<Pslg> with_fewer_points(const Pslg& pslg) {
   return simpler;
 }
 
-PARDEL_PROPERTY(EngineAgainstReference, both_refiners_certify_and_make_meshes_of_like_size,
+PARDEL_PROPERTY(EngineAgainstReference, both_refiners_reach_the_goal_with_meshes_of_similar_size,
                 {.statement = "If no two segments meet at less than 60 degrees and the angle bound is at most 20.7 "
                               "degrees, the engine and Ruppert's algorithm both reach the goal without exempt "
                               "triangles. Neither mesh has more than twice the triangles of the other plus 16.",

@@ -109,7 +109,7 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(
-    Lattice, a_cell_inserts_its_own_points_in_the_phase_of_its_colour_while_it_is_large_enough,
+    Lattice, cells_insert_only_their_own_points_in_phases_of_their_colour,
     {.statement = "Every point is inserted by the cell that contains it, in a phase of the colour of this cell. No "
                   "phase starts in a mesh for which 4 r̄ is more than the side of a cell.",
      .source = "[CC], the uniform lattice; properties/THEORY.md, Lattice, for the cell of a point and for measuring r̄ "
@@ -166,7 +166,7 @@ std::vector<ExactPoint> interleaved(const ref::Phase& phase, Random& random) {
 }
 
 PARDEL_PROPERTY(
-    Lattice, one_after_the_other_in_any_order_makes_the_mesh_that_a_phase_makes,
+    Lattice, sequential_insertion_in_any_order_makes_the_mesh_of_a_phase,
     {.statement = "Inserting the points of a phase one after the other, with cells alternating at random, gives the "
                   "mesh of the phase, whose points were inserted independently.",
      .source = "[CC], Theorem 1",
@@ -198,7 +198,7 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(
-    Lattice, sweeps_end_and_leave_nothing_that_was_handed_on,
+    Lattice, sweeps_end_and_insert_every_point_that_was_handed_on,
     {.statement = "Sweeps over the four colours end. A split point that one cell needs and another cell contains is "
                   "handed on to that cell, which has another colour. Every such point is inserted in a later phase.",
      .source = "[CC] has four iterations; here sweeps are repeated, and their number is measured",

@@ -62,7 +62,7 @@ double estimated_triangles(const Problem& problem, const Mesh& mesh) {
   return sum;
 }
 
-PARDEL_PROPERTY(Refinement, ends_with_as_many_triangles_as_sizes_ask_for,
+PARDEL_PROPERTY(Refinement, ends_with_a_number_of_triangles_that_the_feature_size_bounds,
                 {.statement = "Refinement ends. The number of triangles is at most 64 plus 256 times the integral of "
                               "1 / lfs^2, or of 1 / (area bound) where that is larger; lfs is the local feature size. "
                               "The factor is large because the integral does not account for small input angles.",
@@ -87,7 +87,7 @@ PARDEL_PROPERTY(Refinement, gives_a_mesh_that_the_checker_certifies,
   require_valid(check(problem.pslg, result.mesh, problem.goal));
 }
 
-PARDEL_PROPERTY(Refinement, exempts_exactly_what_the_checker_finds_justified,
+PARDEL_PROPERTY(Refinement, exempts_exactly_the_triangles_that_the_checker_finds_justified,
                 {.statement = "The engine reports as exempt exactly the triangles that the checker finds below the "
                               "angle bound and justified. The checker uses coordinates only.",
                  .source = "properties/THEORY.md, refinement",
@@ -103,7 +103,7 @@ PARDEL_PROPERTY(Refinement, exempts_exactly_what_the_checker_finds_justified,
   RC_ASSERT(reported == found);
 }
 
-PARDEL_PROPERTY(Refinement, done_twice_is_done_once,
+PARDEL_PROPERTY(Refinement, refining_twice_changes_nothing,
                 {.statement = "Refining the mesh again with the same goal changes nothing.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {

@@ -147,7 +147,7 @@ PARDEL_PROPERTY(
   tasks_apart_give_one_mesh(exhibit, false, Apart::vertices_of_disks);
 }
 
-PARDEL_PROPERTY(TRegion, and_so_it_does_in_a_constrained_mesh_with_whole_disks,
+PARDEL_PROPERTY(TRegion, any_interleaving_gives_one_constrained_mesh_for_whole_disks,
                 {.statement = "T-region holds in constrained Delaunay meshes, also for insertions on constrained "
                               "edges, if K(L) is defined by whole circumdisks, including hidden parts.",
                  .source = "THEORY.md, T-region",
@@ -155,7 +155,7 @@ PARDEL_PROPERTY(TRegion, and_so_it_does_in_a_constrained_mesh_with_whole_disks,
   tasks_apart_give_one_mesh(exhibit, true, Apart::vertices_of_disks);
 }
 
-PARDEL_PROPERTY(TRegion, the_part_of_a_disk_that_sees_its_triangle_is_enough,
+PARDEL_PROPERTY(TRegion, the_visible_part_of_each_disk_is_enough,
                 {.statement = "T-region holds in constrained Delaunay meshes if K(L) is defined by the part of each "
                               "circumdisk from which its triangle is seen. Then K(L) is the union of the cavities of "
                               "all points of L.",
@@ -164,7 +164,7 @@ PARDEL_PROPERTY(TRegion, the_part_of_a_disk_that_sees_its_triangle_is_enough,
   tasks_apart_give_one_mesh(exhibit, true, Apart::vertices_in_sight);
 }
 
-PARDEL_PROPERTY(TRegion, for_the_mesh_alone_no_common_unconstrained_edge_is_enough,
+PARDEL_PROPERTY(TRegion, regions_without_a_common_unconstrained_edge_give_one_mesh,
                 {.statement = "Every interleaving gives the same mesh if K(L) and K(L') have no common triangle and "
                               "no common unconstrained edge. Common vertices and common constrained edges are "
                               "allowed.",
@@ -173,7 +173,7 @@ PARDEL_PROPERTY(TRegion, for_the_mesh_alone_no_common_unconstrained_edge_is_enou
   tasks_apart_give_one_mesh(exhibit, true, Apart::free_edges_in_sight);
 }
 
-PARDEL_PROPERTY(TRegion, what_a_new_triangle_can_reach_one_of_two_old_ones_reached,
+PARDEL_PROPERTY(TRegion, a_point_that_reaches_a_new_triangle_reached_one_of_two_old_ones,
                 {.statement = "Inserting p makes a triangle abp on an edge ab of the boundary of its cavity. Suppose "
                               "that a point lies in the open circumdisk of abp and sees abp. Then it lies in the open "
                               "circumdisk of, and sees, the old triangle at ab on the side of p or, if ab is not "
@@ -205,7 +205,7 @@ PARDEL_PROPERTY(TRegion, what_a_new_triangle_can_reach_one_of_two_old_ones_reach
   RC_CLASSIFY(is_reached, "q reaches a new triangle");
 }
 
-PARDEL_PROPERTY(TRegion, what_is_in_reach_and_sight_of_a_point_is_its_cavity,
+PARDEL_PROPERTY(TRegion, the_triangles_in_reach_and_sight_of_a_point_are_its_cavity,
                 {.statement = "In a constrained Delaunay mesh, only constraints that cross the whole circumdisk of a "
                               "triangle hide a part of it. Hence K({p}), computed in this way, is the cavity of p.",
                  .source = "THEORY.md, T-region",
@@ -283,7 +283,7 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(
-    TRegion, and_so_do_they_in_a_constrained_mesh,
+    TRegion, tasks_that_own_disjoint_boxes_give_one_constrained_mesh,
     {.statement = "Two tasks own disjoint boxes. A task changes only triangles with all three corners in its box, and "
                   "hands on every point whose cavity has other triangles (leaves it to a later task). In every "
                   "constrained Delaunay mesh, every interleaving gives the same mesh, each task hands on the same "
@@ -338,7 +338,7 @@ PARDEL_FACT(TRegion, fails_for_regions_that_reach_both_sides_of_an_unconstrained
   EXPECT_TRUE(search(facts, {.walls = true}, fails_at_a_common_edge));
 }
 
-PARDEL_FACT(TRegion, with_cocircular_points_even_whole_insertions_depend_on_their_order,
+PARDEL_FACT(TRegion, cocircular_points_in_common_regions_depend_on_the_order,
             {.statement = "If K(L) and K(L') meet and points are cocircular, even the two sequential orders may give "
                           "different Delaunay meshes.",
              .source = "THEORY.md, T-region",
@@ -346,7 +346,7 @@ PARDEL_FACT(TRegion, with_cocircular_points_even_whole_insertions_depend_on_thei
   EXPECT_TRUE(search(facts, {.walls = false}, depends_on_the_order));
 }
 
-PARDEL_FACT(TRegion, what_is_hidden_and_vertices_in_common_do_no_harm,
+PARDEL_FACT(TRegion, holds_for_hidden_common_triangles_and_for_common_vertices,
             {.statement = "It is not necessary that V(L) and V(L'), computed from whole disks, are disjoint. There are "
                           "regions on two sides of a constrained edge whose whole disks reach a common triangle, "
                           "although the visible parts reach no common vertex. And there are regions that reach a "
@@ -357,7 +357,7 @@ PARDEL_FACT(TRegion, what_is_hidden_and_vertices_in_common_do_no_harm,
   EXPECT_TRUE(search(facts, {.walls = false}, holds_at_a_common_vertex));
 }
 
-PARDEL_FACT(TRegion, whole_disks_grow_beyond_walls_but_not_what_they_see,
+PARDEL_FACT(TRegion, whole_disks_grow_beyond_walls_but_their_visible_parts_do_not,
             {.statement = "Inserting a point close to a constrained edge may make a triangle whose disk meets a region "
                           "beyond the edge, although no disk reached it before. The triangle is not seen from there. "
                           "So V(L), computed from whole disks, may grow into V(L'); T-region still holds.",
