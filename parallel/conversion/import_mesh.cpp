@@ -22,6 +22,7 @@ unsigned side_between(const Triangle& triangle, VertexId from, VertexId to) {
   return 3;
 }
 
+/// Copies the triangles and links each side to the neighbour's side. Returns an error if the mesh is inconsistent.
 Status link_neighbours(const Mesh& mesh, Triangulation& t) {
   for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
     const Triangle& triangle = mesh.triangles[id];

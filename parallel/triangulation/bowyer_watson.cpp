@@ -10,7 +10,7 @@ namespace {
 /// The open disk of a ghost triangle is the open half-plane beyond its hull edge, together with the interior of the
 /// edge.
 bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
-  const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
+  const unsigned corner = slot.corner_of(ghost);
   const Point a = t.points[slot.from(corner)], b = t.points[slot.to(corner)];
   const double side = orient2d(a, b, p);
   if (side != 0) return side > 0;

@@ -25,7 +25,7 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
   std::vector<Constraint> fresh;
   for (const TriangleId id : ghosts) {
     const Slot slot = t.slots[id];
-    const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
+    const unsigned corner = slot.corner_of(ghost);
     if (slot.n[corner].constrained()) continue;
     t.constrain(EdgeRef(id, corner));
     fresh.push_back({slot.to(corner), slot.from(corner)});

@@ -37,14 +37,10 @@ class ConstraintInserter {
  private:
   using VertexPair = std::pair<VertexId, VertexId>;
 
+  /// Records a triangle at its corners.
   void remember(TriangleId id) {
     for (const VertexId v : t_.slots[id].v)
       if (v != ghost) triangle_of_[v] = id;
-  }
-
-  unsigned corner_of(TriangleId id, VertexId v) const {
-    const Slot& slot = t_.slots[id];
-    return slot.v[0] == v ? 0 : slot.v[1] == v ? 1 : 2;
   }
 
   /// Calls visit(triangle, corner) for the triangles around v, counter-clockwise, until it returns true.
@@ -53,7 +49,7 @@ class ConstraintInserter {
     const TriangleId start = triangle_of_[v];
     TriangleId id = start;
     do {
-      const unsigned corner = corner_of(id, v);
+      const unsigned corner = t_.slots[id].corner_of(v);
       if (visit(id, corner)) return;
       id = t_.slots[id].n[next_corner[corner]].triangle();
     } while (id != start);
@@ -110,6 +106,7 @@ class ConstraintInserter {
                                           shortest(t_.points[v])};
   }
 
+  /// Lists the edges that the constraint crosses, in their order along it. e is the first of them.
   Status collect_crossings(Constraint c, EdgeRef e) {
     const Point a = t_.points[c.a], b = t_.points[c.b];
     for (;;) {
@@ -159,9 +156,9 @@ class ConstraintInserter {
   }
 
   Triangulation& t_;
-  std::vector<TriangleId> triangle_of_;
-  std::deque<VertexPair> crossing_;
-  std::vector<VertexPair> fresh_;
+  std::vector<TriangleId> triangle_of_;  ///< for each vertex, one of its triangles
+  std::deque<VertexPair> crossing_;      ///< the edges that cross the constraint
+  std::vector<VertexPair> fresh_;        ///< the edges made by flips that do not cross it
   std::vector<EdgeRef> suspects_;
   std::vector<TriangleId> changed_;
 };

@@ -58,6 +58,8 @@ struct Slot {
   [[nodiscard]] VertexId apex(unsigned side) const { return v[side]; }
   [[nodiscard]] VertexId from(unsigned side) const { return v[next_corner[side]]; }
   [[nodiscard]] VertexId to(unsigned side) const { return v[previous_corner[side]]; }
+  /// The position of a vertex among the corners, 0 to 2. Precondition: it is a corner.
+  [[nodiscard]] unsigned corner_of(VertexId vertex) const { return v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2; }
   [[nodiscard]] bool any_constrained() const { return n[0].constrained() || n[1].constrained() || n[2].constrained(); }
   [[nodiscard]] bool is_ghost() const { return v[0] == ghost || v[1] == ghost || v[2] == ghost; }
 };

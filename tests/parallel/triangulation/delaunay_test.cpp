@@ -43,7 +43,7 @@ void expect_empty_circles(const Triangulation& t) {
 void expect_convex_hull(const Triangulation& t) {
   for (const Slot& slot : t.slots) {
     if (!slot.is_ghost()) continue;
-    const unsigned corner = slot.v[0] == ghost ? 0 : slot.v[1] == ghost ? 1 : 2;
+    const unsigned corner = slot.corner_of(ghost);
     const Point a = t.points[slot.from(corner)], b = t.points[slot.to(corner)];
     for (const Point p : t.points) {
       const int side = checker::exactly::orientation(a, b, p);

@@ -32,6 +32,8 @@ TEST(Slot, has_sides_that_run_counter_clockwise) {
   EXPECT_EQ(slot.from(0), 20U);
   EXPECT_EQ(slot.to(0), 30U);
   EXPECT_EQ(slot.from(2), 10U);
+  EXPECT_EQ(slot.corner_of(10), 0U);
+  EXPECT_EQ(slot.corner_of(30), 2U);
   EXPECT_FALSE(slot.is_ghost());
   EXPECT_TRUE((Slot{{10, ghost, 30}, {}}).is_ghost());
 }
