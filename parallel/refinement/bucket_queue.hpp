@@ -74,7 +74,7 @@ class BucketQueue {
         const unsigned w = s * 64 + static_cast<unsigned>(std::countr_zero(summary_[s]));
         lowest_ = w * 64 + static_cast<unsigned>(std::countr_zero(words_[w]));
       }
-    // The list of free nodes jumps about in memory, in the order of the pops. An empty queue starts again with
+    // The order of the free nodes is that of the pops, which is bad for the cache. An empty queue starts again with
     // consecutive nodes.
     if (lowest_ == none) {
       nodes_.clear();

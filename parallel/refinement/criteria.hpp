@@ -74,19 +74,22 @@ class Criteria {
   Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
            std::function<double(Point)> area_cap = {});
 
+  /// True where the smallest angle is below the bound. A Pair of triangles gives a pair of answers.
   template <class T>
   [[nodiscard]] auto bad_shape(const MeasureOf<T>& s) const {
     // The smallest angle lies between the two longer sides. Its sine is twice the area divided by their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
+  /// True where the area exceeds the bound that holds everywhere.
   template <class T>
   [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {
     return m.twice_area > twice_max_area_;
   }
+  /// True where there is a bound on area or on edges.
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
-  /// True where bounds on size depend on the place or on edges. too_large() does not cover them: too_large_locally()
-  /// does.
+  /// True where there are bounds on edges, or bounds that depend on the place. too_large() does not cover them.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
+  /// True where the triangle exceeds one of these bounds. `region`: the triangle's region, or no_index.
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
   /// True where the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
@@ -96,8 +99,8 @@ class Criteria {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 
-  /// How many triangles the bound on angles makes of one triangle of a Delaunay triangulation of random points, on
-  /// average.
+  /// The average number of triangles into which the bound on angles divides a triangle of a Delaunay triangulation of
+  /// random points.
   [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
 
   [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }

@@ -167,10 +167,9 @@ Outcome Insertion::face_by_flips(Point p) {
     }
     if (!inside) continue;
     const auto across_only = [&](EdgeRef across) { return !on.none() && across.triangle() == on.triangle(); };
-    if (cavity_.find(t_, id, SingleTriangleQuery(t_, across_only, corners_around(t_, p), any_vertex)) !=
-            Walk::complete ||
-        !measure_fan(p))
-      return Outcome::refused;
+    const auto corners = corners_around(t_, p);
+    const Walk walk = cavity_.find(t_, id, SingleTriangleQuery(t_, across_only, corners, any_vertex));
+    if (walk != Walk::complete || !measure_fan(p)) return Outcome::refused;
     commit(p, interior_vertex);
     finish_by_flips();
     return Outcome::inserted;
@@ -179,10 +178,9 @@ Outcome Insertion::face_by_flips(Point p) {
 }
 
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
-  if (cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners_around(t_, p), any_vertex)) !=
-          Walk::complete ||
-      !measure_fan(p))
-    return Outcome::refused;
+  const auto corners = corners_around(t_, p);
+  const Walk walk = cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners, any_vertex));
+  if (walk != Walk::complete || !measure_fan(p)) return Outcome::refused;
   commit(p, segment);
   finish_by_flips();
   return Outcome::inserted;

@@ -77,6 +77,7 @@ std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegmen
   const VertexId apex = segments.shared_end(segment_u, segment_v);
   if (apex == no_index) return {};
   const double cosine = segments.cosine_at(t.points, apex, segment_u, segment_v);
+  // Seditious: below 60 degrees, whose cosine is 1/2.
   if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
   return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
 }

@@ -66,18 +66,9 @@ void Task::consider_changed() {
 void Task::process(QueuedTriangle triangle) {
   const TriangleId id = triangle.id();
   EdgeRef shortest = triangle.side;
-  const Slot& slot = t_.slots[id];
-  if (slot.any_constrained() || insertion_.has_flipped()) {
-    Assessment a = assessor_.assess(id);
-    if (a.need == Assessment::Need::split_edge) {
-      const EdgeRef e(id, a.side);
-      const Outcome outcome = split_edge(e);
-      if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(e));
-      if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return;
-      a = assessor_.assess_inside(id);
-    }
-    if (a.need == Assessment::Need::nothing) return;
-    shortest = EdgeRef(id, a.side);
+  if (t_.slots[id].any_constrained() || insertion_.has_flipped()) {
+    shortest = split_encroached_side(triangle);
+    if (shortest.none()) return;
   }
   const Point p = assessor_.point_in(shortest);
   if (is_foreign(p)) return hand_on(triangle, p);
@@ -86,27 +77,40 @@ void Task::process(QueuedTriangle triangle) {
       ++result_.inserted;
       consider_changed();
       return;
-    case Outcome::encroaches: {
-      const EdgeRef blocker = insertion_.blocker();
-      if (assessor_.forbidden(blocker) || assessor_.below_floor(blocker)) {
-        result_.left_alone = true;
-        return;
-      }
-      const Outcome outcome = split_edge(blocker);
-      if (outcome == Outcome::inserted) consider(id);
-      if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(blocker));
-      return;
-    }
+    case Outcome::encroaches:
+      return split_blocker(triangle);
     case Outcome::leaves_box:
       if (own_cell_only_ && violates_t1(p)) ++result_.t1_violations;
       hand_on(triangle, p);
       return;
     case Outcome::too_close:
     case Outcome::refused:
-      ++result_.refused;
-      result_.left_alone = true;
-      return;
+      return count_refused();
   }
+}
+
+EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {
+  const TriangleId id = triangle.id();
+  Assessment a = assessor_.assess(id);
+  if (a.need == Assessment::Need::split_edge) {
+    const EdgeRef e(id, a.side);
+    const Outcome outcome = split_edge(e);
+    if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(e));
+    if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return {};
+    a = assessor_.assess_inside(id);
+  }
+  return a.need == Assessment::Need::nothing ? EdgeRef() : EdgeRef(id, a.side);
+}
+
+void Task::split_blocker(QueuedTriangle triangle) {
+  const EdgeRef blocker = insertion_.blocker();
+  if (assessor_.forbidden(blocker) || assessor_.below_floor(blocker)) {
+    result_.left_alone = true;
+    return;
+  }
+  const Outcome outcome = split_edge(blocker);
+  if (outcome == Outcome::inserted) consider(triangle.id());
+  if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(blocker));
 }
 
 Outcome Task::split_edge(EdgeRef e) {
@@ -118,11 +122,13 @@ Outcome Task::split_edge(EdgeRef e) {
     ++result_.segment_splits;
     consider_changed();
   }
-  if (outcome == Outcome::refused || outcome == Outcome::too_close) {
-    ++result_.refused;
-    result_.left_alone = true;
-  }
+  if (outcome == Outcome::refused || outcome == Outcome::too_close) count_refused();
   return outcome;
+}
+
+void Task::count_refused() {
+  ++result_.refused;
+  result_.left_alone = true;
 }
 
 void Task::hand_on(QueuedTriangle triangle, Point p) {

@@ -66,8 +66,14 @@ class Task {
       queue_.push(assessor_.entry(id, a), a.key);
   }
   void process(QueuedTriangle triangle);
+  /// Splits an encroached side of the triangle. Where there is none that can be split, returns the triangle's shortest
+  /// side if the triangle itself has to be split. Otherwise returns none().
+  [[nodiscard]] EdgeRef split_encroached_side(QueuedTriangle triangle);
+  /// Splits the edge on which the triangle's split point encroaches.
+  void split_blocker(QueuedTriangle triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && lattice_->cell_of(p) != cell_; }
   void hand_on_to_own_cell(QueuedTriangle triangle);
+  void count_refused();
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   /// Hands the triangle on to the cell of p, the point that this task could not insert. Where that is the task's own
   /// cell, the triangle needs a larger box.

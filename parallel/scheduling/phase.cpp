@@ -100,8 +100,8 @@ void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, c
   triangles_.settle();
 }
 
-/// The same question as Task::violates_t1, for a triangle that does not lie in the box of its cell: by T1 it does,
-/// where its point lies in a face, in the cell, and its circumradius is small enough.
+/// Task::violates_t1 for a triangle that does not lie in the box of its cell. By T1 it lies there if its split point
+/// lies in a face and in the cell, and its circumradius is small enough.
 bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Lattice& lattice) const {
   const double fits = lattice.radius_that_fits();
   if (options_.decomposition != Decomposition::paper || Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits)

@@ -1,6 +1,7 @@
 // One phase of a sweep: runs the tasks of all cells of one colour on all threads.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 

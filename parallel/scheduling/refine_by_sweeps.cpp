@@ -81,9 +81,10 @@ class Refinement {
     return {.longest_squared = longest * longest};
   }
 
-  /// Splits the triangles on each level that are too long for the next finer one. Triangles that become short enough
-  /// wait for a finer level. Most triangles of a fine input are short from the start; they are set aside, so that not
-  /// every level looks at them. This test goes by lengths: the paper's levels go by radii, and set none aside.
+  /// Splits, on each level, the triangles that are too long for the next finer level. Triangles that become short
+  /// enough wait for a finer level. Most triangles of a fine input are short from the start. They are set aside first,
+  /// and the coarse levels need not look at them. (The paper's levels compare circumradii, not lengths, and set none
+  /// aside.)
   void go_down(const std::vector<Lattice>& levels) {
     pending_.set_aside(short_enough_for(levels.back()));
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
@@ -91,8 +92,8 @@ class Refinement {
     pending_.bring_back();
   }
 
-  /// Measures the circumradii. Widens the cells for the paper's decomposition, whose cells are as large as the largest
-  /// circumradius demands.
+  /// Measures the circumradii. With the paper's decomposition, widens the cells of the finest lattice to the size that
+  /// the largest circumradius demands.
   void lay_finest(const Box& bounds, std::vector<Lattice>& levels) {
     const Radii largest = largest_radii(t_, runner_.triangles(), threads_);
     if (options_.decomposition == Decomposition::paper)
@@ -100,15 +101,16 @@ class Refinement {
     record_.set_finest(levels.back(), bounds, largest, counts_.inserted + counts_.segment_splits);
   }
 
-  /// The shorter half of the work comes first, everywhere. Short triangles need points anyway, and many of these split
-  /// long triangles too; points for long triangles are wasted where they come earlier. Tiles that finish one after the
-  /// other do not have this order by themselves. Nor would one queue over everything: it makes larger meshes.
+  /// Splits the shorter half of the triangles first, everywhere, then the longer half. The points that short triangles
+  /// need split many of the long ones too. In the opposite order, the points for long triangles would come in addition.
+  /// Tiles that finish one after the other do not have this order by themselves. One queue over everything does not
+  /// have it either, and makes larger meshes.
   void refine_on_finest(const Lattice& finest) {
     refine_due(finest, {.last_key = pending_.median_key()});
     refine_due(finest, {});
   }
 
-  /// Triangles whose cavities fit no box of a level get the larger boxes of the coarser levels.
+  /// Splits the triangles whose cavities fit no box of a level in the larger boxes of the coarser levels.
   void go_up(const std::vector<Lattice>& levels) {
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], pending_.take_needing_larger_box_by_cell(levels[level]), {});
@@ -124,8 +126,8 @@ class Refinement {
     const auto waiting = [&] {
       return std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); });
     };
-    // A triangle may need a point in one cell, and after that a point in another, and be handed on between the two for
-    // ever. After two sweeps without an insertion, every task involved has tried: the triangle needs a larger box.
+    // A triangle may need a point in one cell, then a point in another cell, and be handed on between the two for ever.
+    // After two sweeps without an insertion, all tasks involved have tried. The triangle then needs a larger box.
     for (int idle = 0; idle < 2 && waiting() && go_on();) idle = sweep(lattice, seeds, later) > 0 ? 0 : idle + 1;
     for (const std::vector<QueuedTriangle>& of_cell : seeds) pending_.add_needing_larger_box(of_cell);
   }

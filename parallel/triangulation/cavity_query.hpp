@@ -59,7 +59,7 @@ concept CavityQuery = requires(const Query& query, VertexId v, const Slot& slot,
 
 /// A query made of three functions that deal with one triangle at a time: in_disk(EdgeRef) -> bool,
 /// corner_of(VertexId) -> Corner, and is_own(VertexId) -> bool. The walk's first triangle is not tested: it has to
-/// belong to the cavity.
+/// belong to the cavity. The functions have to outlive the query.
 template <class InDisk, class CornerOf, class IsOwn>
 class SingleTriangleQuery {
  public:

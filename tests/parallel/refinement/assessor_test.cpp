@@ -1,0 +1,96 @@
+// Assessments: encroached edges come first, then bad triangles; some triangles are left alone.
+#include "../../../parallel/refinement/assessor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+using Need = Assessment::Need;
+
+/// One triangle over a base from (0, 0) to (8, 0). All its edges are constrained.
+struct Scene {
+  samples::Sample sample;
+  DomainSegments segments;
+  Options options;
+  Criteria criteria;
+  Assessor assessor;
+
+  Scene(Point apex, const Goal& goal, const Options& with = {})
+      : sample(samples::triangulated({{0, 0}, {8, 0}, apex})),
+        segments(sample.triangulation.points, sample.constraints),
+        options(with),
+        criteria(goal, Placement::circumcentre, {}),
+        assessor(sample.triangulation, segments, criteria, options) {}
+  [[nodiscard]] const Slot& slot() const { return sample.triangulation.slots[0]; }
+  /// The side opposite the apex.
+  [[nodiscard]] unsigned base() const {
+    unsigned side = 0;
+    while (slot().v[side] != 2) ++side;
+    return side;
+  }
+};
+
+TEST(Assessor, asks_to_split_an_encroached_edge_before_the_triangle) {
+  const Scene scene({4, 1}, {.min_angle_deg = 30, .max_area = 0.1});
+  const Assessment a = scene.assessor.assess(0);
+  EXPECT_EQ(a.need, Need::split_edge);
+  EXPECT_EQ(a.side, scene.base());
+  EXPECT_EQ(a.key, BucketQueue::urgent);
+  EXPECT_EQ(scene.assessor.point_for(0, a), (Point{4, 0}));
+  const Assessment inside = scene.assessor.assess_inside(0);
+  EXPECT_EQ(inside.need, Need::split_triangle);
+  EXPECT_NE(inside.side, scene.base()) << "the shortest side is another one";
+}
+
+TEST(Assessor, asks_for_nothing_where_the_triangle_keeps_the_goal) {
+  const Scene scene({4, 7}, {.min_angle_deg = 30});
+  EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
+  EXPECT_FALSE(scene.assessor.assess(0).left_alone);
+  EXPECT_FALSE(scene.assessor.breaks_goal(0));
+}
+
+TEST(Assessor, orders_bad_triangles_by_their_shortest_side) {
+  const Scene scene({4, 7}, {.max_area = 10});
+  const Assessment a = scene.assessor.assess(0);
+  EXPECT_EQ(a.need, Need::split_triangle);
+  EXPECT_EQ(a.side, scene.base());
+  EXPECT_EQ(a.key, BucketQueue::key(64));
+  EXPECT_EQ(a.longest_squared, 65);
+  const QueuedTriangle entry = scene.assessor.entry(0, a);
+  EXPECT_EQ(entry.side, EdgeRef(0, scene.base()));
+  EXPECT_TRUE(entry.is_current(scene.sample.triangulation));
+}
+
+TEST(Assessor, leaves_a_triangle_between_two_segments_alone_unless_it_is_too_large) {
+  const Scene sharp({8, 1}, {.min_angle_deg = 30});
+  EXPECT_EQ(sharp.assessor.assess_inside(0).need, Need::nothing);
+  EXPECT_TRUE(sharp.assessor.assess_inside(0).left_alone);
+  EXPECT_TRUE(sharp.assessor.breaks_goal(0));
+  const Scene large({8, 1}, {.min_angle_deg = 30, .max_area = 1});
+  EXPECT_EQ(large.assessor.assess_inside(0).need, Need::split_triangle);
+}
+
+TEST(Assessor, leaves_a_triangle_with_an_edge_shorter_than_the_minimum_alone) {
+  const Scene scene({4, 7}, {.max_area = 10}, {.min_edge = 8.001});
+  EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
+  EXPECT_TRUE(scene.assessor.assess(0).left_alone);
+}
+
+TEST(Assessor, splits_no_edge_that_is_forbidden_or_too_short) {
+  const Goal goal{.min_angle_deg = 0};
+  for (const Options& options :
+       {Options{.no_boundary_splits = true}, Options{.no_segment_splits = true}, Options{.min_edge = 4.001}}) {
+    const Scene scene({4, 1}, goal, options);
+    const EdgeRef base(0, scene.base());
+    EXPECT_TRUE(scene.assessor.forbidden(base) || scene.assessor.below_floor(base));
+    EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
+  }
+  const Scene scene({4, 1}, goal, {.min_edge = 3.999});
+  EXPECT_EQ(scene.assessor.assess(0).need, Need::split_edge);
+}
+
+}  // namespace
+}  // namespace pardel::engine

@@ -1,0 +1,138 @@
+// A task: it refines its box, and leaves the triangles to others that it cannot process itself.
+#include "../../../parallel/refinement/task.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../samples.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// Random points in the unit square, a task, and indices for 5000 insertions.
+struct Scene {
+  samples::Sample sample = samples::triangulated(samples::uniform_points(300, 5));
+  DomainSegments segments{sample.triangulation.points, sample.constraints};
+  Options options{.min_edge = 1e-6};
+  Criteria criteria{{.min_angle_deg = 25, .max_area = 0.0003}, Placement::off_centre, {}};
+  Assessor assessor{sample.triangulation, segments, criteria, options};
+  FreeIndices free;
+
+  explicit Scene(Index insertions = 5000) {
+    const auto vertices = static_cast<Index>(t().points.size()), triangles = static_cast<Index>(t().slots.size());
+    free = {IndexPool({{vertices, vertices + insertions}}), IndexPool({{triangles, triangles + 2 * insertions}})};
+    t().points.resize(vertices + insertions);
+    t().origin.resize(vertices + insertions);
+    t().slots.resize(triangles + 2 * insertions);
+  }
+  Triangulation& t() { return sample.triangulation; }
+  [[nodiscard]] Index triangles() const {
+    return static_cast<Index>(sample.triangulation.slots.size() - free.triangles.left());
+  }
+  /// Runs the task of a cell with all bad triangles in the cell's box.
+  TaskResult run(const Lattice& lattice, Index cell, const Deferral& later = {}, std::uint64_t calls = 1000) {
+    const Box box = lattice.box_of(cell);
+    std::vector<QueuedTriangle> seeds;
+    for (TriangleId id = 0; id < triangles(); ++id) {
+      const auto& v = t().slots[id].v;
+      if (std::all_of(v.begin(), v.end(), [&](VertexId c) { return box.contains_half_open(t().points[c]); }))
+        seeds.push_back(QueuedTriangle::now(t(), EdgeRef(id, 0)));
+    }
+    Task task(t(), assessor, criteria, options.min_edge, /*own_cell_only=*/false);
+    return task.run(lattice, cell, seeds, later, free, [&](std::uint64_t) { return calls-- > 0; });
+  }
+  [[nodiscard]] std::vector<TriangleId> bad() const {
+    std::vector<TriangleId> bad;
+    for (TriangleId id = 0; id < triangles(); ++id)
+      if (assessor.assess(id).need != Assessment::Need::nothing) bad.push_back(id);
+    return bad;
+  }
+};
+
+const Lattice everywhere{{0, 0, 1, 1}, 1, 1};
+
+TEST(Task, refines_the_whole_plane_until_no_triangle_is_bad) {
+  Scene scene;
+  EXPECT_FALSE(scene.bad().empty());
+  const TaskResult result = scene.run(everywhere, 0);
+  EXPECT_TRUE(scene.bad().empty());
+  EXPECT_GT(result.inserted, 1024U);
+  EXPECT_GT(result.segment_splits, 0U);
+  EXPECT_TRUE(result.handed_on.empty());
+  EXPECT_TRUE(result.deferred.empty());
+  EXPECT_TRUE(result.needs_larger_box.empty());
+}
+
+TEST(Task, changes_no_triangle_outside_its_box) {
+  Scene scene;
+  const Lattice lattice({0, 0, 1, 1}, 3, 3);
+  const Box box = lattice.box_of(0);
+  const Triangulation before = scene.t();
+  const Index triangles = scene.triangles();
+  const TaskResult result = scene.run(lattice, 0);
+  EXPECT_GT(result.inserted, 0U);
+  EXPECT_FALSE(result.handed_on.empty() && result.needs_larger_box.empty());
+  for (const HandedOn& h : result.handed_on) EXPECT_NE(h.cell, 0U);
+  for (TriangleId id = 0; id < triangles; ++id) {
+    const auto& v = before.slots[id].v;
+    if (scene.t().slots[id].v != v) {
+      for (const VertexId c : v) EXPECT_TRUE(box.contains_half_open(before.points[c]));
+    }
+  }
+}
+
+TEST(Task, defers_what_the_rule_defers) {
+  Scene scene;
+  const Deferral later{.longest_squared = 0.003};
+  const TaskResult result = scene.run(everywhere, 0, later);
+  EXPECT_GT(result.inserted, 0U);
+  EXPECT_FALSE(result.deferred.empty());
+  const std::vector<TriangleId> bad = scene.bad();
+  EXPECT_FALSE(bad.empty());
+  for (const TriangleId id : bad) {
+    EXPECT_TRUE(std::any_of(result.deferred.begin(), result.deferred.end(), [&](const Deferred& d) {
+      return d.triangle.id() == id && d.triangle.is_current(scene.t());
+    })) << id;
+  }
+}
+
+TEST(Task, hands_the_rest_on_to_its_own_cell_where_its_indices_are_used_up) {
+  Scene scene(50);
+  const TaskResult result = scene.run(everywhere, 0);
+  EXPECT_EQ(result.inserted + result.segment_splits, 50U);
+  EXPECT_GT(result.out_of_indices, 0U);
+  EXPECT_EQ(result.handed_on.size(), result.out_of_indices);
+  for (const HandedOn& h : result.handed_on) EXPECT_EQ(h.cell, 0U);
+  for (const TriangleId id : scene.bad()) {
+    EXPECT_TRUE(std::any_of(result.handed_on.begin(), result.handed_on.end(), [&](const HandedOn& h) {
+      return h.triangle.id() == id && h.triangle.is_current(scene.t());
+    })) << id;
+  }
+}
+
+TEST(Task, hands_the_rest_on_where_it_has_to_end_early) {
+  Scene scene;
+  const TaskResult result = scene.run(everywhere, 0, {}, 0);
+  EXPECT_GT(result.inserted, 0U);
+  EXPECT_FALSE(scene.bad().empty());
+  EXPECT_FALSE(result.handed_on.empty());
+}
+
+TEST(Task, makes_the_same_mesh_in_single_steps) {
+  Scene at_once, in_steps;
+  (void)at_once.run(everywhere, 0);
+  std::vector<QueuedTriangle> seeds;
+  for (TriangleId id = 0; id < in_steps.triangles(); ++id)
+    seeds.push_back(QueuedTriangle::now(in_steps.t(), EdgeRef(id, 0)));
+  Task task(in_steps.t(), in_steps.assessor, in_steps.criteria, in_steps.options.min_edge, false);
+  task.start(everywhere, 0, seeds, {}, in_steps.free);
+  while (task.step()) continue;
+  (void)task.finish();
+  ASSERT_EQ(at_once.triangles(), in_steps.triangles());
+  for (TriangleId id = 0; id < at_once.triangles(); ++id)
+    EXPECT_EQ(at_once.t().slots[id].v, in_steps.t().slots[id].v) << id;
+}
+
+}  // namespace
+}  // namespace pardel::engine
