@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "../../core/formats.hpp"
-#include "../../properties/domains/picture.hpp"
+#include "../../properties/domains/drawing/picture.hpp"
 #include "campaign.hpp"
 #include "shrink.hpp"
 
@@ -19,13 +19,13 @@ std::string file_name(std::string kind) {
 
 /// The domain; the mesh behind it, if one can be read; red where it is wrong.
 Status draw(const Pslg& pslg, const fs::path& mesh_file, const Outcome& outcome, const fs::path& svg) {
-  properties::Picture picture;
+  drawing::Picture picture;
   if (const Result<Mesh> mesh = read_mesh(mesh_file)) {
     for (const Triangle& t : mesh->triangles)
       picture.polygon({mesh->points[t.v[0]], mesh->points[t.v[1]], mesh->points[t.v[2]]}, "#eef3f8",
-                      properties::Ink::thin);
+                      drawing::Ink::thin);
   }
-  for (const Segment& s : pslg.segments) picture.line(pslg.points[s.a], pslg.points[s.b], properties::Ink::thick);
+  for (const Segment& s : pslg.segments) picture.line(pslg.points[s.a], pslg.points[s.b], drawing::Ink::thick);
   for (const Point& p : pslg.points) picture.dot(p, "#205090");
   for (const Point& p : pslg.holes) picture.dot(p, "#a0a0a0");
   for (const Point& p : outcome.where) picture.dot(p, "#d02020");

@@ -1,11 +1,12 @@
 // The certificate as text and as JSON.
+#include "certificate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "check.hpp"
-#include "stages/text.hpp"
+#include "arithmetic/text.hpp"
 
 namespace pardel {
 
@@ -35,8 +36,8 @@ std::string goal_text(const Goal& goal) {
   return text;
 }
 
-void append_extreme(std::string& text, const char* what, const Extreme& extreme) {
-  text += "  " + padded(what, 26) + padded(to_short_text(extreme.value), 14);
+void append_extreme(std::string& text, const char* label, const Extreme& extreme) {
+  text += "  " + padded(label, 26) + padded(to_short_text(extreme.value), 14);
   if (extreme.triangle != no_index)
     text += "triangle " + to_text(extreme.triangle) + " at (" + to_short_text(extreme.where.x) + ", " +
             to_short_text(extreme.where.y) + ")";
@@ -50,7 +51,7 @@ void append_histogram(std::string& text, const std::vector<std::uint64_t>& histo
   text += "angles, in degrees\n";
   for (std::size_t bin = 0; bin < histogram.size(); ++bin) {
     const std::uint64_t count = histogram[bin];
-    // A bin that is not empty shows at least one mark.
+    // A bin that is not empty has at least one mark.
     const std::uint64_t marks = count == 0 ? 0 : std::max<std::uint64_t>(1, count * width / largest);
     text += "  " + right_aligned(to_text(10 * bin), 3) + " - " + padded(to_text(10 * (bin + 1)), 4) +
             right_aligned(to_text(count), 11);
@@ -59,7 +60,7 @@ void append_histogram(std::string& text, const std::vector<std::uint64_t>& histo
   }
 }
 
-/// One line for each apex: how many triangles it excuses, and the smallest angle among them.
+/// One line for each apex: the number of triangles it justifies, and the smallest angle among them.
 void append_justified(std::string& text, const std::vector<Justified>& justified) {
   if (justified.empty()) return;
   struct Summary {
@@ -82,7 +83,7 @@ void append_justified(std::string& text, const std::vector<Justified>& justified
       break;
     }
     text += "  at point " + to_text(apex) + ": " + to_text(summary.triangles) + ", down to " +
-            to_short_text(summary.angle) + " degrees, beside an input angle of " + to_short_text(summary.input_angle) +
+            to_short_text(summary.angle) + " degrees, at an input angle of " + to_short_text(summary.input_angle) +
             '\n';
   }
 }
@@ -109,7 +110,7 @@ Json to_json(const Extreme& extreme) {
 }
 
 Json to_json(const Goal& goal) {
-  // An infinite bound is none: null.
+  // An infinite bound means that there is none: null.
   const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"min_angle_deg", goal.min_angle_deg}, {"max_area", bound(goal.max_area)}, {"max_edge", bound(goal.max_edge)},
           {"region_caps", goal.region_caps},     {"sizing", bool(goal.size)},        {"conforming", goal.conforming},

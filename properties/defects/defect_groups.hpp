@@ -6,7 +6,7 @@
 #include "defects.hpp"
 #include "edit.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 
 [[nodiscard]] std::span<const Defect> defects_of_arrays();
 [[nodiscard]] std::span<const Defect> defects_of_topology();
@@ -51,4 +51,4 @@ bool at_some_vertex(const Mesh& mesh, std::uint64_t seed, const Attempt& attempt
   return static_cast<Index>((seed * 0xd1342543de82ef95 >> 24) % n);
 }
 
-}  // namespace pardel
+}  // namespace pardel::defects

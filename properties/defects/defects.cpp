@@ -4,17 +4,17 @@
 
 #include "defect_groups.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 
-std::span<const Defect> defects() {
-  static const std::vector<Defect> all = [] {
+std::span<const Defect> all() {
+  static const std::vector<Defect> list = [] {
     std::vector<Defect> joined;
     for (const auto group : {defects_of_arrays(), defects_of_topology(), defects_of_coverage(), defects_of_geometry(),
                              defects_of_labels(), defects_of_goals()})
       joined.insert(joined.end(), group.begin(), group.end());
     return joined;
   }();
-  return all;
+  return list;
 }
 
-}  // namespace pardel
+}  // namespace pardel::defects

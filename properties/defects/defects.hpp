@@ -11,7 +11,7 @@
 #include "../../core/pslg.hpp"
 #include "../checker/check.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 
 struct Defect {
   std::string_view name;
@@ -22,6 +22,6 @@ struct Defect {
 };
 
 /// All of them, in groups: arrays and numbers, triangles and links, coverage, geometry, segments and labels, goals.
-[[nodiscard]] std::span<const Defect> defects();
+[[nodiscard]] std::span<const Defect> all();
 
-}  // namespace pardel
+}  // namespace pardel::defects

@@ -4,7 +4,7 @@
 
 #include "defect_groups.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 namespace {
 
 using enum ViolationKind;
@@ -131,4 +131,4 @@ constexpr Defect group[] = {
 
 std::span<const Defect> defects_of_arrays() { return group; }
 
-}  // namespace pardel
+}  // namespace pardel::defects

@@ -4,7 +4,7 @@
 
 #include "defect_groups.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 namespace {
 
 using edit::Side;
@@ -231,4 +231,4 @@ constexpr Defect group[] = {
 
 std::span<const Defect> defects_of_coverage() { return group; }
 
-}  // namespace pardel
+}  // namespace pardel::defects

@@ -6,7 +6,7 @@
 #include "../checker/arithmetic/exact.hpp"
 #include "defect_groups.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 namespace {
 
 using edit::Side;
@@ -176,4 +176,4 @@ constexpr Defect group[] = {
 
 std::span<const Defect> defects_of_goals() { return group; }
 
-}  // namespace pardel
+}  // namespace pardel::defects

@@ -4,7 +4,7 @@
 
 #include "defect_groups.hpp"
 
-namespace pardel {
+namespace pardel::defects {
 namespace {
 
 using edit::Side;
@@ -179,4 +179,4 @@ constexpr Defect group[] = {
 
 std::span<const Defect> defects_of_topology() { return group; }
 
-}  // namespace pardel
+}  // namespace pardel::defects

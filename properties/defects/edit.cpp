@@ -7,7 +7,7 @@
 #include "../../core/neighbours.hpp"
 #include "../checker/arithmetic/exact.hpp"
 
-namespace pardel::edit {
+namespace pardel::defects::edit {
 
 Side opposite(const Mesh& mesh, Side s) {
   const Triangle& other = mesh.triangles[across(mesh, s)];
@@ -190,4 +190,4 @@ bool collapse(Mesh& mesh, Index v, Index to) {
   return true;
 }
 
-}  // namespace pardel::edit
+}  // namespace pardel::defects::edit

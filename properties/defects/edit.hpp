@@ -10,7 +10,7 @@
 
 #include "../../core/mesh.hpp"
 
-namespace pardel::edit {
+namespace pardel::defects::edit {
 
 /// A side of a triangle: the edge opposite corner i of triangle t.
 struct Side {
@@ -63,4 +63,4 @@ Index split_triangle(Mesh& mesh, Index t, Point p);
 /// without triangles; false, and nothing done, where that would turn a triangle over.
 bool collapse(Mesh& mesh, Index v, Index to);
 
-}  // namespace pardel::edit
+}  // namespace pardel::defects::edit

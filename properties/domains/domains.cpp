@@ -7,26 +7,29 @@
 #include <tuple>
 #include <utility>
 
-#include "drawing.hpp"
+#include "drawing/paths.hpp"
 #include "generators/random.hpp"
 
 namespace pardel::domains {
+
+using namespace drawing;
+
 namespace {
 
 /// In [0, 1), a multiple of 2^-40.
-double uniform(generators::Random& random) { return static_cast<double>(random.next() >> 24) * 0x1p-40; }
+double coordinate(generators::Random& random) { return static_cast<double>(random.next() >> 24) * 0x1p-40; }
 
-/// The key's outline, counter-clockwise from the lower root of the bow: below the shaft to the bit, around
-/// its tip, and back above the shaft around the bow. Lengths in centimetres.
+/// The key's outline, counter-clockwise from the lower end of the bow: along the lower side of the shaft to the bit,
+/// around the tip, along the upper side of the shaft and around the bow. Lengths are in centimetres.
 Path key_outline() {
   constexpr double shaft = 0.19;  // half its thickness
   constexpr double bow = 1.0;     // outer radius, centre at the origin
-  constexpr double fillet = 0.3;  // where the bow flows into the shaft
-  // The fillet's circle touches the bow from outside and the shaft from above (or below).
+  constexpr double fillet = 0.3;  // between bow and shaft
+  // The circle of the fillet touches the bow from outside and the shaft from above or below.
   constexpr double fillet_y = shaft + fillet;
   const double fillet_x = std::sqrt((bow + fillet) * (bow + fillet) - fillet_y * fillet_y);
   const double root = std::atan2(fillet_y, fillet_x) * (180 / std::numbers::pi);
-  // Three mouldings of the collar, half-round beads that the shaft carries.
+  // The collar: three half-round beads on the shaft.
   constexpr std::pair<double, double> beads[] = {{1.60, 0.12}, {1.96, 0.18}, {2.32, 0.12}};  // x, radius
   constexpr double bead_height = shaft + 0.06;  // where a bead's half circle begins
 
@@ -80,7 +83,7 @@ Pslg pipe() {
 Pslg key() {
   Pslg pslg;
   add_closed(pslg, key_outline().points, 1);
-  add_closed(pslg, circle({-0.08, 0}, 0.6, 48), 2);  // the ring: thinner where the hand holds it
+  add_closed(pslg, circle({-0.08, 0}, 0.6, 48), 2);  // the ring
   pslg.holes.push_back({-0.08, 0});
   add_closed(pslg, circle({5.02, -0.44}, 0.09, 16), 3);  // a hole through the bit
   pslg.holes.push_back({5.02, -0.44});
@@ -92,8 +95,8 @@ Pslg random_points(std::uint64_t n, std::uint64_t seed) {
   pslg.points.reserve(n);
   generators::Random random(seed);
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = uniform(random);
-    pslg.points.push_back({x, uniform(random)});
+    const double x = coordinate(random);
+    pslg.points.push_back({x, coordinate(random)});
   }
   return pslg;
 }
@@ -115,7 +118,7 @@ Pslg star(int spikes, double spike_degrees) {
 }
 
 Pslg comb(int teeth, double gap) {
-  // A bar of height 1/4 along the unit interval, and the channels as teeth that rise from it to height 1.
+  // The channels are teeth that rise from the bar.
   Path path;
   path.to(0, 0).to(1, 0);
   for (int i = teeth - 1; i >= 0; --i) {
@@ -137,7 +140,7 @@ Pslg wedge(int segments, double degrees_apart) {
   for (int i = 0; i < segments; ++i) {
     const Index end = add_points(pslg, {on_circle({0, 0}, 1, degrees_apart * i)});
     pslg.segments.push_back({apex, end, 0});
-    // The first half of the ends lies on a polygon, the others are free.
+    // The first half of the ends lies on a polygon.
     if (i > 0 && i < segments / 2) pslg.segments.push_back({end - 1, end, 0});
   }
   return pslg;
@@ -165,8 +168,7 @@ Pslg grid_points(int n) {
 }
 
 Pslg touching_holes() {
-  // Two square holes meet corner to corner, and a third hangs from the outline's reflex corner. Every
-  // input angle is at least 90 degrees.
+  // The third hole touches the reflex corner of the outline. Every input angle is at least 90 degrees.
   Pslg pslg;
   add_closed(pslg, {{0, 0}, {3, 0}, {3, 1}, {4, 1}, {4, 4}, {0, 4}}, 1);
   constexpr Index reflex = 2;
@@ -189,20 +191,20 @@ Pslg cracks() {
   add_closed(pslg, {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 2}}, 1);
   constexpr Index on_outline = 4, corner = 1;
   const Index dangling = static_cast<Index>(pslg.points.size());
-  add_open(pslg, {{0.75, 2.125}, {1.25, 1.875}, {1.5, 2.5}}, 2);  // a crack that has run in from the side
+  add_open(pslg, {{0.75, 2.125}, {1.25, 1.875}, {1.5, 2.5}}, 2);  // a crack from the side
   pslg.segments.push_back({on_outline, dangling, 2});
   const Index branch = static_cast<Index>(pslg.points.size());
-  add_open(pslg, {{3.25, 0.5}, {2.75, 1.25}, {2.0, 1.0}}, 3);  // one from a corner, forked
+  add_open(pslg, {{3.25, 0.5}, {2.75, 1.25}, {2.0, 1.0}}, 3);  // a forked crack from a corner
   pslg.segments.push_back({corner, branch, 3});
   pslg.segments.push_back({branch + 1, add_points(pslg, {{3.0, 2.0}}), 3});
   add_open(pslg, {{2.5, 3.0}, {3.5, 3.25}}, 4);    // a free segment
-  add_open(pslg, {{2.5, 3.125}, {3.25, 3.5}}, 4);  // and one close by
+  add_open(pslg, {{2.5, 3.125}, {3.25, 3.5}}, 4);  // and one next to it
   add_points(pslg, {{1, 1}, {1, 1.015625}, {1, 3}, {3.5, 2.5}, {0.5, 3.5}});
   return pslg;
 }
 
 Pslg regions() {
-  // Three by one, cut by a straight wall and a bent one.
+  // Cut by a straight wall and by a bent one.
   Pslg pslg;
   add_closed(pslg, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0, 1}}, 1);
   pslg.segments.push_back({1, 6, 2});
@@ -226,10 +228,10 @@ Pslg moved(Pslg pslg, double dx, double dy, double scale) {
 
 namespace {
 
-/// A line of the program's `generate`: what a name stands for.
+/// A name of generate() and the domain that it stands for.
 struct Entry {
   std::string_view name;
-  std::uint64_t default_n;  ///< 0: the domain has no size
+  std::uint64_t default_n;  ///< 0 where the domain has no size
   std::uint64_t min_n;
   std::uint64_t max_n;
   std::function<Pslg(int n, std::uint64_t seed)> make;

@@ -1,5 +1,7 @@
-// Named domains: the inputs that demos, tests, benchmarks and fuzzing share. All are valid Pslgs. Seeds
-// make them reproducible on every platform (the generator is our own splitmix, not std::distribution).
+// Named domains: inputs that demos, tests, benchmarks and fuzzing share. All are valid Pslgs.
+//
+// Every function returns the same Pslg on every platform. Random numbers come from SplitMix64 (generators/random.hpp).
+// Computed coordinates are rounded to multiples of 2^-30, so that the last bit of a platform's sine does not matter.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +14,59 @@
 
 namespace pardel::domains {
 
-[[nodiscard]] Pslg square();  ///< the unit square, 4 segments
-/// Outer circle of radius 1 (200 segments), a central hole of radius 0.35 and six of radius 0.12 at
-/// distance 0.67 (60 segments each): the paper's "pipe cross-section".
-[[nodiscard]] Pslg pipe();
-/// A door key in the spirit of the paper's Figure 2: bow with a ring hole, shaft, teeth, arcs; at least 150 segments.
-[[nodiscard]] Pslg key();
-[[nodiscard]] Pslg random_points(std::uint64_t n, std::uint64_t seed);  ///< uniform in the unit square, no segments
-[[nodiscard]] Pslg star(int spikes, double spike_degrees);              ///< spikes with the given tip angle
-[[nodiscard]] Pslg comb(int teeth, double gap);                         ///< thin channels of width `gap`
-[[nodiscard]] Pslg wedge(int segments, double degrees_apart);           ///< segments from one vertex inside a box
-[[nodiscard]] Pslg grid(int n);         ///< (n+1)^2 lattice points, all grid edges and one diagonal a cell as segments
-[[nodiscard]] Pslg grid_points(int n);  ///< the lattice points alone: everything cocircular
-[[nodiscard]] Pslg touching_holes();    ///< holes that meet at a vertex
-[[nodiscard]] Pslg cracks();            ///< dangling and free segments, isolated points
-[[nodiscard]] Pslg regions();           ///< three regions with attributes and area caps
-[[nodiscard]] Pslg moved(Pslg pslg, double dx, double dy,
-                         double scale = 1);  ///< about coordinates like (654321, 4987654)
+/// The unit square, 4 segments.
+[[nodiscard]] Pslg square();
 
-/// `pardel generate NAME`: names as above; n and seed where they have a meaning (0: the default).
+/// The cross-section of a pipe, after the paper: an outer circle of radius 1 (200 segments), a central hole of radius
+/// 0.35 and six holes of radius 0.12 at distance 0.67 from the centre (60 segments each). Markers 1, 2 and 3.
+[[nodiscard]] Pslg pipe();
+
+/// A door key, in the spirit of the paper's Figure 2: a bow with a ring hole, a shaft, teeth and arcs. At least 150
+/// segments. Markers 1 (outline), 2 (ring hole) and 3 (hole in the bit). Lengths are in centimetres.
+[[nodiscard]] Pslg key();
+
+/// n points, uniform in the unit square, without segments. Coordinates are multiples of 2^-40. Linear time.
+[[nodiscard]] Pslg random_points(std::uint64_t n, std::uint64_t seed);
+
+/// A star with `spikes` >= 3 spikes on the unit circle. Each tip has an angle of `spike_degrees`, above 0 and below
+/// 180.
+[[nodiscard]] Pslg star(int spikes, double spike_degrees);
+
+/// A bar of length 1 and height 1/4 with `teeth` >= 1 thin channels of width `gap` upon it, up to height 1.
+/// Precondition: 0 < gap < 1 / teeth.
+[[nodiscard]] Pslg comb(int teeth, double gap);
+
+/// `segments` >= 1 segments of length 1 from the origin, `degrees_apart` degrees from each other, in a box with sides
+/// of length 4. The ends of the first half are joined by further segments. Precondition: segments * degrees_apart <=
+/// 360.
+[[nodiscard]] Pslg wedge(int segments, double degrees_apart);
+
+/// (n + 1)^2 points of the unit lattice. All lattice edges and one diagonal of each cell are segments.
+[[nodiscard]] Pslg grid(int n);
+
+/// The same points without segments: every cell has four cocircular corners.
+[[nodiscard]] Pslg grid_points(int n);
+
+/// Two square holes that touch in a corner, and a third that touches a corner of the outline.
+[[nodiscard]] Pslg touching_holes();
+
+/// Dangling segments, free segments and isolated points in a square with sides of length 4.
+[[nodiscard]] Pslg cracks();
+
+/// A rectangle of 3 by 1 in three regions with attributes 10, 20, 30 and area caps 2^-6, 2^-9, 2^-5.
+[[nodiscard]] Pslg regions();
+
+/// Every point p, hole and seed becomes scale * p + (dx, dy), in doubles; area caps are multiplied by scale^2. For
+/// tests of coordinates far from the origin, such as (654321, 4987654). The result is valid only while rounding keeps
+/// points apart.
+[[nodiscard]] Pslg moved(Pslg pslg, double dx, double dy, double scale = 1);
+
+/// The domain that `pardel generate NAME` writes. Arguments: a name from names(), a size n and a seed, where the domain
+/// has these; n = 0 means the default size. ErrorKind::usage for an unknown name or a size out of range; the message
+/// lists the names or the range.
 [[nodiscard]] Result<Pslg> generate(std::string_view name, std::uint64_t n, std::uint64_t seed);
+
+/// The names that generate() accepts.
 [[nodiscard]] std::vector<std::string> names();
 
 }  // namespace pardel::domains

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "../checker/check.hpp"
-#include "../checker/stages/findings.hpp"
 
 namespace pardel::mutants {
 namespace {
@@ -36,7 +35,7 @@ std::set<std::string> properties_in_the_sources() {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(PARDEL_SOURCE) / folder))
       if (entry.path().extension() == ".cpp")
         properties.merge(found(contents(entry.path()), R"(PARDEL_(?:PROPERTY|FACT)\(\s*(\w+),\s*(\w+),)"));
-  for (std::size_t kind = 0; kind < checker::violation_kinds; ++kind)
+  for (std::size_t kind = 0; kind < violation_kinds; ++kind)
     properties.insert(std::string("Checker.reports_") + name(static_cast<ViolationKind>(kind)));
   return properties;
 }

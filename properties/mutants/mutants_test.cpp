@@ -15,7 +15,6 @@
 #include <string>
 
 #include "../checker/check.hpp"
-#include "../checker/stages/findings.hpp"
 #include "patch.hpp"
 #include "registry.hpp"
 
@@ -99,7 +98,7 @@ std::map<std::string, std::string> places_in_the_patches() {
   for (const fs::directory_entry& entry : fs::directory_iterator(mutants_folder / "patches")) {
     const Patch patch = read_patch(entry.path());
     if (!patch.name.ends_with('_')) places[patch.name] = patch.changes.string();
-    for (std::size_t kind = 0; patch.name.ends_with('_') && kind < checker::violation_kinds; ++kind)
+    for (std::size_t kind = 0; patch.name.ends_with('_') && kind < violation_kinds; ++kind)
       places[patch.name + name(static_cast<ViolationKind>(kind))] = patch.changes.string();
   }
   return places;

@@ -202,7 +202,7 @@ TEST_F(CgalMesh, is_certified_for_its_own_bounds_and_refused_for_a_sharper_angle
 
 TEST_F(CgalMesh, with_one_edge_flipped_is_not_Delaunay) {
   bool flipped = false;
-  for (Index t = 0; t < mesh_.triangles.size() && !flipped; ++t) flipped = edit::flip(mesh_, {t, 0});
+  for (Index t = 0; t < mesh_.triangles.size() && !flipped; ++t) flipped = defects::edit::flip(mesh_, {t, 0});
   ASSERT_TRUE(flipped);
   expect({"--min-angle", "0"}, {"not_delaunay"});
 }

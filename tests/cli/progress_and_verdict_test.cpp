@@ -29,7 +29,7 @@ TEST(SweepCheck, asks_for_no_bounds_yet) {
 
 TEST(SweepCheck, notices_every_defect_that_is_no_missed_bound_and_names_the_sweep) {
   int noticed = 0;
-  for (const Defect& defect : defects()) {
+  for (const defects::Defect& defect : defects::all()) {
     Pslg pslg = domains::regions();
     Goal goal{.max_area = 0.01, .conforming = true};
     Mesh mesh = mesh_of(pslg, goal);
@@ -46,9 +46,9 @@ TEST(SweepCheck, notices_every_defect_that_is_no_missed_bound_and_names_the_swee
 }
 
 TEST(SweepCheck, ends_a_refinement_in_the_sweep_in_which_the_mesh_goes_wrong) {
-  const auto turn = std::find_if(defects().begin(), defects().end(),
-                                 [](const Defect& d) { return d.expected == ViolationKind::not_delaunay; });
-  ASSERT_NE(turn, defects().end());
+  const auto turn = std::find_if(defects::all().begin(), defects::all().end(),
+                                 [](const defects::Defect& d) { return d.expected == ViolationKind::not_delaunay; });
+  ASSERT_NE(turn, defects::all().end());
   Pslg pslg = domains::pipe();
   Goal goal{.max_area = 0.001};
   std::uint64_t number = 0;

@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-#include "../stages/text.hpp"
+#include "text.hpp"
 
 namespace pardel::checker::exactly {
 namespace {
@@ -17,7 +17,8 @@ using Rational = CGAL::Gmpq;
 
 Kernel::Point_2 cgal(Point p) { return {p.x, p.y}; }
 
-/// A formula is a generic function of `number`, which turns a double into the arithmetic of the day.
+/// `formula` is a generic function of `number`, which converts a double to the number type in use: intervals first,
+/// then rational numbers.
 template <class Formula>
 bool decide(const Formula& formula) {
   {

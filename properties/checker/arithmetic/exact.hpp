@@ -1,6 +1,5 @@
-// Every question that the checker decides by arithmetic, each answered exactly for finite doubles: by
-// CGAL's filtered predicates, or by one formula evaluated in intervals and, where these do not decide, in
-// rational numbers. Thread-safe.
+// Exact predicates and comparisons for finite doubles. Orientation and in-circle tests are CGAL's filtered predicates.
+// The others evaluate a formula in intervals and, where these do not decide, in rational numbers. Thread-safe.
 #pragma once
 
 #include <string>
@@ -9,34 +8,36 @@
 
 namespace pardel::checker::exactly {
 
-/// +1 when a, b, c make a left turn, -1 for a right turn, 0 if and only if collinear.
+/// +1 where a, b, c turn left, -1 where they turn right, 0 where they are collinear.
 [[nodiscard]] int orientation(Point a, Point b, Point c);
 
-/// For counter-clockwise a, b, c: +1 when d lies strictly inside their circumcircle, -1 outside, 0 on it.
+/// +1 where d lies strictly inside the circumcircle of a, b, c, -1 outside, 0 on it. Precondition: a, b, c are
+/// counter-clockwise.
 [[nodiscard]] int in_circle(Point a, Point b, Point c, Point d);
 
-/// The cosine of the angle at `corner` between the rays to a and b is greater than `bound` (0 <= bound).
+/// True where the cosine of the angle at `corner` between the rays to a and b is greater than `bound` (0 <= bound).
 [[nodiscard]] bool cosine_exceeds(Point corner, Point a, Point b, double bound);
 
-/// The area of the counter-clockwise triangle is greater than `bound`.
+/// True where the area of the counter-clockwise triangle is greater than `bound`.
 [[nodiscard]] bool area_exceeds(Point a, Point b, Point c, double bound);
 
-/// |ab| > bound (0 <= bound).
+/// True where |ab| > bound (0 <= bound).
 [[nodiscard]] bool length_exceeds(Point a, Point b, double bound);
 
 /// The sign of |ab| - |cd|.
 [[nodiscard]] int compare_lengths(Point a, Point b, Point c, Point d);
 
-/// The circumradius of the counter-clockwise triangle is greater than `bound` (0 <= bound).
+/// True where the circumradius of the counter-clockwise triangle is greater than `bound` (0 <= bound).
 [[nodiscard]] bool circumradius_exceeds(Point a, Point b, Point c, double bound);
 
-/// p is further than `bound` (0 <= bound) from the line through a and b.
+/// True where p is further than `bound` (0 <= bound) from the line through a and b.
 [[nodiscard]] bool line_distance_exceeds(Point p, Point a, Point b, double bound);
 
-/// The sign of (to - from) . (b - a): does a walk from `from` to `to` go forward along ab?
+/// The sign of (to - from) . (b - a): positive where a step from `from` to `to` goes forward along ab.
 [[nodiscard]] int progress(Point from, Point to, Point a, Point b);
 
-/// Witnesses: the exact value as a fraction when it is short, else its leading digits.
+/// Exact values as text, for witnesses: the fraction where it has at most 40 characters, else its leading digits.
+/// orientation_text() is twice the signed area of a, b, c; in_circle_text() is the in-circle determinant.
 [[nodiscard]] std::string orientation_text(Point a, Point b, Point c);
 [[nodiscard]] std::string in_circle_text(Point a, Point b, Point c, Point d);
 /// The exact square of the cosine at `corner`.

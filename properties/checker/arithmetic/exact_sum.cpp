@@ -22,7 +22,7 @@ Parts parts(double x) {
   return {fraction | (std::uint64_t{1} << 52), biased - 1075};
 }
 
-// An addition changes a limb by less than 2^33, so 2^29 of them leave a limb below 2^63.
+// An addition changes a limb by less than 2^33, so after 2^29 additions a limb is still below 2^63.
 constexpr std::uint32_t additions_between_carries = 1u << 29;
 
 }  // namespace
@@ -37,7 +37,7 @@ void ExactSum::accumulate(double x, double y, bool subtract) {
   auto limb = static_cast<std::size_t>(position / bits_per_limb);
   const int shift = position % bits_per_limb;
   const bool negative = (std::signbit(x) != std::signbit(y)) != subtract;
-  // 106 bits shifted by up to 31 need 137: the low half and the high half are shifted apart.
+  // The product has 106 bits; shifted by up to 31 it has 137. The two halves are shifted separately, in 128 bits each.
   Wide low = (product & ~std::uint64_t{0}) << shift;
   Wide high = (product >> 64) << shift;
   const auto put = [&](std::size_t at, std::uint64_t value) {
@@ -92,7 +92,7 @@ double ExactSum::rounded() const {
     magnitude += *this;
   else
     magnitude -= *this;
-  // From the top: once the leading limbs are in, the rest is below the last digit.
+  // From the leading limb down. Limbs after the first few are below the last digit of the result.
   double value = 0;
   for (std::size_t i = magnitude.limb_.size(); i-- > 0;)
     value += std::ldexp(static_cast<double>(magnitude.limb_[i]), static_cast<int>(i) * bits_per_limb + lowest_exponent);

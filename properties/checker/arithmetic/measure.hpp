@@ -1,4 +1,5 @@
-// Lengths and angles in ordinary arithmetic: for reports, never for verdicts.
+// Points in floating-point arithmetic: midpoints, lengths, areas, angles. Only goal.size and shells (see
+// tolerances.hpp) let a verdict depend on these values.
 #pragma once
 
 #include <cmath>
@@ -8,6 +9,8 @@
 
 namespace pardel::checker {
 
+[[nodiscard]] inline Point midpoint(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}; }
+
 [[nodiscard]] inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// Twice the signed area of a, b, c.
@@ -15,7 +18,7 @@ namespace pardel::checker {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The angle at `corner` between the rays to a and b, 0 to 180 degrees.
+/// The angle at `corner` between the rays to a and b, in degrees, from 0 to 180.
 [[nodiscard]] inline double angle_deg(Point corner, Point a, Point b) {
   const double cross = std::abs(doubled_area(corner, a, b));
   const double dot = (a.x - corner.x) * (b.x - corner.x) + (a.y - corner.y) * (b.y - corner.y);

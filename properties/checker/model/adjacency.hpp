@@ -1,5 +1,4 @@
-// Adjacency: the triangles of a mesh with neighbours that can be relied on, its boundary edges, and the
-// triangles around each vertex.
+// Adjacency: the triangles of a mesh with verified neighbours, its boundary edges, and the triangles at each vertex.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +15,12 @@ namespace pardel::checker {
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 
-/// Which corner of the triangle this vertex is; the vertex must be one.
+/// The number of the corner that is this vertex. Precondition: one corner is.
 inline int corner_at(const Triangle& triangle, Index vertex) {
   return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
 }
 
-/// Edge `edge` of a triangle, which lies on the left of the edge from v[next(edge)] to v[previous(edge)].
+/// Edge `edge` of a triangle. The triangle lies on the left of the edge from v[next(edge)] to v[previous(edge)].
 struct TriangleEdge {
   Index triangle = no_index;
   int edge = 0;
@@ -33,20 +32,22 @@ struct BoundaryEdge {
   TriangleEdge left;
 };
 
-/// An edge with more than one triangle on a side: the triangles on both.
+/// An edge with more than one triangle on the same side.
 struct NonManifoldEdge {
   Index a, b;
-  std::vector<Index> triangles;
+  std::vector<Index> triangles;  ///< on both sides
 };
 
-/// Sets every neighbour from the corners alone. Where an edge has more than one triangle on a side, one pair
-/// are neighbours, the others get none, and the edge is appended to `non_manifold`. O(n log n).
+/// Sets every neighbour from the corners alone. Where an edge has more than one triangle on a side, one pair of
+/// triangles become neighbours, the others get no neighbour there, and the edge is appended to `non_manifold`.
+/// O(n log n).
 void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold);
 
 class Adjacency {
  public:
-  /// Corners must be distinct and in range, neighbours reciprocal. Linear time, and n log n in the boundary.
-  /// The mesh must outlive this. `rebuilt`: its triangles with neighbours set right, or empty.
+  /// `rebuilt`: the mesh's triangles with corrected neighbours; empty where the mesh's own neighbours are correct.
+  /// Preconditions: corners are distinct and in range, neighbours are reciprocal, the mesh outlives this object.
+  /// Linear time, plus O(b log b) for b boundary edges.
   Adjacency(Array<Triangle> rebuilt, const Mesh& mesh);
   Adjacency(Adjacency&&) = default;
 
@@ -54,13 +55,13 @@ class Adjacency {
   /// The edges without a neighbour, sorted by (from, to).
   [[nodiscard]] std::span<const BoundaryEdge> boundary() const { return boundary_; }
   [[nodiscard]] bool on_boundary(Index vertex) const { return on_boundary_[vertex] != 0; }
-  /// How many triangles have this vertex.
+  /// The number of triangles at this vertex.
   [[nodiscard]] Index corners(Index vertex) const { return corners_[vertex]; }
-  [[nodiscard]] std::span<const Index> corners() const { return corners_.span(); }  ///< the same for all vertices
+  [[nodiscard]] std::span<const Index> corners() const { return corners_.span(); }  ///< for all vertices
 
-  /// visit(triangle, corner) for the triangles around a vertex, fan by fan, counter-clockwise; returns the
-  /// number of fans. Finds every open fan, and the closed one where there is no open one; where a vertex has
-  /// more than that it is irregular, see below.
+  /// Calls visit(triangle, corner) for the triangles around a vertex, fan by fan, counter-clockwise, and returns the
+  /// number of fans. It finds every open fan, or one closed fan where there is no open one. A vertex with further fans
+  /// is irregular, see index_irregular_vertices().
   template <class Visit>
   int visit_fans(Index vertex, const Visit& visit) const {
     if (start_[vertex] == no_index) return 0;
@@ -77,11 +78,11 @@ class Adjacency {
     return fans;
   }
 
-  /// Lists the triangles of the vertices whose triangles visit_fans() does not all find; from then on it
-  /// finds them all, in no order around the vertex. Linear time.
+  /// Finds the irregular vertices and lists their triangles. Afterwards visit_fans() visits all triangles of such a
+  /// vertex, in ascending order instead of around the vertex. Linear time.
   void index_irregular_vertices();
 
-  /// The triangle on the left of the edge from a to b, if any. Time: the degree of a.
+  /// The triangle on the left of the edge from a to b, if there is one. Time: the degree of a.
   [[nodiscard]] TriangleEdge left_of(Index a, Index b) const;
 
  private:

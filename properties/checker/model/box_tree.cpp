@@ -16,7 +16,7 @@ std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
   nodes_.push_back({box, first, last, 0, 0});
   if (last - first <= leaf_size) return at;
 
-  // Halve by the median centre along the longer side.
+  // Split at the median of the centres along the longer side.
   const bool wide = box.max_x - box.min_x >= box.max_y - box.min_y;
   const auto centre = [&](Index item) {
     const BoundingBox& b = boxes_[item];

@@ -1,4 +1,4 @@
-// BoxTree: a static tree of bounding boxes, to find those of many items that come near a place.
+// BoxTree: a static tree of bounding boxes. It finds the items near a given place.
 #pragma once
 
 #include <algorithm>
@@ -33,11 +33,11 @@ struct BoundingBox {
 
 class BoxTree {
  public:
-  /// O(n log n). The boxes are those of the items 0, 1, ..., n-1.
+  /// boxes[i] is the bounding box of item i. O(n log n).
   explicit BoxTree(std::vector<BoundingBox> boxes);
 
-  /// visit(item) for every item whose box the filter lets through; filter(BoundingBox) must hold for a box that
-  /// contains one for which it holds.
+  /// Calls visit_item(item) for every item whose box passes filter(BoundingBox). Precondition: a box that contains a
+  /// passing box passes as well.
   template <class Filter, class Visit>
   void visit(const Filter& filter, const Visit& visit_item) const {
     if (!nodes_.empty()) descend(0, filter, visit_item);
@@ -50,8 +50,8 @@ class BoxTree {
 
   struct Node {
     BoundingBox box;
-    std::uint32_t first, last;  ///< a run of order_
-    std::uint32_t left, right;  ///< children; 0: a leaf
+    std::uint32_t first, last;  ///< a range of order_
+    std::uint32_t left, right;  ///< children; left == 0 in a leaf
   };
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);

@@ -8,7 +8,7 @@
 namespace pardel::checker {
 namespace {
 
-/// |p - line ab| in ordinary arithmetic: chooses among edges, decides nothing.
+/// The distance of p from line ab in floating point. It ranks allowed edges; it does not allow or forbid one.
 double rough_distance(Point p, Point a, Point b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
@@ -30,7 +30,7 @@ class Walk {
 
   std::vector<ChainEdge> run() {
     if (first_ == no_index || last_ == no_index || first_ == last_) return {};
-    // From the end with fewer triangles, so that the spokes of a hub need not search the hub.
+    // Start at the end with fewer triangles: where many segments meet in one point, no walk searches its triangles.
     const bool backward = adjacency_.corners(last_) < adjacency_.corners(first_);
     if (backward) std::swap(first_, last_);
     a_ = mesh_.points[first_];
@@ -50,36 +50,38 @@ class Walk {
   }
 
  private:
-  bool is_put_here(Index vertex) const { return vertex < mesh_.origin.size() && mesh_.origin[vertex] == segment_; }
+  bool has_this_origin(Index vertex) const { return vertex < mesh_.origin.size() && mesh_.origin[vertex] == segment_; }
 
-  /// May the chain go from `at` to `to`?
-  bool leads_on(Index at, Index to) const {
+  /// True where the chain may go from `at` to `to`.
+  bool is_allowed(Index at, Index to) const {
     const Point from = mesh_.points[at];
     const Point p = mesh_.points[to];
     if (to == last_) return exactly::progress(from, p, a_, b_) > 0;
     if (inputs_.input(to) != no_index) return false;
     const double distance = rough_distance(p, a_, b_);
     const double length = std::hypot(b_.x - a_.x, b_.y - a_.y);
-    if (strictness_ == Strictness::likeness) {
-      if (!is_put_here(to) && !(distance <= 1e-6 * length)) return false;
+    if (strictness_ == Strictness::loose) {
+      if (!has_this_origin(to) && !(distance <= 1e-6 * length)) return false;
     } else {
-      // Rounding errs by a few units at most, the tolerance being two: far off is certainly off.
+      // The rounding error of `distance` is a few units in the last place, and the tolerance is two such units. So a
+      // distance above 64 tolerances needs no exact comparison.
       if (distance > 64 * tolerance_ || exactly::line_distance_exceeds(p, a_, b_, tolerance_)) return false;
     }
     return exactly::progress(from, p, a_, b_) > 0 && exactly::progress(p, b_, a_, b_) > 0;
   }
 
-  /// Rounding leaves slivers along a segment, whose long side skips a vertex that was put on it: where provenance
-  /// says what was put there, nothing is skipped.
+  /// True where the edge to `to` is preferred to the edge to `than`. Rounding leaves slivers along a segment, and the
+  /// long side of a sliver passes over a vertex of the chain. A vertex whose origin is this segment is preferred, and
+  /// of two such vertices the nearer one, so that no vertex is passed over.
   bool is_better(Index at, Index to, Index than) const {
     if (than == no_index) return true;
-    if (strictness_ == Strictness::rounding && (is_put_here(to) || is_put_here(than))) {
-      if (is_put_here(to) != is_put_here(than)) return is_put_here(to);
+    if (strictness_ == Strictness::exact && (has_this_origin(to) || has_this_origin(than))) {
+      if (has_this_origin(to) != has_this_origin(than)) return has_this_origin(to);
       return exactly::compare_lengths(mesh_.points[at], mesh_.points[to], mesh_.points[at], mesh_.points[than]) < 0;
     }
     if (to == last_) return true;
     if (than == last_) return false;
-    if (is_put_here(to) != is_put_here(than)) return is_put_here(to);
+    if (has_this_origin(to) != has_this_origin(than)) return has_this_origin(to);
     return rough_distance(mesh_.points[to], a_, b_) < rough_distance(mesh_.points[than], a_, b_);
   }
 
@@ -87,10 +89,10 @@ class Walk {
     ChainEdge best{at, no_index, segment_, {}, {}};
     adjacency_.visit_fans(at, [&](Index t, int corner) {
       const Triangle& triangle = adjacency_.triangles()[t];
-      const Index right = triangle.v[next(corner)];     // t lies on the left of the edge to this one
-      const Index left = triangle.v[previous(corner)];  // and on the right of the edge to that one
+      const Index right = triangle.v[next(corner)];     // t lies on the left of the edge to `right`
+      const Index left = triangle.v[previous(corner)];  // and on the right of the edge to `left`
       for (const Index to : {right, left}) {
-        if (to == best.to || !is_better(at, to, best.to) || !leads_on(at, to)) continue;
+        if (to == best.to || !is_better(at, to, best.to) || !is_allowed(at, to)) continue;
         best = {at, to, segment_, {}, {}};
       }
     });

@@ -5,8 +5,9 @@
 #include <limits>
 #include <numeric>
 
+#include "../../../core/support/point_order.hpp"
 #include "../arithmetic/exact.hpp"
-#include "../check.hpp"
+#include "../tolerances.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -16,16 +17,14 @@ namespace {
 std::vector<Index> hull(std::span<const Point> points) {
   std::vector<Index> sorted(points.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
-  const auto less = [&](Index a, Index b) {
-    return points[a].x < points[b].x || (points[a].x == points[b].x && points[a].y < points[b].y);
-  };
-  std::sort(sorted.begin(), sorted.end(), less);
-  const auto is_turn = [&](Index a, Index b, Index c) { return exactly::orientation(points[a], points[b], points[c]); };
+  std::sort(sorted.begin(), sorted.end(),
+            [&](Index a, Index b) { return lexicographically_less(points[a], points[b]); });
+  const auto turn = [&](Index a, Index b, Index c) { return exactly::orientation(points[a], points[b], points[c]); };
   const auto half = [&](auto first, auto last) {
     std::vector<Index> chain;
     for (; first != last; ++first) {
       if (!chain.empty() && points[chain.back()] == points[*first]) continue;
-      while (chain.size() >= 2 && is_turn(chain[chain.size() - 2], chain.back(), *first) < 0) chain.pop_back();
+      while (chain.size() >= 2 && turn(chain[chain.size() - 2], chain.back(), *first) < 0) chain.pop_back();
       chain.push_back(*first);
     }
     return chain;
@@ -33,7 +32,7 @@ std::vector<Index> hull(std::span<const Point> points) {
   std::vector<Index> lower = half(sorted.begin(), sorted.end());
   std::vector<Index> upper = half(sorted.rbegin(), sorted.rend());
   const bool flat =
-      std::all_of(sorted.begin(), sorted.end(), [&](Index p) { return is_turn(lower.front(), lower.back(), p) == 0; });
+      std::all_of(sorted.begin(), sorted.end(), [&](Index p) { return turn(lower.front(), lower.back(), p) == 0; });
   if (flat) return {};
   lower.pop_back();
   upper.pop_back();

@@ -1,6 +1,6 @@
-// Domain: what a Pslg says is to be meshed, by Triangle's definition. A face of the Pslg belongs to the
-// domain unless it is the exterior or holds a hole seed; where the convex hull is the outline, its edges
-// that are no segments ("hull pieces") join the segments first.
+// Domain: the part of the plane that a Pslg asks to be meshed, by Triangle's definition. A face of the Pslg belongs to
+// the domain unless it is the exterior or contains the seed of a hole. Where the convex hull is the outline, the hull
+// edges that are not input segments ("hull pieces") are appended to the segments first.
 #pragma once
 
 #include <span>
@@ -14,7 +14,8 @@ namespace pardel::checker {
 
 class Domain {
  public:
-  /// O(n log n) on typical input. Segment ids must be in range, coordinates finite; pslg must outlive this.
+  /// Preconditions: segment ids are in range, coordinates are finite, `pslg` outlives this object. O(n log n) time on
+  /// typical input.
   Domain(const Pslg& pslg, bool convex_hull);
   Domain(const Domain&) = delete;
   Domain& operator=(const Domain&) = delete;
@@ -24,24 +25,24 @@ class Domain {
   [[nodiscard]] bool is_hull_piece(Index segment) const { return segment >= pslg_.segments.size(); }
 
   [[nodiscard]] bool inside(Index face) const { return face != no_index && inside_[face] != 0; }
-  /// The face on one side of a segment belongs to the domain.
+  /// True where the face on this side of the segment belongs to the domain.
   [[nodiscard]] bool inside(Index segment, Side side) const { return inside(faces_.face(segment, side)); }
-  /// A segment with the domain on neither side is rightly absent from the mesh.
+  /// True where the domain lies on at least one side of the segment. Other segments are not part of the mesh.
   [[nodiscard]] bool has(Index segment) const { return inside(segment, Side::left) || inside(segment, Side::right); }
   [[nodiscard]] bool on_boundary(Index segment) const {
     return inside(segment, Side::left) != inside(segment, Side::right);
   }
-  /// The closed domain contains this input point.
+  /// True where the closed domain contains this input point.
   [[nodiscard]] bool has_point(Index point) const;
 
   [[nodiscard]] const PlanarFaces& faces() const { return faces_; }
-  /// The regions whose seeds lie in this face (more than one only in an invalid Pslg).
+  /// The regions whose seeds lie in this face, as pairs (face, region). More than one only in an invalid Pslg.
   [[nodiscard]] std::span<const std::pair<Index, Index>> regions_in(Index face) const;
 
-  /// How far a vertex on a segment may lie from it: chain_ulps units in the last place of the largest
+  /// The largest distance of a vertex from its segment: chain_ulps units in the last place of the largest absolute
   /// coordinate of the Pslg.
   [[nodiscard]] double tolerance() const { return tolerance_; }
-  /// One such unit.
+  /// One unit in the last place of that coordinate.
   [[nodiscard]] double ulp() const { return ulp_; }
 
  private:

@@ -1,4 +1,4 @@
-// Which vertex of the mesh is which input point.
+// InputVertices: the vertex of the mesh for each input point, and the other way round.
 #pragma once
 
 #include <span>
@@ -9,15 +9,16 @@ namespace pardel::checker {
 
 class InputVertices {
  public:
-  /// By index: input point i is vertex i. By coordinates, where the mesh numbers its vertices in its own way.
+  /// Input point i is vertex i.
   [[nodiscard]] static InputVertices by_index(std::size_t inputs, std::size_t vertices);
-  /// Of several vertices at one place the first that is used by a triangle is taken.
+  /// Input points and vertices with equal coordinates correspond. Of several vertices at one place the first one that
+  /// has a triangle is taken. O(n log n).
   [[nodiscard]] static InputVertices by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
                                                     std::span<const Index> corners_of_vertex);
 
-  /// no_index: the input point is no vertex.
+  /// no_index where the input point is not a vertex.
   [[nodiscard]] Index vertex(Index input) const { return vertex_[input]; }
-  /// no_index: the vertex is no input point.
+  /// no_index where the vertex is not an input point.
   [[nodiscard]] Index input(Index vertex) const {
     if (input_.empty()) return vertex < vertex_.size() ? vertex : no_index;
     return input_[vertex];

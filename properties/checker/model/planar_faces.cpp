@@ -9,7 +9,7 @@
 namespace pardel::checker {
 namespace {
 
-/// Half-edges: 2 s runs from a to b, 2 s + 1 back; the face of each lies on its left.
+/// Half-edge 2 s runs from end a of segment s to end b, half-edge 2 s + 1 from b to a. Its face lies on its left.
 using HalfEdge = std::size_t;
 
 /// Directions from 0 (included) to 180 degrees (excluded) come first.
@@ -58,7 +58,7 @@ void PlanarFaces::sort_around_vertices() {
 }
 
 void PlanarFaces::walk_cycles() {
-  // The face on the left of h goes on, at h's head, with the half-edge next clockwise from h's twin.
+  // Around the face on the left of h, the half-edge after h is the next one clockwise from h's twin at h's head.
   const std::size_t half_edges = 2 * segments_.size();
   std::vector<HalfEdge> next(half_edges);
   for (Index v = 0; v < points_.size(); ++v) {
@@ -94,15 +94,15 @@ void PlanarFaces::nest_components() {
     if (best == no_index || lexicographically_less(points_[v], points_[best])) best = v;
   }
 
-  // One cycle of each component bounds it from outside: the one that looks left from its leftmost vertex.
-  // It is part of the face directly below that vertex.
+  // One cycle of each component bounds it from outside. It passes the leftmost vertex with the outside on its left. Its
+  // face is the face directly below that vertex.
   std::vector<Index> same_as(count_);
   std::iota(same_as.begin(), same_as.end(), Index{0});
   for (const Index v : leftmost) {
     if (v == no_index) continue;
     const auto around = incident(v);
-    // All leave to the right or straight up, so the steepest has the outside on its left: the last one with
-    // a direction in [0, 180), or the last of all where every one goes down.
+    // All segments leave the leftmost vertex to the right or vertically. The outside lies on the left of the steepest:
+    // the last one with a direction in [0, 180) degrees, or the last of all where every segment goes down.
     std::size_t last = around.size() - 1;
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Segment& s = segments_[around[i]];
@@ -122,7 +122,7 @@ void PlanarFaces::nest_components() {
     same_as[std::max(a, b)] = std::min(a, b);
   }
 
-  // Number the faces anew without gaps; the exterior is 0 and stays 0, being the least of its class.
+  // Number the faces without gaps. The exterior stays 0, because 0 is the smallest number of its class.
   std::vector<Index> number(count_, no_index);
   Index faces = 0;
   for (Index i = 0; i < count_; ++i)

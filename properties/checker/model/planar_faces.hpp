@@ -1,5 +1,6 @@
-// The faces of a plane straight-line graph, by definition: half-edges sorted around every vertex, face
-// cycles walked, components nested in one another by what lies directly below their leftmost vertex.
+// PlanarFaces: the faces of a plane straight-line graph. Half-edges are sorted around every vertex, the cycles of
+// half-edges around faces are walked, and a connected component is placed in the face directly below its leftmost
+// vertex.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +14,24 @@ namespace pardel::checker {
 
 enum class Side : std::uint8_t { left, right };
 
-/// Segments must meet at common end points only; where they do not, the faces mean nothing, but nothing breaks.
+/// Segments should meet at common end points only. Where they do not, the faces are meaningless, but every function is
+/// still safe to call.
 class PlanarFaces {
  public:
-  /// O(n log n) on typical input. Segment ids must be in range, coordinates finite. Both spans must outlive this.
+  /// Preconditions: segment ids are in range, coordinates are finite, both spans outlive this object. O(n log n) time
+  /// on typical input.
   PlanarFaces(std::span<const Point> points, std::span<const Segment> segments);
 
   [[nodiscard]] Index count() const { return count_; }
   /// The unbounded face.
   [[nodiscard]] static constexpr Index exterior() { return 0; }
-  /// The face on one side of a segment, seen from its end a towards b.
+  /// The face on one side of a segment, looking from its end a to its end b.
   [[nodiscard]] Index face(Index segment, Side side) const {
     return face_[2 * std::size_t{segment} + static_cast<std::size_t>(side)];
   }
-  /// The face that contains p; no_index for a point on a segment.
+  /// The face that contains p, or no_index where p lies on a segment. O(log n) time on typical input.
   [[nodiscard]] Index face_at(Point p) const;
-  /// The segments that end at a vertex, counter-clockwise.
+  /// The segments at a vertex, counter-clockwise.
   [[nodiscard]] std::span<const Index> incident(Index vertex) const {
     return std::span(incident_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
   }
@@ -43,7 +46,7 @@ class PlanarFaces {
   SegmentsBelow below_;
   std::vector<std::size_t> first_;  ///< per vertex, into incident_
   std::vector<Index> incident_;
-  std::vector<Index> face_;  ///< per half-edge: 2 s for a to b (left side), 2 s + 1 for b to a (right side)
+  std::vector<Index> face_;  ///< per half-edge; 2 s runs from a to b (left side), 2 s + 1 from b to a (right side)
   Index count_ = 1;
 };
 

@@ -29,8 +29,8 @@ SegmentsBelow::Ends SegmentsBelow::ends(Index segment) const {
 }
 
 bool SegmentsBelow::is_above(Index s, Index t) const {
-  // Both span one abscissa and do not cross: the end that lies within the other's span decides, and the
-  // other end where the first one lies on the other segment.
+  // Some vertical line meets both segments, and they do not cross. The left end that lies further right is compared
+  // with the other segment. Where it lies on that segment, the right end of its own segment decides.
   const Ends upper = ends(s);
   const Ends lower = ends(t);
   if (upper.left.x < lower.left.x) {
@@ -45,7 +45,7 @@ bool SegmentsBelow::is_above(Index s, Index t) const {
 
 Index SegmentsBelow::directly_below(Point p) const {
   Index best = no_index;
-  double floor = -std::numeric_limits<double>::infinity();  // what ends below this is below the best
+  double floor = -std::numeric_limits<double>::infinity();  // segments that end below this are below the best
   const auto spans = [&](const BoundingBox& box) {
     return box.min_x < p.x && p.x <= box.max_x && box.min_y < p.y && box.max_y >= floor;
   };

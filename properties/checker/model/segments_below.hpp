@@ -1,4 +1,4 @@
-// SegmentsBelow: which segment of a plane straight-line graph lies directly below a point.
+// SegmentsBelow: finds the segment of a plane straight-line graph directly below a point.
 #pragma once
 
 #include <span>
@@ -8,23 +8,22 @@
 
 namespace pardel::checker {
 
-/// Segments of a plane straight-line graph, to be asked what lies below a point.
 class SegmentsBelow {
  public:
-  /// Both spans must outlive this.
+  /// Both spans must outlive this object. O(n log n).
   SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments);
 
-  /// The segment that a ray straight down from p hits first, no_index when none: of those whose interior
-  /// lies strictly below p at an abscissa just left of p's (so that ends and vertical segments need no
-  /// cases of their own). Segments must not cross. Exact; O(log n) on typical input.
+  /// The first segment that a ray straight down from p meets, or no_index. The ray starts at an x-coordinate just left
+  /// of p's, so end points and vertical segments are not special cases; only segments strictly below p count.
+  /// Precondition: segments do not cross. Exact; O(log n) time on typical input.
   [[nodiscard]] Index directly_below(Point p) const;
 
-  /// Some segment that contains p, no_index when none.
+  /// A segment that contains p, or no_index. O(log n) time on typical input.
   [[nodiscard]] Index through(Point p) const;
 
  private:
   struct Ends {
-    Point left, right;  ///< left has the smaller abscissa
+    Point left, right;  ///< left has the smaller x-coordinate
   };
   [[nodiscard]] Ends ends(Index segment) const;
   [[nodiscard]] bool is_above(Index s, Index t) const;

@@ -1,27 +1,24 @@
-// Do the triangles tile exactly the domain?
+// Checks that the triangles cover the domain once, and nothing else.
 //
-// The sum of the boundaries of positively oriented triangles, paired edge to edge, is the sum of the edges
-// without a partner. So how often the triangles cover a point is how often these boundary edges wind around
-// it. If the boundary edges are exactly the chain edges between the domain and the rest, with the domain on
-// their left, then every point further from the segments than the chains are is covered once in the domain
-// and never outside of it, since the chains can be moved onto the segments without passing over the point.
-// For the points in between, the winding number of every face of the boundary is computed: 0 or 1 in all.
+// The boundaries of counter-clockwise triangles that are paired edge to edge sum to the edges without a partner, the
+// boundary edges. So the number of triangles that cover a point is the winding number of the boundary edges around it.
+// Suppose that the boundary edges are exactly the chain edges between the domain and the rest, with the domain on their
+// left. Take a point that is further from the segments than the chains are. The chains can be moved onto the segments
+// without passing over this point, so it is covered once if it lies in the domain, and never otherwise. For the points
+// between chains and segments the winding number of every face of the boundary is computed; it must be 0 or 1.
 #include <algorithm>
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/exact_sum.hpp"
+#include "../arithmetic/measure.hpp"
+#include "../arithmetic/text.hpp"
 #include "../model/box_tree.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 namespace {
 
-std::string edge_text(Index from, Index to) { return to_text(from) + "-" + to_text(to); }
-
-Point midpoint(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}; }
-
-/// On each side of each chain edge there is a triangle if and only if that side belongs to the domain.
+/// A chain edge must have a triangle on each side that belongs to the domain, and on no other side.
 void check_sides(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   for (const ChainEdge& edge : chains.edges) {
     for (const Side side : {Side::left, Side::right}) {
@@ -41,7 +38,7 @@ void check_sides(const Subject& subject, const Domain& domain, const Chains& cha
   }
 }
 
-/// Each face of the domain has a triangle at one of its segments at least.
+/// Each face of the domain must have a triangle at one of its segments.
 void check_faces(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   std::vector<char> has_triangle(domain.faces().count(), 0);
   for (const ChainEdge& edge : chains.edges) {
@@ -53,7 +50,7 @@ void check_faces(const Subject& subject, const Domain& domain, const Chains& cha
     for (const Side side : {Side::left, Side::right}) {
       const Index face = domain.faces().face(static_cast<Index>(s), side);
       if (!domain.inside(face) || has_triangle[face] != 0) continue;
-      has_triangle[face] = 1;  // said once is enough
+      has_triangle[face] = 1;  // one report for each face
       found.add(ViolationKind::uncovered_domain, {static_cast<Index>(s)},
                 {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
                 "the face of the domain on the " + std::string(side == Side::left ? "left" : "right") + " of segment " +
@@ -62,8 +59,8 @@ void check_faces(const Subject& subject, const Domain& domain, const Chains& cha
   }
 }
 
-/// Where two boundary edges have more in common than an end: an overlap, with the proof. `vertex`: the
-/// vertices of the mesh that `points` are.
+/// Reports an overlap where two boundary edges share more than an end. vertex[i] is the vertex of the mesh at
+/// points[i].
 void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> vertex,
                   Findings& found) {
   std::vector<BoundingBox> boxes(edges.size());
@@ -72,7 +69,7 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
     boxes[e].include(points[edges[e].b]);
   }
   const BoxTree tree(boxes);
-  judge_all(edges.size(), found, [&](std::size_t e, Findings& mine) {
+  check_each(edges.size(), found, [&](std::size_t e, Findings& mine) {
     const Segment s = edges[e];
     const Point a = points[s.a], b = points[s.b];
     tree.visit([&](const BoundingBox& box) { return box.meets(boxes[e]); },
@@ -83,7 +80,8 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
                  const int side_c = exactly::orientation(a, b, c), side_d = exactly::orientation(a, b, d);
                  const int side_a = exactly::orientation(c, d, a), side_b = exactly::orientation(c, d, b);
                  const bool share_an_end = s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
-                 bool meet = side_c * side_d <= 0 && side_a * side_b <= 0;  // boxes meet, so this holds if collinear
+                 bool meet =
+                     side_c * side_d <= 0 && side_a * side_b <= 0;  // true for collinear edges, whose boxes meet
                  if (share_an_end) {
                    // Only collinear edges on the same side of the shared end overlap.
                    const Index pivot = s.a == t.a || s.a == t.b ? s.a : s.b;
@@ -101,8 +99,8 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
   });
 }
 
-/// The winding number of the boundary in each of its faces, from the exterior's 0 on: one more on the left
-/// of an edge than on its right.
+/// The winding number of the boundary in each of its faces. It is 0 in the exterior, and on the left of an edge it is
+/// one larger than on the right.
 std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
   struct Step {
     Index from, to;
@@ -134,13 +132,13 @@ std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
   return winding;
 }
 
-/// Boundary edges that no chain explains, and faces covered more than once.
+/// Reports boundary edges that are not part of a chain, and faces that are covered more than once.
 void check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                     Findings& found) {
   // The boundary as a plane graph on its own vertices.
   const auto boundary = adjacency.boundary();
   std::vector<Point> points;
-  std::vector<Index> vertex;  // of the mesh, ascending
+  std::vector<Index> vertex;  // vertices of the mesh, ascending
   for (const BoundaryEdge& edge : boundary) {
     vertex.push_back(edge.from);
     vertex.push_back(edge.to);
@@ -175,7 +173,7 @@ void check_boundary(const Subject& subject, const Domain& domain, const Adjacenc
       if (!simple || right == 0)
         found.add(ViolationKind::uncovered_domain, {edge.left.triangle, edge.from, edge.to}, where,
                   "edge " + edge_text(edge.from, edge.to) + " of triangle " + to_text(edge.left.triangle) +
-                      " has no neighbour though it lies inside the domain and on no segment");
+                      " has no neighbour although it lies inside the domain and on no segment");
     } else {
       found.add(ViolationKind::covered_exterior, {edge.left.triangle, edge.from, edge.to}, where,
                 "triangle " + to_text(edge.left.triangle) + " ends at edge " + edge_text(edge.from, edge.to) +
@@ -184,13 +182,13 @@ void check_boundary(const Subject& subject, const Domain& domain, const Adjacenc
   }
 }
 
-/// True where a chain that is off its segment by no more than rounding may have passed p.
+/// True where p is so near to an edge of the triangle that rounding of a chain may have moved the edge past p.
 bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
   return !exactly::line_distance_exceeds(p, a, b, tolerance) || !exactly::line_distance_exceeds(p, b, c, tolerance) ||
          !exactly::line_distance_exceeds(p, c, a, tolerance);
 }
 
-/// No triangle contains a hole's seed, unless only the rounding of the hole's rim put it there.
+/// Reports triangles that contain the seed of a hole. Seeds within the rounding distance of an edge are left out.
 void check_holes(const Subject& subject, const Domain& domain, Findings& found) {
   const auto& holes = subject.pslg.holes;
   std::vector<Index> by_x;
@@ -198,7 +196,7 @@ void check_holes(const Subject& subject, const Domain& domain, Findings& found) 
     if (domain.faces().face_at(holes[h]) != no_index) by_x.push_back(static_cast<Index>(h));
   if (by_x.empty()) return;
   std::sort(by_x.begin(), by_x.end(), [&](Index g, Index h) { return holes[g].x < holes[h].x; });
-  judge_all(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+  check_each(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const Triangle& triangle = subject.mesh.triangles[t];
     const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
     auto hole = std::lower_bound(by_x.begin(), by_x.end(), std::min({a.x, b.x, c.x}),
@@ -215,11 +213,11 @@ void check_holes(const Subject& subject, const Domain& domain, Findings& found) 
   });
 }
 
-/// The exact sum of the triangles' areas is the exact area within the chains that bound the domain.
+/// The exact sum of the triangles' areas must be the exact area within the chains that bound the domain.
 void check_area(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   const Mesh& mesh = subject.mesh;
   std::vector<ExactSum> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel if (mesh.triangles.size() >= worth_threads)
+#pragma omp parallel if (mesh.triangles.size() >= parallel_loop_size)
   {
     ExactSum& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)

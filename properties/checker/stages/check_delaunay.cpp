@@ -1,16 +1,16 @@
-// Locally Delaunay everywhere implies (constrained) Delaunay: Delaunay's lemma.
+// Checks that edges are locally Delaunay. If all are, the triangulation is (constrained) Delaunay: Delaunay's lemma.
 #include <algorithm>
 
 #include "../arithmetic/exact.hpp"
+#include "../arithmetic/text.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 
 void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, Findings& found) {
   const auto triangles = adjacency.triangles();
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
-  judge_all(triangles.size(), found, [&](std::size_t i, Findings& mine) {
+  check_each(triangles.size(), found, [&](std::size_t i, Findings& mine) {
     const auto t = static_cast<Index>(i);
     const Triangle& triangle = triangles[t];
     const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
@@ -24,12 +24,12 @@ void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Ch
           *std::find_if(across.v.begin(), across.v.end() - 1, [=](Index v) { return v != from && v != to; });
       const Point d = subject.mesh.points[apex];
       if (exactly::in_circle(a, b, c, d) <= 0) continue;
-      if (mine.wants(ViolationKind::not_delaunay))
+      if (mine.admit(ViolationKind::not_delaunay))
         mine.keep({ViolationKind::not_delaunay,
                    {from, to, t, other},
                    {subject.mesh.points[from], subject.mesh.points[to]},
-                   "edge " + to_text(from) + "-" + to_text(to) + " of triangles " + to_text(t) + " and " +
-                       to_text(other) + " is not locally Delaunay: vertex " + to_text(apex) + " " + to_text(d) +
+                   "edge " + edge_text(from, to) + " of triangles " + to_text(t) + " and " + to_text(other) +
+                       " is not locally Delaunay: vertex " + to_text(apex) + " " + to_text(d) +
                        " lies inside the circumcircle, in-circle determinant " + exactly::in_circle_text(a, b, c, d)});
     }
   });

@@ -1,20 +1,20 @@
-// The bounds of the goal, each compared exactly.
+// Checks the bounds of the goal. All are compared exactly, except sizes.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
+#include "../arithmetic/text.hpp"
+#include "../tolerances.hpp"
 #include "justified.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 namespace {
 
-class GoalJudge {
+class GoalCheck {
  public:
-  GoalJudge(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+  GoalCheck(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
             const InputVertices& inputs, std::span<const Index> faces, bool trust_orientation)
       : subject_(subject),
         domain_(domain),
@@ -25,21 +25,21 @@ class GoalJudge {
         trust_orientation_(trust_orientation),
         cosine_bound_(angle_cosine_bound(subject.goal.min_angle_deg)) {}
 
-  void judge(std::size_t i, Findings& found, std::vector<Justified>& justified) const {
+  void check_triangle(std::size_t i, Findings& found, std::vector<Justified>& justified) const {
     const auto t = static_cast<Index>(i);
     const Triangle& triangle = adjacency_.triangles()[t];
     const std::array<Point, 3> p{subject_.corner(triangle, 0), subject_.corner(triangle, 1),
                                  subject_.corner(triangle, 2)};
     if (!trust_orientation_ && exactly::orientation(p[0], p[1], p[2]) <= 0) return;
-    judge_angles(t, p, found, justified);
-    judge_areas(t, p, found);
-    judge_edges(t, p, found);
-    judge_size(t, p, found);
-    judge_circumradius(t, p, found);
+    check_angles(t, p, found, justified);
+    check_areas(t, p, found);
+    check_edges(t, p, found);
+    check_size(t, p, found);
+    check_circumradius(t, p, found);
   }
 
  private:
-  void judge_angles(Index t, const std::array<Point, 3>& p, Findings& found, std::vector<Justified>& justified) const {
+  void check_angles(Index t, const std::array<Point, 3>& p, Findings& found, std::vector<Justified>& justified) const {
     if (cosine_bound_ >= 1) return;
     int sharp = -1;
     for (int k = 0; k < 3; ++k)
@@ -51,7 +51,7 @@ class GoalJudge {
       justified.push_back(*reason);
       return;
     }
-    if (!found.wants(ViolationKind::small_angle)) return;
+    if (!found.admit(ViolationKind::small_angle)) return;
     const Point a = p[next(sharp)], b = p[previous(sharp)];
     found.keep({ViolationKind::small_angle,
                 ids(t),
@@ -62,17 +62,18 @@ class GoalJudge {
                     ", and no small input angle justifies it"});
   }
 
-  void judge_areas(Index t, const std::array<Point, 3>& p, Findings& found) const {
-    if (exceeds_area(p, subject_.goal.max_area) && found.wants(ViolationKind::large_area))
-      found.keep({ViolationKind::large_area, ids(t), {p.begin(), p.end()}, area_story(t, p, subject_.goal.max_area)});
+  void check_areas(Index t, const std::array<Point, 3>& p, Findings& found) const {
+    if (exceeds_area(p, subject_.goal.max_area) && found.admit(ViolationKind::large_area))
+      found.keep(
+          {ViolationKind::large_area, ids(t), {p.begin(), p.end()}, area_description(t, p, subject_.goal.max_area)});
     if (!subject_.goal.region_caps || faces_.empty()) return;
     for (const auto& [face, region] : domain_.regions_in(faces_[t])) {
       const double cap = subject_.pslg.regions[region].max_area;
-      if (exceeds_area(p, cap) && found.wants(ViolationKind::region_area))
+      if (exceeds_area(p, cap) && found.admit(ViolationKind::region_area))
         found.keep({ViolationKind::region_area,
                     ids(t),
                     {p.begin(), p.end()},
-                    area_story(t, p, cap) + ", the cap of region " + to_text(region)});
+                    area_description(t, p, cap) + ", the cap of region " + to_text(region)});
     }
   }
 
@@ -80,47 +81,47 @@ class GoalJudge {
     return std::isfinite(cap) && exactly::area_exceeds(p[0], p[1], p[2], cap);
   }
 
-  static std::string area_story(Index t, const std::array<Point, 3>& p, double cap) {
+  static std::string area_description(Index t, const std::array<Point, 3>& p, double cap) {
     return "triangle " + to_text(t) + " has area " + exactly::area_text(p[0], p[1], p[2]) + " > " + to_text(cap);
   }
 
-  void judge_edges(Index t, const std::array<Point, 3>& p, Findings& found) const {
+  void check_edges(Index t, const std::array<Point, 3>& p, Findings& found) const {
     const double cap = subject_.goal.max_edge;
     if (!std::isfinite(cap)) return;
     for (int k = 0; k < 3; ++k) {
       const Index across = adjacency_.triangles()[t].n[k];
-      if (across < t) continue;  // judged there
+      if (across < t) continue;  // checked from that triangle
       const Point a = p[next(k)], b = p[previous(k)];
-      if (!exactly::length_exceeds(a, b, std::max(cap, 0.0)) || !found.wants(ViolationKind::long_edge)) continue;
+      if (!exactly::length_exceeds(a, b, std::max(cap, 0.0)) || !found.admit(ViolationKind::long_edge)) continue;
       const Triangle& triangle = adjacency_.triangles()[t];
       found.keep({ViolationKind::long_edge,
                   {triangle.v[next(k)], triangle.v[previous(k)], t},
                   {a, b},
-                  "edge " + to_text(triangle.v[next(k)]) + "-" + to_text(triangle.v[previous(k)]) + " of triangle " +
-                      to_text(t) + " has squared length " + exactly::squared_length_text(a, b) +
-                      ", more than the square of " + to_text(cap)});
+                  "edge " + edge_text(triangle.v[next(k)], triangle.v[previous(k)]) + " of triangle " + to_text(t) +
+                      " has squared length " + exactly::squared_length_text(a, b) + ", more than the square of " +
+                      to_text(cap)});
     }
   }
 
-  /// The centroid is rounded, so a size is believed only within a relative 2^-40.
-  void judge_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
+  /// The centroid and the lengths are rounded, hence size_tolerance.
+  void check_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
     if (!subject_.goal.size) return;
     const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
     const double size = subject_.goal.size(centroid);
     const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
-    if (longest <= size * (1 + 0x1p-40)) return;
-    if (found.wants(ViolationKind::size_exceeded))
+    if (longest <= size * (1 + size_tolerance)) return;
+    if (found.admit(ViolationKind::size_exceeded))
       found.keep({ViolationKind::size_exceeded,
                   ids(t),
                   {p.begin(), p.end()},
                   "triangle " + to_text(t) + " has an edge of length " + to_text(longest) + " > " + to_text(size) +
-                      ", the size wanted at its centroid"});
+                      ", the size at its centroid"});
   }
 
-  void judge_circumradius(Index t, const std::array<Point, 3>& p, Findings& found) const {
+  void check_circumradius(Index t, const std::array<Point, 3>& p, Findings& found) const {
     const double bound = subject_.options.max_circumradius;
     if (!(bound > 0) || !std::isfinite(bound) || !exactly::circumradius_exceeds(p[0], p[1], p[2], bound)) return;
-    if (found.wants(ViolationKind::large_circumradius))
+    if (found.admit(ViolationKind::large_circumradius))
       found.keep({ViolationKind::large_circumradius,
                   ids(t),
                   {p.begin(), p.end()},
@@ -150,22 +151,13 @@ void check_goal(const Subject& subject, const Domain& domain, const Adjacency& a
                 const InputVertices& inputs, std::span<const Index> faces, Findings& found,
                 std::vector<Justified>& justified) {
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
-  const GoalJudge goal(subject, domain, adjacency, chains, inputs, faces, trust_orientation);
-  // Threads take consecutive runs, so joining what they have keeps it ascending.
+  const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, trust_orientation);
+  // Each thread takes one run of consecutive triangles, so the joined list is ascending.
   std::vector<std::vector<Justified>> parts(static_cast<std::size_t>(omp_get_max_threads()));
-  judge_all(adjacency.triangles().size(), found, [&](std::size_t t, Findings& mine) {
-    goal.judge(t, mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);
+  check_each(adjacency.triangles().size(), found, [&](std::size_t t, Findings& mine) {
+    goal.check_triangle(t, mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);
   });
   for (const auto& part : parts) justified.insert(justified.end(), part.begin(), part.end());
 }
 
 }  // namespace pardel::checker
-
-namespace pardel {
-
-double angle_cosine_bound(double min_angle_deg) {
-  if (!(min_angle_deg > 0)) return 1;
-  return std::cos(std::min(min_angle_deg, 90.0) * std::numbers::pi / 180);
-}
-
-}  // namespace pardel

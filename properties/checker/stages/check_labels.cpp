@@ -1,8 +1,8 @@
-// What the mesh says of itself: constrained edges, markers, origins, regions, attributes.
+// Checks the data that the mesh lists: constrained edges, markers, origins, regions, attributes.
 #include <algorithm>
 
+#include "../arithmetic/text.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -13,9 +13,7 @@ int expected_marker(const Domain& domain, Index segment) {
   return own != 0 ? own : domain.on_boundary(segment) ? 1 : 0;
 }
 
-std::string edge_text(Index a, Index b) { return to_text(a) + "-" + to_text(b); }
-
-/// The mesh's list of constrained edges against the chains found by walking.
+/// Compares the mesh's list of constrained edges with the chains that were found by walking.
 class ConstrainedEdges {
  public:
   ConstrainedEdges(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found)
@@ -24,12 +22,12 @@ class ConstrainedEdges {
       expected_.push_back({std::min(edge.from, edge.to), std::max(edge.from, edge.to), edge.segment, false});
     std::sort(expected_.begin(), expected_.end(),
               [](const Expected& x, const Expected& y) { return std::pair(x.low, x.high) < std::pair(y.low, y.high); });
-    // A file may know which edges are constrained and not by which marker.
-    judge_markers_ = !foreign_ || std::any_of(mesh_.constrained_edges.begin(), mesh_.constrained_edges.end(),
+    // A file may list constrained edges without markers.
+    check_markers_ = !foreign_ || std::any_of(mesh_.constrained_edges.begin(), mesh_.constrained_edges.end(),
                                               [](const ConstrainedEdge& e) { return e.marker != 0; });
   }
 
-  void judge(const ConstrainedEdge& edge, Index position, bool is_mesh_edge) {
+  void check(const ConstrainedEdge& edge, Index position, bool is_mesh_edge) {
     const auto [low, high] = std::minmax(edge.a, edge.b);
     const auto match = std::lower_bound(
         expected_.begin(), expected_.end(), std::pair(low, high),
@@ -43,11 +41,11 @@ class ConstrainedEdges {
     const Index segment = domain_.is_hull_piece(match->segment) ? no_index : match->segment;
     if (edge.segment != segment && !(foreign_ && edge.segment == no_index))
       report(ViolationKind::wrong_constrained_edge, edge, position,
-             "names segment " + id_text(edge.segment) + " but is part of " + id_text(segment));
+             "lists segment " + id_text(edge.segment) + " but is part of " + id_text(segment));
     const int marker = expected_marker(domain_, match->segment);
-    if (judge_markers_ && edge.marker != marker)
+    if (check_markers_ && edge.marker != marker)
       report(ViolationKind::wrong_edge_marker, edge, position,
-             "has marker " + to_text(edge.marker) + " where " + to_text(marker) + " belongs");
+             "has marker " + to_text(edge.marker) + " instead of " + to_text(marker));
   }
 
   void report_unlisted() {
@@ -75,7 +73,7 @@ class ConstrainedEdges {
 
   const Mesh& mesh_;
   bool foreign_;
-  bool judge_markers_ = true;
+  bool check_markers_ = true;
   const Domain& domain_;
   Findings& found_;
   std::vector<Expected> expected_;
@@ -89,13 +87,14 @@ void check_constrained_edges(const Subject& subject, const Domain& domain, const
   for (std::size_t e = 0; e < listed.size(); ++e) {
     const ConstrainedEdge& edge = listed[e];
     const bool is_mesh_edge = adjacency.left_of(edge.a, edge.b).exists() || adjacency.left_of(edge.b, edge.a).exists();
-    edges.judge(edge, static_cast<Index>(e), is_mesh_edge);
+    edges.check(edge, static_cast<Index>(e), is_mesh_edge);
   }
   edges.report_unlisted();
 }
 
-/// A vertex's own non-zero marker, else a non-zero marker of one of the constrained edges at it, else 0.
-/// (The edges carry 1 on the boundary already.) In a foreign mesh segments outside the domain count, too.
+/// The marker of a vertex is its own non-zero marker from the input, else a non-zero marker of one of the constrained
+/// edges at it, else 0. (Edges on the boundary have marker 1 or their own.) In a foreign mesh the markers of segments
+/// outside the domain are accepted as well.
 void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
                           const Adjacency& adjacency, const InputVertices& inputs, Findings& found) {
   const Mesh& mesh = subject.mesh;
@@ -107,7 +106,7 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
     markers.emplace_back(edge.from, marker);
     markers.emplace_back(edge.to, marker);
   }
-  // Triangle marks the ends of segments before it removes those outside the domain.
+  // Triangle marks the ends of segments before it removes the segments outside the domain.
   for (Index s = 0; subject.options.foreign && s < subject.pslg.segments.size(); ++s) {
     const Segment& segment = subject.pslg.segments[s];
     if (domain.has(s) || segment.marker == 0) continue;
@@ -117,45 +116,45 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
   }
   std::sort(markers.begin(), markers.end());
   markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
-  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+  check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
     const int given = mesh.point_markers[v];
     const Index input = inputs.input(vertex);
     const bool has_own = input != no_index && input < subject.pslg.point_markers.size();
     const int own = has_own ? subject.pslg.point_markers[input] : 0;
-    std::string belongs;
+    std::string expected;
     if (own != 0) {
       if (given == own) return;
-      belongs = to_text(own);
+      expected = to_text(own);
     } else {
       if (adjacency.corners(vertex) == 0) return;
       const auto first = std::lower_bound(markers.begin(), markers.end(), vertex,
                                           [](const auto& entry, Index key) { return entry.first < key; });
       const bool none = first == markers.end() || first->first != vertex;
       if (none && given == 0) return;
-      if (none) belongs = "0";
+      if (none) expected = "0";
       for (auto at = first; at != markers.end() && at->first == vertex; ++at) {
         if (at->second == given) return;
-        belongs += (belongs.empty() ? "" : " or ") + to_text(at->second);
+        expected += (expected.empty() ? "" : " or ") + to_text(at->second);
       }
     }
     mine.add(ViolationKind::wrong_vertex_marker, {vertex}, {mesh.points[v]},
-             "vertex " + to_text(v) + " has marker " + to_text(given) + " where " + belongs + " belongs");
+             "vertex " + to_text(v) + " has marker " + to_text(given) + " instead of " + expected);
   });
 }
 
 std::string origin_text(Index origin) {
   if (origin == input_vertex) return "an input point";
-  if (origin == interior_vertex) return "put in the interior";
-  if (origin == hull_vertex) return "put on the hull";
-  return "put on segment " + to_text(origin);
+  if (origin == interior_vertex) return "in the interior";
+  if (origin == hull_vertex) return "on the hull";
+  return "on segment " + to_text(origin);
 }
 
 void check_origins(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
                    Findings& found) {
   const Mesh& mesh = subject.mesh;
   if (mesh.origin.empty()) return;
-  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+  check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
     const Index segment = chains.segment_of[v];
     const Index expected = inputs.input(vertex) != no_index ? input_vertex
@@ -163,19 +162,19 @@ void check_origins(const Subject& subject, const Domain& domain, const Chains& c
                            : domain.is_hull_piece(segment)  ? hull_vertex
                                                             : segment;
     if (mesh.origin[v] != expected)
-      mine.add(ViolationKind::wrong_origin, {vertex}, {mesh.points[v]},
-               "vertex " + to_text(v) + " is said to be " + origin_text(mesh.origin[v]) + " but is " +
-                   origin_text(expected));
+      mine.add(
+          ViolationKind::wrong_origin, {vertex}, {mesh.points[v]},
+          "vertex " + to_text(v) + " is listed as " + origin_text(mesh.origin[v]) + " but is " + origin_text(expected));
   });
 }
 
-/// The attribute is what a region means; our own meshes number the regions as the input does, besides.
+/// A triangle must have the attribute of its region. A mesh that is not foreign must have the region's number, too.
 void check_regions(const Subject& subject, const Domain& domain, std::span<const Index> faces, Findings& found) {
   const Mesh& mesh = subject.mesh;
   const auto& regions = subject.pslg.regions;
   if (mesh.region.empty()) return;
   const bool foreign = subject.options.foreign;
-  judge_all(mesh.region.size(), found, [&](std::size_t t, Findings& mine) {
+  check_each(mesh.region.size(), found, [&](std::size_t t, Findings& mine) {
     const Index given = mesh.region[t];
     const auto seeded = faces.empty() ? decltype(domain.regions_in(0)){} : domain.regions_in(faces[t]);
     if (seeded.empty() && (foreign || given == no_index)) return;
@@ -194,7 +193,7 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
     mine.add(ViolationKind::wrong_region, {static_cast<Index>(t), given},
              {subject.corner(mesh.triangles[t], 0), subject.corner(mesh.triangles[t], 1),
               subject.corner(mesh.triangles[t], 2)},
-             "triangle " + to_text(t) + " is said to lie in " + is + " but lies in " + belongs);
+             "triangle " + to_text(t) + " is listed in " + is + " but lies in " + belongs);
   });
 }
 
@@ -210,8 +209,8 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
       const double belongs = subject.pslg.point_attributes[i * n + k];
       if (given == belongs || (given != given && belongs != belongs)) continue;
       found.add(ViolationKind::wrong_attribute, {v}, {mesh.points[v]},
-                "attribute " + to_text(k) + " of vertex " + to_text(v) + " is " + to_text(given) + " where " +
-                    to_text(belongs) + " belongs");
+                "attribute " + to_text(k) + " of vertex " + to_text(v) + " is " + to_text(given) + " instead of " +
+                    to_text(belongs));
     }
   }
 }

@@ -1,8 +1,8 @@
-// May the rest of the check look at this mesh at all?
+// Finds out which arrays of the input and of the mesh can be read safely.
 #include <cmath>
 
+#include "../arithmetic/text.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -30,26 +30,26 @@ bool pslg_is_usable(const Pslg& pslg, Findings& found) {
     if (a < pslg.points.size() && b < pslg.points.size()) continue;
     usable = false;
     found.add(ViolationKind::index_out_of_range, {static_cast<Index>(s), a, b}, {},
-              "segment " + to_text(s) + " of the input names a point that does not exist");
+              "segment " + to_text(s) + " of the input refers to a point that does not exist");
   }
   return usable;
 }
 
 bool corners_are_usable(const Mesh& mesh, Findings& found) {
-  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+  check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     if (!is_finite(mesh.points[v]))
       mine.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(v)}, {mesh.points[v]},
                "vertex " + to_text(v) + " is not finite");
   });
-  judge_all(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+  check_each(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const auto [a, b, c] = mesh.triangles[t].v;
     const std::size_t n = mesh.points.size();
     if (a >= n || b >= n || c >= n)
       mine.add(ViolationKind::index_out_of_range, {static_cast<Index>(t), a, b, c}, {},
-               "triangle " + to_text(t) + " names a vertex that does not exist (there are " + to_text(n) + ")");
+               "triangle " + to_text(t) + " refers to a vertex that does not exist (there are " + to_text(n) + ")");
     else if (a == b || b == c || c == a)
       mine.add(ViolationKind::degenerate_triangle, {static_cast<Index>(t), a, b, c}, {mesh.points[a]},
-               "triangle " + to_text(t) + " has one vertex twice");
+               "triangle " + to_text(t) + " has two equal corners");
   });
   return found.count(ViolationKind::non_finite_coordinate) == 0 &&
          found.count(ViolationKind::index_out_of_range) == 0 && found.count(ViolationKind::degenerate_triangle) == 0;
@@ -57,7 +57,7 @@ bool corners_are_usable(const Mesh& mesh, Findings& found) {
 
 bool neighbours_are_usable(const Mesh& mesh, Findings& found) {
   const std::uint64_t before = found.count(ViolationKind::index_out_of_range);
-  judge_all(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+  check_each(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     for (const Index n : mesh.triangles[t].n)
       if (n != no_index && n >= mesh.triangles.size())
         mine.add(ViolationKind::index_out_of_range, {static_cast<Index>(t), n}, {},
@@ -73,9 +73,9 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
     if (size == expected || (size == 0 && may_be_empty)) return;
     usable = false;
     found.add(ViolationKind::wrong_count, {}, {},
-              what + ": " + to_text(size) + " entries where " + to_text(expected) + " belong");
+              what + ": " + to_text(size) + " entries instead of " + to_text(expected));
   };
-  // A mesh by another program may be silent on what our own has to say.
+  // A mesh from another program may lack arrays that a mesh from the mesher must have.
   const bool foreign = subject.options.foreign;
   expect_count(mesh.origin.size(), mesh.points.size(), foreign, "origin of points");
   expect_count(mesh.region.size(), mesh.triangles.size(), foreign || subject.pslg.regions.empty(),
@@ -94,10 +94,10 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
     const ConstrainedEdge& edge = mesh.constrained_edges[e];
     if (edge.a >= mesh.points.size() || edge.b >= mesh.points.size())
       out_of_range({static_cast<Index>(e), edge.a, edge.b},
-                   "constrained edge " + to_text(e) + " names a vertex that does not exist");
+                   "constrained edge " + to_text(e) + " refers to a vertex that does not exist");
     else if (edge.segment != no_index && edge.segment >= subject.pslg.segments.size())
       out_of_range({static_cast<Index>(e), edge.segment},
-                   "constrained edge " + to_text(e) + " names a segment that does not exist");
+                   "constrained edge " + to_text(e) + " refers to a segment that does not exist");
   }
   for (std::size_t t = 0; t < mesh.region.size(); ++t)
     if (mesh.region[t] != no_index && mesh.region[t] >= mesh.region_attributes.size())

@@ -1,7 +1,7 @@
-// Input points are vertices; input segments (and hull pieces) are chains of edges.
+// Checks that input points are vertices, and that input segments and hull pieces are chains of edges.
 #include "../arithmetic/exact.hpp"
+#include "../arithmetic/text.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 
@@ -12,7 +12,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
   const std::span<const Index> corners = adjacency.corners();
   InputVertices inputs = subject.options.foreign ? InputVertices::by_coordinates(points, mesh.points.span(), corners)
                                                  : InputVertices::by_index(points.size(), mesh.points.size());
-  judge_all(points.size(), found, [&](std::size_t i, Findings& mine) {
+  check_each(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
     const bool needed = domain.has_point(input);
@@ -20,7 +20,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
       mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + to_text(i) + what);
     };
     if (vertex == no_index) {
-      if (needed) report(" of the domain is no vertex of the mesh");
+      if (needed) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
       report(" was moved or renumbered: vertex " + to_text(vertex) + " is " + to_text(mesh.points[vertex]));
     } else if (needed && corners[vertex] == 0) {
@@ -31,7 +31,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
     const auto vertex = static_cast<Index>(v);
     if (corners[v] == 0 && inputs.input(vertex) == no_index)
       found.add(ViolationKind::unused_vertex, {vertex}, {mesh.points[v]},
-                "vertex " + to_text(v) + " has no triangle and is no input point");
+                "vertex " + to_text(v) + " has no triangle and is not an input point");
   }
   return inputs;
 }
@@ -45,7 +45,7 @@ void report_broken(Index s, const Subject& subject, const Domain& domain, Findin
             domain.is_hull_piece(s) ? std::vector<Index>{segment.a, segment.b} : std::vector<Index>{s},
             {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
             what + " from point " + to_text(segment.a) + " to " + to_text(segment.b) +
-                " is no chain of mesh edges within the rounding distance of it");
+                " is not covered by a chain of mesh edges within the rounding distance");
 }
 
 void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subject, const Domain& domain,
@@ -72,18 +72,18 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
   chains.on_chain.resize(subject.mesh.triangles.size(), 0);
   const std::size_t segments = domain.segments().size();
 
-  // Walked in blocks, a block on all threads at once, so that few chains wait to be joined in order.
+  // Chains are walked in blocks, each block on all threads. Only the chains of one block are stored twice.
   constexpr std::size_t block = 4096;
   std::vector<std::vector<ChainEdge>> walked(std::min(block, segments));
   for (std::size_t first = 0; first < segments; first += block) {
     const std::size_t size = std::min(block, segments - first);
-    judge_all(size, found, [&](std::size_t i, Findings& mine) {
+    check_each(size, found, [&](std::size_t i, Findings& mine) {
       const auto s = static_cast<Index>(first + i);
       walked[i].clear();
       if (!domain.has(s)) return;
-      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::rounding);
+      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::exact);
       if (!walked[i].empty()) return;
-      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::likeness);
+      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::loose);
       if (walked[i].empty())
         report_broken(s, subject, domain, mine);
       else

@@ -1,19 +1,19 @@
-// Is the mesh, as a complex, a set of positively oriented triangles glued edge to edge?
+// Checks that the triangles are counter-clockwise and joined edge to edge, without regard to the domain.
 #include <algorithm>
 
 #include "../arithmetic/exact.hpp"
+#include "../arithmetic/text.hpp"
 #include "stages.hpp"
-#include "text.hpp"
 
 namespace pardel::checker {
 namespace {
 
 void check_orientation(const Subject& subject, Findings& found) {
-  judge_all(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+  check_each(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const Triangle& triangle = subject.mesh.triangles[t];
     const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
     if (exactly::orientation(a, b, c) > 0) return;
-    if (mine.wants(ViolationKind::degenerate_triangle))
+    if (mine.admit(ViolationKind::degenerate_triangle))
       mine.keep({ViolationKind::degenerate_triangle,
                  {static_cast<Index>(t), triangle.v[0], triangle.v[1], triangle.v[2]},
                  {a, b, c},
@@ -22,7 +22,7 @@ void check_orientation(const Subject& subject, Findings& found) {
   });
 }
 
-/// The edge of `other` that runs from `to` to `from`, if its neighbour is t.
+/// True where `other` has an edge from `to` to `from` and its neighbour there is t.
 bool is_reciprocal(const Triangle& other, Index t, Index from, Index to) {
   for (int j = 0; j < 3; ++j)
     if (other.v[next(j)] == to && other.v[previous(j)] == from) return other.n[j] == t;
@@ -30,24 +30,24 @@ bool is_reciprocal(const Triangle& other, Index t, Index from, Index to) {
 }
 
 void check_reciprocity(const Mesh& mesh, Findings& found) {
-  judge_all(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+  check_each(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const Triangle& triangle = mesh.triangles[t];
     for (int i = 0; i < 3; ++i) {
       const Index from = triangle.v[next(i)];
       const Index to = triangle.v[previous(i)];
       if (triangle.n[i] == no_index || is_reciprocal(mesh.triangles[triangle.n[i]], static_cast<Index>(t), from, to))
         continue;
-      if (mine.wants(ViolationKind::wrong_neighbour))
+      if (mine.admit(ViolationKind::wrong_neighbour))
         mine.keep({ViolationKind::wrong_neighbour,
                    {static_cast<Index>(t), triangle.n[i]},
                    {mesh.points[from], mesh.points[to]},
-                   "triangle " + to_text(t) + " names " + to_text(triangle.n[i]) + " as its neighbour across edge " +
-                       to_text(from) + "-" + to_text(to) + ", which does not agree"});
+                   "triangle " + to_text(t) + " lists " + to_text(triangle.n[i]) + " as its neighbour across edge " +
+                       edge_text(from, to) + ", but that triangle does not list it there"});
     }
   });
 }
 
-/// Edges with triangles on both sides that do not know each other.
+/// Reports edges with a triangle on both sides where both triangles list no neighbour.
 void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Findings& found) {
   const auto boundary = adjacency.boundary();
   for (const BoundaryEdge& edge : boundary) {
@@ -59,7 +59,7 @@ void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Finding
     found.add(ViolationKind::wrong_neighbour, {edge.left.triangle, back->left.triangle},
               {mesh.points[edge.from], mesh.points[edge.to]},
               "triangles " + to_text(edge.left.triangle) + " and " + to_text(back->left.triangle) + " share edge " +
-                  to_text(edge.from) + "-" + to_text(edge.to) + " but are not neighbours");
+                  edge_text(edge.from, edge.to) + " but are not neighbours");
   }
 }
 
@@ -69,18 +69,18 @@ bool names_no_neighbour_at_all(const Mesh& mesh) {
   });
 }
 
-/// Reports a vertex whose triangles are not all reached by going around it, or that has an edge with two
-/// triangles on one side. The latter can only hide where there are several fans.
+/// Reports a vertex where going around it does not reach all its triangles, or where an edge has two triangles on one
+/// side. The second case is possible only at vertices with several fans.
 void check_vertices(const Subject& subject, const Adjacency& adjacency, Findings& found) {
   const Mesh& mesh = subject.mesh;
-  judge_all(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
+  check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
     Index reached = 0;
     const int fans = adjacency.visit_fans(vertex, [&](Index, int) { ++reached; });
     if (reached != adjacency.corners(vertex)) {
       mine.add(ViolationKind::non_manifold_vertex, {vertex}, {mesh.points[v]},
                "vertex " + to_text(v) + " has " + to_text(adjacency.corners(vertex)) +
-                   " triangles, but going around it from its boundary edges reaches " + to_text(reached));
+                   " triangles, but a walk around it from its boundary edges reaches " + to_text(reached));
     } else if (fans > 1) {
       std::vector<Index> ahead;
       adjacency.visit_fans(vertex,
@@ -98,9 +98,9 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
   std::vector<std::pair<Index, Index>> duplicates;
   for (const NonManifoldEdge& edge : edges) {
     std::vector<Index> ids = edge.triangles;
-    found.add(ViolationKind::non_manifold_edge, ids, {mesh.points[edge.a], mesh.points[edge.b]},
-              "edge " + to_text(edge.a) + "-" + to_text(edge.b) + " has " + to_text(ids.size()) +
-                  " triangles, more than one on a side");
+    found.add(
+        ViolationKind::non_manifold_edge, ids, {mesh.points[edge.a], mesh.points[edge.b]},
+        "edge " + edge_text(edge.a, edge.b) + " has " + to_text(ids.size()) + " triangles, more than one on a side");
     // Equal triangles share their edges, so they meet here.
     const auto corners = [&](Index t) {
       std::array<Index, 3> sorted = mesh.triangles[t].v;
@@ -119,8 +119,7 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
               "triangles " + to_text(s) + " and " + to_text(t) + " have the same corners");
 }
 
-/// Walks over the triangles component by component, with a byte per triangle and the front of the walk as all its
-/// memory.
+/// Visits the triangles component by component. Memory: a byte per triangle, and the front of the visit.
 class Surface {
  public:
   explicit Surface(const Adjacency& adjacency)
@@ -136,7 +135,7 @@ class Surface {
     std::int64_t loops = 0;           ///< of its boundary
   };
 
-  /// The component of a triangle that was not reached before. In the end all of it is reached.
+  /// Visits the component of a triangle that was not reached before. Afterwards the whole component is reached.
   Component component_of(Index start) {
     std::int64_t faces = 0, sides = 0, fans = 0;
     std::vector<TriangleEdge> open;
@@ -172,15 +171,16 @@ class Surface {
 
   [[nodiscard]] bool passed_corner(Index t, int corner) const { return (passed_[t] >> corner & 1) != 0; }
 
-  /// The triangles at a corner's vertex that are connected to it by edges at the vertex. (Every fan is found so, also
-  /// where a vertex has more of them than it should.)
+  /// Marks the corners of the fan that contains this corner. Every fan is found in this way, also where a vertex has
+  /// more fans than it should.
   void pass_fan(Index t, int corner) {
     if (closes(t, corner, /*counter_clockwise=*/true)) return;
     const Index before = triangles_[t].n[previous(corner)];
     if (before != no_index) closes(before, corner_at(triangles_[before], triangles_[t].v[corner]), false);
   }
 
-  /// Marks corners around the vertex on one side until the fan ends (false) or is complete (true).
+  /// Marks the corners around the vertex in one direction. True where this leads back to a marked corner, false where
+  /// the fan ends at a boundary edge.
   bool closes(Index t, int corner, bool counter_clockwise) {
     const Index vertex = triangles_[t].v[corner];
     for (;;) {
@@ -192,12 +192,12 @@ class Surface {
     }
   }
 
-  /// Walks the boundary loop of an edge without a neighbour; false where it was walked before.
+  /// Walks the boundary loop of an edge without a neighbour. False where the loop was walked before.
   bool pass_loop(TriangleEdge edge) {
     if (on_loop_[position(edge)] != 0) return false;
     for (std::size_t at = position(edge); on_loop_[at] == 0; at = position(edge)) {
       on_loop_[at] = 1;
-      // The next boundary edge of the same fan at `to`: turn clockwise through the triangles there.
+      // Find the next boundary edge of the same fan at the pivot: turn clockwise through the triangles there.
       const Index pivot = boundary_[at].to;
       for (edge.edge = next(edge.edge); triangles_[edge.triangle].n[edge.edge] != no_index;) {
         edge.triangle = triangles_[edge.triangle].n[edge.edge];
@@ -223,7 +223,7 @@ class Surface {
 };
 
 /// A connected oriented surface with L boundary loops is a disk with holes if and only if V - E + F = 2 - L,
-/// where a vertex counts once for each of its fans (a pinched surface is cut apart at the pinch).
+/// where a vertex counts once for each of its fans (that is, a surface is cut where it touches itself in a vertex).
 void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& found) {
   Surface surface(adjacency);
   for (std::size_t i = 0; i < adjacency.triangles().size(); ++i) {
@@ -257,7 +257,7 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Finding
     }
   }
 
-  // The neighbours cannot be relied on: find the true ones, and what edges have too many.
+  // The neighbours are wrong or absent. Rebuild them, and find the edges with too many triangles.
   Array<Triangle> rebuilt = mesh.triangles;
   std::vector<NonManifoldEdge> non_manifold;
   rebuild_neighbours(rebuilt.span(), non_manifold);

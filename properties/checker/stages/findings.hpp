@@ -1,4 +1,4 @@
-// Findings: the violations met so far. All are counted, the first few of each kind are kept.
+// Findings: the violations found so far. All are counted; the first few of each kind are kept.
 #pragma once
 
 #include <omp.h>
@@ -9,31 +9,29 @@
 #include <string>
 #include <vector>
 
-#include "../check.hpp"
+#include "../violation.hpp"
 
 namespace pardel::checker {
-
-inline constexpr std::size_t violation_kinds = static_cast<std::size_t>(ViolationKind::wrong_attribute) + 1;
 
 class Findings {
  public:
   /// Keeps at most `limit` violations of each kind.
   explicit Findings(std::size_t limit) : limit_(limit) {}
 
-  /// Counts a violation and says whether its story is still wanted; then keep() follows.
-  [[nodiscard]] bool wants(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
+  /// Counts a violation. True where there is still room for it; then the caller describes it and calls keep().
+  [[nodiscard]] bool admit(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
   void keep(Violation violation) { kept_.push_back(std::move(violation)); }
 
-  /// For rare violations: counts, and keeps within the limit.
+  /// Counts a violation and keeps it where there is room. For descriptions that are cheap or rare.
   void add(ViolationKind kind, std::vector<Index> ids, std::vector<Point> where, std::string witness) {
-    if (wants(kind)) keep({kind, std::move(ids), std::move(where), std::move(witness)});
+    if (admit(kind)) keep({kind, std::move(ids), std::move(where), std::move(witness)});
   }
 
-  /// Appends what another has found, as if it had been found after this.
+  /// Appends the violations of another list, as if they had been found after those of this list.
   void append(Findings other);
 
   [[nodiscard]] std::uint64_t count(ViolationKind kind) const { return counts_[index(kind)]; }
-  /// By kind.
+  /// One entry for each kind.
   [[nodiscard]] std::vector<std::uint64_t> counts() const;
   [[nodiscard]] std::size_t limit() const { return limit_; }
 
@@ -48,19 +46,19 @@ class Findings {
   std::vector<Violation> kept_;
 };
 
-/// Loops shorter than this are not worth waking other threads for.
-inline constexpr std::size_t worth_threads = 1 << 13;
+/// Shorter loops run on one thread, because waking the others takes longer.
+inline constexpr std::size_t parallel_loop_size = 1 << 13;
 
-/// judge(i, findings) for all i < n on all threads. Each thread takes one run of consecutive indices and
-/// the runs are joined in order, so that the findings do not depend on the number of threads.
-template <class Judge>
-void judge_all(std::size_t n, Findings& found, const Judge& judge) {
+/// Calls check(i, findings) for all i < n on all threads. Each thread takes one run of consecutive indices, and the
+/// findings of the runs are joined in order, so the result does not depend on the number of threads.
+template <class Check>
+void check_each(std::size_t n, Findings& found, const Check& check) {
   std::vector<Findings> parts(static_cast<std::size_t>(omp_get_max_threads()), Findings(found.limit()));
-#pragma omp parallel if (n >= worth_threads)
+#pragma omp parallel if (n >= parallel_loop_size)
   {
     Findings& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) judge(i, mine);
+    for (std::size_t i = 0; i < n; ++i) check(i, mine);
   }
   for (Findings& part : parts) found.append(std::move(part));
 }

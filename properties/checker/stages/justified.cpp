@@ -6,16 +6,17 @@
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
+#include "../tolerances.hpp"
 
 namespace pardel::checker {
 namespace {
 
 Index other_end(const Segment& s, Index end) { return s.a == end ? s.b : s.a; }
 
-class Judge {
+class Justification {
  public:
-  Judge(Index t, const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-        const InputVertices& inputs)
+  Justification(Index t, const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                const InputVertices& inputs)
       : t_(t),
         triangle_(adjacency.triangles()[t]),
         subject_(subject),
@@ -23,7 +24,7 @@ class Judge {
         chains_(chains),
         inputs_(inputs) {}
 
-  /// Corner k is an input vertex with pieces of segments on both its edges.
+  /// The justification where corner k is an input vertex and both edges at it are pieces of segments.
   [[nodiscard]] std::optional<Justified> nestled(int k) const {
     const Index apex = inputs_.input(triangle_.v[k]);
     const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
@@ -32,7 +33,7 @@ class Judge {
     return justified(apex, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
   }
 
-  /// Edge k joins two vertices of one shell.
+  /// The justification where edge k joins two vertices of one shell.
   [[nodiscard]] std::optional<Justified> seditious(int k) const {
     const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
     for (const Index s : segments_at(p)) {
@@ -55,7 +56,8 @@ class Judge {
     return segment == no_index ? std::span<const Index>{} : std::span<const Index>(&segment, 1);
   }
 
-  /// p on segment s and q on segment r: do these share an apex, at the same distance from both?
+  /// The justification where segment s of vertex p and segment r of vertex q share an apex at the same distance from p
+  /// and from q.
   [[nodiscard]] std::optional<Justified> shell(Index p, Index s, Index q, Index r) const {
     const Segment& first = domain_.segments()[s];
     const Segment& second = domain_.segments()[r];
@@ -95,15 +97,15 @@ class Judge {
 
 std::optional<Justified> justification(Index t, const Subject& subject, const Domain& domain,
                                        const Adjacency& adjacency, const Chains& chains, const InputVertices& inputs) {
-  const Judge judge(t, subject, domain, adjacency, chains, inputs);
-  // Edge k is opposite corner k: the smallest angle is opposite the shortest edge. Where two edges are
-  // equally short, either may justify.
+  const Justification candidate(t, subject, domain, adjacency, chains, inputs);
+  // Edge k is opposite corner k, and the smallest angle is opposite the shortest edge. Where several edges are equally
+  // short, one of them is enough.
   for (int k = 0; k < 3; ++k) {
-    const Point from = judge.corner(next(k)), to = judge.corner(previous(k)), apex = judge.corner(k);
+    const Point from = candidate.corner(next(k)), to = candidate.corner(previous(k)), apex = candidate.corner(k);
     if (exactly::compare_lengths(from, to, to, apex) > 0 || exactly::compare_lengths(from, to, apex, from) > 0)
       continue;
-    if (auto found = judge.nestled(k)) return found;
-    if (auto found = judge.seditious(k)) return found;
+    if (auto found = candidate.nestled(k)) return found;
+    if (auto found = candidate.seditious(k)) return found;
   }
   return std::nullopt;
 }

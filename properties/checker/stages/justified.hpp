@@ -1,11 +1,12 @@
-// Does a small input angle justify a triangle below the angle bound? Recomputed from coordinates and chains.
+// Decides whether a small input angle justifies a triangle below the angle bound, from coordinates and chains alone.
 //
-// No mesh can have angles larger than those of its input, and around a small input angle refinement by
-// shells has to leave some triangles alone (Miller, Pav, Walkington, "When and why Ruppert's algorithm
-// works", 2003). A triangle is
-// - nestled, when its smallest angle lies at an input vertex between pieces of two segments that meet there;
-// - seditious, when its shortest edge joins two vertices on two segments that share an end point, the apex,
-//   at less than 60 degrees, at equal distances from it ("on one shell").
+// No mesh can have angles larger than those of its input, and around a small input angle refinement by shells has to
+// leave some triangles below the bound (Miller, Pav, Walkington, "When and why Ruppert's algorithm works", 2003). Such
+// a triangle is
+// - nestled: its smallest angle lies at an input vertex, between pieces of two segments that meet there; or
+// - seditious: its shortest edge joins vertices of two segments that share an end point, the apex, at less than
+//   60 degrees, and both vertices have the same distance from the apex ("lie on one shell").
+// Equal distances are compared in floating point, see tolerances.hpp.
 #pragma once
 
 #include <optional>
@@ -14,12 +15,7 @@
 
 namespace pardel::checker {
 
-/// Distances from an apex are equal when they differ by at most this fraction of the larger one and
-/// shell_ulps units in the last place of the largest coordinate (vertices on segments are rounded).
-inline constexpr double shell_tolerance = 1e-9;
-inline constexpr double shell_ulps = 8;
-
-/// The apex and the angle that justify triangle t, if any. angle_deg is the smallest angle of t.
+/// The apex and the input angle that justify triangle t, or nothing.
 [[nodiscard]] std::optional<Justified> justification(Index t, const Subject& subject, const Domain& domain,
                                                      const Adjacency& adjacency, const Chains& chains,
                                                      const InputVertices& inputs);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t histogram_bins = 18;
 
-/// Extremes over a run of triangles; of equal values the first triangle's is kept.
+/// Extremes over a run of triangles. Of equal values the first is kept.
 struct Measures {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   Extreme min_angle{infinity, no_index, {}}, min_edge{infinity, no_index, {}};
@@ -30,7 +30,7 @@ struct Measures {
       ++histogram[std::min(static_cast<std::size_t>(angle / 10), histogram_bins - 1)];
       lower(min_angle, angle, t, p[k]);
       raise(max_angle, angle, t, p[k]);
-      const Point middle{p[next(k)].x / 2 + p[previous(k)].x / 2, p[next(k)].y / 2 + p[previous(k)].y / 2};
+      const Point middle = midpoint(p[next(k)], p[previous(k)]);
       lower(min_edge, length[k], t, middle);
       raise(max_edge, length[k], t, middle);
       doubled_area_sum.add_cross(p[k], p[next(k)]);
@@ -42,7 +42,7 @@ struct Measures {
     raise(max_ratio, radius / *std::min_element(length.begin(), length.end()), t, centroid);
   }
 
-  /// Appends the measures of a later run.
+  /// Adds the measures of a later run.
   void append(const Measures& later) {
     for (const auto extreme : {&Measures::min_angle, &Measures::min_edge})
       if ((later.*extreme).value < (this->*extreme).value) this->*extreme = later.*extreme;
@@ -68,7 +68,7 @@ Extreme found(const Extreme& extreme) { return extreme.triangle == no_index ? Ex
 
 void measure(const Mesh& mesh, Certificate& certificate) {
   std::vector<Measures> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel if (mesh.triangles.size() >= worth_threads)
+#pragma omp parallel if (mesh.triangles.size() >= parallel_loop_size)
   {
     Measures& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)

@@ -1,4 +1,4 @@
-// Paints each triangle with the face of the Pslg that it lies in.
+// Finds the face of the Pslg in which each triangle lies.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace pardel::checker {
 
-/// One face of the Pslg per triangle: known beside the chains, spread across all other edges. no_index where
-/// no chain bounds the triangle's part of the mesh. Linear time.
+/// The face of the Pslg for each triangle. The face is known for triangles at chains and spreads across all other
+/// edges. no_index where no chain bounds the triangle's part of the mesh. Linear time.
 [[nodiscard]] std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains);
 
 }  // namespace pardel::checker

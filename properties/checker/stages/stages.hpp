@@ -1,11 +1,12 @@
-// The stages of the check, in the order in which they run. Each judges one thing and reports what it finds;
-// a later stage relies on what the earlier ones have made sure of.
+// The stages of the check, in the order in which they run. Each stage checks one group of rules. A later stage relies
+// on the results of the earlier stages.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "../check.hpp"
+#include "../certificate.hpp"
+#include "../check_options.hpp"
 #include "../model/adjacency.hpp"
 #include "../model/chains.hpp"
 #include "../model/domain.hpp"
@@ -14,6 +15,7 @@
 
 namespace pardel::checker {
 
+/// The input of the check.
 struct Subject {
   const Pslg& pslg;
   const Mesh& mesh;
@@ -22,18 +24,19 @@ struct Subject {
   [[nodiscard]] Point corner(const Triangle& t, int i) const { return mesh.points[t.v[i]]; }
 };
 
-/// Every id in range, every count right, every coordinate finite. What the rest of the check may touch.
+/// Which parts of the mesh and of the input the later stages may read.
 struct Sanity {
-  bool geometry = true;    ///< points and corners can be used
-  bool neighbours = true;  ///< neighbour ids can be used
-  bool labels = true;      ///< constrained edges, regions, origins, markers and attributes can be used
+  bool geometry = true;    ///< points, segments and corners of triangles
+  bool neighbours = true;  ///< neighbour ids
+  bool labels = true;      ///< constrained edges, regions, origins, markers and attributes
 };
+/// Ids in range, arrays of the right length, finite coordinates.
 [[nodiscard]] Sanity check_sanity(const Subject& subject, Findings& found);
 
-/// Orientation, neighbours, manifold edges and vertices, duplicates, Euler's characteristic.
+/// Orientation, neighbours, manifold edges and vertices, duplicates, Euler characteristic.
 [[nodiscard]] Adjacency check_topology(const Subject& subject, bool neighbours_usable, Findings& found);
 
-/// Every input point of the domain is a vertex, every vertex is used.
+/// Every input point of the domain is a vertex, and every vertex is used.
 [[nodiscard]] InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
                                                  const Adjacency& adjacency, Findings& found);
 
@@ -41,23 +44,23 @@ struct Sanity {
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                     const InputVertices& inputs, Findings& found);
 
-/// The triangles tile exactly the domain.
+/// The triangles cover the domain once, and nothing else.
 void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                     Findings& found);
 
-/// What the mesh says of itself: constrained edges, markers, origins, regions, attributes.
+/// The data that the mesh lists: constrained edges, markers, origins, regions, attributes.
 void check_labels(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                   const InputVertices& inputs, std::span<const Index> faces, Findings& found);
 
 /// Every unconstrained edge (every edge, for a conforming goal) is locally Delaunay.
 void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, Findings& found);
 
-/// The bounds on angles, areas, edges, sizes and circumradii; appends the angles that are justified.
+/// The bounds on angles, areas, edges, sizes and circumradii. Appends the justified triangles to `justified`.
 void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                 const InputVertices& inputs, std::span<const Index> faces, Findings& found,
                 std::vector<Justified>& justified);
 
-/// Fills in the certificate's extremes, histogram and area.
+/// Sets the certificate's extremes, histogram and area.
 void measure(const Mesh& mesh, Certificate& certificate);
 
 }  // namespace pardel::checker

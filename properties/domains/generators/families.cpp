@@ -1,22 +1,22 @@
-// How a domain of each family is drawn: first what makes its trait, then more that leaves it alone.
+// Draws a domain of each family: first the part that gives the trait, then more that does not destroy it.
 #include <algorithm>
 #include <cstdlib>
 
-#include "draft.hpp"
-#include "lattice.hpp"
+#include "lattice/determinants.hpp"
+#include "lattice/draft.hpp"
+#include "lattice/shapes.hpp"
 #include "lattice_domain.hpp"
-#include "shapes.hpp"
 
 namespace pardel::generators {
 namespace {
 
-/// What one family's domain is drawn with. `size` from 0 to 100.
+/// The state of one drawing. `size` is from 0 to 100.
 struct Drawing {
   Draft draft;
   Random& random;
   int size;
 
-  /// Between `least` and a number that grows with the size, up to `most`.
+  /// A random number from `least` to a bound that grows with the size up to `most`.
   int some(int least, int most) { return random.between(least, least + (most - least) * size / 100); }
   bool chance(int one_in) { return random.chance(one_in); }
   LatticePoint inside(int side) { return anywhere(random, 1, side - 1); }
@@ -27,7 +27,7 @@ void add_hole(Draft& draft, const Contour& ring) {
   draft.hole_left_of(ring[0], ring[1]);
 }
 
-/// Rings, half of them holes, and points, where there is room for them in [0, side]^2.
+/// Adds rings, half of them holes, and points to [0, side]^2, where they fit.
 void fill_up(Drawing& d, int side, int rings, int points) {
   for (int i = d.some(0, rings); i > 0; --i) {
     const Contour ring = small_ring(d.random, d.inside(side), std::max(2, side / 6));
@@ -43,7 +43,8 @@ void join_some_points(Drawing& d, int segments) {
   }
 }
 
-/// Not even nearly on a line with two of the points: slivers ask for as many triangles as they are thin.
+/// True where p is on no circle through three of the points and not nearly collinear with two of them. (The number of
+/// triangles that a sliver needs grows with its thinness.)
 bool is_in_general_position(const Contour& points, LatticePoint p) {
   constexpr std::int64_t least_height = 4;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -57,10 +58,10 @@ bool is_in_general_position(const Contour& points, LatticePoint p) {
 }
 
 void draw_general_position(Drawing& d) {
-  // A fat triangle first, because a hull that is thin for no reason asks for very many triangles.
+  // A fat triangle first, because a thin hull would need very many triangles.
   const auto near = [&](int x, int y) { return LatticePoint{x, y} + anywhere(d.random, -150, 150); };
   for (const LatticePoint p : {near(0, 0), near(1000, 0), near(500, 1000)}) d.draft.point(p);
-  // One place in eight or so is still good in the end.
+  // In the end about one place in eight is still suitable.
   const auto n = static_cast<std::size_t>(d.some(4, 24));
   while (d.draft.points().size() < n) {
     const LatticePoint p = anywhere(d.random, 0, 1000);
@@ -148,7 +149,7 @@ void draw_near_duplicates(Drawing& d) {
   fill_up(d, side, 2, 8);
 }
 
-/// A quarter turn, `times`.
+/// p after `times` quarter turns.
 LatticePoint turned(LatticePoint p, int times) {
   for (; times > 0; --times) p = {-p.y, p.x};
   return p;
@@ -231,7 +232,7 @@ void draw_nested_holes(Drawing& d) {
     const Contour ring = d.chance(2) ? box(corner, side, side) : cut_box(d.random, corner, side, side);
     d.draft.polygon(ring);
     if (i % 2 == 1) d.draft.hole_left_of(ring[0], ring[1]);
-    // Inside all that may have been cut off: less than a third of the side, measured along both sides of a corner.
+    // The next ring must stay clear of corners that were cut off, by less than a third of the side along both sides.
     const int inset = side / 6 + d.random.between(1, 2);
     corner = corner + LatticePoint{inset, inset};
     side -= 2 * inset + d.random.between(0, 1);
@@ -240,7 +241,7 @@ void draw_nested_holes(Drawing& d) {
   fill_up(d, 10 * rings, 2, 10);
 }
 
-/// Diamonds one upon the other, the lowest on the lower side of the outline or above it.
+/// Diamonds in a column that touch each other. The lowest may touch the outline.
 void draw_diamonds(Drawing& d) {
   const int w = d.random.between(2, 8), h = d.random.between(2, 6), diamonds = d.some(2, 4);
   LatticePoint bottom{d.random.between(w + 2, 20), d.random.between(0, 2)};
@@ -252,7 +253,7 @@ void draw_diamonds(Drawing& d) {
   }
 }
 
-/// Boxes and triangles along a diagonal, corner to corner.
+/// Boxes and triangles along a diagonal that touch in corners.
 void draw_stairs(Drawing& d) {
   LatticePoint at = anywhere(d.random, 1, 6);
   Contour stairs = {at};
@@ -287,7 +288,7 @@ void draw_cracks(Drawing& d) {
   };
   LatticePoint tip{margin, margin};
   for (int legs = d.some(1, 16); legs > 0; --legs) {
-    // Every leg ends where nothing is, so that one at least of them has a free end.
+    // Every leg ends at a free place, so at least one leg has a free end.
     const LatticePoint to = anywhere(d.random, margin + 1, side - margin);
     if (is_free(to) && d.draft.segment(tip, to)) tip = to;
     if (d.chance(3)) tip = d.random.one_of(d.draft.points());
@@ -331,7 +332,7 @@ void draw(Family family, Drawing& d) {
   }
 }
 
-/// Any other family's domain, moved.
+/// A domain of another family, moved far away.
 LatticeDomain far_away(Random& random, int size) {
   std::vector<Family> others = all_families();
   std::erase(others, Family::far_offset);

@@ -1,5 +1,5 @@
-// Random goals for random domains. Areas are in the lattice's units, so that a goal keeps its meaning when a
-// domain is moved or scaled.
+// Random goals for random domains. Areas are in lattice units, so a goal keeps its meaning when a domain is moved or
+// scaled.
 #pragma once
 
 #include <iosfwd>
@@ -11,16 +11,16 @@
 
 namespace pardel::generators {
 
-/// The numbers of a Goal that a random case sets; the rest is as Goal has it.
+/// The members of a Goal that random cases set. The others keep their defaults.
 struct LatticeGoal {
   double min_angle_deg = Goal{}.min_angle_deg;
-  double max_area = std::numeric_limits<double>::infinity();  ///< in the lattice's units
+  double max_area = std::numeric_limits<double>::infinity();  ///< in lattice units
   bool region_caps = true;
   bool conforming = false;
   friend bool operator==(const LatticeGoal&, const LatticeGoal&) = default;
 };
 
-/// A meshing problem.
+/// A meshing problem: a domain and a goal.
 struct Case {
   LatticeDomain domain;
   LatticeGoal goal;
@@ -29,17 +29,19 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, const LatticeGoal& goal);
 std::ostream& operator<<(std::ostream& out, const Case& c);
 
-/// For to_pslg(domain): areas scaled as it scales them.
+/// The goal for to_pslg(domain), with the area bound scaled like the domain.
 [[nodiscard]] Goal to_goal(const LatticeGoal& goal, const LatticeDomain& domain);
 
-/// Angles 0, 10, 20.7, 25 or 28 degrees (at 30 refinement may not end by itself: one domain in some 10^5 shows it); no
-/// area bound, or one that asks for at most a few hundred triangles.
+/// An angle bound of 0, 10, 20.7, 25 or 28 degrees, and no area bound or one that needs at most a few hundred
+/// triangles. (Larger angles are left out: at 30 degrees refinement does not terminate by itself on about one domain in
+/// 10^5.)
 [[nodiscard]] LatticeGoal any_goal(const LatticeDomain& domain, Random& random);
+/// A random domain of any family with a random goal. `size`: see generate().
 [[nodiscard]] Case any_case(Random& random, int size);
 
-/// Towards the default goal, one number at a time.
+/// Simpler goals: each sets one member to its default.
 [[nodiscard]] std::vector<LatticeGoal> shrinks(const LatticeGoal& goal);
-/// The domain first, then the goal.
+/// Simpler cases: with a simpler domain first, then with a simpler goal.
 [[nodiscard]] std::vector<Case> shrinks(const Case& c);
 
 }  // namespace pardel::generators

@@ -1,12 +1,11 @@
 #include "lattice_domain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
 
-#include "lattice.hpp"
+#include "../../../core/support/enum_names.hpp"
 
 namespace pardel::generators {
 namespace {
@@ -18,22 +17,32 @@ Point to_point(LatticePoint p, LatticePoint offset, int scale) {
 
 std::ostream& operator<<(std::ostream& out, LatticePoint p) { return out << '(' << p.x << ", " << p.y << ')'; }
 
+constexpr auto family_names = enum_names<Family>({
+    {Family::general_position, "general_position"},
+    {Family::cocircular_grid, "cocircular_grid"},
+    {Family::collinear_runs, "collinear_runs"},
+    {Family::near_duplicates, "near_duplicates"},
+    {Family::small_angles, "small_angles"},
+    {Family::thin_channels, "thin_channels"},
+    {Family::nested_holes, "nested_holes"},
+    {Family::touching_holes, "touching_holes"},
+    {Family::cracks, "cracks"},
+    {Family::isolated_points, "isolated_points"},
+    {Family::far_offset, "far_offset"},
+});
+
 }  // namespace
 
 const std::vector<Family>& all_families() {
-  static const std::vector<Family> families = {
-      Family::general_position, Family::cocircular_grid, Family::collinear_runs, Family::near_duplicates,
-      Family::small_angles,     Family::thin_channels,   Family::nested_holes,   Family::touching_holes,
-      Family::cracks,           Family::isolated_points, Family::far_offset};
+  static const std::vector<Family> families = [] {
+    std::vector<Family> all;
+    for (std::size_t i = 0; i < family_names.size(); ++i) all.push_back(static_cast<Family>(i));
+    return all;
+  }();
   return families;
 }
 
-const char* name(Family family) {
-  constexpr std::array names{"general_position", "cocircular_grid", "collinear_runs", "near_duplicates",
-                             "small_angles",     "thin_channels",   "nested_holes",   "touching_holes",
-                             "cracks",           "isolated_points", "far_offset"};
-  return names[static_cast<std::size_t>(family)];
-}
+const char* name(Family family) { return family_names[family]; }
 
 std::ostream& operator<<(std::ostream& out, const LatticeDomain& domain) {
   out << name(domain.family) << ": points";
@@ -65,12 +74,6 @@ Pslg to_pslg(const LatticeDomain& domain) {
   for (const LatticeRegion& r : domain.regions)
     pslg.regions.push_back({place_seed(r.seed), r.attribute, std::ldexp(r.max_area, 2 * scale)});
   return pslg;
-}
-
-std::int64_t width(const std::vector<LatticePoint>& points) {
-  const auto [left, right] = std::ranges::minmax(points, {}, &LatticePoint::x);
-  const auto [low, high] = std::ranges::minmax(points, {}, &LatticePoint::y);
-  return std::max(right.x - left.x, high.y - low.y);
 }
 
 Weight weight(const LatticeDomain& domain) {

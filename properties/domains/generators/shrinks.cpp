@@ -1,12 +1,12 @@
-// Simpler domains. Every step is an image of the domain: points go to new places, into each other, or away, segments
-// follow them, and each seed is put anew into what is left of its face.
+// Simpler domains. Every step maps the domain to an image: points move, merge or disappear, segments follow their ends,
+// and each seed gets a new place in the image of its face.
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <set>
 
-#include "faces.hpp"
-#include "lattice.hpp"
+#include "lattice/determinants.hpp"
+#include "lattice/faces.hpp"
 #include "lattice_domain.hpp"
 
 namespace pardel::generators {
@@ -30,10 +30,10 @@ class Shrinker {
   }
 
  private:
-  /// What becomes of the things of the domain.
+  /// Describes the image of every part of the domain.
   struct Image {
-    std::vector<Index> point;          ///< whose place it takes; no_index: gone
-    std::vector<LatticePoint> places;  ///< of all old points
+    std::vector<Index> point;          ///< per point: the point that it becomes; no_index: it disappears
+    std::vector<LatticePoint> places;  ///< new places of all points
     std::vector<char> keeps_segment, keeps_hole, keeps_region;
   };
 
@@ -82,7 +82,7 @@ class Shrinker {
     }
   }
 
-  /// Those that no segment ends at, and one end of every segment into the other: a contour stays closed.
+  /// Removes points without segments, and merges one end of every segment into the other, so that contours stay closed.
   void drop_points() {
     for (Index p = 0; p < domain_.points.size(); ++p) {
       Image image = identity();
@@ -114,7 +114,7 @@ class Shrinker {
     if (plain != domain_) simpler_.push_back(plain);
   }
 
-  /// Between this face and one that is not the exterior.
+  /// True where the segment lies between this face and one that is not the exterior.
   [[nodiscard]] bool borders_inside(Index segment, Index face) const {
     const Index left = faces_.left_of(2 * segment), right = faces_.left_of(2 * segment + 1);
     return (left == face || right == face) && is_inside(segment);
@@ -124,7 +124,7 @@ class Shrinker {
            faces_.left_of(2 * segment + 1) != LatticeFaces::exterior;
   }
 
-  /// Points all of whose segments go, go with them.
+  /// Removes the points that lose all their segments.
   void drop_points_left_alone(Image& image) const {
     for (const bool kept : {false, true})
       for (std::size_t s = 0; s < domain_.segments.size(); ++s)
@@ -132,7 +132,7 @@ class Shrinker {
           for (const Index p : {domain_.segments[s].a, domain_.segments[s].b}) image.point[p] = kept ? p : no_index;
   }
 
-  /// Adds the image of the domain if it is valid and weighs less.
+  /// Adds the image of the domain if it is valid and has a smaller weight.
   void propose(const Image& image) {
     LatticeDomain result;
     result.family = domain_.family;
@@ -157,13 +157,13 @@ class Shrinker {
     if (something_remains && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
   }
 
-  /// Into the faces beside those half-edges that are left of the seeds' faces; a seed of which none is left goes.
-  /// False where holes would eat every face.
+  /// Gives every seed a place in the image of its face: the face on the left of the image of one of the half-edges of the
+  /// old face. A seed without such a half-edge disappears. False where holes would remove every face.
   template <class ImageOf>
   bool put_seeds(const Image& image, const ImageOf& image_of, LatticeDomain& result) const {
     if (domain_.holes.empty() && domain_.regions.empty()) return true;
     LatticeFaces faces(result.points, result.segments);
-    const auto beside = [&](Index old_face) {
+    const auto image_of_face = [&](Index old_face) {
       for (Index h = 0; h < faces_.half_edges(); ++h) {
         if (faces_.left_of(h) != old_face) continue;
         const HalfEdge wanted{image_of(faces_.ends(h).a), image_of(faces_.ends(h).b)};
@@ -174,17 +174,17 @@ class Shrinker {
     };
     std::set<Index> taken;
     for (std::size_t h = 0; h < domain_.holes.size(); ++h) {
-      const Index at = image.keeps_hole[h] ? beside(face_of_hole_[h]) : no_index;
+      const Index at = image.keeps_hole[h] ? image_of_face(face_of_hole_[h]) : no_index;
       if (at == no_index || !taken.insert(faces.left_of(at)).second) continue;
       result.holes.push_back(faces.seed_left_of(at));
     }
     for (std::size_t r = 0; r < domain_.regions.size(); ++r) {
-      const Index at = image.keeps_region[r] ? beside(face_of_region_[r]) : no_index;
+      const Index at = image.keeps_region[r] ? image_of_face(face_of_region_[r]) : no_index;
       if (at == no_index || !taken.insert(faces.left_of(at)).second) continue;
       LatticeRegion& region = result.regions.emplace_back(domain_.regions[r]);
       region.seed = faces.seed_left_of(at);
     }
-    return result.holes.size() + 1 < faces.count();  // one hole a face, none in the exterior
+    return result.holes.size() + 1 < faces.count();  // each hole has its own face, never the exterior
   }
 
   const LatticeDomain& domain_;

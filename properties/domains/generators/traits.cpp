@@ -1,10 +1,10 @@
-// What makes a domain a member of its family.
+// Decides the traits of the families.
 #include <algorithm>
 #include <cstdlib>
 #include <set>
 
-#include "faces.hpp"
-#include "lattice.hpp"
+#include "lattice/determinants.hpp"
+#include "lattice/faces.hpp"
 
 namespace pardel::generators {
 namespace {
@@ -19,7 +19,7 @@ bool three_are_collinear(const Points& p) {
   return false;
 }
 
-/// How many quadruples lie on a circle (not on a line); no more than `enough` are counted.
+/// The number of quadruples on a circle (not on a line), counted up to `enough`.
 std::size_t cocircular_quadruples(const Points& p, std::size_t enough) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -42,7 +42,7 @@ bool has_near_duplicates(const Points& points) {
   return false;
 }
 
-/// Half-edges with the domain on their left.
+/// The half-edges with the domain on their left.
 std::vector<Index> inner_sides(const LatticeFaces& faces) {
   std::vector<Index> sides;
   for (Index h = 0; h < faces.half_edges(); ++h)
@@ -75,7 +75,8 @@ bool has_small_angle(const Points& points, const LatticeFaces& faces) {
   return false;
 }
 
-/// ab and cd run opposite ways, each to the left of the other.
+/// True where ab and cd are antiparallel, each on the left of the other, near to each other for at least half of their
+/// length.
 bool make_a_channel(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   const LatticePoint u = b - a, v = d - c;
   if (cross(u, v) != 0 || dot(u, v) >= 0 || turn(a, b, c) <= 0) return false;
@@ -105,10 +106,10 @@ bool has_island(const LatticeFaces& faces) {
   });
 }
 
-/// Around some point, the domain and two other faces take turns.
+/// True where the domain and two different other faces alternate around some point.
 bool has_touching_holes(const Points& points, const LatticeFaces& faces) {
   for (Index p = 0; p < points.size(); ++p) {
-    std::set<Index> entered;  // faces outside the domain that follow upon the domain
+    std::set<Index> entered;  // faces outside the domain that follow the domain counter-clockwise
     const std::span<const Index> star = faces.around(p);
     for (std::size_t i = 0; i < star.size(); ++i) {
       const Index face = faces.left_of(star[i]), next = faces.left_of(star[(i + 1) % star.size()]);

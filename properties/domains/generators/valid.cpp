@@ -1,10 +1,10 @@
-// What a valid domain is, by definition.
+// Decides validity, by definition.
 #include <algorithm>
 #include <cstdlib>
 #include <set>
 
-#include "faces.hpp"
-#include "lattice.hpp"
+#include "lattice/determinants.hpp"
+#include "lattice/faces.hpp"
 
 namespace pardel::generators {
 namespace {
@@ -29,7 +29,7 @@ bool all_on_a_line(const std::vector<LatticePoint>& points) {
          std::ranges::all_of(points, [&](LatticePoint p) { return turn(points[0], points[1], p) == 0; });
 }
 
-/// Between two different points, each pair once.
+/// Every segment joins two different points, and no two segments join the same points.
 bool segments_have_ends(const LatticeDomain& d) {
   std::vector<std::pair<Index, Index>> ends;
   for (const Segment& s : d.segments) {
@@ -55,7 +55,7 @@ bool segments_cross(const LatticeDomain& d) {
   return false;
 }
 
-/// Precondition: the segments are as they should be.
+/// Precondition: the segments are valid.
 bool faces_are_sound(const LatticeDomain& d) {
   LatticeFaces faces(d.points, d.segments);
   for (const LatticePoint hole : d.holes) {
@@ -64,7 +64,7 @@ bool faces_are_sound(const LatticeDomain& d) {
     if (face == LatticeFaces::exterior) return false;
     faces.make_hole(face);
   }
-  if (faces.domain_faces() == 0) return false;  // the outline is open, or all is eaten
+  if (faces.domain_faces() == 0) return false;  // the outline is open, or holes remove every face
   std::set<Index> claimed;
   return std::ranges::all_of(d.regions, [&](const LatticeRegion& region) {
     if (!(region.max_area > 0) || faces.on_a_segment(region.seed)) return false;

@@ -5,9 +5,14 @@
 
 #include "../../../ref/constrained.hpp"
 #include "../../../ref/independent.hpp"
-#include "../../domains/picture.hpp"
+#include "../../domains/drawing/picture.hpp"
 
 namespace pardel::properties {
+using drawing::Circle;
+using drawing::Ink;
+using drawing::Picture;
+using drawing::tint;
+
 namespace {
 
 std::vector<Point> corners_of(const ref::PlainMesh& mesh, const ref::Corners& t) {

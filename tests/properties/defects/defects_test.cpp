@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "../../../parallel/mesher.hpp"
-#include "../../../properties/checker/stages/findings.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 
@@ -124,7 +123,7 @@ PARDEL_FACT(Checker, accepts_right_meshes,
 }
 
 /// Makes the defect at several places of every mesh and expects the verdict; returns at how many places.
-std::uint64_t expect_verdict(const Defect& defect) {
+std::uint64_t expect_verdict(const defects::Defect& defect) {
   std::uint64_t places = 0;
   for (const Subject& subject : subjects()) {
     for (const std::uint64_t seed : seeds) {
@@ -146,7 +145,7 @@ std::uint64_t expect_verdict(const Defect& defect) {
 
 template <ViolationKind kind>
 void reports(properties::Facts& facts) {
-  for (const Defect& defect : defects())
+  for (const defects::Defect& defect : defects::all())
     if (defect.expected == kind) facts.cases += expect_verdict(defect);
   EXPECT_GT(facts.cases, 0U);
 }
@@ -207,12 +206,12 @@ bool add_verdicts(std::index_sequence<kinds...> /*of all kinds*/) {
   (add_verdict<static_cast<ViolationKind>(kinds)>(), ...);
   return true;
 }
-const bool verdicts_are_added = add_verdicts(std::make_index_sequence<checker::violation_kinds>());
+const bool verdicts_are_added = add_verdicts(std::make_index_sequence<violation_kinds>());
 
 class SeededDefect : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(SeededDefect, that_finds_no_place_changes_nothing_and_one_that_does_is_reproducible) {
-  const Defect& defect = defects()[GetParam()];
+  const defects::Defect& defect = defects::all()[GetParam()];
   for (const Subject& subject : subjects()) {
     Pslg pslg = subject.pslg, same_pslg = subject.pslg;
     Mesh mesh = subject.mesh, same_mesh = subject.mesh;
@@ -228,12 +227,13 @@ TEST_P(SeededDefect, that_finds_no_place_changes_nothing_and_one_that_does_is_re
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Defects, SeededDefect, testing::Range<std::size_t>(0, defects().size()),
-                         [](const auto& instance) { return identifier(defects()[instance.param].name); });
+INSTANTIATE_TEST_SUITE_P(Defects, SeededDefect, testing::Range<std::size_t>(0, defects::all().size()),
+                         [](const auto& instance) { return identifier(defects::all()[instance.param].name); });
 
 TEST(Defects, are_at_least_seventy_and_each_has_its_own_name) {
   std::set<std::string> names;
-  for (const Defect& defect : defects()) EXPECT_TRUE(names.insert(identifier(defect.name)).second) << defect.name;
+  for (const defects::Defect& defect : defects::all())
+    EXPECT_TRUE(names.insert(identifier(defect.name)).second) << defect.name;
   EXPECT_GE(names.size(), 70u);
 }
 

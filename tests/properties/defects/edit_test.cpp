@@ -13,6 +13,7 @@
 namespace pardel {
 namespace {
 
+namespace edit = defects::edit;
 using edit::Side;
 
 Goal no_quality() {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <sstream>
 
-#include "../../core/support/output_file.hpp"
+#include "../../../core/support/output_file.hpp"
 
-namespace pardel::properties {
+namespace pardel::drawing {
 namespace {
 
 constexpr double side = 600, margin = 60;
@@ -73,4 +73,4 @@ Status Picture::write(const std::filesystem::path& file) const {
   return out.commit();
 }
 
-}  // namespace pardel::properties
+}  // namespace pardel::drawing

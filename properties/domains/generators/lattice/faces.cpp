@@ -6,7 +6,7 @@
 namespace pardel::generators {
 namespace {
 
-/// Pairs of points with none to their right and none between them.
+/// The pairs of points with no point on their right and none between them.
 std::vector<Segment> sides_of_hull(const std::vector<LatticePoint>& points) {
   std::vector<Segment> sides;
   for (Index a = 0; a < points.size(); ++a)
@@ -19,7 +19,7 @@ std::vector<Segment> sides_of_hull(const std::vector<LatticePoint>& points) {
   return sides;
 }
 
-/// By angle from the positive x-axis, counter-clockwise.
+/// Compares directions by their angle from the positive x-axis, counter-clockwise.
 bool comes_before(LatticePoint u, LatticePoint v) {
   const auto in_lower_half = [](LatticePoint w) { return w.y < 0 || (w.y == 0 && w.x < 0); };
   if (in_lower_half(u) != in_lower_half(v)) return in_lower_half(v);
@@ -59,7 +59,7 @@ void LatticeFaces::link() {
 
 void LatticeFaces::trace_contours() {
   contour_of_.assign(ends_.size(), no_index);
-  std::vector<Index> lowest;  // per contour: its leftmost point, of several the lowest
+  std::vector<Index> lowest;  // per contour: its leftmost point; of several the lowest
   for (Index start = 0; start < ends_.size(); ++start) {
     if (contour_of_[start] != no_index) continue;
     const auto contour = static_cast<Index>(lowest.size());
@@ -71,7 +71,7 @@ void LatticeFaces::trace_contours() {
       const auto [a, b] = ends_[h];
       twice_area += cross(at(a) - at(ends_[start].a), at(b) - at(ends_[start].a));
       if (at(b) < at(lowest.back())) lowest.back() = b;
-      // Sharpest left: the half-edge that comes clockwise next to the way back.
+      // Turn left as sharply as possible: the next half-edge clockwise from the twin.
       const std::span<const Index> star = around(b);
       const auto back = std::ranges::find(star, twin(h));
       h = back == star.begin() ? star.back() : *(back - 1);
@@ -79,8 +79,8 @@ void LatticeFaces::trace_contours() {
     is_outer_.push_back(twice_area > 0);
     face_of_.push_back(twice_area > 0 ? count_++ : no_index);
   }
-  // The face around a component is the one above what lies directly below its leftmost point; and the leftmost
-  // point of that lies further left, or further down.
+  // The face around a component is the face above the half-edge directly below the component's leftmost point. The
+  // contour of that half-edge has a leftmost point further left or further down, so the search ends.
   for (std::size_t contour = 0; contour < lowest.size(); ++contour) {
     std::size_t around = contour;
     while (face_of_[around] == no_index) {
@@ -137,7 +137,7 @@ LatticePoint LatticeFaces::seed_left_of(Index half_edge) const {
     });
   };
   const auto c = std::ranges::find_if(quarters_, [&](LatticePoint p) { return turn(a, b, p) > 0 && suits(p); });
-  // Every triangulation of the face has such a corner. The sum is divisible: these are quarters.
+  // c exists, because every triangulation of the face has a triangle here. The coordinates are multiples of 4.
   const LatticePoint sum = a + a + b + *c;
   return {sum.x / 4, sum.y / 4};
 }

@@ -1,31 +1,32 @@
-// The faces into which segments cut the plane, walked half-edge by half-edge in exact integers.
+// LatticeFaces: the faces into which segments cut the plane, in exact integers. Written independently of the checker's
+// PlanarFaces, which works on doubles.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "lattice.hpp"
-#include "lattice_domain.hpp"
+#include "../lattice_domain.hpp"
+#include "determinants.hpp"
 
 namespace pardel::generators {
 
-/// From point `a` to point `b`, along a segment.
+/// A side of a segment: from point `a` to point `b`, with a face on its left.
 struct HalfEdge {
   Index a = 0;
   Index b = 0;
   friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// Half-edge 2s runs along segment s from its a to its b, half-edge 2s + 1 back. Without segments the sides of the
-/// convex hull take their place.
+/// Half-edge 2s runs along segment s from its a to its b, half-edge 2s + 1 from b to a. Where there are no segments,
+/// the sides of the convex hull take their place.
 class LatticeFaces {
  public:
   static constexpr Index exterior = 0;
 
-  /// Points distinct, not all on a line; segments meet at most in common ends and run through no point. Seeds are
-  /// not looked at. O(points * segments).
+  /// No face is a hole. Preconditions: points are distinct and not all collinear; segments meet in common ends only and
+  /// pass through no point. O(points * segments).
   LatticeFaces(const std::vector<LatticePoint>& points, const std::vector<Segment>& segments);
-  /// Holes as in the domain. Precondition: no hole on a segment.
+  /// With the holes of the domain. Precondition: no hole lies on a segment.
   explicit LatticeFaces(const LatticeDomain& domain);
 
   [[nodiscard]] Index count() const { return count_; }
@@ -33,18 +34,19 @@ class LatticeFaces {
   [[nodiscard]] HalfEdge ends(Index half_edge) const { return ends_[half_edge]; }
   [[nodiscard]] static Index twin(Index half_edge) { return half_edge ^ 1U; }
   [[nodiscard]] Index left_of(Index half_edge) const { return face_of_[contour_of_[half_edge]]; }
-  /// The contour left of a half-edge runs around its face, rather than around something inside the face.
+  /// True where the contour of a half-edge is the outer contour of its face, false where it surrounds something inside.
   [[nodiscard]] bool on_outer_contour(Index half_edge) const { return is_outer_[contour_of_[half_edge]]; }
-  /// Half-edges from a point, counter-clockwise.
+  /// The half-edges that start at a point, counter-clockwise.
   [[nodiscard]] std::span<const Index> around(Index point) const {
     return std::span(by_origin_).subspan(first_[point], first_[point + 1] - first_[point]);
   }
 
-  /// Seeds are in quarters.
+  /// Seeds are in quarters of the lattice unit.
   [[nodiscard]] bool on_a_segment(LatticePoint seed) const;
   /// Precondition: !on_a_segment(seed).
   [[nodiscard]] Index containing(LatticePoint seed) const;
-  /// A seed of the bounded face left of a half-edge, in a triangle upon it that no segment crosses.
+  /// A seed of the bounded face on the left of a half-edge. It lies in a triangle at the half-edge that no segment
+  /// crosses.
   [[nodiscard]] LatticePoint seed_left_of(Index half_edge) const;
 
   void make_hole(Index face) { is_domain_[face] = false; }
@@ -54,15 +56,15 @@ class LatticeFaces {
  private:
   void link();
   void trace_contours();
-  /// The half-edge that runs left to right directly below a place, just right of it; no_index: none.
+  /// The half-edge from left to right directly below a place, just right of it, or no_index.
   [[nodiscard]] Index directly_below(LatticePoint place) const;
   [[nodiscard]] bool is_above(Index half_edge, Index other) const;
   [[nodiscard]] LatticePoint at(Index point) const { return quarters_[point]; }
 
   std::vector<LatticePoint> quarters_;  ///< the points, in quarters
   std::vector<HalfEdge> ends_;
-  std::vector<Index> by_origin_;   ///< half-edges by the point they start at, then by angle
-  std::vector<Index> first_;       ///< per point, and one past the last: its first in by_origin_
+  std::vector<Index> by_origin_;   ///< half-edges by their first point, then by angle
+  std::vector<Index> first_;       ///< per point: its first position in by_origin_; one more entry at the end
   std::vector<Index> contour_of_;  ///< per half-edge
   std::vector<char> is_outer_;     ///< per contour
   std::vector<Index> face_of_;     ///< per contour

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "../../../core/support/shortest.hpp"
+
 namespace pardel::checker {
 namespace {
 
@@ -17,15 +19,10 @@ std::string digits(Format... format) {
 
 std::string to_text(long long value) { return digits(value); }
 std::string to_text(unsigned long long value) { return digits(value); }
-std::string to_text(double value) { return digits(value); }
-std::string to_text(Point p) {
-  std::string text("(");
-  text += to_text(p.x);
-  text += ", ";
-  text += to_text(p.y);
-  text += ')';
-  return text;
-}
+std::string to_text(double value) { return shortest(value); }
+std::string to_text(Point p) { return "(" + to_text(p.x) + ", " + to_text(p.y) + ")"; }
 std::string to_short_text(double value) { return digits(value, std::chars_format::general, 6); }
+
+std::string edge_text(Index a, Index b) { return to_text(a) + "-" + to_text(b); }
 
 }  // namespace pardel::checker

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+
 namespace pardel::generators {
 
 Index Draft::point(LatticePoint place) {
@@ -11,7 +12,7 @@ Index Draft::point(LatticePoint place) {
   const auto id = static_cast<Index>(known - points_.begin());
   if (known != points_.end()) return id;
   points_.push_back(place);
-  // No more than one: segments do not cross.
+  // At most one segment passes here, because segments do not cross.
   const auto through =
       std::ranges::find_if(segments_, [&](const Segment& s) { return lies_inside(place, points_[s.a], points_[s.b]); });
   if (through != segments_.end()) {
@@ -68,7 +69,7 @@ bool Draft::free_polygon(const std::vector<LatticePoint>& contour) {
   const bool holds_a_point = std::ranges::any_of(points_, [&](LatticePoint p) {
     return p.x >= corners[0].x && p.x <= corners[2].x && p.y >= corners[0].y && p.y <= corners[2].y;
   });
-  // A segment that meets the box, but has no end in it, passes one of its corners or crosses one of its sides.
+  // A segment that meets the box and has no end in it passes through a corner or crosses a side.
   const bool meets_a_segment = std::ranges::any_of(segments_, [&](const Segment& s) {
     for (int i = 0; i < 4; ++i)
       if (lies_inside(corners[i], points_[s.a], points_[s.b]) ||
@@ -82,7 +83,7 @@ bool Draft::free_polygon(const std::vector<LatticePoint>& contour) {
 }
 
 void Draft::hull() {
-  // Jarvis's march, from side to side; the nearest of several points on a line is the next.
+  // Jarvis's march. Of several points on a line the nearest is the next.
   const LatticePoint first = std::ranges::min(points_);
   LatticePoint at = first;
   do {

@@ -1,9 +1,9 @@
-#include "drawing.hpp"
+#include "paths.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace pardel::domains {
+namespace pardel::drawing {
 
 Point snapped(double x, double y) { return {std::round(x * 0x1p30) * 0x1p-30, std::round(y * 0x1p30) * 0x1p-30}; }
 
@@ -55,4 +55,4 @@ void add_closed(Pslg& pslg, const std::vector<Point>& points, int marker) {
   pslg.has_segment_markers |= marker != 0;
 }
 
-}  // namespace pardel::domains
+}  // namespace pardel::drawing

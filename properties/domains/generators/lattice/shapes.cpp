@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lattice.hpp"
+#include "determinants.hpp"
 
 namespace pardel::generators {
 

@@ -1,4 +1,4 @@
-// Numbers as text, so that they read back to the same value.
+// Numbers, points and edges as text, for messages and certificates.
 #pragma once
 
 #include <concepts>
@@ -8,6 +8,7 @@
 
 namespace pardel::checker {
 
+/// The shortest text that reads back to the same value. A point becomes "(x, y)".
 [[nodiscard]] std::string to_text(long long value);
 [[nodiscard]] std::string to_text(unsigned long long value);
 [[nodiscard]] std::string to_text(double value);
@@ -18,7 +19,10 @@ namespace pardel::checker {
   return to_text(static_cast<unsigned long long>(value));
 }
 
-/// Six significant digits, for people.
+/// Six significant digits.
 [[nodiscard]] std::string to_short_text(double value);
+
+/// "a-b": the edge between two vertices.
+[[nodiscard]] std::string edge_text(Index a, Index b);
 
 }  // namespace pardel::checker

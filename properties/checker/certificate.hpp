@@ -1,0 +1,51 @@
+// The certificate: the verdict of the checker, with everything that supports it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../../core/digest.hpp"
+#include "../../core/goal.hpp"
+#include "violation.hpp"
+
+namespace pardel {
+
+/// An extreme value over all triangles, and where it is attained. Of equal values the first triangle is kept.
+struct Extreme {
+  double value = 0;
+  Index triangle = no_index;  ///< no_index: the mesh has no triangles, or they could not be measured
+  Point where;                ///< the corner of an angle, the midpoint of an edge, else the centroid
+};
+
+/// A triangle with an angle below the bound that the checker accepts, because a small input angle forces it. The
+/// checker decides this from the coordinates alone (Miller, Pav, Walkington 2003: nestled or seditious triangles).
+struct Justified {
+  Index triangle = no_index;
+  Index apex = no_index;       ///< the input point at which two segments meet at the small angle
+  double input_angle_deg = 0;  ///< the angle of these segments, in degrees
+  double angle_deg = 0;        ///< the smallest angle of the triangle, in degrees
+};
+
+/// Lengths and radii are in the unit of the coordinates, areas in its square, angles in degrees. Measured values are
+/// computed in doubles, except that `area` is the exact sum, rounded once; no verdict depends on any of them.
+struct Certificate {
+  Goal goal;                                    ///< the goal that the mesh was checked against
+  bool valid = false;                           ///< no violation was found
+  std::vector<Violation> violations;            ///< by kind; within a kind in the order of discovery
+  std::vector<std::uint64_t> violation_counts;  ///< violation_kinds entries: how many of each kind
+  std::vector<Justified> justified;             ///< by triangle
+  std::uint64_t vertices = 0, triangles = 0, constrained_edges = 0;
+  Extreme min_angle_deg, max_angle_deg, max_area, max_edge, min_edge, max_circumradius, max_radius_edge_ratio;
+  double area = 0;
+  std::vector<std::uint64_t> angle_histogram;  ///< 18 bins of 10 degrees over all angles
+  Digest digest;                               ///< of the mesh; all zero where its arrays are unusable
+};
+
+/// Plain text for people, several lines.
+[[nodiscard]] std::string to_text(const Certificate& certificate);
+
+/// JSON, schema pardel.certificate/1. An infinite bound and a missing triangle become null.
+[[nodiscard]] std::string to_json(const Certificate& certificate);
+
+}  // namespace pardel

@@ -1,0 +1,65 @@
+// Violations: the rules that a mesh can break, and how one broken rule is reported.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../../core/pslg.hpp"
+
+namespace pardel {
+
+/// The rules, one kind of violation for each. Their order is the order of the lists in a certificate.
+enum class ViolationKind : std::uint8_t {
+  index_out_of_range,  ///< a triangle, edge or region refers to something that does not exist
+  non_finite_coordinate,
+  wrong_count,          ///< the length of an array of the mesh does not fit the other arrays
+  degenerate_triangle,  ///< a triangle is not strictly counter-clockwise
+  duplicate_triangle,   ///< two triangles have the same corners
+  non_manifold_edge,    ///< an edge has more than two triangles, or two on the same side
+  non_manifold_vertex,  ///< the triangles at a vertex form more fans than its boundary edges explain
+  wrong_neighbour,      ///< n[] is not the triangle across the edge, or that triangle does not refer back
+  euler_characteristic,
+  overlap,                   ///< triangles cover some point twice
+  uncovered_domain,          ///< a part of the domain has no triangle
+  covered_exterior,          ///< a triangle lies outside the domain or in a hole
+  area_mismatch,             ///< the areas of the triangles do not sum to the area within the boundary chains
+  missing_input_vertex,      ///< an input point of the domain is not a vertex, or was moved or renumbered
+  unused_vertex,             ///< a vertex has no triangle and is not an input point outside the domain
+  broken_segment,            ///< no chain of mesh edges joins the ends of an input segment
+  chain_off_segment,         ///< a vertex of a chain lies further than chain_ulps from its segment
+  wrong_constrained_edge,    ///< listed as constrained, but not a mesh edge or not a part of that segment
+  missing_constrained_edge,  ///< a part of a segment or of the hull, but not listed as constrained
+  wrong_edge_marker,
+  wrong_vertex_marker,
+  wrong_region,
+  wrong_origin,
+  not_delaunay,  ///< an unconstrained edge (for a conforming goal: any edge) is not locally Delaunay
+  small_angle,   ///< an angle below the bound that no small input angle justifies
+  large_area,
+  region_area,  ///< an area above the cap of the triangle's region
+  long_edge,
+  size_exceeded,  ///< an edge longer than the sizing function allows at the triangle's centroid
+  large_circumradius,
+  wrong_attribute,  ///< an input vertex does not carry its input attributes
+};
+
+/// The number of kinds. Kinds count from 0 to violation_kinds - 1.
+inline constexpr std::size_t violation_kinds = static_cast<std::size_t>(ViolationKind::wrong_attribute) + 1;
+
+/// The identifier of a kind as it appears in certificates: "wrong_neighbour". "unknown" for any other value.
+[[nodiscard]] const char* name(ViolationKind kind);
+
+/// One broken rule, with its place and an exact witness.
+struct Violation {
+  ViolationKind kind;
+  std::vector<Index> ids;    ///< vertices, triangles, edges or segments, from 0; the witness names them
+  std::vector<Point> where;  ///< places in the mesh or in the input
+  std::string witness;       ///< in words: "in-circle determinant +3/8192", "area 0.31 > 0.25"
+
+  /// One line: the kind, the witness, the ids and the places.
+  [[nodiscard]] std::string message() const;
+};
+
+}  // namespace pardel
