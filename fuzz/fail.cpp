@@ -5,8 +5,8 @@
 
 namespace pardel::fuzz {
 
-void fail(std::string_view story) {
-  std::fprintf(stderr, "fuzz: the property failed: %.*s\n", static_cast<int>(story.size()), story.data());
+void fail(std::string_view explanation) {
+  std::fprintf(stderr, "fuzz: the property failed: %.*s\n", static_cast<int>(explanation.size()), explanation.data());
   std::abort();
 }
 

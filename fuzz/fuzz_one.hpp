@@ -1,5 +1,5 @@
-// What every fuzz target is: one function of bytes. libFuzzer calls it (preset fuzz), and so does the replay
-// program over the committed corpus, which ctest runs in every build.
+// Every fuzz target defines fuzz_one(). libFuzzer calls it (preset fuzz), and so does the replay program on the
+// committed corpus, which ctest runs in every build.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace pardel::fuzz {
 
-/// Runs the property on one input. Returns 0 where it held, -1 where the bytes say nothing worth keeping in
-/// a corpus; where the property failed it tells why on stderr and aborts.
+/// Checks the property on one input. Returns 0 where it holds, and -1 where the input is not worth keeping in a corpus.
+/// Where the property fails, calls fail().
 int fuzz_one(std::span<const std::uint8_t> bytes);
 
-/// Prints `story` to stderr and aborts: what a fuzzer takes for a finding.
-[[noreturn]] void fail(std::string_view story);
+/// Prints the explanation to stderr and aborts, which a fuzzer counts as a finding.
+[[noreturn]] void fail(std::string_view explanation);
 
 }  // namespace pardel::fuzz

@@ -1,4 +1,4 @@
-// The entry point that libFuzzer looks for.
+// The entry point that libFuzzer calls.
 #include <cstddef>
 #include <cstdint>
 

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "../parallel/repair.hpp"
-#include "../parallel/validate.hpp"
+#include "../properties/domains/domains.hpp"
+#include "../properties/domains/drawing/paths.hpp"
 
 namespace pardel::fuzz {
 namespace {
 
-/// The bytes as an endless supply: zeros when they have run out.
+/// Small numbers from the bytes; zeros after the last byte.
 class Supply {
  public:
   explicit Supply(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -21,7 +22,7 @@ class Supply {
   std::size_t next_ = 0;
 };
 
-/// Draws on the lattice [0, side]^2.
+/// Draws points, segments, holes and regions on the lattice [0, side]^2.
 class Drawing {
  public:
   Drawing(Pslg& pslg, Supply& supply, int side) : pslg_(pslg), supply_(supply), side_(side) {}
@@ -30,25 +31,25 @@ class Drawing {
     const double s = side_, h = side_ / 2;
     if (kind == 0) polygon({{0, 0}, {s, 0}, {s, s}, {0, s}}, 1);
     if (kind == 1) polygon({{0, 0}, {s, 0}, {h, s}}, 2);
-    if (kind == 2) polygon({{0, 0}, {s, 0}, {s, h}, {h, h}, {h, s}, {0, s}}, 3);  // what lies in the notch is outside
+    if (kind == 2) polygon({{0, 0}, {s, 0}, {s, h}, {h, h}, {h, s}, {0, s}}, 3);  // the notch of the L is outside
   }
   void point() { add(lattice_point()); }
   void segment() { join(add(lattice_point()), add(lattice_point())); }
   void continued_segment() { join(static_cast<Index>(pslg_.points.size() - 1), add(lattice_point())); }
-  /// Several segments from one point to neighbouring ones: small angles about an apex.
+  /// Several segments from one point to neighbouring points: small angles around an apex.
   void fan() {
     const Point apex = lattice_point(), first = lattice_point();
     const Index centre = add(apex);
     const int spokes = 2 + supply_.below(5);
     for (int i = 0; i < spokes; ++i) join(centre, add({first.x, clamped(first.y + i)}));
   }
-  /// A box with a hole or a region in it.
+  /// A box around the seed of a hole or of a region.
   void box(bool is_hole) {
     const Point corner = lattice_point();
     const double w = 1 + supply_.below(4), h = 1 + supply_.below(4);
     const double right = clamped(corner.x + w), top = clamped(corner.y + h);
     polygon({corner, {right, corner.y}, {right, top}, {corner.x, top}}, is_hole ? 10 : 20);
-    // Off the lattice's lines and diagonals, so that the seed seldom lies on a segment.
+    // Away from the lines and diagonals of the lattice, so the seed rarely lies on a segment.
     const Point seed{corner.x + (right - corner.x) * 19 / 64, corner.y + (top - corner.y) * 27 / 64};
     if (is_hole) {
       pslg_.holes.push_back(seed);
@@ -57,7 +58,7 @@ class Drawing {
       pslg_.regions.push_back({seed, static_cast<double>(pslg_.regions.size() + 1), cap});
     }
   }
-  /// A block of lattice cells with all their edges: everything cocircular.
+  /// A block of 2 by 2 lattice cells with all their edges, which makes many cocircular points.
   void block() {
     const Point corner = lattice_point();
     for (int i = 0; i <= 2; ++i) {
@@ -77,30 +78,19 @@ class Drawing {
     return static_cast<Index>(pslg_.points.size() - 1);
   }
   void join(Index a, Index b) { pslg_.segments.push_back({a, b, static_cast<int>(pslg_.segments.size() % 5)}); }
-  void polygon(std::initializer_list<Point> corners, int marker) {
-    const auto first = static_cast<Index>(pslg_.points.size());
-    for (const Point corner : corners) add(corner);
-    const auto n = static_cast<Index>(corners.size());
-    for (Index i = 0; i < n; ++i) pslg_.segments.push_back({first + i, first + (i + 1) % n, marker});
-  }
+  void polygon(const std::vector<Point>& corners, int marker) { drawing::add_closed(pslg_, corners, marker); }
 
   Pslg& pslg_;
   Supply& supply_;
   int side_;
 };
 
-/// To where real data lies: unit scale, projected coordinates, micrometres, or a huge power of two.
+/// Moves and scales the case to unit scale, projected coordinates, micrometres, or a large power of two.
 void place(Pslg& pslg, Goal& goal, int kind) {
   constexpr std::array<double, 4> scales{1, 1, 0x1p-20, 0x1p40};
   const double scale = scales[kind];
   const Point shift = kind == 1 ? Point{654321, 4987654} : Point{};
-  const auto move = [&](Point& p) { p = {p.x * scale + shift.x, p.y * scale + shift.y}; };
-  for (Point& p : pslg.points) move(p);
-  for (Point& p : pslg.holes) move(p);
-  for (Region& r : pslg.regions) {
-    move(r.seed);
-    r.max_area *= scale * scale;
-  }
+  pslg = domains::moved(std::move(pslg), shift.x, shift.y, scale);
   goal.max_area *= scale * scale;
   goal.max_edge *= scale;
 }

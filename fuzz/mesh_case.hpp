@@ -1,7 +1,7 @@
-// A meshing problem out of bytes. Whatever the bytes are, the result has an outline, and segments, holes and
-// regions in it wherever the bytes ask for them: coordinates lie on a small integer lattice, so that crossings,
-// overlaps, touching holes, cocircular points and small angles happen all the time, and repair() turns what
-// crosses into what meets. Nothing is thrown away to make a case valid.
+// Decodes bytes to a meshing problem. Every sequence of bytes gives an outline, with segments, holes and regions as the
+// bytes select them. Coordinates lie on a small integer lattice, so crossings, overlaps, touching holes, cocircular
+// points and small angles are frequent. repair() splits segments where they cross; nothing is discarded to make a case
+// valid.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@
 namespace pardel::fuzz {
 
 struct MeshCase {
-  Pslg pslg;  ///< as drawn: may cross and overlap itself
+  Pslg pslg;  ///< as drawn; segments may cross and overlap
   Goal goal;
   Options options;
 };
 
-/// Deterministic; total; every prefix of the bytes means a case too.
+/// Deterministic. Every sequence of bytes gives a case, and so does every prefix.
 [[nodiscard]] MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes);
 
-/// The case's Pslg made valid, without its holes and regions only where these leave no domain (`reduced`).
+/// The repaired Pslg of a case. Where its holes leave no domain, its holes and regions are removed first.
 struct Prepared {
   Pslg pslg;
-  bool usable = false;  ///< false: not even the bare lines could be repaired
-  bool reduced = false;
+  bool usable = false;   ///< false: the segments alone could not be repaired
+  bool reduced = false;  ///< the holes and regions were removed
 };
 [[nodiscard]] Prepared prepare(const MeshCase& drawn);
 

@@ -1,5 +1,5 @@
-// Bytes as the text of a .poly: the reader must refuse or accept without harm, and what it accepts must come
-// back from what the writer makes of it.
+// Reads the bytes as a .poly file. The reader must accept or reject them without a crash. An accepted Pslg must be the
+// same after it is written and read again.
 #include <unistd.h>
 
 #include <cstring>
@@ -27,7 +27,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
   return true;
 }
 
-/// Equality in which NaN equals NaN: the reader takes what is a number, and leaves the range to validate().
+/// Equality in which NaN equals NaN. The reader accepts every number; validate() checks the ranges.
 bool same(const Pslg& a, const Pslg& b) {
   return same(a.points, b.points) && a.attributes_per_point == b.attributes_per_point &&
          same(a.point_attributes, b.point_attributes) && same(a.point_markers, b.point_markers) &&
@@ -55,8 +55,8 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     if (const Status written = write_poly(*parsed, file, base); !written) fail(written.error().message);
     const Result<Pslg> again = read_pslg(file);
     std::filesystem::remove(file);
-    if (!again) fail("what was written is refused: " + again.error().message);
-    if (!same(*parsed, *again)) fail("what was written reads back differently");
+    if (!again) fail("the written file is rejected: " + again.error().message);
+    if (!same(*parsed, *again)) fail("the written file reads back differently");
   }
   return 0;
 }

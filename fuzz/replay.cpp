@@ -1,5 +1,5 @@
-// replay FILE|FOLDER...: runs a fuzz target over stored inputs, without a fuzzer. Names each input before it
-// runs, so that a crash tells which one it was. Fails where there is nothing to replay.
+// replay FILE|FOLDER...: runs a fuzz target on stored inputs, without a fuzzer. Prints the path of each input before it
+// runs, so the last path printed is the input that crashed. Fails where there are no inputs.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The groups that the catalogue of defects is made of, and how a defect finds its place.
+// The groups of defects, and helpers that find a place for a defect.
 #pragma once
 
 #include <span>
@@ -15,7 +15,8 @@ namespace pardel::defects {
 [[nodiscard]] std::span<const Defect> defects_of_labels();
 [[nodiscard]] std::span<const Defect> defects_of_goals();
 
-/// Tries the places 0 to n - 1 in turn, from one that the seed chooses, until an attempt succeeds.
+/// Calls attempt(place) for the places 0 to n - 1, starting at one that the seed chooses, until an attempt returns
+/// true. False where none does.
 template <class Attempt>
 bool at_some(std::size_t n, std::uint64_t seed, const Attempt& attempt) {
   const std::uint64_t start = seed * 0x9e3779b97f4a7c15 >> 20;
@@ -42,11 +43,11 @@ bool at_some_vertex(const Mesh& mesh, std::uint64_t seed, const Attempt& attempt
 }
 
 [[nodiscard]] inline bool is_interior(const Mesh& mesh, Index v) { return mesh.origin[v] == interior_vertex; }
-/// Put on an input segment by the mesher.
+/// True for a vertex that the mesher put on an input segment.
 [[nodiscard]] inline bool is_on_segment(const Pslg& pslg, const Mesh& mesh, Index v) {
   return mesh.origin[v] < pslg.segments.size();
 }
-/// Two numbers that are as good as independent of the seed's use in at_some.
+/// A number below n that depends on the seed, practically independent of the start in at_some(). Precondition: n > 0.
 [[nodiscard]] inline Index another(std::uint64_t seed, std::size_t n) {
   return static_cast<Index>((seed * 0xd1342543de82ef95 >> 24) % n);
 }

@@ -1,5 +1,5 @@
-// Seeded defects: ways to make a right mesh wrong, each with the kind of violation that the checker must
-// then report. They show that the checker can say no.
+// Seeded defects: ways to make a valid mesh wrong, each with the kind of violation that the checker must then report.
+// They prove that the checker finds errors.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace pardel::defects {
 
 struct Defect {
   std::string_view name;
-  ViolationKind expected;  ///< among what the checker reports; one defect may break several rules
-  /// Makes one defect at a place that the seed chooses. False, and nothing changed, where the mesh offers
-  /// no place for it. The mesh must be right for the Pslg and the goal, and carry its origins.
+  ViolationKind expected;  ///< must be among the reported kinds; one defect may break several rules
+  /// Makes the defect at one place, which the seed chooses. False, and nothing is changed, where the mesh has no place
+  /// for it. Precondition: the mesh is valid for the Pslg and the goal, and has its origins.
   bool (*inject)(Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed);
 };
 
-/// All of them, in groups: arrays and numbers, triangles and links, coverage, geometry, segments and labels, goals.
+/// All defects, in groups: arrays and numbers, triangles and links, coverage, geometry, segments and labels, goals.
 [[nodiscard]] std::span<const Defect> all();
 
 }  // namespace pardel::defects

@@ -1,4 +1,4 @@
-// Defects of arrays and numbers: lengths that do not fit, indices that name nothing, numbers that are none.
+// Defects of arrays and numbers: wrong lengths, indices out of range, coordinates that are not finite.
 #include <cmath>
 #include <limits>
 
@@ -10,7 +10,7 @@ namespace {
 using enum ViolationKind;
 
 constexpr Defect group[] = {
-    {"a corner of a triangle names a vertex just past the end", index_out_of_range,
+    {"a corner of a triangle is the index just past the last vertex", index_out_of_range,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](edit::Side s) {
          mesh.triangles[s.t].v[s.i] = static_cast<Index>(mesh.points.size());
@@ -24,28 +24,28 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"a neighbour names a triangle past the end", index_out_of_range,
+    {"a neighbour is the index just past the last triangle", index_out_of_range,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](edit::Side s) {
          mesh.triangles[s.t].n[s.i] = static_cast<Index>(mesh.triangles.size());
          return true;
        });
      }},
-    {"a triangle names a region that does not exist", index_out_of_range,
+    {"a triangle has a region that does not exist", index_out_of_range,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.region.size(), seed, [&](Index t) {
          mesh.region[t] = static_cast<Index>(mesh.region_attributes.size());
          return true;
        });
      }},
-    {"a constrained edge names a vertex that does not exist", index_out_of_range,
+    {"a constrained edge has a vertex that does not exist", index_out_of_range,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.constrained_edges.size(), seed, [&](Index e) {
          mesh.constrained_edges[e].b = static_cast<Index>(mesh.points.size() + 7);
          return true;
        });
      }},
-    {"a constrained edge names a segment that does not exist", index_out_of_range,
+    {"a constrained edge has a segment that does not exist", index_out_of_range,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.constrained_edges.size(), seed, [&](Index e) {
          mesh.constrained_edges[e].segment = static_cast<Index>(pslg.segments.size());
@@ -94,13 +94,13 @@ constexpr Defect group[] = {
        mesh.region.pop_back();
        return true;
      }},
-    {"there is a region more than triangles", wrong_count,
+    {"there is one region more than triangles", wrong_count,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        if (mesh.region.empty()) return false;
        mesh.region.push_back(mesh.region.back());
        return true;
      }},
-    {"there is a vertex marker more than vertices", wrong_count,
+    {"there is one vertex marker more than vertices", wrong_count,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        if (mesh.point_markers.empty()) return false;
        mesh.point_markers.push_back(0);
@@ -112,7 +112,7 @@ constexpr Defect group[] = {
        mesh.point_markers.resize(pslg.points.size());
        return true;
      }},
-    {"a point attribute is lacking at the end", wrong_count,
+    {"the last point attribute is missing", wrong_count,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        if (mesh.point_attributes.empty()) return false;
        mesh.point_attributes.pop_back();

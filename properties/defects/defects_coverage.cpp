@@ -1,4 +1,4 @@
-// Defects of coverage: pieces of the domain without triangles, and triangles where there should be none.
+// Defects of coverage: parts of the domain without triangles, and triangles outside the domain.
 #include <algorithm>
 #include <map>
 
@@ -21,7 +21,7 @@ bool disjoint(const Triangle& t, const Triangle& u) {
   return std::ranges::none_of(t.v, [&](Index v) { return std::ranges::count(u.v, v) != 0; });
 }
 
-/// Drops the triangles for which `drop` holds, where that leaves some and takes some.
+/// Removes the triangles for which `drop` holds. False, and nothing is changed, where these are none or all.
 template <class Drop>
 bool drop_triangles(Mesh& mesh, const Drop& drop) {
   std::vector<Index> ids;
@@ -32,8 +32,8 @@ bool drop_triangles(Mesh& mesh, const Drop& drop) {
   return true;
 }
 
-/// A path along the outside of the mesh: from each boundary vertex the next, with the outside on the left.
-/// Vertices where boundaries meet in a point are left out.
+/// For each boundary vertex the next one, with the outside of the mesh on the left. Vertices at which two parts of the
+/// boundary touch are left out.
 std::map<Index, Index> outside_paths(const Mesh& mesh) {
   std::map<Index, Index> next;
   std::map<Index, int> times;
@@ -48,7 +48,7 @@ std::map<Index, Index> outside_paths(const Mesh& mesh) {
   return next;
 }
 
-/// Is the triangle positively oriented, with none of the other vertices in it or on its border?
+/// True where a, b, c are counter-clockwise and none of the other vertices lies in the triangle or on its border.
 bool is_ear(const Mesh& mesh, Index a, Index b, Index c, const std::vector<Index>& others) {
   if (edit::orientation(mesh, a, b, c) <= 0) return false;
   return std::ranges::none_of(others, [&](Index v) {
@@ -57,7 +57,7 @@ bool is_ear(const Mesh& mesh, Index a, Index b, Index c, const std::vector<Index
   });
 }
 
-/// Triangulates a simple counter-clockwise polygon by cutting ears. False where it finds none.
+/// Triangulates a simple counter-clockwise polygon by cutting ears. False where there is no ear.
 bool fill(Mesh& mesh, std::vector<Index> polygon) {
   std::vector<std::array<Index, 3>> ears;
   while (polygon.size() > 2) {
@@ -76,7 +76,7 @@ bool fill(Mesh& mesh, std::vector<Index> polygon) {
   return true;
 }
 
-/// The loop of outside_paths from v, empty where it does not close.
+/// The loop of outside_paths() from v; empty where the path does not return to v.
 std::vector<Index> loop_from(const std::map<Index, Index>& next, Index v) {
   std::vector<Index> loop = {v};
   for (auto at = next.find(v); at != next.end(); at = next.find(at->second)) {
@@ -183,7 +183,7 @@ constexpr Defect group[] = {
          return add_outside(mesh, s, edit::centroid(mesh, other));
        });
      }},
-    {"a second sheet lies on a triangle", overlap,
+    {"a copy of a triangle with new corners lies on the triangle", overlap,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          std::array<Index, 3> copy{};
@@ -194,7 +194,7 @@ constexpr Defect group[] = {
      }},
     {"a triangle outside touches the boundary in a vertex", covered_exterior,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
-       // Beside the side s, seen from its tail: a sliver of the outside next to the boundary.
+       // A sliver outside the mesh, next to the side s, with a corner at the tail of s.
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) != no_index) return false;
          const Index v = edit::tail(mesh, s);
@@ -212,7 +212,7 @@ constexpr Defect group[] = {
        return at_some_vertex(mesh, seed, [&](Index v) {
          const auto star = edit::star(mesh, v);
          if (!is_interior(mesh, v) || star.size() < 4) return false;
-         // Half of the fan, from one triangle on, goes to the copy.
+         // Half of the triangles around v get the copy as their corner.
          const Index copy = edit::append_point(mesh, mesh.points[v]);
          Index t = star[0];
          for (std::size_t k = 0; k < star.size() / 2; ++k) {

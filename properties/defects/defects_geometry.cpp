@@ -1,4 +1,4 @@
-// Defects of geometry: vertices in the wrong place, and edges that should have been flipped.
+// Defects of geometry: vertices in the wrong place, and edges that are not Delaunay.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -27,7 +27,7 @@ bool all_positive(const Mesh& mesh, const std::vector<Index>& ids) {
   });
 }
 
-/// Some unconstrained side of these triangles is not locally Delaunay.
+/// True where an unconstrained side of these triangles is not locally Delaunay.
 bool some_not_delaunay(const Mesh& mesh, const std::vector<Index>& ids) {
   const auto walls = edit::constrained(mesh);
   return std::ranges::any_of(ids, [&](Index t) {
@@ -39,7 +39,7 @@ bool some_not_delaunay(const Mesh& mesh, const std::vector<Index>& ids) {
   });
 }
 
-/// Moves a vertex that is not in the input; `suits` decides on the result, which is undone where it fails.
+/// Moves a vertex. Where suits() is false afterwards, the vertex is moved back and the result is false.
 template <class Suits>
 bool move(Mesh& mesh, Index v, Point to, const Suits& suits) {
   const Point from = std::exchange(mesh.points[v], to);
@@ -48,7 +48,7 @@ bool move(Mesh& mesh, Index v, Point to, const Suits& suits) {
   return false;
 }
 
-/// Two edges of the chain of one segment meet at v; the length of the shorter.
+/// The length of the shortest constrained edge at v.
 double chain_step(const Mesh& mesh, Index v) {
   double step = HUGE_VAL;
   for (const ConstrainedEdge& e : mesh.constrained_edges)
@@ -56,8 +56,8 @@ double chain_step(const Mesh& mesh, Index v) {
   return step;
 }
 
-/// Moves a vertex of a segment's chain square to the segment, by `share` of the shorter edge beside it, to
-/// the side where all triangles stay positively oriented.
+/// Moves a vertex of a segment's chain at right angles to the segment, by `share` of the shortest constrained edge at
+/// it, to a side where all triangles stay counter-clockwise. False where there is no such side.
 bool move_off_segment(const Pslg& pslg, Mesh& mesh, Index v, double share) {
   if (!is_on_segment(pslg, mesh, v)) return false;
   const Segment& segment = pslg.segments[mesh.origin[v]];
@@ -150,7 +150,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"an input vertex has moved, and all its triangles are still right way round", missing_input_vertex,
+    {"an input vertex has moved, and all its triangles are still counter-clockwise", missing_input_vertex,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(pslg.points.size(), seed, [&](Index v) {
          const auto star = edit::star(mesh, v);
@@ -176,7 +176,7 @@ constexpr Defect group[] = {
        edit::renumber(mesh, to);
        return true;
      }},
-    {"an input vertex inside is triangulated away", missing_input_vertex,
+    {"an input vertex in the interior is removed from the triangulation", missing_input_vertex,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
        return at_some(pslg.points.size(), seed, [&](Index v) {
@@ -185,7 +185,7 @@ constexpr Defect group[] = {
          return std::ranges::any_of(around, [&](Index to) { return edit::collapse(mesh, v, to); });
        });
      }},
-    {"a vertex of a segment's chain lies a millionth beside it", chain_off_segment,
+    {"a vertex of a segment's chain lies a millionth off the segment", chain_off_segment,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) { return move_off_segment(pslg, mesh, v, 1e-6); });
      }},
@@ -202,7 +202,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"a vertex splits a triangle whose circle its new edges do not empty", not_delaunay,
+    {"a vertex splits a triangle, and the edges are not Delaunay", not_delaunay,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          Mesh split = mesh;
@@ -212,7 +212,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"a sliver is hidden beside an edge", small_angle,
+    {"a sliver is added at an edge", small_angle,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        if (goal.min_angle_deg <= 0) return false;
        return at_some_side(mesh, seed, [&](Side s) {

@@ -1,4 +1,4 @@
-// Defects of size and shape: bounds that are missed, by the least amount that can be told or by a lot.
+// Defects of size and shape: bounds that are missed by the smallest representable amount, or by a lot.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ bool exceeds_area(const Mesh& mesh, Index t, double cap) {
   return checker::exactly::area_exceeds(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], cap);
 }
 
-/// The triangle with the largest area among those in `region` (no_index: among all).
+/// The triangle with the largest area in `region`, or in the mesh where `region` is no_index.
 Index largest(const Mesh& mesh, Index region) {
   Index best = no_index;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
@@ -29,7 +29,7 @@ Index largest(const Mesh& mesh, Index region) {
   return best;
 }
 
-/// The largest double that `exceeds` says is exceeded; `about` is near it and positive.
+/// The largest double for which `exceeds` is true. Precondition: `about` is positive and near to it.
 template <class Exceeds>
 double just_exceeded(double about, const Exceeds& exceeds) {
   while (exceeds(about)) about = std::nextafter(about, infinity);
@@ -41,8 +41,9 @@ double just_too_small_a_cap(const Mesh& mesh, Index t) {
   return just_exceeded(edit::area(mesh, t), [&](double cap) { return exceeds_area(mesh, t, cap); });
 }
 
-/// An area cap that holds now and no longer does when some vertex inside (of the region, or of the whole
-/// mesh for no_index) is deleted: deletes it, and returns the cap.
+/// Deletes an interior vertex (of the region, or of the mesh where `region` is no_index) so that a triangle becomes
+/// larger than the largest one was. Returns an area cap that held before and does not hold now; 0 where there is no
+/// such vertex.
 double delete_vertex_against_cap(Mesh& mesh, Index region, std::uint64_t seed) {
   const Index worst = largest(mesh, region);
   if (worst == no_index) return 0;
@@ -68,12 +69,13 @@ double longest_edge(const Mesh& mesh, Index t) {
   return std::max({edit::length(mesh, v[0], v[1]), edit::length(mesh, v[1], v[2]), edit::length(mesh, v[2], v[0])});
 }
 
-/// All corners are new vertices away from every segment, so that no input angle can excuse it.
+/// True where all corners are interior vertices. Then no small input angle can justify the triangle.
 bool is_far_from_input(const Mesh& mesh, Index t) {
   return std::ranges::all_of(mesh.triangles[t].v, [&](Index v) { return is_interior(mesh, v); });
 }
 
-/// Demands `more` degrees than the triangle far from the input with the smallest angle has.
+/// Sets the angle bound `more` degrees above the smallest angle of the triangles far from the input. False where there
+/// is no such triangle.
 bool demand_more(const Mesh& mesh, Goal& goal, double more) {
   double worst = 180;
   for (Index t = 0; t < mesh.triangles.size(); ++t)
@@ -88,7 +90,7 @@ constexpr Defect group[] = {
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 1e-6); }},
     {"an angle is two degrees below the bound", small_angle,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 2); }},
-    {"a triangle far from all segments is flattened as if a small input angle excused it", small_angle,
+    {"a triangle far from all segments is flattened", small_angle,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return goal.min_angle_deg > 0 && at_some_side(mesh, seed, [&](Side s) {
                 if (!is_far_from_input(mesh, s.t)) return false;
@@ -97,7 +99,7 @@ constexpr Defect group[] = {
                 return edit::smallest_angle_deg(mesh, s.t) < goal.min_angle_deg / 2;
               });
      }},
-    {"the largest triangle exceeds the cap by as little as a double can tell", large_area,
+    {"the largest triangle exceeds the cap by the least amount", large_area,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
        goal.max_area = just_too_small_a_cap(mesh, largest(mesh, no_index));
        return true;
@@ -113,7 +115,7 @@ constexpr Defect group[] = {
        if (cap > 0) goal.max_area = cap;
        return cap > 0;
      }},
-    {"a region's triangle exceeds its cap by as little as a double can tell", region_area,
+    {"a region's triangle exceeds its cap by the least amount", region_area,
      [](Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return goal.region_caps && at_some(pslg.regions.size(), seed, [&](Index r) {
                 const Index t = largest(mesh, r);
@@ -130,7 +132,7 @@ constexpr Defect group[] = {
                 return cap > 0;
               });
      }},
-    {"an edge is longer than its bound by as little as a double can tell", long_edge,
+    {"an edge exceeds its bound by the least amount", long_edge,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Point a = mesh.points[edit::tail(mesh, s)], b = mesh.points[edit::head(mesh, s)];
@@ -139,13 +141,13 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"the sizing function asks for less everywhere", size_exceeded,
+    {"the sizing function demands shorter edges everywhere", size_exceeded,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
        const double wanted = longest_edge(mesh, largest(mesh, no_index)) / 2;
        goal.size = [wanted](Point) { return wanted; };
        return true;
      }},
-    {"the sizing function asks for less at one triangle", size_exceeded,
+    {"the sizing function demands shorter edges at one triangle", size_exceeded,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const Point at = edit::centroid(mesh, t);
@@ -154,7 +156,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"an edge of a segment is not Delaunay though the goal is a conforming mesh", not_delaunay,
+    {"an edge of a segment is not Delaunay although the goal is conforming", not_delaunay,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        if (goal.conforming) return false;
        const auto walls = edit::constrained(mesh);

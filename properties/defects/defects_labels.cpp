@@ -1,4 +1,4 @@
-// Defects of labels: constrained edges, markers, origins, regions; and an input that the mesh does not answer.
+// Defects of labels: constrained edges, markers, origins, regions; and inputs to which the mesh does not belong.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,7 +25,7 @@ bool on_boundary(const Mesh& mesh, const ConstrainedEdge& e) {
   return false;
 }
 
-/// Would a segment between these input points keep clear of all others and of all points between?
+/// True where a segment between these input points would cross no segment and pass through no point.
 bool free_of_others(const Pslg& pslg, Index a, Index b) {
   const auto turn = [&](Index p, Index q, Index r) {
     return checker::exactly::orientation(pslg.points[p], pslg.points[q], pslg.points[r]);
@@ -37,7 +37,7 @@ bool free_of_others(const Pslg& pslg, Index a, Index b) {
   });
 }
 
-/// Does an edge of the mesh cross ab, with both ends clear of the line by more than rounding explains?
+/// True where an edge of the mesh crosses ab and both its ends are further from the line ab than rounding explains.
 bool some_edge_crosses(const Mesh& mesh, Index a, Index b) {
   const auto is_clear = [&](Index v) {
     return checker::exactly::line_distance_exceeds(mesh.points[v], mesh.points[a], mesh.points[b],
@@ -51,7 +51,7 @@ bool some_edge_crosses(const Mesh& mesh, Index a, Index b) {
   });
 }
 
-/// Replaces one entry of Mesh::origin of a vertex for which `suits` holds.
+/// Replaces the entry of Mesh::origin of one vertex for which `suits` is true.
 template <class Suits>
 bool change_origin(Mesh& mesh, std::uint64_t seed, Index origin, const Suits& suits) {
   return at_some_vertex(mesh, seed, [&](Index v) {
@@ -204,38 +204,38 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"a vertex of a segment claims to lie inside", wrong_origin,
+    {"a vertex of a segment is listed as interior", wrong_origin,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, interior_vertex, [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
-    {"a vertex inside claims to lie on a segment", wrong_origin,
+    {"an interior vertex is listed on a segment", wrong_origin,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return !pslg.segments.empty() && change_origin(mesh, seed, another(seed, pslg.segments.size()),
                                                       [&](Index v) { return is_interior(mesh, v); });
      }},
-    {"a vertex of a segment claims to lie on another", wrong_origin,
+    {"a vertex of a segment is listed on another segment", wrong_origin,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return !pslg.segments.empty() && change_origin(mesh, seed, another(seed, pslg.segments.size()),
                                                       [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
-    {"a new vertex claims to be input", wrong_origin,
+    {"a new vertex is listed as input", wrong_origin,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, input_vertex, [&](Index v) { return v >= pslg.points.size(); });
      }},
-    {"an input vertex claims to be new", wrong_origin,
+    {"an input vertex is listed as new", wrong_origin,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, interior_vertex, [&](Index v) { return v < pslg.points.size(); });
      }},
-    {"a vertex inside claims to lie on the hull", wrong_origin,
+    {"an interior vertex is listed on the hull", wrong_origin,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, hull_vertex, [&](Index v) { return is_interior(mesh, v); });
      }},
-    {"an origin names a segment that does not exist", wrong_origin,
+    {"an origin is a segment that does not exist", wrong_origin,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, static_cast<Index>(pslg.segments.size() + 3),
                             [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
-    {"the input has a segment that the mesh does not know", broken_segment,
+    {"the input has a segment that the mesh lacks", broken_segment,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const Index a = another(seed, pslg.points.size());
        return !pslg.segments.empty() && at_some(pslg.points.size(), seed, [&](Index b) {
@@ -244,7 +244,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"the input has a point that the mesh does not know", missing_input_vertex,
+    {"the input has a point that the mesh lacks", missing_input_vertex,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          pslg.points.push_back(edit::centroid(mesh, t));
@@ -253,7 +253,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"the input has a hole that the mesh does not know", covered_exterior,
+    {"the input has a hole that the mesh lacks", covered_exterior,
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto face = edit::faces(mesh);
        if (std::ranges::count(face, 0) == std::ssize(face)) return false;  // nothing would be left
@@ -263,7 +263,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"the mesh has a hole that the input does not", uncovered_domain,
+    {"the mesh has a hole that the input lacks", uncovered_domain,
      [](Pslg& pslg, Mesh&, Goal&, std::uint64_t seed) {
        return at_some(pslg.holes.size(), seed, [&](Index h) {
          pslg.holes.erase(pslg.holes.begin() + static_cast<std::ptrdiff_t>(h));

@@ -1,4 +1,4 @@
-// Defects of topology: triangles that are glued wrongly, links that lie, vertices without triangles.
+// Defects of topology: triangles that are joined wrongly, wrong neighbours, vertices without triangles.
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace {
 using edit::Side;
 using enum ViolationKind;
 
-/// No edge joins a corner of t to one of u, and they share none.
+/// True where no edge joins a corner of t to a corner of u, and they share no corner.
 bool far_apart(const Mesh& mesh, Index t, Index u) {
   return std::ranges::none_of(mesh.triangles[t].v, [&](Index v) {
     const auto around = edit::star(mesh, v);
@@ -21,7 +21,7 @@ bool far_apart(const Mesh& mesh, Index t, Index u) {
   });
 }
 
-/// Removes two triangles and joins the borders of the two gaps by a tube of six.
+/// Removes two triangles and joins the borders of the two gaps by a tube of six triangles.
 void add_handle(Mesh& mesh, Index t, Index u) {
   const auto a = mesh.triangles[t].v, b = mesh.triangles[u].v;
   edit::erase_triangles(mesh, {t, u});
@@ -91,7 +91,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"a neighbour is forgotten on one side", wrong_neighbour,
+    {"a neighbour is missing on one side", wrong_neighbour,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) == no_index) return false;
@@ -99,7 +99,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"two neighbours have forgotten each other", wrong_neighbour,
+    {"two neighbours do not list each other", wrong_neighbour,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) == no_index) return false;
@@ -137,7 +137,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"a second fan hangs on an inner vertex", non_manifold_vertex,
+    {"an interior vertex has a second fan of triangles", non_manifold_vertex,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const auto v = mesh.triangles[t].v;

@@ -1,11 +1,10 @@
 #include "edit.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "../../core/neighbours.hpp"
 #include "../checker/arithmetic/exact.hpp"
+#include "../checker/arithmetic/measure.hpp"
 
 namespace pardel::defects::edit {
 
@@ -22,13 +21,10 @@ int orientation(const Mesh& mesh, Index a, Index b, Index c) {
 
 double area(const Mesh& mesh, Index t) {
   const auto& v = mesh.triangles[t].v;
-  const Point a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]];
-  return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+  return checker::doubled_area(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]) / 2;
 }
 
-double length(const Mesh& mesh, Index a, Index b) {
-  return std::hypot(mesh.points[a].x - mesh.points[b].x, mesh.points[a].y - mesh.points[b].y);
-}
+double length(const Mesh& mesh, Index a, Index b) { return checker::distance(mesh.points[a], mesh.points[b]); }
 
 Point centroid(const Mesh& mesh, Index t) {
   const auto& v = mesh.triangles[t].v;
@@ -41,12 +37,9 @@ Point between(Point a, Point b, double share) { return {a.x + (b.x - a.x) * shar
 double smallest_angle_deg(const Mesh& mesh, Index t) {
   const auto& v = mesh.triangles[t].v;
   double smallest = 180;
-  for (int i = 0; i < 3; ++i) {
-    const Point at = mesh.points[v[i]], p = mesh.points[v[(i + 1) % 3]], q = mesh.points[v[(i + 2) % 3]];
-    const double px = p.x - at.x, py = p.y - at.y, qx = q.x - at.x, qy = q.y - at.y;
-    const double angle = std::atan2(std::abs(px * qy - py * qx), px * qx + py * qy);
-    smallest = std::min(smallest, angle * (180 / std::numbers::pi));
-  }
+  for (int i = 0; i < 3; ++i)
+    smallest = std::min(
+        smallest, checker::angle_deg(mesh.points[v[i]], mesh.points[v[(i + 1) % 3]], mesh.points[v[(i + 2) % 3]]));
   return smallest;
 }
 

@@ -1,6 +1,5 @@
-// Small changes to a mesh that keep everything else about it consistent: links, lists and per-triangle
-// values follow. Seeded defects are made of them, so that a defect is the only thing wrong. Each costs
-// time linear in the mesh.
+// Edits: small changes to a mesh after which neighbours, lists and per-triangle values are still consistent. Seeded
+// defects are made of them, so that the defect is the only error. Every function takes time linear in the mesh.
 #pragma once
 
 #include <array>
@@ -24,43 +23,45 @@ struct Side {
 /// The same edge seen from the neighbour, which must exist.
 [[nodiscard]] Side opposite(const Mesh& mesh, Side s);
 
-/// +1 where a, b, c turn left, exactly.
+/// +1 where a, b, c turn left, -1 where they turn right, 0 where they are collinear. Exact.
 [[nodiscard]] int orientation(const Mesh& mesh, Index a, Index b, Index c);
 [[nodiscard]] double area(const Mesh& mesh, Index t);
 [[nodiscard]] double length(const Mesh& mesh, Index a, Index b);
 [[nodiscard]] Point centroid(const Mesh& mesh, Index t);
+/// The point at this share of the way from a to b.
 [[nodiscard]] Point between(Point a, Point b, double share = 0.5);
 [[nodiscard]] double smallest_angle_deg(const Mesh& mesh, Index t);
 
 /// The triangles at v, ascending.
 [[nodiscard]] std::vector<Index> star(const Mesh& mesh, Index v);
 [[nodiscard]] std::vector<Index> neighbour_vertices(const Mesh& mesh, Index v);
-/// The constrained edges, lower end first.
+/// The ends of the constrained edges, lower end first.
 [[nodiscard]] std::set<std::pair<Index, Index>> constrained(const Mesh& mesh);
 [[nodiscard]] std::pair<Index, Index> ends(Index a, Index b);
-/// For each triangle the number of its face: what can be reached without crossing a constrained edge.
+/// A number for each triangle. Two triangles have the same number where no constrained edge separates them.
 [[nodiscard]] std::vector<Index> faces(const Mesh& mesh);
 
+/// Sets all neighbours from the corners.
 void relink(Mesh& mesh);
-/// The triangles keep their order otherwise.
+/// Removes triangles; the others keep their order.
 void erase_triangles(Mesh& mesh, const std::vector<Index>& ids);
-/// Links are not rebuilt: relink() after the last one.
+/// Without neighbours: call relink() after the last one.
 void append_triangle(Mesh& mesh, std::array<Index, 3> v, Index region = no_index);
 [[nodiscard]] Index region_of(const Mesh& mesh, Index t);
-/// With marker 0 and attributes 0.
+/// Appends a point with marker 0 and attributes 0, and returns its index.
 Index append_point(Mesh& mesh, Point p, Index origin = interior_vertex);
-/// v must be without triangles; the last point takes its number.
+/// The last point takes the number v. Precondition: v has no triangles.
 void erase_unused_point(Mesh& mesh, Index v);
-/// Gives the points new numbers: point v becomes to[v], a permutation.
+/// Point v gets the number to[v]. Precondition: `to` is a permutation.
 void renumber(Mesh& mesh, const std::vector<Index>& to);
 
-/// Replaces the edge by the other diagonal. False, and nothing done, where the two triangles do not make a
-/// strictly convex quadrilateral, or there is no neighbour.
+/// Replaces the edge by the other diagonal of its two triangles. False, and nothing is changed, at the boundary and
+/// where the two triangles do not form a strictly convex quadrilateral.
 bool flip(Mesh& mesh, Side s);
-/// Puts a new vertex into the triangle, and edges to its corners; p must lie strictly inside.
+/// Puts a new vertex at p, with edges to the three corners, and returns it. Precondition: p is strictly inside.
 Index split_triangle(Mesh& mesh, Index t, Point p);
-/// Moves every edge at v (which is interior, on no constrained edge) to its neighbour `to`, so that v is left
-/// without triangles; false, and nothing done, where that would turn a triangle over.
+/// Moves every edge at v to its neighbour `to`, after which v has no triangles. False, and nothing is changed, where a
+/// triangle would not be counter-clockwise afterwards. Precondition: v is interior, on no constrained edge.
 bool collapse(Mesh& mesh, Index v, Index to);
 
 }  // namespace pardel::defects::edit

@@ -12,13 +12,10 @@
 
 namespace pardel::engine::samples {
 
-/// The random numbers of the generators, with fractions as well.
+/// The random numbers of the generators; below() returns an Index.
 class Random : public generators::Random {
  public:
   using generators::Random::Random;
-  /// A multiple of 2^-53 in [0, 1).
-  double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
-  double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// In [0, n).
   Index below(std::size_t n) { return static_cast<Index>(generators::Random::below(n)); }
 };

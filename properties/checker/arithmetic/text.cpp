@@ -20,7 +20,7 @@ std::string digits(Format... format) {
 std::string to_text(long long value) { return digits(value); }
 std::string to_text(unsigned long long value) { return digits(value); }
 std::string to_text(double value) { return shortest(value); }
-std::string to_text(Point p) { return "(" + to_text(p.x) + ", " + to_text(p.y) + ")"; }
+std::string to_text(Point p) { return shortest(p); }
 std::string to_short_text(double value) { return digits(value, std::chars_format::general, 6); }
 
 std::string edge_text(Index a, Index b) { return to_text(a) + "-" + to_text(b); }

@@ -157,8 +157,8 @@ class Shrinker {
     if (something_remains && weight(result) < weight(domain_)) simpler_.push_back(std::move(result));
   }
 
-  /// Gives every seed a place in the image of its face: the face on the left of the image of one of the half-edges of the
-  /// old face. A seed without such a half-edge disappears. False where holes would remove every face.
+  /// Gives every seed a place in the image of its face: the face on the left of the image of one of the half-edges of
+  /// the old face. A seed without such a half-edge disappears. False where holes would remove every face.
   template <class ImageOf>
   bool put_seeds(const Image& image, const ImageOf& image_of, LatticeDomain& result) const {
     if (domain_.holes.empty() && domain_.regions.empty()) return true;

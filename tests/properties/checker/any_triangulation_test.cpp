@@ -1,8 +1,8 @@
-// Whatever it is given as a mesh, the checker ends with a verdict.
+// The checker returns a verdict for every input.
 #include <bit>
-#include <random>
 
 #include "../../../properties/checker/check.hpp"
+#include "../../../properties/domains/generators/random.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "meshes.hpp"
 
@@ -17,16 +17,16 @@ PARDEL_PROPERTY(
      .source = "properties/checker/check.hpp",
      .families = "a square in eight triangles, spoiled"}) {
   Case c = testing::square_in_eight();
-  std::mt19937_64 random(*rc::gen::arbitrary<std::uint32_t>());
-  const int changes = 1 + static_cast<int>(random() % 8);
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  const int changes = random.between(1, 8);
   for (int i = 0; i < changes; ++i) {
-    Triangle& t = c.mesh.triangles[random() % c.mesh.triangles.size()];
-    const auto id = static_cast<Index>(random() % 10 == 0 ? random() : random() % 9);
-    (random() % 2 == 0 ? t.v : t.n)[random() % 3] = id;
+    Triangle& t = c.mesh.triangles[random.below(c.mesh.triangles.size())];
+    const auto id = static_cast<Index>(random.chance(10) ? random.next() : random.below(9));
+    (random.chance(2) ? t.v : t.n)[random.below(3)] = id;
   }
   const Case original = testing::square_in_eight();
   RC_PRE(!(c.mesh.triangles == original.mesh.triangles));
-  const bool foreign = random() % 2 == 0;
+  const bool foreign = random.chance(2);
   CheckOptions options;
   options.foreign = foreign;
   const Certificate certificate = check(c.pslg, c.mesh, Goal{}, options);
@@ -38,12 +38,12 @@ PARDEL_PROPERTY(Check, does_not_crash_on_arbitrary_numbers,
                 {.statement = "any bits as coordinates, caps and goals give a certificate, valid or not",
                  .source = "properties/checker/check.hpp",
                  .families = "a square in eight triangles, spoiled"}) {
-  std::mt19937_64 random(*rc::gen::arbitrary<std::uint32_t>());
-  const auto number = [&] { return random() % 2 == 0 ? std::bit_cast<double>(random()) : double(random() % 4); };
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  const auto number = [&] { return random.chance(2) ? std::bit_cast<double>(random.next()) : double(random.below(4)); };
   Case c = testing::square_in_eight();
   for (int i = 0; i < 3; ++i) {
-    c.mesh.points[random() % 9] = {number(), number()};
-    c.pslg.points[random() % 6] = {number(), number()};
+    c.mesh.points[random.below(9)] = {number(), number()};
+    c.pslg.points[random.below(6)] = {number(), number()};
   }
   c.pslg.holes.push_back({number(), number()});
   c.pslg.regions[0].max_area = number();

@@ -1,4 +1,4 @@
-// The checker accepts right meshes and says of each wrong one what is wrong with it.
+// The checker accepts valid meshes and reports the right kind of violation for others.
 #include "../../../properties/checker/check.hpp"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ Certificate check(const Case& c, const Goal& goal = no_angle_bound(), const Chec
   return pardel::check(c.pslg, c.mesh, goal, options);
 }
 
-TEST(Check, accepts_right_meshes_made_by_hand) {
+TEST(Check, accepts_valid_meshes_made_by_hand) {
   EXPECT_TRUE(is_valid(check(testing::square_in_two())));
   EXPECT_TRUE(is_valid(check(testing::square_in_eight())));
 }
 
-TEST(Check, accepts_what_CGAL_makes_of_every_domain) {
+TEST(Check, accepts_every_domain_triangulated_by_CGAL) {
   for (const std::string& name : domains::names()) {
     Case c;
     c.pslg = domains::generate(name, 0, 1).value();
@@ -55,7 +55,7 @@ TEST(Check, accepts_meshes_far_from_the_origin) {
   EXPECT_TRUE(is_valid(check(c)));
 }
 
-TEST(Check, of_an_empty_mesh_of_nothing_is_content) { EXPECT_TRUE(is_valid(check(Case{}))); }
+TEST(Check, accepts_an_empty_mesh_of_an_empty_input) { EXPECT_TRUE(is_valid(check(Case{}))); }
 
 TEST(Check, gives_the_same_certificate_again) {
   Case c;
@@ -91,7 +91,7 @@ TEST(Check, survives_and_reports_ids_out_of_range) {
   EXPECT_TRUE(reports_only(check(c), Kind::index_out_of_range));
 }
 
-TEST(Check, reports_coordinates_that_are_no_numbers) {
+TEST(Check, reports_coordinates_that_are_not_finite) {
   for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Case c = testing::square_in_two();
     c.mesh.points[2].y = x;
@@ -120,7 +120,7 @@ TEST(Check, reports_arrays_of_the_wrong_length) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
 }
 
-// Triangles and links.
+// Triangles and neighbours.
 
 TEST(Check, reports_clockwise_and_flat_triangles) {
   Case c = testing::square_in_two();
@@ -135,7 +135,7 @@ TEST(Check, reports_clockwise_and_flat_triangles) {
   EXPECT_TRUE(reports(check(c), Kind::degenerate_triangle));
 }
 
-TEST(Check, reports_a_triangle_that_is_there_twice) {
+TEST(Check, reports_a_duplicate_triangle) {
   for (const bool linked : {true, false}) {
     Case c = testing::square_in_eight();
     Triangle copy = c.mesh.triangles[2];
@@ -149,7 +149,7 @@ TEST(Check, reports_a_triangle_that_is_there_twice) {
   }
 }
 
-TEST(Check, reports_links_that_are_lost_or_wrong) {
+TEST(Check, reports_neighbours_that_are_missing_or_wrong) {
   Case c = testing::square_in_eight();
   c.mesh.triangles[3].n = {no_index, no_index, no_index};
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour));
@@ -159,11 +159,11 @@ TEST(Check, reports_links_that_are_lost_or_wrong) {
   c = testing::square_in_two();
   c.mesh.triangles[0].n = {no_index, no_index, no_index};
   c.mesh.triangles[1].n = {no_index, no_index, no_index};
-  EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour)) << "lost on both sides";
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour)) << "missing on both sides";
 }
 
-TEST(Check, reports_a_second_sheet_hung_from_a_vertex) {
-  // A triangle that shares only the middle vertex of the square, and lies upon it.
+TEST(Check, reports_a_triangle_that_shares_only_a_vertex_and_overlaps) {
+  // A triangle that shares only the middle vertex of the square and lies on other triangles.
   Case c = testing::square_in_eight();
   c.mesh.points.push_back({3, 2.25});
   c.mesh.points.push_back({3, 2.5});
@@ -177,9 +177,9 @@ TEST(Check, reports_a_second_sheet_hung_from_a_vertex) {
   EXPECT_TRUE(reports(certificate, Kind::area_mismatch));
 }
 
-TEST(Check, reports_a_surface_that_is_no_disk_with_holes) {
-  // A torus of nine vertices: three by three squares, glued at opposite sides. It cannot lie in the plane,
-  // so other things are wrong with it as well.
+TEST(Check, reports_a_surface_that_is_not_a_disk_with_holes) {
+  // A torus of nine vertices: three by three squares, joined at opposite sides. It cannot lie in the plane, so the
+  // checker reports other violations as well.
   Mesh torus;
   for (Index v = 0; v < 9; ++v) torus.points.push_back({double(v % 3), double(v / 3)});
   for (Index j = 0; j < 3; ++j)
@@ -233,7 +233,7 @@ TEST(Check, reports_a_triangle_outside_the_outline) {
   EXPECT_TRUE(reports(certificate, Kind::area_mismatch));
 }
 
-TEST(Check, reports_a_triangle_that_lies_upon_others) {
+TEST(Check, reports_a_triangle_that_lies_on_others) {
   Case c = testing::square_in_two();
   c.mesh.points.append(std::vector<Point>{{0.25, 0.125}, {0.5, 0.125}, {0.5, 0.25}});
   c.mesh.origin.resize(7, interior_vertex);
@@ -260,7 +260,7 @@ TEST(Check, reports_an_input_point_that_was_moved_or_renumbered) {
   EXPECT_TRUE(reports(check(c), Kind::missing_input_vertex));
 }
 
-TEST(Check, reports_an_input_point_without_triangles_only_where_the_domain_is) {
+TEST(Check, reports_an_input_point_without_triangles_only_inside_the_domain) {
   Case c = testing::square_in_two();
   c.pslg.points.push_back({5, 5});
   c.mesh.points.push_back({5, 5});
@@ -277,13 +277,13 @@ TEST(Check, reports_a_vertex_without_triangles) {
   EXPECT_TRUE(reports_only(check(c), Kind::unused_vertex));
 }
 
-TEST(Check, reports_a_segment_that_is_no_chain) {
+TEST(Check, reports_a_segment_that_is_not_a_chain_of_edges) {
   Case c = testing::square_in_two();
   c.pslg.segments.push_back({1, 3, 0});
   EXPECT_TRUE(reports(check(c), Kind::broken_segment));
 }
 
-TEST(Check, allows_a_chain_the_rounding_distance_and_no_more) {
+TEST(Check, accepts_a_chain_within_the_rounding_distance_and_no_further) {
   const double ulp = 0x1p-50;  // the spacing of doubles at 4
   for (const auto& [distance, right] : {std::pair(2 * ulp, true), std::pair(2.5 * ulp, false)}) {
     Case c = testing::square_in_eight();
@@ -294,7 +294,7 @@ TEST(Check, allows_a_chain_the_rounding_distance_and_no_more) {
   }
 }
 
-TEST(Check, does_not_miss_segments_that_are_rightly_absent) {
+TEST(Check, accepts_that_segments_outside_the_domain_are_absent) {
   Case c = testing::square_in_two();
   c.pslg.points.insert(c.pslg.points.end(), {{3, 3}, {4, 4}});
   c.pslg.segments.push_back({4, 5, 0});
@@ -323,7 +323,7 @@ TEST(Check, reports_constrained_edges_that_are_wrong_or_missing) {
   EXPECT_TRUE(reports_only(check(c), Kind::missing_constrained_edge));
 }
 
-TEST(Check, reports_markers_that_are_lost_or_wrong) {
+TEST(Check, reports_markers_that_are_missing_or_wrong) {
   Case c = testing::square_in_eight();
   for (ConstrainedEdge& edge : c.mesh.constrained_edges) edge.marker = 0;
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_edge_marker));
@@ -357,7 +357,7 @@ TEST(Check, reports_origins_that_are_wrong) {
   }
 }
 
-TEST(Check, reports_attributes_that_are_lost) {
+TEST(Check, reports_attributes_that_are_wrong) {
   Case c = testing::square_in_two();
   c.pslg.attributes_per_point = c.mesh.attributes_per_point = 1;
   c.pslg.point_attributes = {1, 2, 3, 4};
@@ -369,14 +369,14 @@ TEST(Check, reports_attributes_that_are_lost) {
 
 // Delaunay.
 
-TEST(Check, takes_cocircular_points_either_way_and_one_unit_more_only_one_way) {
+TEST(Check, accepts_either_diagonal_of_cocircular_points_and_only_one_where_they_differ_by_a_unit) {
   Case c = testing::square_in_two();
   EXPECT_TRUE(is_valid(check(c)));
   c.pslg.points[2] = c.mesh.points[2] = {std::nextafter(1.0, 2.0), 1};
   EXPECT_TRUE(reports_only(check(c), Kind::not_delaunay)) << "the diagonal got longer";
 }
 
-TEST(Check, judges_constrained_edges_only_for_a_conforming_goal) {
+TEST(Check, requires_delaunay_constrained_edges_only_for_a_conforming_goal) {
   Case c = testing::square_in_two();
   c.pslg.points[2] = c.mesh.points[2] = {2, 2};
   c.pslg.segments.push_back({0, 2, 0});
@@ -432,7 +432,7 @@ TEST(Check, compares_with_the_cap_of_the_region_a_triangle_lies_in) {
   EXPECT_TRUE(is_valid(check(c, goal)));
 }
 
-TEST(Check, asks_the_sizing_function_at_centroids) {
+TEST(Check, evaluates_the_sizing_function_at_centroids) {
   const Case c = testing::square_in_eight();
   Goal goal = no_angle_bound();
   goal.size = [](Point p) { return p.x < 2 ? 3.0 : 2.5; };
@@ -455,12 +455,12 @@ TEST(Check, matches_the_vertices_of_a_foreign_mesh_by_coordinates) {
   options.foreign = true;
   EXPECT_TRUE(is_valid(check(c, no_angle_bound(), options)));
   for (Triangle& t : c.mesh.triangles) t.n = {no_index, no_index, no_index};
-  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), options))) << "it need not know neighbours";
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), options))) << "neighbours may be absent";
   c.mesh.points[2] = {2 + 1e-7, 2};
   EXPECT_TRUE(reports(check(c, no_angle_bound(), options), Kind::chain_off_segment));
 }
 
-TEST(Check, certifies_what_Mesh_2_promises_and_no_more) {
+TEST(Check, accepts_a_mesh_of_Mesh_2_for_its_own_bounds_and_for_no_larger_angle) {
   Case c;
   c.pslg = domains::pipe();
   c.mesh = testing::refined_by_cgal(c.pslg, 0.05);
@@ -477,7 +477,7 @@ TEST(Check, certifies_what_Mesh_2_promises_and_no_more) {
 
 // The certificate.
 
-TEST(Certificate, states_extremes_with_their_witnesses) {
+TEST(Certificate, has_the_extremes_and_their_triangles) {
   const Certificate certificate = check(testing::square_in_eight());
   EXPECT_EQ(certificate.vertices, 9u);
   EXPECT_EQ(certificate.triangles, 8u);
@@ -496,7 +496,7 @@ TEST(Certificate, states_extremes_with_their_witnesses) {
   EXPECT_EQ(certificate.digest, digest(testing::square_in_eight().mesh));
 }
 
-TEST(Certificate, is_JSON_that_can_be_read) {
+TEST(Certificate, is_valid_JSON) {
   Case c = testing::square_in_eight();
   c.mesh.region[2] = 0;
   const auto json = nlohmann::json::parse(to_json(check(c)));
@@ -510,7 +510,7 @@ TEST(Certificate, is_JSON_that_can_be_read) {
   EXPECT_EQ(json["digest"].get<std::string>().size(), 32u);
 }
 
-TEST(Certificate, is_text_that_says_what_is_wrong_and_where) {
+TEST(Certificate, is_text_with_the_violation_and_its_place) {
   Case c = testing::square_in_two();
   c.pslg.points[2] = c.mesh.points[2] = {1.25, 1};
   const std::string text = to_text(check(c));
@@ -520,7 +520,7 @@ TEST(Certificate, is_text_that_says_what_is_wrong_and_where) {
   EXPECT_EQ(to_text(check(testing::square_in_two())).substr(0, 6), "valid:");
 }
 
-TEST(Certificate, lists_as_many_violations_as_asked_and_counts_all) {
+TEST(Certificate, lists_at_most_max_violations_and_counts_all) {
   Goal goal = no_angle_bound();
   goal.max_area = 1e-3;
   CheckOptions options;

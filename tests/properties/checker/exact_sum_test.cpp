@@ -1,11 +1,11 @@
-// Sums of products, compared with rational arithmetic.
+// ExactSum is compared with rational arithmetic.
 #include "../../../properties/checker/arithmetic/exact_sum.hpp"
 
 #include <CGAL/Gmpq.h>
 
 #include <cmath>
-#include <random>
 
+#include "../../../properties/domains/generators/random.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 
 namespace pardel::checker {
@@ -17,16 +17,16 @@ PARDEL_PROPERTY(ExactSum, agrees_with_rational_arithmetic_at_all_magnitudes,
                  .source = "properties/checker/arithmetic/exact_sum.hpp",
                  .families = "doubles of 600 octaves"}) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  std::mt19937_64 random(seed);
+  generators::Random random(seed);
   ExactSum sum;
   CGAL::Gmpq expected(0);
   for (int i = 0; i < 20; ++i) {
     const auto number = [&] {
-      const auto mantissa = static_cast<double>(static_cast<std::int64_t>(random()));
-      return std::ldexp(mantissa, static_cast<int>(random() % 600) - 300);
+      const auto mantissa = static_cast<double>(static_cast<std::int64_t>(random.next()));
+      return std::ldexp(mantissa, random.between(-300, 299));
     };
     const double x = number(), y = number();
-    if (random() % 2 == 0) {
+    if (random.chance(2)) {
       sum.add_product(x, y);
       expected += CGAL::Gmpq(x) * CGAL::Gmpq(y);
     } else {

@@ -1,4 +1,4 @@
-// The checker's arithmetic is exact at the very places where floating point is not.
+// The checker's arithmetic is exact where floating-point arithmetic is not.
 #include "../../../properties/checker/arithmetic/exact.hpp"
 
 #include <CGAL/Gmpq.h>
@@ -15,7 +15,7 @@ namespace {
 double up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 double down(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 
-TEST(Orientation, tells_one_unit_in_the_last_place_from_collinear) {
+TEST(Orientation, distinguishes_one_unit_in_the_last_place_from_collinear) {
   const Point a{12, 12}, b{24, 24};
   EXPECT_EQ(checker::exactly::orientation(a, b, {0.5, 0.5}), 0);
   EXPECT_EQ(checker::exactly::orientation(a, b, {0.5, up(0.5)}), 1);
@@ -42,7 +42,7 @@ TEST(InCircle, is_zero_exactly_on_the_circle) {
 }
 
 TEST(Cosine, is_compared_as_a_rational_number) {
-  // cos 45 degrees is irrational: every double is on one side of it, and its square tells which.
+  // cos 45 degrees is irrational, so every double is above or below it. Its square shows which.
   const double near = std::sqrt(0.5);
   for (double c : {down(near), near, up(near)}) {
     const bool below = CGAL::Gmpq(c) * CGAL::Gmpq(c) < CGAL::Gmpq(1, 2);
@@ -50,7 +50,7 @@ TEST(Cosine, is_compared_as_a_rational_number) {
   }
   EXPECT_FALSE(checker::exactly::cosine_exceeds({0, 0}, {0, 3}, {5, 0}, 0)) << "a right angle has cosine 0";
   EXPECT_TRUE(checker::exactly::cosine_exceeds({0, 0}, {0x1p-1000, 3}, {5, 0}, 0))
-      << "by a hair less than a right angle";
+      << "slightly less than a right angle";
   EXPECT_FALSE(checker::exactly::cosine_exceeds({0, 0}, {-1, 0}, {1, 0}, 0.5))
       << "an obtuse angle has a negative cosine";
 }
@@ -77,14 +77,14 @@ TEST(LineDistance, is_exact) {
   EXPECT_TRUE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, down(5)));
 }
 
-TEST(Witnesses, are_fractions_where_these_can_be_read) {
+TEST(Witnesses, are_fractions_where_these_are_short) {
   EXPECT_EQ(checker::exactly::orientation_text({0, 0}, {1, 0}, {0, 0.125}), "1/8");
   EXPECT_EQ(checker::exactly::squared_circumradius_text({0, 0}, {3, 0}, {0, 4}), "25/4");
   EXPECT_EQ(checker::exactly::squared_cosine_text({0, 0}, {1, 1}, {1, 0}), "1/2");
   EXPECT_EQ(checker::exactly::in_circle_text({0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}), "1/2");
 }
 
-TEST(ExactSum, keeps_the_product_of_the_least_doubles_beside_that_of_the_largest) {
+TEST(ExactSum, holds_products_of_the_smallest_and_the_largest_doubles_together) {
   const double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
   ExactSum sum;
   for (int i = 0; i < 1000; ++i) sum.add_product(huge, huge);
@@ -95,7 +95,7 @@ TEST(ExactSum, keeps_the_product_of_the_least_doubles_beside_that_of_the_largest
   EXPECT_EQ(sum.sign(), 0);
 }
 
-TEST(ExactSum, of_parts_is_the_sum_of_all) {
+TEST(ExactSum, of_partial_sums_is_the_whole_sum) {
   ExactSum whole, part;
   for (int i = 1; i <= 100; ++i) {
     whole.add_cross({0.1 * i, 0.7}, {0.3, 1.1 * i});

@@ -1,13 +1,13 @@
-// Faces where they are known: those of a triangulation.
+// The faces of a triangulation are known: its triangles and the exterior.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <map>
-#include <random>
 #include <set>
 #include <vector>
 
 #include "../../../properties/checker/model/planar_faces.hpp"
+#include "../../../properties/domains/generators/random.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 
 namespace pardel::checker {
@@ -18,11 +18,13 @@ PARDEL_PROPERTY(PlanarFaces, of_a_triangulation_are_its_triangles,
                  .source = "properties/checker/model/planar_faces.hpp",
                  .families = "lattice points, collinear and cocircular ones among them"}) {
   using Delaunay = CGAL::Delaunay_triangulation_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
-  std::mt19937_64 random(*rc::gen::arbitrary<std::uint32_t>());
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
   Delaunay delaunay;
-  const int range = 1 + static_cast<int>(random() % 40);  // small ranges: many collinear and vertical edges
-  for (int i = 0; i < 100; ++i)
-    delaunay.insert({static_cast<double>(random() % range), static_cast<double>(random() % range)});
+  const std::size_t range = 1 + random.below(40);  // small ranges: many collinear and vertical edges
+  for (int i = 0; i < 100; ++i) {
+    const auto x = static_cast<double>(random.below(range));
+    delaunay.insert({x, static_cast<double>(random.below(range))});
+  }
   RC_PRE(delaunay.dimension() == 2);
   std::map<Delaunay::Vertex_handle, Index> number;
   std::vector<Point> points;

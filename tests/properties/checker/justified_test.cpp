@@ -1,4 +1,4 @@
-// Which triangles the checker excuses for a small input angle, and which not.
+// The triangles that the checker justifies by a small input angle, and those that it does not.
 #include <cmath>
 
 #include "../../../properties/checker/check.hpp"
@@ -17,7 +17,7 @@ using testing::reports_only;
 
 Certificate check(const Case& c, const Goal& goal) { return pardel::check(c.pslg, c.mesh, goal); }
 
-/// A wedge at the origin, the second leg longer by a quarter, both legs cut at distance 1.
+/// A wedge at the origin. The second leg is longer by a quarter, and both legs have a vertex at distance 1.
 Case wedge_with_shell(double degrees = 10, double leg = 2) {
   const double angle = degrees * 3.14159265358979323846 / 180;
   Case c;
@@ -33,7 +33,7 @@ Case wedge_with_shell(double degrees = 10, double leg = 2) {
   return c;
 }
 
-TEST(Check, excuses_triangles_that_a_small_input_angle_explains) {
+TEST(Check, justifies_triangles_at_a_small_input_angle) {
   Goal goal;
   goal.min_angle_deg = 9.8;
   EXPECT_EQ(check(wedge_with_shell(), goal).justified.size(), 1u) << "3-1-4 has an angle of 9.7 degrees";
@@ -42,7 +42,7 @@ TEST(Check, excuses_triangles_that_a_small_input_angle_explains) {
   EXPECT_TRUE(is_valid(certificate));
   ASSERT_EQ(certificate.justified.size(), 2u);
   EXPECT_EQ(certificate.justified[0].triangle, 0u) << "nestled";
-  EXPECT_EQ(certificate.justified[1].triangle, 1u) << "seditious: 3-4 is on one shell";
+  EXPECT_EQ(certificate.justified[1].triangle, 1u) << "seditious: the ends of 3-4 lie on one shell";
   for (const Justified& j : certificate.justified) {
     EXPECT_EQ(j.apex, 0u);
     EXPECT_NEAR(j.input_angle_deg, 10, 1e-12);
@@ -50,9 +50,9 @@ TEST(Check, excuses_triangles_that_a_small_input_angle_explains) {
 }
 
 PARDEL_FACT(
-    Check, excuses_nothing_that_is_not_on_one_shell,
-    {.statement = "a triangle that does not lie in the corner of two segments is not excused by their small angle "
-                  "if no edge of it joins points of both at one distance from the corner",
+    Check, justifies_nothing_that_is_not_on_one_shell,
+    {.statement = "a triangle outside the corner of two segments is not justified by their small angle if none of its "
+                  "edges joins points of both segments at the same distance from the corner",
      .source = "properties/checker/stages/justified.cpp",
      .families = "a wedge of 10 degrees, its legs cut at 1 and at 0.9"}) {
   Case c = wedge_with_shell();
@@ -65,11 +65,11 @@ PARDEL_FACT(
 }
 
 PARDEL_FACT(
-    Check, excuses_nothing_beside_a_large_input_angle,
+    Check, justifies_nothing_at_a_large_input_angle,
     {.statement = "where no input angle is below 60 degrees, a triangle with an angle below the bound is reported",
      .source = "properties/checker/stages/justified.cpp",
      .families = "a sliver on a side of a square; a corner of 90 degrees cut at one distance"}) {
-  // One sliver far from any small angle.
+  // A sliver far from any small input angle.
   Case c;
   c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
@@ -80,7 +80,7 @@ PARDEL_FACT(
   const Certificate certificate = check(c, goal);
   EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
   EXPECT_TRUE(certificate.justified.empty());
-  // The shortest side of 3-1-4 is on one shell, but about a right angle.
+  // The shortest edge of 3-1-4 is on one shell, but around a right angle.
   goal.min_angle_deg = 15;
   EXPECT_TRUE(reports(check(wedge_with_shell(90, 8), goal), Kind::small_angle));
   facts.cases = 2;

@@ -1,4 +1,4 @@
-// Meshes that owe nothing to the mesher: two made by hand, and any domain triangulated by CGAL.
+// Meshes that do not come from the mesher: two made by hand, and any domain triangulated or refined by CGAL.
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "../../../core/mesh.hpp"
+#include "../../../core/neighbours.hpp"
 #include "../../../core/pslg.hpp"
 #include "../../../properties/checker/model/domain.hpp"
 
@@ -25,20 +26,8 @@ struct Case {
   Mesh mesh;
 };
 
-/// Neighbours from the corners, for meshes that a test has changed.
-inline void relink(Mesh& mesh) {
-  std::map<std::pair<Index, Index>, Index> left_of;
-  for (Index t = 0; t < mesh.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const auto& v = mesh.triangles[t].v;
-      left_of[{v[(i + 1) % 3], v[(i + 2) % 3]}] = t;
-    }
-  for (Triangle& triangle : mesh.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const auto twin = left_of.find({triangle.v[(i + 2) % 3], triangle.v[(i + 1) % 3]});
-      triangle.n[i] = twin == left_of.end() ? no_index : twin->second;
-    }
-}
+/// Sets all neighbours from the corners.
+inline void relink(Mesh& mesh) { rebuild_neighbours(mesh.triangles, mesh.points.size()); }
 
 inline Mesh mesh_of(const std::vector<Point>& points, const std::vector<std::array<Index, 3>>& triangles) {
   Mesh mesh;
@@ -62,14 +51,13 @@ inline Case square_in_two() {
   return c;
 }
 
-/// A square with vertices at 0 and 4 in eight right triangles around a vertex in the middle, with the
-/// middles of its sides. Region 0 (attribute 7, marker 9 on its dividing segment 1-3) is on the left of the
-/// vertical line through the middle, region 1 (attribute 8) on the right.
-///   3-----8-----2
-///   |  \  |  /  |        segments 0-6, 6-1, 1-2, 2-8, 8-3, 3-0 around, 6-8 across
-///   7-----4-----5        4, 5, 7 are not in the input
+/// The square [0, 4]^2 in eight right triangles around a vertex in the middle, with vertices in the middles of the
+/// sides. Region 0 (attribute 7) lies on the left of the segment 4-5 (marker 9), region 1 (attribute 8) on its right.
+///   3-----5-----2
+///   |  \  |  /  |        segments 0-4, 4-1, 1-2, 2-5, 5-3, 3-0 around, 4-5 across
+///   8-----6-----7        6, 7, 8 are not in the input
 ///   |  /  |  \  |
-///   0-----6-----1
+///   0-----4-----1
 inline Case square_in_eight() {
   Case c;
   c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 0}, {2, 4}};
@@ -91,7 +79,7 @@ inline Case square_in_eight() {
   return c;
 }
 
-/// The constrained Delaunay triangulation of a valid Pslg by CGAL, with everything that a mesh of ours carries.
+/// The constrained Delaunay triangulation of a valid Pslg by CGAL, with all arrays that a mesh from the mesher has.
 inline Mesh triangulated_by_cgal(const Pslg& pslg) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
@@ -129,8 +117,8 @@ inline Mesh triangulated_by_cgal(const Pslg& pslg) {
   return mesh;
 }
 
-/// A quality mesh by CGAL Mesh_2, as a file would bring it: corners and coordinates, nothing else. Angles of
-/// at least 20.6 degrees (Mesh_2's default bound) where the input has no small ones.
+/// A quality mesh by CGAL Mesh_2 with corners and coordinates only, as a file may have it. Angles are at least 20.6
+/// degrees (Mesh_2's default bound) where the input has no small angles.
 inline Mesh refined_by_cgal(const Pslg& pslg, double max_edge) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Structure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,

@@ -1,4 +1,4 @@
-// Faces and domains by definition.
+// Faces of plane graphs, and the domains that they make up.
 #include "../../../properties/checker/model/planar_faces.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace pardel::checker {
 namespace {
 
-/// Axis-parallel squares about a centre, each a closed outline of four segments.
+/// Adds an axis-parallel square as a closed outline of four segments.
 void add_square(Pslg& pslg, Point centre, double half_side) {
   const auto first = static_cast<Index>(pslg.points.size());
   for (const Point corner : {Point{-1, -1}, Point{1, -1}, Point{1, 1}, Point{-1, 1}})
@@ -19,7 +19,7 @@ void add_square(Pslg& pslg, Point centre, double half_side) {
   for (Index i = 0; i < 4; ++i) pslg.segments.push_back({first + i, first + (i + 1) % 4, 0});
 }
 
-TEST(PlanarFaces, of_nothing_are_the_exterior_alone) {
+TEST(PlanarFaces, of_an_empty_graph_are_the_exterior_alone) {
   const PlanarFaces faces({}, {});
   EXPECT_EQ(faces.count(), 1u);
   EXPECT_EQ(faces.face_at({1, 2}), PlanarFaces::exterior());
@@ -74,7 +74,7 @@ TEST(PlanarFaces, of_squares_that_touch_at_a_corner_are_apart) {
   EXPECT_EQ(faces.face_at({2, 0}), PlanarFaces::exterior());
 }
 
-TEST(Domain, is_what_neither_the_exterior_nor_a_hole_reaches) {
+TEST(Domain, is_every_face_except_the_exterior_and_the_holes) {
   Pslg pslg;
   for (int ring = 1; ring <= 4; ++ring) add_square(pslg, {0, 0}, ring);
   pslg.points.push_back({0, 0.5});  // inside the first square: a hole

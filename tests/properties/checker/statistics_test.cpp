@@ -1,4 +1,4 @@
-// The numbers in a report are those of the mesh.
+// Statistics of small meshes with known values.
 #include "../../../properties/checker/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Mesh one_triangle(Point a, Point b, Point c) {
   return mesh;
 }
 
-TEST(Statistics, a_mesh_without_triangles_has_nothing_but_its_points) {
+TEST(Statistics, a_mesh_without_triangles_has_only_points) {
   Mesh mesh;
   mesh.points.push_back({1, 2});
   const MeshStatistics s = statistics(mesh);
@@ -62,7 +62,7 @@ TEST(Statistics, the_largest_coordinates_do_not_overflow) {
   EXPECT_DOUBLE_EQ(s.area, 6 * big * big);
 }
 
-TEST(Statistics, a_million_small_areas_do_not_vanish_beside_a_large_one) {
+TEST(Statistics, a_million_small_areas_are_not_lost_next_to_a_large_one) {
   Mesh mesh = one_triangle({0, 0}, {0x1p16, 0}, {0, 0x1p16});
   mesh.points.push_back({0x1p-11, 0});
   mesh.points.push_back({0, 0x1p-11});

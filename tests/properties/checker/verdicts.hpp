@@ -1,4 +1,4 @@
-// What a certificate says, for the tests of the checker.
+// Assertions about certificates.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ inline ::testing::AssertionResult is_valid(const Certificate& certificate) {
   return ::testing::AssertionFailure() << to_text(certificate);
 }
 
-/// The certificate names this kind, with a story.
+/// The certificate counts this kind and lists a violation of it with a witness.
 inline ::testing::AssertionResult reports(const Certificate& certificate, ViolationKind kind) {
   const auto of_kind = [&](const Violation& v) { return v.kind == kind && !v.witness.empty(); };
   if (!certificate.valid && count(certificate, kind) > 0 &&

@@ -1,4 +1,4 @@
-// The checker can say no: every seeded defect, at several places of several meshes, is found for what it is.
+// The checker finds every seeded defect, at several places of several meshes, and reports the expected kind.
 #include "../../../properties/defects/defects.hpp"
 
 #include <set>
@@ -26,7 +26,7 @@ Goal goal_of(double min_angle_deg, double max_area = std::numeric_limits<double>
   return goal;
 }
 
-/// A unit square that carries all that a point can carry: attributes and markers.
+/// A unit square whose points have attributes and markers.
 Pslg labelled_square() {
   Pslg pslg = domains::square();
   pslg.attributes_per_point = 2;
@@ -45,8 +45,8 @@ Pslg two_regions_of_three() {
   return pslg;
 }
 
-/// Two points closer to a wall between them than the wall is long: Delaunay on either side, not across.
-Pslg points_beside_a_wall() {
+/// A segment with a point close to it on either side. The segment is not locally Delaunay.
+Pslg points_near_a_wall() {
   Pslg pslg = domains::square();
   pslg.points.insert(pslg.points.end(), {{0.125, 0.5}, {0.875, 0.5}, {0.5, 0.5625}, {0.5, 0.4375}});
   pslg.segments.push_back({4, 5, 0});
@@ -60,7 +60,7 @@ Subject meshed(std::string name, Pslg pslg, Goal goal) {
   return {std::move(name), std::move(pslg), std::move(goal), std::move(result->mesh)};
 }
 
-/// Constrained Delaunay only: no point added, no angle promised.
+/// The constrained Delaunay triangulation: no point is added, and there is no bound on angles.
 Subject triangulated(std::string name, Pslg pslg) {
   auto result = triangulate(pslg);
   EXPECT_TRUE(result.ok()) << name;
@@ -80,7 +80,7 @@ const std::vector<Subject>& subjects() {
       triangulated("triangulated_cracks", domains::cracks()),
       triangulated("triangulated_wedge", domains::wedge(50, 1.8)),
       triangulated("triangulated_grid", domains::grid(3)),
-      triangulated("triangulated_points_beside_a_wall", points_beside_a_wall()),
+      triangulated("triangulated_points_near_a_wall", points_near_a_wall()),
   };
   return all;
 }
@@ -150,7 +150,7 @@ void reports(properties::Facts& facts) {
   EXPECT_GT(facts.cases, 0U);
 }
 
-/// Areas differ wherever something else is wrong, so no defect is expected to be told by them alone.
+/// Areas differ only where something else is wrong as well, so no defect has this kind.
 template <>
 void reports<ViolationKind::area_mismatch>(properties::Facts& facts) {
   Subject square = subjects().front();
@@ -159,7 +159,7 @@ void reports<ViolationKind::area_mismatch>(properties::Facts& facts) {
   ++facts.cases;
 }
 
-/// The bound on circumradii is an option of the check and no part of a goal.
+/// The bound on circumradii is an option of the check, not part of a goal.
 template <>
 void reports<ViolationKind::large_circumradius>(properties::Facts& facts) {
   for (const Subject& subject : subjects()) {
@@ -210,7 +210,7 @@ const bool verdicts_are_added = add_verdicts(std::make_index_sequence<violation_
 
 class SeededDefect : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(SeededDefect, that_finds_no_place_changes_nothing_and_one_that_does_is_reproducible) {
+TEST_P(SeededDefect, changes_nothing_where_it_finds_no_place_and_is_reproducible) {
   const defects::Defect& defect = defects::all()[GetParam()];
   for (const Subject& subject : subjects()) {
     Pslg pslg = subject.pslg, same_pslg = subject.pslg;

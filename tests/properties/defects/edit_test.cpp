@@ -1,5 +1,4 @@
-// Edits keep everything consistent that they do not mean to change: the checker finds nothing but what the
-// geometry of the edit explains.
+// Edits leave a consistent mesh: the checker finds no violation except those that the geometry of the edit causes.
 #include "../../../properties/defects/edit.hpp"
 
 #include <gtest/gtest.h>
@@ -32,8 +31,8 @@ Mesh mesh_of(const Pslg& pslg) {
   return result ? std::move(result->mesh) : Mesh{};
 }
 
-/// What the checker says, other than that edges are not Delaunay.
-std::vector<std::string> complaints(const Pslg& pslg, const Mesh& mesh) {
+/// All violations except edges that are not Delaunay.
+std::vector<std::string> violations_except_not_delaunay(const Pslg& pslg, const Mesh& mesh) {
   std::vector<std::string> found;
   for (const Violation& violation : check(pslg, mesh, no_quality()).violations)
     if (violation.kind != ViolationKind::not_delaunay) found.push_back(violation.message());
@@ -42,7 +41,7 @@ std::vector<std::string> complaints(const Pslg& pslg, const Mesh& mesh) {
 
 const std::vector<std::string> none;
 
-TEST(Edit, a_flip_leaves_a_right_triangulation_and_flipping_again_restores_the_edge) {
+TEST(Edit, a_flip_leaves_a_valid_triangulation_and_flipping_again_restores_the_edge) {
   const Pslg pslg = domains::regions();
   const Mesh original = mesh_of(pslg);
   const auto walls = edit::constrained(original);
@@ -53,7 +52,7 @@ TEST(Edit, a_flip_leaves_a_right_triangulation_and_flipping_again_restores_the_e
     Mesh changed = original;
     if (walls.contains(ends) || !edit::flip(changed, s)) continue;
     if (++flips % 16 == 1) {
-      EXPECT_EQ(complaints(pslg, changed), none);
+      EXPECT_EQ(violations_except_not_delaunay(pslg, changed), none);
     }
     // After a flip {c, d, b}, the new edge is opposite corner 2.
     ASSERT_TRUE(edit::flip(changed, {t, 2}));
@@ -62,7 +61,7 @@ TEST(Edit, a_flip_leaves_a_right_triangulation_and_flipping_again_restores_the_e
   EXPECT_GT(flips, 16);
 }
 
-TEST(Edit, a_flip_refuses_the_boundary_and_quadrilaterals_that_are_not_convex) {
+TEST(Edit, a_flip_changes_nothing_at_the_boundary_and_in_quadrilaterals_that_are_not_convex) {
   const Pslg pslg = domains::touching_holes();
   const Mesh original = mesh_of(pslg);
   int refused = 0;
@@ -76,15 +75,15 @@ TEST(Edit, a_flip_refuses_the_boundary_and_quadrilaterals_that_are_not_convex) {
   EXPECT_GT(refused, 0);
 }
 
-TEST(Edit, a_split_triangle_leaves_a_right_triangulation) {
+TEST(Edit, a_split_triangle_leaves_a_valid_triangulation) {
   const Pslg pslg = domains::regions();
   Mesh changed = mesh_of(pslg);
   for (Index t = 0; t < 20; ++t) edit::split_triangle(changed, t, edit::centroid(changed, t));
-  EXPECT_EQ(complaints(pslg, changed), none);
+  EXPECT_EQ(violations_except_not_delaunay(pslg, changed), none);
 }
 
-TEST(Edit, a_collapse_leaves_a_right_triangulation_without_the_vertex) {
-  // Its segments are parallel to the axes, so that no sliver of rounding lies beside a chain.
+TEST(Edit, a_collapse_leaves_a_valid_triangulation_without_the_vertex) {
+  // All segments are parallel to the axes, so rounding leaves no slivers along chains.
   const Pslg pslg = domains::touching_holes();
   Mesh changed = mesh_of(pslg);
   const std::size_t before = changed.points.size();
@@ -98,10 +97,10 @@ TEST(Edit, a_collapse_leaves_a_right_triangulation_without_the_vertex) {
   }
   EXPECT_GT(collapsed, 10u);
   EXPECT_EQ(changed.points.size(), before - collapsed);
-  EXPECT_EQ(complaints(pslg, changed), none);
+  EXPECT_EQ(violations_except_not_delaunay(pslg, changed), none);
 }
 
-TEST(Edit, renumbering_keeps_the_mesh_the_same_set) {
+TEST(Edit, renumbering_keeps_the_set_of_triangles) {
   const Pslg pslg = domains::regions();
   const Mesh original = mesh_of(pslg);
   std::vector<Index> to(original.points.size());
@@ -112,7 +111,7 @@ TEST(Edit, renumbering_keeps_the_mesh_the_same_set) {
   EXPECT_EQ(digest(changed), digest(original));
 }
 
-TEST(Edit, faces_are_what_constrained_edges_separate) {
+TEST(Edit, faces_are_separated_by_constrained_edges) {
   Mesh mesh = mesh_of(domains::regions());
   auto faces = edit::faces(mesh);
   for (std::size_t t = 0; t < faces.size(); ++t)

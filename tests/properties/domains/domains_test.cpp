@@ -49,14 +49,14 @@ TEST(Domains, stay_valid_when_moved_far_from_the_origin) {
   }
 }
 
-TEST(Domains, lie_on_a_dyadic_lattice) {
+TEST(Domains, have_coordinates_on_a_dyadic_lattice) {
   for (const std::string& name : domains::names()) {
     const Pslg pslg = *domains::generate(name, 0, 1);
     for (const Point& p : pslg.points) EXPECT_TRUE(on_lattice(p.x, 0x1p40) && on_lattice(p.y, 0x1p40)) << name;
   }
 }
 
-TEST(Domains, the_shipped_key_and_pipe_are_what_the_functions_draw) {
+TEST(Domains, the_key_and_pipe_in_examples_are_what_the_functions_return) {
   for (const auto& [file, pslg] : {std::pair{"key.poly", domains::key()}, std::pair{"pipe.poly", domains::pipe()}}) {
     const auto shipped = read_pslg(std::filesystem::path(PARDEL_EXAMPLES) / file);
     ASSERT_TRUE(shipped.ok()) << shipped.error().message;
@@ -70,7 +70,7 @@ TEST(Domains, the_key_has_at_least_150_segments_a_ring_and_a_hole_in_its_bit) {
   EXPECT_EQ(key.holes.size(), 2u);
 }
 
-TEST(Domains, the_pipe_has_the_papers_cross_section) {
+TEST(Domains, the_pipe_has_the_cross_section_of_the_paper) {
   const Pslg pipe = domains::pipe();
   EXPECT_EQ(pipe.segments.size(), 200u + 7 * 60);
   EXPECT_EQ(pipe.holes.size(), 7u);
@@ -79,12 +79,12 @@ TEST(Domains, the_pipe_has_the_papers_cross_section) {
   EXPECT_NEAR(furthest, 1, 0x1p-29);
 }
 
-TEST(Domains, spikes_of_a_star_have_the_angle_that_was_asked_for) {
+TEST(Domains, spikes_of_a_star_have_the_requested_angle) {
   for (const double degrees : {1.0, 5.0, 30.0})
     EXPECT_NEAR(smallest_input_angle_deg(domains::star(12, degrees)), degrees, 1e-6);
 }
 
-TEST(Domains, segments_of_a_wedge_are_as_far_apart_as_was_asked_for) {
+TEST(Domains, segments_of_a_wedge_have_the_requested_angle) {
   const Pslg wedge = domains::wedge(50, 1.8);
   EXPECT_NEAR(smallest_input_angle_deg(wedge), 1.8, 1e-6);
   EXPECT_EQ(std::ranges::count_if(wedge.segments, [](const Segment& s) { return s.a == 4; }), 50);
@@ -94,14 +94,14 @@ TEST(Domains, touching_holes_make_no_small_angle) {
   EXPECT_NEAR(smallest_input_angle_deg(domains::touching_holes()), 90, 1e-9);
 }
 
-TEST(Domains, random_points_depend_on_the_seed_and_on_nothing_else) {
+TEST(Domains, random_points_depend_only_on_their_number_and_the_seed) {
   EXPECT_EQ(domains::random_points(100, 7), domains::random_points(100, 7));
   EXPECT_NE(domains::random_points(100, 7), domains::random_points(100, 8));
   // The first draw of SplitMix64 with seed 0 is e220a8397b1dcdaf, as its authors publish it.
   EXPECT_EQ(domains::random_points(1, 0).points[0].x, static_cast<double>(0xe220a8397b1dcdafu >> 24) * 0x1p-40);
 }
 
-TEST(Domains, grids_have_the_size_that_was_asked_for) {
+TEST(Domains, grids_have_the_requested_size) {
   EXPECT_EQ(domains::grid(7).points.size(), 64u);
   EXPECT_EQ(domains::grid(7).segments.size(), 2u * 7 * 8 + 49);
   EXPECT_EQ(domains::generate("grid-points", 7, 0)->points.size(), 64u);

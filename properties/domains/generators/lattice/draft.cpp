@@ -4,7 +4,6 @@
 #include <numeric>
 #include <set>
 
-
 namespace pardel::generators {
 
 Index Draft::point(LatticePoint place) {
@@ -119,14 +118,14 @@ LatticeDomain Draft::finished(Random& random, int regions) const {
   std::vector<Index> half_edges(faces.half_edges());
   std::iota(half_edges.begin(), half_edges.end(), Index{0});
   for (const Direction& hole : holes_) {
-    const auto beside = std::ranges::find_if(half_edges, [&](Index h) {
+    const auto side_of_hole = std::ranges::find_if(half_edges, [&](Index h) {
       const LatticePoint a = domain.points[faces.ends(h).a], b = domain.points[faces.ends(h).b];
       return a == hole.from && cross(b - a, hole.to - a) == 0 && dot(b - a, hole.to - a) > 0;
     });
-    if (beside == half_edges.end() || faces.domain_faces() == 1) continue;
-    const Index face = faces.left_of(*beside);
+    if (side_of_hole == half_edges.end() || faces.domain_faces() == 1) continue;
+    const Index face = faces.left_of(*side_of_hole);
     if (!faces.is_domain(face)) continue;
-    domain.holes.push_back(faces.seed_left_of(*beside));
+    domain.holes.push_back(faces.seed_left_of(*side_of_hole));
     faces.make_hole(face);
   }
   random.shuffle(half_edges);
