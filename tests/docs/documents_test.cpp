@@ -142,6 +142,26 @@ TEST(Documents, fit_the_width_except_for_tables_links_and_code) {
   }
 }
 
+/// The number of cells in a row of a table. `\\|` does not separate cells.
+std::ptrdiff_t cells_of(const std::string& row) {
+  const auto separators = std::count(row.begin(), row.end(), '|');
+  return separators - static_cast<std::ptrdiff_t>(matches(row, std::regex(R"(\\\|)")).size()) - 1;
+}
+
+TEST(Documents, have_tables_whose_rows_have_equally_many_cells) {
+  for (const fs::path& document : documents()) {
+    std::ptrdiff_t cells = 0;
+    for (const std::string& line : lines_of(without_code(read_document(document)))) {
+      if (!line.starts_with('|')) {
+        cells = 0;
+        continue;
+      }
+      if (cells == 0) cells = cells_of(line);
+      EXPECT_EQ(cells_of(line), cells) << document << ": " << line;
+    }
+  }
+}
+
 /// Empty where a file was read.
 template <class T>
 std::string message_of(const Result<T>& result) {
