@@ -52,9 +52,9 @@ Result<ExitCode> run(const Arguments& arguments) {
 
 Command add_check(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or say what is wrong");
+  CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or list what is wrong");
   app->add_option("IN.poly", arguments->domain, "The domain: .poly or .node")->required()->type_name("");
-  app->add_option("MESH", arguments->mesh, "The mesh, by any program: .node, .ele, .msh, .vtu, .off")
+  app->add_option("MESH", arguments->mesh, "The mesh, made by any program: .node, .ele, .msh, .vtu, .off")
       ->required()
       ->type_name("");
   add_goal_options(*app, arguments->goal, largest_angle_to_check);
@@ -64,9 +64,9 @@ Command add_check(CLI::App& program) {
       ->group("Goal");
   app->add_option("--json", arguments->json, "Write the certificate as JSON; - is standard output")
       ->type_name("FILE|-");
-  app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json - asks for");
+  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the certificate of --json -");
   app->footer(
-      "Exit status 0: the mesh is right; 1: it is not, and every violation is listed with its place.\n\n"
+      "Exit status 0: the mesh is right; 1: it is wrong, and every violation is listed with its place.\n\n"
       "Example:\n  pardel check key.poly key.msh --min-angle 30 --max-area 0.001 --json certificate.json");
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -4,26 +4,27 @@
 #include <fmt/format.h>
 
 #include <CLI/Validators.hpp>
-#include <map>
+#include <algorithm>
 #include <string>
-#include <utility>
+#include <vector>
+
+#include "../core/support/enum_names.hpp"
 
 namespace pardel::cli {
 
-/// Puts the number of an enumerator in the place of its word, for an option of that type. Not CLI::CheckedTransformer,
-/// which writes an enumerator of one byte into its message as a character.
-template <class Enum>
-[[nodiscard]] CLI::Validator choice(std::map<std::string, Enum> meaning_of) {
+/// Accepts the names of the enumerators, for an option of type Enum. CLI::CheckedTransformer does not serve, because
+/// its message shows an enumerator of one byte as a character.
+template <class Enum, std::size_t n>
+[[nodiscard]] CLI::Validator choice(const EnumNames<Enum, n>& names) {
   CLI::Validator validator;
-  validator.operation([meaning_of = std::move(meaning_of)](std::string& word) {
-    const auto found = meaning_of.find(word);
-    if (found == meaning_of.end()) {
-      std::string words;
-      for (const auto& [known, meaning] : meaning_of) words += (words.empty() ? "" : ", ") + known;
-      return fmt::format("'{}' is none of {}", word, words);
+  validator.operation([names](std::string& word) {
+    std::vector<std::string> words(names.names.begin(), names.names.end());
+    if (const auto found = std::ranges::find(words, word); found != words.end()) {
+      word = std::to_string(found - words.begin());  // CLI11 reads an enumerator as its number
+      return std::string();
     }
-    word = std::to_string(static_cast<int>(found->second));
-    return std::string();
+    std::ranges::sort(words);
+    return fmt::format("'{}' is not one of {}", word, fmt::join(words, ", "));
   });
   return validator;
 }

@@ -1,4 +1,4 @@
-// The subcommands. Each is one file: it declares its options on the parser and says what to run.
+// The subcommands. Each one is a file NAME_command.cpp, which declares the options and holds the function to run.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,7 +11,7 @@
 
 namespace pardel::cli {
 
-/// `run` is called when the command line named `app`. It owns the parsed arguments.
+/// main() calls `run` when the command line contains the subcommand `app`. `run` owns the parsed arguments.
 struct Command {
   CLI::App* app = nullptr;
   std::function<Result<ExitCode>()> run;
@@ -25,6 +25,6 @@ struct Command {
 
 /// `pardel triangle SWITCHES FILE` has Triangle's own syntax, so it parses its arguments itself.
 [[nodiscard]] Result<ExitCode> run_triangle(const std::vector<std::string>& arguments);
-inline constexpr const char* triangle_summary = "Understand Triangle's switches and file names";
+inline constexpr const char* triangle_summary = "Run with Triangle's switches and file names";
 
 }  // namespace pardel::cli

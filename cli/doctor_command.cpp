@@ -1,4 +1,4 @@
-// pardel doctor: every problem of an input, and a repaired one.
+// pardel doctor: lists every problem of a domain and repairs it.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,7 @@ struct Arguments {
 };
 
 nlohmann::ordered_json to_json(const Problem& problem, int base) {
-  std::vector<std::uint64_t> ids;  // as the file numbers them
+  std::vector<std::uint64_t> ids;  // numbered as in the file
   for (const Index id : problem.ids) ids.push_back(std::uint64_t{id} + static_cast<unsigned>(base));
   return {{"kind", name(problem.kind)},
           {"ids", ids},
@@ -86,7 +86,7 @@ Result<ExitCode> run(const Arguments& arguments) {
   const std::vector<Problem> problems = find_problems(pslg, {.convex_hull = arguments.convex_hull});
 
   std::optional<Repaired> repaired;
-  std::optional<Error> beyond_repair;
+  std::optional<Error> failure;
   if (!arguments.repaired.empty()) {
     Result<Repaired> result = repair(pslg, arguments.snap.value_or(0));
     if (result) {
@@ -95,9 +95,9 @@ Result<ExitCode> run(const Arguments& arguments) {
         return written.error();
       }
     } else if (result.error().kind == ErrorKind::invalid_input && !problems.empty()) {
-      beyond_repair = problems_error(*domain, problems);
+      failure = problems_error(*domain, problems);
     } else {
-      beyond_repair = with_name(result.error(), domain->name);
+      failure = with_name(result.error(), domain->name);
     }
   }
   if (!arguments.quiet && arguments.json != "-") print(*domain, problems, repaired);
@@ -105,7 +105,7 @@ Result<ExitCode> run(const Arguments& arguments) {
     const std::string text = to_json(*domain, problems, repaired).dump(2) + "\n";
     if (Status written = write_text(text, arguments.json); !written) return written.error();
   }
-  if (beyond_repair) return *beyond_repair;
+  if (failure) return *failure;
   return problems.empty() || repaired ? ExitCode::done : ExitCode::invalid_input;
 }
 
@@ -113,23 +113,23 @@ Result<ExitCode> run(const Arguments& arguments) {
 
 Command add_doctor(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain; mend it");
+  CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain, and repair it");
   app->add_option("IN.poly", arguments->input, "The domain: .poly or .node")->required()->type_name("");
   CLI::Option* repaired = app->add_option("--repair", arguments->repaired,
                                           "Write a domain with points merged and segments split where they meet")
                               ->type_name("OUT.poly");
-  app->add_option("--snap", arguments->snap, "Merge points closer than this, too (default: equal ones only)")
+  app->add_option("--snap", arguments->snap, "Also merge points closer than this (default: only equal points)")
       ->check(positive_number("a distance"))
       ->type_name("LENGTH")
       ->needs(repaired);
-  app->add_flag("--convex-hull", arguments->convex_hull, "The domain is the convex hull: it needs no outline");
+  app->add_flag("--convex-hull", arguments->convex_hull, "The domain is the convex hull; no outline is needed");
   app->add_option("--json", arguments->json, "Write the findings as JSON; - (or nothing) is standard output")
       ->type_name("FILE|-")
       ->expected(0, 1)
       ->default_str("-");
-  app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json asks for");
+  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the findings of --json");
   app->footer(
-      "Exit status 0: nothing is wrong, or the repaired domain is written; 3: there are problems.\n\n"
+      "Exit status 0: there is no problem, or the repaired domain is written; 3: there are problems.\n\n"
       "Examples:\n  pardel doctor survey.poly\n  pardel doctor survey.poly --repair fixed.poly --snap 0.001");
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -17,7 +17,7 @@ struct EdgeSet {
 
   static bool before(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) < std::minmax(t.a, t.b); }
   static bool same(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) == std::minmax(t.a, t.b); }
-  /// Of edges listed twice, the one added first stays.
+  /// Sorts the edges. Of edges with the same ends the first one stays.
   void finish() {
     std::stable_sort(edges.begin(), edges.end(), before);
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
@@ -32,7 +32,7 @@ struct Side {
 };
 Side side(const Triangle& t, int i) { return {t.v[(i + 1) % 3], t.v[(i + 2) % 3]}; }
 
-/// The edges without a neighbour, each with its triangle on the left.
+/// The edges that belong to one triangle, directed so that it lies to their left.
 std::vector<Segment> boundary(const Mesh& mesh) {
   std::vector<Segment> edges;
   for (const Triangle& t : mesh.triangles) {
@@ -43,7 +43,8 @@ std::vector<Segment> boundary(const Mesh& mesh) {
   return edges;
 }
 
-/// The face that each triangle lies in, where faces end at `walls`.
+/// The number of the face of each triangle. Triangles are in one face where a path leads from one to the other without
+/// crossing an edge of `walls`.
 std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
   std::vector<Index> face(mesh.triangles.size(), no_index);
   Index count = 0;
@@ -76,7 +77,7 @@ Point centroid(const Mesh& mesh, const Triangle& t) {
   return {a.x + ((b.x - a.x) + (c.x - a.x)) / 3, a.y + ((b.y - a.y) + (c.y - a.y)) / 3};
 }
 
-/// The largest triangle of every face: its centroid lies safely inside.
+/// The largest triangle of every face. Its centroid is inside the face in spite of rounding.
 std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
   const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
   std::vector<Index> best(count, no_index);
@@ -97,7 +98,7 @@ std::vector<Region> region_seeds(const Mesh& mesh, const EdgeSet& walls) {
   return regions;
 }
 
-/// The outline alone, with its vertices renumbered.
+/// The boundary edges and their vertices, renumbered.
 Pslg outline_of(const Mesh& mesh) {
   Pslg outline;
   std::vector<Index> number(mesh.points.size(), no_index);
@@ -115,8 +116,8 @@ Pslg outline_of(const Mesh& mesh) {
   return outline;
 }
 
-/// Triangulates the convex hull of the outline. A face that has a piece of the outline backwards is not
-/// covered by the mesh; it is a hole unless it is open to the outside.
+/// A point in each hole. Triangulates the convex hull of the outline. A face that lies to the right of an outline edge
+/// is not covered by the mesh. Such a face is a hole, unless it reaches the hull: then it belongs to the exterior.
 Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
   const Pslg outline = outline_of(mesh);
   const Result<Meshed> hull = triangulate(outline, true);

@@ -1,4 +1,4 @@
-// The domain that a mesh covers, for a mesh that came without its Pslg.
+// The domain that a mesh covers, for a mesh without a Pslg.
 #pragma once
 
 #include "../core/mesh.hpp"
@@ -7,8 +7,8 @@
 
 namespace pardel::cli {
 
-/// The points of the mesh, its constrained edges and its boundary edges as segments, a seed in every hole.
-/// The regions of the mesh become one seed for each of its triangulated faces that carries an attribute.
+/// A Pslg with the points of the mesh, its constrained edges and its boundary edges as segments, one point in each
+/// hole, and one region for each face whose triangles carry an attribute. O(n log n).
 [[nodiscard]] Result<Pslg> domain_of(const Mesh& mesh);
 
 }  // namespace pardel::cli

@@ -1,9 +1,8 @@
-// pardel draw: a domain or a mesh as SVG.
+// pardel draw: draws a domain or a mesh as SVG.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "../core/formats.hpp"
 #include "choice.hpp"
 #include "command.hpp"
+#include "names.hpp"
 #include "output.hpp"
 #include "tile_hues.hpp"
 
@@ -26,7 +26,7 @@ struct Arguments {
   fs::path report;  ///< with `by`
 };
 
-/// A .node file is half a mesh where its .ele lies beside it, and a set of points otherwise.
+/// A .node file belongs to a mesh where there is a .ele file of the same name; otherwise it is a set of points.
 bool is_domain(const fs::path& file) {
   std::error_code ignored;
   if (file.extension() == ".node") return !fs::exists(fs::path(file).replace_extension(".ele"), ignored);
@@ -44,7 +44,8 @@ Status draw_mesh(const Arguments& arguments) {
 
 Status draw_domain(const Arguments& arguments) {
   if (arguments.by)
-    return Error{ErrorKind::usage, fmt::format("{}: --by is for meshes, this is a domain", arguments.input.string())};
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string())};
   const Result<Pslg> pslg = read_pslg(arguments.input);
   if (!pslg) return pslg.error();
   return write_svg(*pslg, arguments.output);
@@ -68,13 +69,16 @@ Command add_draw(CLI::App& program) {
   app->add_option("IN|MESH", arguments->input, "A domain (.poly, .node) or a mesh (.ele, .msh, .vtu, .off)")
       ->required()
       ->type_name("");
-  app->add_option("-o,--output", arguments->output, "The picture (required)")->required()->type_name("FILE.svg");
-  const std::map<std::string, HueBy> hues = {{"tile", HueBy::tile}, {"phase", HueBy::phase}, {"thread", HueBy::thread}};
-  CLI::Option* by = app->add_option("--by", arguments->by, "Colour triangles by what made them: tile, phase or thread")
-                        ->transform(choice(hues))
-                        ->type_name("WHAT");
-  CLI::Option* report = app->add_option("--report", arguments->report, "What pardel mesh --json wrote in that run")
-                            ->type_name("FILE.json");
+  app->add_option("-o,--output", arguments->output, "The picture to write (required)")
+      ->required()
+      ->type_name("FILE.svg");
+  CLI::Option* by =
+      app->add_option("--by", arguments->by, "Colour triangles by the tile, the phase or the thread that made them")
+          ->transform(choice(hue_names))
+          ->type_name("WHAT");
+  CLI::Option* report =
+      app->add_option("--report", arguments->report, "The report that pardel mesh --json wrote with the mesh")
+          ->type_name("FILE.json");
   by->needs(report);
   report->needs(by);
   app->footer(R"(Examples:

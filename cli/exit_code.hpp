@@ -1,4 +1,4 @@
-// What the program's exit status says, and how an error becomes one.
+// The exit status of the program.
 #pragma once
 
 #include "../core/result.hpp"
@@ -6,22 +6,22 @@
 namespace pardel::cli {
 
 enum class ExitCode : int {
-  done = 0,           ///< every bound holds, but for exemptions that a small input angle justifies
+  done = 0,           ///< every bound holds, except at triangles that a small input angle exempts
   violations = 1,     ///< the check found violations
-  usage = 2,          ///< the command line asks for something that has no meaning
-  invalid_input = 3,  ///< the input is not what it should be
+  usage = 2,          ///< the command line is wrong
+  invalid_input = 3,  ///< the input is invalid
   goal_missed = 4,    ///< a bound could not be met for another reason; the mesh is written all the same
-  failure = 5,        ///< memory, or a file that cannot be opened, read or written
-  internal = 6,       ///< the program noticed that it is wrong itself; nothing is written
+  failure = 5,        ///< out of memory, or a file cannot be opened, read or written
+  internal = 6,       ///< internal error: a self-check failed; nothing is written
   interrupted = 130,  ///< SIGINT
 };
 
 [[nodiscard]] ExitCode exit_code(ErrorKind kind);
 
-/// Puts the error on stderr, as `pardel: message`, and gives its exit code.
+/// Prints `pardel: message` on stderr and returns the exit code of the error.
 ExitCode report(const Error& error);
 
-/// A line on stderr about something that does not stop the program.
+/// Prints `pardel: message` on stderr. The program goes on.
 void warn(const std::string& message);
 
 }  // namespace pardel::cli

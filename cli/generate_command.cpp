@@ -1,4 +1,4 @@
-// pardel generate: the named domains that demos, tests and benchmarks share.
+// pardel generate: writes one of the named domains that examples, tests and benchmarks share.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -42,12 +42,12 @@ std::string list_of_names() {
 Command add_generate(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app = program.add_subcommand("generate", "Write a named domain as a .poly file");
-  app->add_option("NAME", arguments->name, "Which domain")->required()->type_name("");
+  app->add_option("NAME", arguments->name, "The name of the domain")->required()->type_name("");
   app->add_option("-n,--size", arguments->n,
-                  "How large, where that has a meaning: points, teeth, cells (0: the default)")
+                  "The size of the domain, if it has one: number of points, teeth, cells (0: the default)")
       ->type_name("N");
   app->add_option("--seed", arguments->seed,
-                  "Seed of the random ones (default 1); the same seed gives the same file everywhere")
+                  "Seed of a random domain (default 1); a seed gives the same file on every machine")
       ->type_name("S");
   app->add_option("-o,--output", arguments->output, "The file to write (required)")->required()->type_name("FILE.poly");
   app->footer(list_of_names() + "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// NaN where the text is no number or has something behind it.
+/// NaN where the text is not exactly one number.
 double number(const std::string& text) {
   double value = 0;
   const char* end = text.data() + text.size();
@@ -25,7 +25,7 @@ double number(const std::string& text) {
   return error == std::errc() && stop == end ? value : std::nan("");
 }
 
-/// An angle in degrees is smallest in a triangle with this circumradius-to-shortest-edge ratio.
+/// The smallest angle, in degrees, of a triangle with the circumradius-to-shortest-edge ratio rho, and the reverse.
 double angle_of(double rho) { return std::asin(1 / (2 * rho)) * degrees; }
 double rho_of(double angle_deg) { return 1 / (2 * std::sin(angle_deg / degrees)); }
 
@@ -33,18 +33,18 @@ CLI::Validator angle_bound(double largest) {
   return {[largest](std::string& text) -> std::string {
             const double value = number(text);
             if (value >= 0 && value <= largest) return {};
-            return fmt::format("'{}' is not an angle that can be asked for: 0 to {} degrees", text, largest);
+            return fmt::format("'{}' is not an angle from 0 to {} degrees", text, largest);
           },
           ""};
 }
 
 CLI::Validator ratio_bound(double largest_angle) {
-  // Rounded up, so that every ratio accepted stays within the angle.
+  // Rounded up: every ratio that is accepted gives an angle within the range.
   const double least = std::ceil(rho_of(largest_angle) * 1000) / 1000;
   return {[least](std::string& text) -> std::string {
             const double value = number(text);
             if (value >= least && std::isfinite(value)) return {};
-            return fmt::format("'{}' is not a ratio that can be asked for: {} or more", text, least);
+            return fmt::format("'{}' is not a ratio of {} or more", text, least);
           },
           ""};
 }
@@ -68,7 +68,8 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
           ->check(angle_bound(largest_angle_deg))
           ->type_name("DEGREES")
           ->group(group);
-  app.add_option("--rho", options.rho, "The same as a bound on circumradius / shortest edge (1.4142 is 20.7 degrees)")
+  app.add_option("--rho", options.rho,
+                 "The bound on angles as a ratio, circumradius / shortest edge (1.4142 is 20.7 degrees)")
       ->check(ratio_bound(largest_angle_deg))
       ->type_name("RATIO")
       ->excludes(angle)
@@ -81,12 +82,13 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
       ->check(positive_number("a length"))
       ->type_name("LENGTH")
       ->group(group);
-  app.add_flag("--regions", options.regions, "Honour the area caps of the regions in IN.poly")->group(group);
+  app.add_flag("--regions", options.regions, "Apply the area caps of the regions in IN.poly")->group(group);
   app.add_option("--sizes", options.sizes,
-                 "One wanted edge length per input point ('n', then lines 'i size'), interpolated between them")
+                 "File with one edge length per input point ('n', then lines 'i length'), interpolated in between")
       ->type_name("FILE")
       ->group(group);
-  app.add_flag("--conforming", options.conforming, "Truly Delaunay instead of constrained Delaunay")->group(group);
+  app.add_flag("--conforming", options.conforming, "Make the mesh Delaunay, not only constrained Delaunay")
+      ->group(group);
   app.add_flag("--convex-hull", options.convex_hull, "The domain is the convex hull of the points")->group(group);
 }
 

@@ -1,4 +1,4 @@
-// How --help looks: options with their kind of value and nothing else in front of the text.
+// The format of --help: each option with its kind of value, then its text.
 #pragma once
 
 #include <CLI/App.hpp>

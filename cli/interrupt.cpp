@@ -3,16 +3,16 @@
 namespace pardel::cli {
 namespace {
 
-// A signal handler can speak to the rest of the program only through an object like this.
-volatile std::sig_atomic_t asked_to_stop = 0;
+// The only type that a signal handler may write to.
+volatile std::sig_atomic_t received = 0;
 
-void remember(int /*signal*/) { asked_to_stop = 1; }
+void handle(int /*signal*/) { received = 1; }
 
 }  // namespace
 
 Interrupt::Interrupt() {
   struct sigaction action {};
-  action.sa_handler = remember;
+  action.sa_handler = handle;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, &before_);
@@ -20,6 +20,6 @@ Interrupt::Interrupt() {
 
 Interrupt::~Interrupt() { sigaction(SIGINT, &before_, nullptr); }
 
-bool Interrupt::requested() const { return asked_to_stop != 0; }
+bool Interrupt::requested() const { return received != 0; }
 
 }  // namespace pardel::cli

@@ -1,11 +1,12 @@
-// SIGINT as a question instead of a sudden end: work that asks now and then can stop and leave nothing half done.
+// Handling of SIGINT (Ctrl-C): the work polls for it and stops without leaving anything half done.
 #pragma once
 
 #include <csignal>
 
 namespace pardel::cli {
 
-/// While one lives, the first SIGINT only makes requested() true; a second one ends the process as usual.
+/// While an object of this class exists, the first SIGINT makes requested() true and does nothing else. The second one
+/// ends the process.
 class Interrupt {
  public:
   Interrupt();

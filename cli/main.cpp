@@ -1,4 +1,4 @@
-// pardel: the program. Picks the subcommand and turns whatever went wrong into a message and an exit code.
+// pardel: the program. Runs the subcommand and turns an error into a message and an exit code.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -24,22 +24,22 @@ constexpr const char* description =
     "pardel: guaranteed-quality Delaunay meshes of planar domains, with an independent exact check.";
 
 constexpr const char* footer = R"(Examples:
-  pardel generate key -o key.poly                       a domain to play with
+  pardel generate key -o key.poly                       a domain to try
   pardel mesh key.poly -o key.vtu --min-angle 30        a mesh without angles below 30 degrees
   pardel mesh key.poly -o m.node --max-area 0.001       Triangle's files m.node, m.ele and m.poly
-  pardel check key.poly key.vtu --min-angle 30          is that mesh right? exact arithmetic decides
-  pardel doctor survey.poly --repair fixed.poly         what is wrong with an input, and can it be mended
+  pardel check key.poly key.vtu --min-angle 30          checks that mesh with exact arithmetic
+  pardel doctor survey.poly --repair fixed.poly         lists the problems of a domain and repairs it
   pardel draw key.vtu -o key.svg                        a picture
-  pardel triangle -pq30a0.1 key.poly                    as Triangle would: writes key.1.node, key.1.ele, key.1.poly
+  pardel triangle -pq30a0.1 key.poly                    like Triangle: writes key.1.node, key.1.ele, key.1.poly
 
 Exit status:
-  0    done; every bound holds, but for exemptions that a small input angle justifies (they are reported)
+  0    done; every bound holds, except at triangles that a small input angle exempts (they are reported)
   1    the check found violations
-  2    the command line has no meaning
+  2    the command line is wrong
   3    the input is invalid; the message names the place
-  4    a bound could not be met for another reason (a budget, a floor, precision); the mesh is written, with the list
-  5    memory, or a file that cannot be opened, read or written
-  6    the program noticed that it went wrong itself; nothing is written
+  4    a bound could not be met because of a limit or of rounding; the mesh is written and the triangles are listed
+  5    out of memory, or a file cannot be opened, read or written
+  6    internal error: a self-check failed; nothing is written
   130  interrupted
 
 Every subcommand has its own --help.)";
@@ -62,14 +62,14 @@ Result<ExitCode> run(int argc, char** argv) {
   program.require_subcommand(1);
   const std::array commands = {add_mesh(program), add_check(program), add_doctor(program), add_draw(program),
                                add_generate(program)};
-  program.add_subcommand("triangle", triangle_summary);  // for the list in --help; handled above
+  program.add_subcommand("triangle", triangle_summary);  // listed in --help; handled above
 
   const auto is_named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(is_named).empty())
     return Error{ErrorKind::usage, fmt::format("there is no command '{}' (see 'pardel --help')", argv[1])};
   try {
     program.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {  // --help and --version come this way, too
+  } catch (const CLI::ParseError& stop) {  // also --help and --version
     return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
   }
   for (const Command& command : commands) {
@@ -78,7 +78,7 @@ Result<ExitCode> run(int argc, char** argv) {
   return ExitCode::usage;
 }
 
-/// Output to a full disk fails only when the buffer is flushed.
+/// An error of standard output, such as a full disk, shows only when the buffer is flushed.
 ExitCode flushed(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   return report({ErrorKind::io, fmt::format("standard output: {}", std::strerror(errno))});

@@ -1,4 +1,4 @@
-// pardel mesh: a domain and a goal in, a mesh out.
+// pardel mesh: makes the mesh of a domain.
 #include <fmt/core.h>
 #include <omp.h>
 
@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +22,7 @@
 #include "goal_options.hpp"
 #include "input.hpp"
 #include "memory.hpp"
+#include "names.hpp"
 #include "output.hpp"
 #include "paranoid.hpp"
 #include "report.hpp"
@@ -94,7 +94,7 @@ Result<Input> read(const Arguments& arguments, Seconds& seconds) {
   return Input(std::move(*valid));
 }
 
-/// The domain of a mesh is valid where the mesh is, so it is validated only for --sizes, which triangulates it.
+/// With --refine only --sizes needs a valid domain, because it triangulates the domain.
 Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
   if (const auto* domain = std::get_if<ValidPslg>(&input)) return make_goal(arguments.goal, *domain);
   if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
@@ -149,29 +149,75 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
   return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;
 }
 
-Result<ExitCode> run(Arguments& arguments) {
-  Stopwatch total, watch;
+/// Completes the options with what depends on several arguments.
+Status complete_options(Arguments& arguments) {
+  Options& options = arguments.options;
   if (arguments.threads) {
-    arguments.options.threads = *arguments.threads;
-    omp_set_num_threads(*arguments.threads);  // what reads, writes and checks keeps to the number, too
+    options.threads = *arguments.threads;
+    omp_set_num_threads(*arguments.threads);  // for reading, writing and checking
   }
-  arguments.options.max_memory =
+  options.max_memory =
       arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
-  if (!arguments.cells.empty()) {
-    if (arguments.options.decomposition == Decomposition::none)
-      return Error{ErrorKind::usage, "--cells has no meaning with --decomposition none"};
-    arguments.options.cells = {arguments.cells[0], arguments.cells[1]};
+  if (arguments.cells.empty()) return Done{};
+  if (options.decomposition == Decomposition::none)
+    return Error{ErrorKind::usage, "--cells cannot be used with --decomposition none"};
+  options.cells = {arguments.cells[0], arguments.cells[1]};
+  return Done{};
+}
+
+Status check_outputs(const Arguments& arguments) {
+  const std::vector<std::filesystem::path> inputs = {arguments.input};
+  if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
+  return check_folder(arguments.json);
+}
+
+Status write_outputs(const Arguments& arguments, const Mesh& mesh, const Pslg& pslg, const Interrupt& interrupt) {
+  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
+  for (const auto& output : arguments.outputs) {
+    if (interrupt.requested()) return interrupted();
+    if (Status written = write_mesh(mesh, pslg, output, msh); !written) return written;
   }
-  std::vector<std::filesystem::path> inputs = {arguments.input};
-  if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine.error();
-  if (Status fine = check_folder(arguments.json); !fine) return fine.error();
+  return Done{};
+}
+
+/// Fills the report, except for the certificate and the times of other steps.
+void describe(const Arguments& arguments, const Pslg& pslg, const Goal& goal, Meshed& meshed, MeshRun& run) {
+  Stopwatch watch;
+  run.name = arguments.input.string();
+  run.points = pslg.points.size();
+  run.segments = pslg.segments.size();
+  run.holes = pslg.holes.size();
+  run.regions = pslg.regions.size();
+  run.goal = goal;
+  const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
+  run.region_caps_unused = !goal.region_caps && std::ranges::any_of(pslg.regions, has_cap);
+  run.sizes = arguments.goal.sizes;
+  run.options = arguments.options;
+  run.outputs = arguments.outputs;
+  run.report = std::move(meshed.report);
+  run.seconds.triangulate = run.report.triangulate_seconds;
+  run.seconds.refine = run.report.refine_seconds;
+  run.statistics = statistics(meshed.mesh);
+  run.digest = digest(meshed.mesh);
+  run.seconds.statistics = watch.lap();
+}
+
+Status print(const Arguments& arguments, const MeshRun& run) {
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(run));
+  return arguments.json.empty() ? Status(Done{}) : write_text(to_json(run), arguments.json);
+}
+
+Result<ExitCode> run(Arguments& arguments) {
+  const Stopwatch total;
+  if (Status complete = complete_options(arguments); !complete) return complete.error();
+  if (Status fine = check_outputs(arguments); !fine) return fine.error();
   const Interrupt interrupt;
 
   MeshRun run;
   const Result<Input> input = read(arguments, run.seconds);
   if (!input) return input.error();
   const Pslg& pslg = pslg_of(*input);
-  watch.lap();
+  Stopwatch watch;
   const Result<Goal> goal = make_goal(arguments, *input);
   if (!goal) return goal.error();
   run.seconds.read += watch.lap();
@@ -186,51 +232,26 @@ Result<ExitCode> run(Arguments& arguments) {
   watch.lap();
   if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal);
   run.seconds.check = watch.lap();
-
-  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
-  for (const auto& output : arguments.outputs) {
-    if (interrupt.requested()) return interrupted();
-    if (Status written = write_mesh(meshed->mesh, pslg, output, msh); !written) return written.error();
-  }
+  if (Status written = write_outputs(arguments, meshed->mesh, pslg, interrupt); !written) return written.error();
   run.seconds.write = watch.lap();
 
-  run.name = arguments.input.string();
-  run.points = pslg.points.size();
-  run.segments = pslg.segments.size();
-  run.holes = pslg.holes.size();
-  run.regions = pslg.regions.size();
-  run.goal = *goal;
-  run.region_caps_unused = !goal->region_caps && std::ranges::any_of(pslg.regions, [](const Region& region) {
-    return std::isfinite(region.max_area);
-  });
-  run.sizes = arguments.goal.sizes;
-  run.options = arguments.options;
-  run.report = std::move(meshed->report);
-  run.statistics = statistics(meshed->mesh);
-  run.digest = digest(meshed->mesh);
-  run.seconds.statistics = watch.lap();
-  run.outputs = arguments.outputs;
-  run.seconds.triangulate = run.report.triangulate_seconds;
-  run.seconds.refine = run.report.refine_seconds;
-  run.seconds.total = total.lap();
-  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(run));
-  if (!arguments.json.empty()) {
-    if (Status written = write_text(to_json(run), arguments.json); !written) return written.error();
-  }
+  describe(arguments, pslg, *goal, *meshed, run);
+  run.seconds.total = total.seconds();
+  if (Status printed = print(arguments, run); !printed) return printed.error();
   return verdict(run, meshed->mesh);
 }
 
 constexpr const char* footer =
-    R"(The format of OUT follows its suffix: .node (or .ele) writes Triangle's .node, .ele and .poly; .vtu for
-ParaView; .msh for Gmsh; .off; .svg. An output that is complete has its name; a partial one never has.
-The report of --json numbers vertices and triangles from 0, whatever IN does.
-Exit status: as 'pardel --help' lists; 4 where a bound could not be met, the mesh being written all the same.
+    R"(The suffix of OUT sets the format: .node or .ele for Triangle's .node, .ele and .poly; .vtu for ParaView;
+.msh for Gmsh; .off; .svg. An output file appears under its name only when it is complete.
+The report of --json numbers vertices and triangles from 0, also where IN numbers from 1.
+Exit status: as 'pardel --help' lists. With status 4 (a bound could not be met) the mesh is written all the same.
 
 Examples:
   pardel mesh key.poly -o key.vtu                                   20.7 degrees, no size bound
   pardel mesh key.poly -o mesh.node -o mesh.svg --min-angle 30 --max-area 0.001 --check
   pardel mesh bay.poly -o bay.msh --regions --sizes bay.sizes --json - | jq .mesh
-  pardel mesh mesh.node --refine -o finer.node --max-area 0.0001    refines a mesh; mesh.area gives caps, if it exists)";
+  pardel mesh mesh.node --refine -o finer.node --max-area 0.0001    refines a mesh; mesh.area, if any, gives caps)";
 
 }  // namespace
 
@@ -241,7 +262,7 @@ Command add_mesh(CLI::App& program) {
   app->add_option("IN", arguments->input, "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu")
       ->required()
       ->type_name("");
-  app->add_option("-o,--output", arguments->outputs, "Where the mesh goes (required; may be given several times)")
+  app->add_option("-o,--output", arguments->outputs, "The file to write (required; may be given several times)")
       ->required()
       ->type_name("OUT")
       ->expected(1)
@@ -253,52 +274,49 @@ Command add_mesh(CLI::App& program) {
       ->check(positive_number("a number of vertices"))
       ->group("Limits");
   app->add_option("--min-edge", options.min_edge,
-                  "Insert no point that makes a shorter edge (default: what double precision can hold)")
+                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
       ->check(positive_number("a length"))
       ->type_name("LENGTH")
       ->group("Limits");
   app->add_option("--max-memory", arguments->max_memory_gib,
-                  "Refuse a mesh that needs more than this, in GiB (default: what is available)")
+                  "Refuse a mesh that needs more memory than this, in GiB (default: the memory available)")
       ->check(positive_number("an amount of memory"))
       ->type_name("GIB")
       ->group("Limits");
-  app->add_option("--threads", arguments->threads, "Threads (default 1); the mesh does not depend on their number")
+  app->add_option("--threads", arguments->threads, "Number of threads (default 1); the mesh does not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""))
       ->group("Limits");
 
-  const std::map<std::string, Placement> placements = {{"circumcentre", Placement::circumcentre},
-                                                       {"off-centre", Placement::off_centre}};
-  app->add_option("--placement", options.placement, "Where new points go: circumcentre or off-centre (default)")
-      ->transform(choice(placements))
+  app->add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
+      ->transform(choice(placement_names))
       ->type_name("WHERE");
-  const std::map<std::string, Decomposition> decompositions = {
-      {"auto", Decomposition::automatic}, {"paper", Decomposition::paper}, {"none", Decomposition::none}};
-  app->add_option("--decomposition", options.decomposition,
-                  "How the plane is cut: auto (by work; the default), paper (cells of four circumradii) or none")
-      ->transform(choice(decompositions))
+  app->add_option(
+         "--decomposition", options.decomposition,
+         "How the plane is cut into tiles: auto (by work; the default), paper (cells of four circumradii) or none")
+      ->transform(choice(decomposition_names))
       ->type_name("HOW");
-  app->add_option("--cells", arguments->cells,
-                  "Columns and rows of tiles (default: by work); changes the mesh a little")
+  app->add_option(
+         "--cells", arguments->cells,
+         "Number of columns and rows of tiles (default: by work); another number gives a slightly different mesh")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1U, most_cells_along).description(""))
       ->type_name("NX,NY");
-  app->add_flag("--refine", arguments->refine, "IN is a mesh: keep its vertices and refine it");
-  app->add_flag("--repair", arguments->repair, "Merge points and split segments of an invalid domain before meshing")
+  app->add_flag("--refine", arguments->refine, "Refine the mesh IN; its vertices stay");
+  app->add_flag("--repair", arguments->repair, "Repair an invalid domain before meshing: merge points, split segments")
       ->excludes("--refine");
   app->add_flag("--check", arguments->check, "Check the mesh with exact arithmetic");
   app->add_flag("--paranoid", arguments->paranoid,
-                "Check the mesh after every sweep, too, all but its bounds; stops where it is wrong (slow)");
+                "Also check the mesh, except for its bounds, after every sweep; stop at the first violation (slow)");
   app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
   app->add_option("--json", arguments->json, "Write a report as JSON (pardel.report/1); - is standard output")
       ->type_name("FILE|-");
-  const std::map<std::string, ShowProgress> shows = {
-      {"auto", ShowProgress::automatic}, {"always", ShowProgress::always}, {"never", ShowProgress::never}};
-  app->add_option("--progress", arguments->progress, "A progress bar: auto (default), always or never")
-      ->transform(choice(shows))
+  app->add_option("--progress", arguments->progress,
+                  "Show a progress bar: auto (default; on a terminal), always or never")
+      ->transform(choice(show_progress_names))
       ->type_name("WHEN");
-  app->add_flag("-q,--quiet", arguments->quiet, "Say nothing on standard output but what --json - asks for");
+  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the report of --json -");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};
 }

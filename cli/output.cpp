@@ -20,7 +20,7 @@ Error io_error(const fs::path& file, int error) {
   return {ErrorKind::io, fmt::format("{}: {}", file.string(), std::strerror(error))};
 }
 
-/// True for what has no name in a folder to appear under: devices, pipes, handles like /dev/stdout.
+/// True for devices, pipes and names like /dev/stdout, which cannot be replaced by a finished file.
 bool written_in_place(const fs::path& file) {
   std::error_code ignored;
   const std::string name = file.lexically_normal().string();
@@ -28,7 +28,7 @@ bool written_in_place(const fs::path& file) {
          (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored));
 }
 
-/// What a file stands for: Triangle's files of one stem belong together.
+/// The same for all files that are read or written together: Triangle's files with one stem.
 fs::path family(const fs::path& file) {
   std::error_code ignored;
   fs::path full = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
@@ -73,15 +73,15 @@ Status check_poly_output(const fs::path& file) {
 Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
   for (const fs::path& output : outputs) {
     if (!is_mesh_suffix(output)) {
-      return Error{
-          ErrorKind::usage,
-          fmt::format("{}: the format follows the suffix, which has to be one of .node .ele .vtu .msh .off .svg",
-                      output.string())};
+      return Error{ErrorKind::usage,
+                   fmt::format("{}: the suffix sets the format and must be one of .node .ele .vtu .msh .off .svg",
+                               output.string())};
     }
     for (const fs::path& input : inputs) {
       if (family(output) == family(input)) {
-        return Error{ErrorKind::usage, fmt::format("{}: would replace files of the input {}; choose another name",
-                                                   output.string(), input.string())};
+        return Error{ErrorKind::usage,
+                     fmt::format("{}: this output would replace files of the input {}; choose another name",
+                                 output.string(), input.string())};
       }
     }
     if (Status folder = check_folder(output); !folder) return folder;

@@ -1,4 +1,4 @@
-// Files that the program writes, and whether they can be hoped for before the work starts.
+// Output files: writing text, and checks that find a hopeless output before the work starts.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace pardel::cli {
 /// "-" is standard output. A regular file appears under its name only when it is complete.
 [[nodiscard]] Status write_text(std::string_view text, const std::filesystem::path& file);
 
-/// Refuses what is bound to fail or to harm, before any work is done: an unknown suffix (usage), an output
-/// that would replace one of the inputs (usage), a folder that does not exist or may not be written (io).
+/// Errors: `usage` for an unknown suffix, or an output that would replace one of the inputs; `io` for a folder that
+/// does not exist or is not writable.
 [[nodiscard]] Status check_mesh_outputs(std::span<const std::filesystem::path> outputs,
                                         std::span<const std::filesystem::path> inputs);
-/// A domain is written as .poly (or to a device); any other suffix would mislead whoever reads it: usage.
+/// Errors: `usage` where the suffix is not .poly (except for a device); `io` as above.
 [[nodiscard]] Status check_poly_output(const std::filesystem::path& file);
-/// That the folder of a file exists and may be written (io); "-" and "" are fine.
+/// Error: `io` where the folder of the file does not exist or is not writable. "-" and "" are accepted.
 [[nodiscard]] Status check_folder(const std::filesystem::path& file);
 
 }  // namespace pardel::cli

@@ -9,13 +9,13 @@ namespace pardel::cli {
 
 Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, const Sweep& sweep,
                    const SweepCheck& how) {
-  const Goal due{.min_angle_deg = 0, .region_caps = false, .convex_hull = how.convex_hull};
+  const Goal so_far{.min_angle_deg = 0, .region_caps = false, .convex_hull = how.convex_hull};
   const Certificate certificate =
-      check(pslg, mesh, due, {.max_violations = most_listed, .max_circumradius = 0, .foreign = how.foreign});
+      check(pslg, mesh, so_far, {.max_violations = most_listed, .max_circumradius = 0, .foreign = how.foreign});
   if (certificate.valid) return Done{};
   return Error{ErrorKind::internal,
-               fmt::format("the refinement went wrong: after sweep {}, on a lattice of {} x {} cells, {}", number,
-                           sweep.columns, sweep.rows, violations_text(certificate, most_listed))};
+               fmt::format("internal error: after sweep {}, on a lattice of {} x {} cells, {}", number, sweep.columns,
+                           sweep.rows, violations_text(certificate, most_listed))};
 }
 
 }  // namespace pardel::cli

@@ -1,4 +1,4 @@
-// --paranoid: what has to be true of a mesh after every sweep of its refinement.
+// --paranoid: the check of the mesh after every sweep of the refinement.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace pardel::cli {
 
 struct SweepCheck {
   bool convex_hull = false;
-  bool foreign = false;  ///< of check(): the mesh was refined from one that knows nothing of the domain
+  bool foreign = false;  ///< CheckOptions::foreign: the mesh was refined from a mesh without provenance
 };
 
-/// Checks the mesh that sweep `number`, counted from 1, left, exactly: conformity, constrained Delaunay, labels. Bounds
-/// are due at the end only, and so is what a conforming goal asks of constrained edges. Violations give `internal`,
-/// the first of them named.
+/// Checks with exact arithmetic that the mesh after sweep `number` (counted from 1) conforms to the Pslg, is
+/// constrained Delaunay and has the right labels. Bounds, and the conforming Delaunay property, hold only at the end
+/// and are not checked. Violations give `internal`; the message names the first of them.
 [[nodiscard]] Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, const Sweep& sweep,
                                  const SweepCheck& how);
 

@@ -13,10 +13,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int width = 32;
-constexpr auto patience = 1s;
-constexpr auto pause = 100ms;
+constexpr auto delay = 1s;
+constexpr auto interval = 100ms;
 
-/// "3.21 of about 10.01 million"; an estimate that fell short is not repeated.
+/// "3.21 of about 10.01 million"; without the estimate where it was too low.
 std::string count(double triangles, double estimate) {
   const bool small = std::max(triangles, estimate) < 10'000;
   const auto number = [&](double n) { return small ? fmt::format("{:.0f}", n) : fmt::format("{:.2f}", n * 1e-6); };
@@ -39,7 +39,7 @@ std::string progress_line(std::uint64_t triangles, double estimate, double secon
 
 ProgressBar::ProgressBar(ShowProgress show)
     : enabled_(show == ShowProgress::always || (show == ShowProgress::automatic && isatty(STDERR_FILENO) == 1)),
-      next_(show == ShowProgress::always ? start_ : start_ + patience) {}
+      next_(show == ShowProgress::always ? start_ : start_ + delay) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) fmt::print(stderr, "\r\033[K");
@@ -49,7 +49,7 @@ void ProgressBar::update(std::uint64_t triangles, double estimate) {
   if (!enabled_) return;
   const Clock::time_point now = Clock::now();
   if (now < next_) return;
-  next_ = now + pause;
+  next_ = now + interval;
   drawn_ = true;
   fmt::print(stderr, "\r\033[K{}",
              progress_line(triangles, estimate, std::chrono::duration<double>(now - start_).count()));

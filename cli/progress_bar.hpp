@@ -1,4 +1,4 @@
-// A progress bar on stderr for work that lasts.
+// A progress bar on stderr.
 #pragma once
 
 #include <chrono>
@@ -9,11 +9,12 @@ namespace pardel::cli {
 
 enum class ShowProgress : std::uint8_t { automatic, always, never };
 
-/// What the bar shows. An estimate may fall short; the bar waits at 99 % then. 0: unknown.
+/// The text of the bar. estimate: of the final number of triangles, 0 where unknown. Where the estimate was too low,
+/// the bar stays at 99 %.
 [[nodiscard]] std::string progress_line(std::uint64_t triangles, double estimate, double seconds);
 
-/// Draws one line and redraws it in place; wipes it at the end. With `automatic` it appears only on a
-/// terminal, and only once the work has lasted a second.
+/// Draws one line, redraws it in place and erases it at the end. With `automatic` the line appears only on a terminal,
+/// and only after one second.
 class ProgressBar {
  public:
   explicit ProgressBar(ShowProgress show);
@@ -21,7 +22,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Cheap enough to call often: it redraws ten times a second at most. estimate: 0 while unknown.
+  /// Redraws at most ten times a second, so it is cheap to call. estimate: 0 while unknown.
   void update(std::uint64_t triangles, double estimate);
 
  private:

@@ -7,8 +7,8 @@
 namespace pardel::cli {
 namespace {
 
-/// Every vertex `old` becomes `number[old]`, where that is not no_index; numbers are distinct and below `count`.
-/// Places that no vertex takes are filled by the caller.
+/// Vertex `old` becomes vertex `number[old]`, or is removed where that is no_index. The numbers are distinct and below
+/// `count`. The caller fills the data of vertices that get no number.
 void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
   const std::size_t width = mesh.attributes_per_point;
   Array<Point> points(count);

@@ -1,4 +1,4 @@
-// Other numberings of the vertices of a mesh.
+// Renumbering of the vertices of a mesh.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace pardel::cli {
 
-/// Removes the vertices that no triangle has; the others keep their order. Constrained edges at removed
-/// vertices go, too. Linear.
+/// Removes the vertices that are not in a triangle, and the constrained edges at them. The other vertices keep their
+/// order. O(n).
 void remove_unused_vertices(Mesh& mesh);
 
-/// `mesh` is one of what repair() made of `original`, whose points went where `point_map` says. Gives the
-/// original points their numbers back: they come first, in order; of points that were merged the first
-/// is the vertex, and the others are vertices without a triangle. Linear.
+/// For a mesh of the domain that repair() made of `original`, with Repaired::point_map. Numbers the vertices as in the
+/// original: its points come first, in their order. Of points that repair() merged, the first one becomes the vertex;
+/// the others become vertices without a triangle. O(n).
 void restore_numbering(Mesh& mesh, const Pslg& original, std::span<const Index> point_map);
 
 }  // namespace pardel::cli

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../core/formats.hpp"
+#include "names.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -19,23 +20,9 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-const char* name(Decomposition decomposition) {
-  switch (decomposition) {
-    case Decomposition::automatic:
-      return "auto";
-    case Decomposition::paper:
-      return "paper";
-    case Decomposition::none:
-      return "none";
-  }
-  return "";
-}
-
-const char* name(Placement placement) { return placement == Placement::circumcentre ? "circumcentre" : "off-centre"; }
-
 std::string plural(std::uint64_t n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
 
-/// "2 nestled, 1 seditious": the exemptions that are justified, or those that are not.
+/// The numbers of exemptions by reason, as "2 nestled, 1 seditious": the justified ones, or the others.
 std::string reasons(const Report& report, bool justified_ones) {
   std::string list;
   for (int i = 0; i < exempt_reasons; ++i) {
@@ -47,7 +34,7 @@ std::string reasons(const Report& report, bool justified_ones) {
 }
 
 nlohmann::ordered_json goal_json(const MeshRun& run) {
-  // An infinite cap is none; JSON says null for it.
+  // The JSON library writes infinity, which stands for no cap, as null.
   return {{"min_angle_deg", run.goal.min_angle_deg},
           {"max_area", run.goal.max_area},
           {"max_edge", run.goal.max_edge},
@@ -55,12 +42,12 @@ nlohmann::ordered_json goal_json(const MeshRun& run) {
           {"sizes", run.sizes.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.sizes.string())},
           {"conforming", run.goal.conforming},
           {"convex_hull", run.goal.convex_hull},
-          {"placement", name(run.options.placement)},
+          {"placement", placement_names[run.options.placement]},
           {"max_vertices", run.options.max_vertices},
           {"min_edge", run.options.min_edge}};
 }
 
-/// A vertex or triangle, from 0 as in the arrays of the mesh; null for none.
+/// The index of a vertex or a triangle in the mesh, from 0; null for no_index.
 nlohmann::ordered_json id_json(Index id) {
   return id == no_index ? nlohmann::ordered_json() : nlohmann::ordered_json(id);
 }
@@ -74,7 +61,7 @@ nlohmann::ordered_json exemption_json(const Exemption& exemption) {
           {"input_angle_deg", angle}};
 }
 
-/// How the plane was cut, and what the theory says of the circumradii then.
+/// The lattice of tiles, the bounds on circumradii that the theory gives for it, and the triangles handed on.
 nlohmann::ordered_json decomposition_json(const MeshRun& run) {
   const Tiling& tiling = run.report.tiling;
   Sweep sum;
@@ -85,7 +72,7 @@ nlohmann::ordered_json decomposition_json(const MeshRun& run) {
     sum.against_promise += sweep.against_promise;
   }
   const double side = std::min(tiling.cell_width, tiling.cell_height);
-  return {{"kind", name(run.options.decomposition)},
+  return {{"kind", decomposition_names[run.options.decomposition]},
           {"columns", tiling.columns},
           {"rows", tiling.rows},
           {"cells", std::uint64_t{tiling.columns} * tiling.rows},
@@ -179,14 +166,14 @@ std::string to_text(const MeshRun& run) {
   std::string text =
       fmt::format("{}: {}, {}, {}, {}\n", run.name, plural(run.points, "point"), plural(run.segments, "segment"),
                   plural(run.holes, "hole"), plural(run.regions, "region"));
-  if (run.region_caps_unused) text += "note    the regions have area caps, which count with --regions only\n";
+  if (run.region_caps_unused) text += "note    the area caps of the regions are ignored; --regions enables them\n";
   text += fmt::format("mesh    {} vertices, {} triangles, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
                       mesh.vertices, mesh.triangles, mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
   if (const std::string list = reasons(run.report, true); !list.empty()) {
-    text += fmt::format("exempt  {}, each beside a small input angle\n", list);
+    text += fmt::format("exempt  {}, each at a small input angle\n", list);
   }
   if (const std::string list = reasons(run.report, false); !list.empty()) text += fmt::format("missed  {}\n", list);
-  if (run.sweeps_checked) text += fmt::format("sweeps  {}, the mesh checked after each\n", *run.sweeps_checked);
+  if (run.sweeps_checked) text += fmt::format("sweeps  {}, the mesh was checked after each\n", *run.sweeps_checked);
   if (run.certificate) text += fmt::format("check   {}\n", run.certificate->valid ? "valid" : "NOT VALID");
   text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
                       s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);

@@ -1,4 +1,4 @@
-// What `pardel mesh` tells about its run: to people, and as JSON with the schema pardel.report/1.
+// The report of a run of `pardel mesh`: as text, and as JSON with the schema pardel.report/1.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,10 @@
 
 namespace pardel::cli {
 
+/// Wall-clock time by step.
 struct Seconds {
   double read = 0, validate = 0, triangulate = 0, refine = 0, check = 0, write = 0;
-  double statistics = 0;  ///< what the report says of the mesh, its digest included
+  double statistics = 0;  ///< for computing the statistics and the digest of the mesh
   double total = 0;
 };
 
@@ -27,14 +28,14 @@ struct MeshRun {
   std::string name;  ///< of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
-  bool region_caps_unused = false;  ///< there are some, and the goal leaves them aside
-  std::filesystem::path sizes;      ///< where goal.size came from
+  bool region_caps_unused = false;  ///< regions have area caps, and the goal ignores them
+  std::filesystem::path sizes;      ///< the file of goal.size, or empty
   Options options;
   Report report;
   MeshStatistics statistics;
   Digest digest;
-  std::optional<Certificate> certificate;       ///< where a check was asked for
-  std::optional<std::uint64_t> sweeps_checked;  ///< where --paranoid was
+  std::optional<Certificate> certificate;       ///< with --check
+  std::optional<std::uint64_t> sweeps_checked;  ///< with --paranoid
   std::vector<std::filesystem::path> outputs;
   Seconds seconds;
 };
@@ -43,9 +44,9 @@ struct MeshRun {
 /// A few lines.
 [[nodiscard]] std::string to_text(const MeshRun& run);
 
-/// The triangles that miss the goal for a reason that no small input angle justifies: their number by
-/// reason, then the first `most` of them with their places, then how many more there are and, if `all_in` is not
-/// empty, where they can be read. Empty where there are none.
+/// The triangles that miss the goal for a reason that no small input angle justifies: their number by reason, then the
+/// corners of the first `most` of them, then the number of the others. `all_in`, if not empty, is named as the place
+/// that lists all. Returns an empty text where there is no such triangle.
 [[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most,
                                         std::string_view all_in = {});
 

@@ -1,4 +1,4 @@
-// Work of the mesher as a person at a terminal wants it: it shows how far it is, and Ctrl-C stops it.
+// Runs the mesher with a progress bar, and stops it at Ctrl-C.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace pardel::cli {
 
-/// What an interrupted command returns.
+/// The error that an interrupted command returns.
 [[nodiscard]] Error interrupted();
 
-/// work(options), with options.progress set to draw the bar and to stop at an interrupt.
+/// Returns work(options) with options.progress set: it draws the bar, and cancels the work at an interrupt.
 [[nodiscard]] Result<Meshed> supervise(const Interrupt& interrupt, ShowProgress show, Options options,
                                        const std::function<Result<Meshed>(const Options&)>& work);
 

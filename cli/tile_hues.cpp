@@ -20,14 +20,14 @@ Error unfit(const std::filesystem::path& report, const std::string& why) {
 Result<Tiling> tiling_of(const nlohmann::json& json, const Mesh& mesh, const std::filesystem::path& report) {
   if (json.at("schema") != "pardel.report/1") return unfit(report, "the schema is not pardel.report/1");
   if (const auto triangles = json.at("mesh").at("triangles").get<std::size_t>(); triangles != mesh.triangles.size())
-    return unfit(report, fmt::format("the report of a mesh of {} triangles, while the mesh to draw has {}", triangles,
-                                     mesh.triangles.size()));
+    return unfit(report, fmt::format("this is the report of a mesh of {} triangles, and the mesh to draw has {}",
+                                     triangles, mesh.triangles.size()));
   const nlohmann::json& cut = json.at("decomposition");
   const auto columns = cut.at("columns").get<Index>(), rows = cut.at("rows").get<Index>();
   const auto low = cut.at("low").get<std::array<double, 2>>(), high = cut.at("high").get<std::array<double, 2>>();
   auto threads = cut.at("thread_of_cell").get<std::vector<std::int16_t>>();
   if (!(low[0] < high[0] && low[1] < high[1]) || threads.empty() || threads.size() != std::uint64_t{columns} * rows)
-    return unfit(report, "the lattice described there is none");
+    return unfit(report, "the lattice in the report is not valid");
   Tiling tiling;
   tiling.columns = columns;
   tiling.rows = rows;
@@ -43,16 +43,16 @@ Result<Tiling> read_tiling(const Mesh& mesh, const std::filesystem::path& report
   try {
     return tiling_of(nlohmann::json::parse(in), mesh, report);
   } catch (const nlohmann::json::parse_error& error) {
-    return unfit(report, fmt::format("no JSON at byte {}", error.byte));
+    return unfit(report, fmt::format("invalid JSON at byte {}", error.byte));
   } catch (const nlohmann::json::exception&) {
-    return unfit(report, "not a report of pardel mesh --json, or one of an earlier version without a lattice");
+    return unfit(report, "this is not a report of pardel mesh --json, or one of an earlier version, without a lattice");
   }
 }
 
-/// By the golden angle: consecutive numbers are far apart, and so are a few together.
+/// Steps of the golden angle keep the hues of the first few numbers far apart.
 std::uint16_t nth_hue(int n) { return static_cast<std::uint16_t>((210 + n % 360 * 137) % 360); }
 
-/// One of twelve; cells that share a side or a corner are at least two apart.
+/// One of twelve hues. The hues of cells that share a side or a corner differ by at least 60 degrees.
 std::uint16_t hue_of_tile(const Tiling& tiling, Index cell) {
   return static_cast<std::uint16_t>((3 * (cell % tiling.columns) + 5 * (cell / tiling.columns)) % 12 * 30);
 }

@@ -1,4 +1,4 @@
-// The lattice of a run of pardel mesh, read back from its report, in colours.
+// Colours for the triangles of a mesh by the tiles of the run of pardel mesh that made it.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,14 @@
 namespace pardel::cli {
 
 enum class HueBy : std::uint8_t {
-  tile,    ///< neighbouring cells differ
-  phase,   ///< cells of one colour work at the same time
-  thread,  ///< the first that worked on the cell
+  tile,    ///< neighbouring cells have different hues
+  phase,   ///< cells that are refined at the same time have one hue
+  thread,  ///< a hue for each thread, by the first that worked on the cell
 };
 
-/// For each triangle the hue (for write_svg) of the cell of the finest lattice that its centroid lies in; none where no
-/// thread worked on the cell. `report`: a pardel.report/1 of this mesh; anything else gives invalid_input.
+/// For each triangle the hue, as write_svg() takes it, of the cell of the finest lattice that contains its centroid;
+/// no_hue where no thread worked on the cell. `report`: the report of the run, with the schema pardel.report/1. Any
+/// other file gives `invalid_input`.
 [[nodiscard]] Result<std::vector<std::uint16_t>> tile_hues(const Mesh& mesh, const std::filesystem::path& report,
                                                            HueBy by);
 

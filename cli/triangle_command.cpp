@@ -1,4 +1,4 @@
-// pardel triangle: what Triangle would do for its own switches, file by file.
+// pardel triangle: reads Triangle's switches and files, and writes the files that Triangle writes.
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -30,31 +30,30 @@ namespace {
 
 constexpr const char* help = R"(pardel triangle [-switches] FILE
 
-Understands Triangle's switches and file names, so that what was written for Triangle runs unchanged. Switches run
-together; numbers follow theirs without a space: pardel triangle -pq30a0.1 key. FILE may be without its suffix.
+Takes Triangle's switches and file names, so scripts written for Triangle run unchanged. Switches and their numbers are
+written without spaces: pardel triangle -pq30a0.1 key. The suffix of FILE may be omitted.
 Without p, r, q or a: the Delaunay triangulation of FILE.node.
 
   p   reads FILE.poly              r   refines the mesh FILE.node, FILE.ele (with a: FILE.area; with p: FILE.poly)
-  q   smallest angle (default 20, at most 33)
-  a   largest area; without a number: per region, or FILE.area with r; may come twice
-  D   truly Delaunay               c   triangulates the convex hull
+  q   smallest angle in degrees (default 20, at most 33)
+  a   largest area; without a number: area caps per region, or FILE.area with r; may be given in both forms
+  D   conforming Delaunay          c   triangulates the convex hull
   A   triangles carry the attribute of their region
-  Y   splits no segment of the boundary; YY no segment at all
-  S   at most so many new points   O   ignores holes
-  j   drops vertices that no triangle has
+  Y   splits no segment of the boundary; YY: splits no segment at all
+  S   limit on new points          O   ignores holes
+  j   removes vertices that are in no triangle
   e   writes .edge                 n   writes .neigh            g   writes .off
   B   no boundary markers          P   no .poly                 N   no .node          E   no .ele
-  I   no iteration number in names (what was read is not replaced)
-  o2  triangles with six nodes     z   counts from 0 (the number of the first vertex read goes before it)
-  C   checks the result, with this program's own exact checker
-  Q   quiet                        V   tells more               h   this text
+  I   no iteration number in names (files that were read are not replaced)
+  o2  triangles with six nodes     z   accepted, without effect: output is numbered like the input
+  C   checks the result with this program's exact checker
+  Q   quiet                        V   prints more              h   this text
   i F l s X   accepted, without effect: they choose among Triangle's own algorithms; predicates are always exact
   u v w W     refused: user test, Voronoi diagram, weighted points
 
-Writes FILE.1.node and so on, FILE.2.* from FILE.1, input vertices first, in order. What Triangle mends on its own
-is mended here, too, with a line on standard error: duplicate points, segments that cross, overlap or run through points.
-Exit status as for every subcommand (pardel --help), but a bound that was missed only because S or Y forbade
-what it takes is no failure.
+Writes FILE.1.node and so on, or FILE.2.* from FILE.1.*. Input vertices come first, in their order. Like Triangle, it
+repairs duplicate points and segments that cross, overlap or contain points; each repair is a line on standard error.
+Exit status as for every subcommand (pardel --help). A bound that is missed only because of S or Y is not a failure.
 )";
 
 /// The input: a valid domain, or with r a mesh.
@@ -142,15 +141,15 @@ Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, c
   });
 }
 
-/// True where nothing but the limits that the switches set stands between the mesh and its goal.
+/// True where the goal is missed only because of limits that the switches set.
 bool missed_by_request(const TriangleSwitches& switches, const Report& report) {
   return report.count(ExemptReason::precision) == 0 && report.count(ExemptReason::min_edge) == 0 &&
          (report.count(ExemptReason::budget) == 0 || switches.max_steiner_points) &&
          (report.count(ExemptReason::kept_segment) == 0 || switches.no_splits > 0);
 }
 
-/// Attributes as Triangle writes them: with A one for every triangle, 0 where no region reaches; without
-/// it none, but for those of a mesh that is refined.
+/// Sets the attributes that Triangle writes. With A every triangle has one, 0 outside all regions. Without A there are
+/// none, except those of a mesh that is refined.
 void set_regions(const TriangleSwitches& switches, Mesh& mesh) {
   if (switches.refine) return;
   if (!switches.region_attributes || !switches.poly) {

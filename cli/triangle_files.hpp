@@ -1,4 +1,4 @@
-// Which files Triangle would read and write for its switches.
+// The files that Triangle reads and writes for its switches.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace pardel::cli {
 
-/// "name" becomes "name.1", "name.1" becomes "name.2"; with switch I "name" stays.
+/// The stem of the output for the input stem `name`: "name.1" for "name", "name.2" for "name.1"; with switch I `name`.
 [[nodiscard]] std::string next_name(const std::string& name, bool no_iteration);
 
-/// What to write. node_was_read: the points came from a .node file, which switch I must not replace.
+/// base: the number of the first vertex in the files, 0 or 1. node_was_read: the points came from a .node file, which
+/// is then not written with switch I.
 [[nodiscard]] TriangleFiles files_to_write(const TriangleSwitches& switches, int base, bool node_was_read);
 
 }  // namespace pardel::cli

@@ -11,8 +11,8 @@
 namespace pardel::cli {
 namespace {
 
-/// Takes the number at the start of `rest` away, where there is one. Triangle reads digits and points only,
-/// so that "a0.1e" asks for an area and for edges.
+/// Removes the number at the start of `rest` and returns it, if there is one. As in Triangle a number consists of
+/// digits and points only: "a0.1e" is the switch a with 0.1, then the switch e.
 template <class Number>
 std::optional<Number> take_number(std::string_view& rest) {
   std::size_t length = 0;
@@ -32,7 +32,7 @@ bool begins_with_number(std::string_view rest) {
   return !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 || rest[0] == '.');
 }
 
-/// What a switch that we do not have would do.
+/// What a switch of Triangle that is not supported does; null for any other letter.
 const char* unsupported(char letter) {
   switch (letter) {
     case 'u':
@@ -47,60 +47,39 @@ const char* unsupported(char letter) {
   }
 }
 
-/// The letters without a number or another peculiarity.
-bool* flag(TriangleSwitches& s, char letter) {
-  switch (letter) {
-    case 'p':
-      return &s.poly;
-    case 'r':
-      return &s.refine;
-    case 'A':
-      return &s.region_attributes;
-    case 'c':
-      return &s.convex_hull;
-    case 'j':
-      return &s.jettison;
-    case 'e':
-      return &s.edges;
-    case 'n':
-      return &s.neighbours;
-    case 'g':
-      return &s.off;
-    case 'B':
-      return &s.no_markers;
-    case 'P':
-      return &s.no_poly;
-    case 'N':
-      return &s.no_node;
-    case 'E':
-      return &s.no_ele;
-    case 'I':
-      return &s.no_iteration;
-    case 'O':
-      return &s.no_holes;
-    case 'z':
-      return &s.zero_based;
-    case 'C':
-      return &s.check;
-    case 'Q':
-      return &s.quiet;
-    case 'h':
-    case 'H':
-    case '?':
-      return &s.help;
-    default:
-      return nullptr;
-  }
-}
+/// The switches without a number, with the members that they set.
+constexpr std::pair<char, bool TriangleSwitches::*> flags[] = {
+    {'p', &TriangleSwitches::poly},
+    {'r', &TriangleSwitches::refine},
+    {'A', &TriangleSwitches::region_attributes},
+    {'c', &TriangleSwitches::convex_hull},
+    {'j', &TriangleSwitches::jettison},
+    {'e', &TriangleSwitches::edges},
+    {'n', &TriangleSwitches::neighbours},
+    {'g', &TriangleSwitches::off},
+    {'B', &TriangleSwitches::no_markers},
+    {'P', &TriangleSwitches::no_poly},
+    {'N', &TriangleSwitches::no_node},
+    {'E', &TriangleSwitches::no_ele},
+    {'I', &TriangleSwitches::no_iteration},
+    {'O', &TriangleSwitches::no_holes},
+    {'z', &TriangleSwitches::zero_based},
+    {'C', &TriangleSwitches::check},
+    {'Q', &TriangleSwitches::quiet},
+    {'h', &TriangleSwitches::help},
+    {'H', &TriangleSwitches::help},
+    {'?', &TriangleSwitches::help},
+};
 
 Error usage(const std::string& message) { return {ErrorKind::usage, message + " (see 'pardel triangle -h')"}; }
 
-/// Reads one switch with its number and takes both away from `rest`.
+/// Reads one switch with its number and removes both from `rest`.
 Status take_switch(TriangleSwitches& s, std::string_view& rest) {
   const char letter = rest.front();
   rest.remove_prefix(1);
-  if (bool* simple = flag(s, letter)) {
-    *simple = true;
+  for (const auto& [flag, member] : flags) {
+    if (flag != letter) continue;
+    s.*member = true;
     return Done{};
   }
   switch (letter) {
@@ -153,11 +132,11 @@ Status take_switch(TriangleSwitches& s, std::string_view& rest) {
       if (const char* what = unsupported(letter)) {
         return usage(fmt::format("switch {} is not supported: {}", letter, what));
       }
-      return usage(fmt::format("'{}' is no switch of Triangle", letter));
+      return usage(fmt::format("'{}' is not a switch of Triangle", letter));
   }
 }
 
-/// The suffix of FILE is a switch, too.
+/// The suffix of FILE acts as a switch.
 void take_suffix(TriangleSwitches& s) {
   constexpr std::array<std::string_view, 4> suffixes = {".node", ".poly", ".ele", ".area"};
   for (const std::string_view suffix : suffixes) {
@@ -191,7 +170,7 @@ Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>&
   if (switches.name.empty()) return usage("no input file");
   take_suffix(switches);
   if (switches.refine && switches.no_iteration) {
-    return usage("switch I would replace the mesh that switch r refines");
+    return usage("with switch r, switch I would replace the mesh that is refined");
   }
   return switches;
 }

@@ -1,4 +1,4 @@
-// What a certificate means to the program.
+// The evaluation of a certificate by the program.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace pardel::cli {
 
-/// Triangles or violations that are listed on stderr; the counts are complete.
+/// At most so many triangles or violations are listed on stderr. The counts include all of them.
 inline constexpr std::size_t most_listed = 10;
 
-/// True for the violations of a goal alone: the mesh is right but for a bound that is not met.
+/// True for the kinds that a valid mesh has where it misses a bound of the goal.
 [[nodiscard]] bool is_missed_bound(ViolationKind kind);
 
-/// True where every violation counted is one of these.
+/// True where is_missed_bound() holds for every violation.
 [[nodiscard]] bool only_bounds_missed(const Certificate& certificate);
 
-/// How many violations there are, by kind, then the first `most` of them, a line each.
+/// The number of violations by kind, then the first `most` of them, one per line.
 [[nodiscard]] std::string violations_text(const Certificate& certificate, std::size_t most);
 
 }  // namespace pardel::cli

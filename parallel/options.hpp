@@ -1,4 +1,4 @@
-// Options: how the mesher works, where Goal says what the mesh has to satisfy.
+// Options: how the mesher works. What the mesh must satisfy is in Goal (core/goal.hpp).
 #pragma once
 
 #include <array>
@@ -12,48 +12,54 @@
 
 namespace pardel {
 
-/// Where a new point goes when a triangle has to be split.
+/// Where the point goes that splits a bad triangle.
 enum class Placement : std::uint8_t {
   circumcentre,
-  off_centre,  ///< nearer to the shortest edge: just far enough for angles, or for sizes; smaller meshes
+  /// On the line from the shortest edge to the circumcentre, no further from the edge than the bounds on angles or
+  /// sizes require (Üngör 2004). Gives smaller meshes.
+  off_centre,
 };
 
-/// How the plane is cut into tasks.
+/// How the plane is cut into tiles, which are refined in parallel.
 enum class Decomposition : std::uint8_t {
-  automatic,  ///< tiles sized by work: the triangles of one fit a core's cache
-  paper,      ///< cells of at least 4 r̄ and points in a task's own cell only (THEORY, Lattice)
-  none,       ///< one tile over everything
+  automatic,  ///< tiles of about equal work, whose triangles fit a core's cache
+  /// Cells at least 4 r̄ wide, with r̄ the largest circumradius. A task inserts points only in its own cell
+  /// (THEORY.md, Lattice).
+  paper,
+  none,  ///< one tile
 };
 
 struct Progress {
-  std::uint64_t triangles = 0;  ///< so far, roughly: each insertion counts for two; never fewer than before
-  double estimate = 0;          ///< of the final number; 0 while unknown
+  std::uint64_t triangles = 0;  ///< so far, approximately: an insertion counts as two triangles; never decreases
+  double estimate = 0;          ///< estimated final number of triangles; 0 while unknown
 };
 
 struct Options {
   Placement placement = Placement::off_centre;
-  int threads = 1;  ///< does not change the result
+  int threads = 1;  ///< >= 1; the result does not depend on it
   Decomposition decomposition = Decomposition::automatic;
-  /// What automatic decomposition aims at, positive. A task works on a box as large as four tiles; by default that many
-  /// triangles, with their vertices, fill a second-level cache of 1 MiB. Another number gives another mesh.
+  /// The number of triangles per tile that Decomposition::automatic aims at, > 0. A task works on a box as large as
+  /// four tiles. By default the triangles of a box, with their vertices, fill a second-level cache of 1 MiB. Another
+  /// number gives another mesh.
   std::uint32_t triangles_per_tile = 8'000;
-  /// Columns and rows of the finest lattice; 0: chosen by work. With Decomposition::paper there may be fewer, since r̄
-  /// bounds how many there can be.
+  /// Columns and rows of the finest lattice of tiles; 0: chosen by work. With Decomposition::paper there may be fewer,
+  /// because r̄ limits their number. Another number gives another mesh.
   std::array<Index, 2> cells{0, 0};
-  std::uint64_t max_vertices = 0;  ///< stop inserting at this many vertices; 0: no budget
-  /// In bytes; where the mesh that sizes and areas ask for cannot fit, mesh() says so at once (`resources`), and where
-  /// it outgrows this, with 80 bytes for a vertex and its two triangles, as soon as it does. 0: no limit.
+  /// No vertex is inserted once the mesh has so many; 0: no limit.
+  std::uint64_t max_vertices = 0;
+  /// In bytes, at 80 bytes per vertex with its two triangles; 0: no limit. ErrorKind::resources is returned at the
+  /// start where the mesh that the area and size bounds require cannot fit, and later as soon as the mesh exceeds the
+  /// limit.
   std::uint64_t max_memory = 0;
-  /// No point is inserted where it would make an edge shorter than this, nor than what double precision can
-  /// hold, 2^-42 times the largest coordinate.
+  /// No point is inserted that would make an edge shorter than this, or shorter than 2^-42 times the largest
+  /// coordinate, the limit of double precision. A length >= 0.
   double min_edge = 0;
-  bool no_boundary_splits = false;  ///< Triangle's -Y: do not split edges of the domain's boundary
-  bool no_segment_splits = false;   ///< Triangle's -YY: do not split any segment
-  /// Called now and then from the calling thread; return false to stop with ErrorKind::cancelled.
+  bool no_boundary_splits = false;  ///< do not split segments on the boundary of the domain (Triangle's switch -Y)
+  bool no_segment_splits = false;   ///< do not split any segment (Triangle's switch -YY)
+  /// Called from time to time in the calling thread. Return false to stop with ErrorKind::cancelled.
   std::function<bool(const Progress&)> progress{};
-  /// Shown, from the calling thread, the mesh as each sweep leaves it: right in all but the bounds of the goal and its
-  /// wish for a conforming mesh. An Error ends the refinement and is what mesh() then returns. Each call costs a copy
-  /// of the mesh.
+  /// Called in the calling thread after each sweep, with a copy of the mesh. That mesh is constrained Delaunay and
+  /// conforms to the domain; it need not satisfy the goal yet. An Error stops the refinement, and mesh() returns it.
   std::function<Status(const Mesh&, const Sweep&)> after_sweep{};
 };
 

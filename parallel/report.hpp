@@ -1,4 +1,4 @@
-// Report: what the mesher did, and which triangles do not satisfy the goal, with the reason for each.
+// Report: how the mesher made a mesh, and which triangles do not satisfy the goal, each with the reason.
 #pragma once
 
 #include <cstdint>
@@ -8,34 +8,36 @@
 
 namespace pardel {
 
-/// One pass over the four colours of a lattice.
+/// One pass over the cells of a lattice. Cells have four colours; the cells of one colour are refined in parallel, one
+/// task per cell.
 struct Sweep {
-  Index columns = 1, rows = 1;
-  std::uint64_t inserted = 0;  ///< vertices
-  /// Triangles handed on, by reason.
-  std::uint64_t to_other_cells = 0;  ///< the point that they ask for lies in another cell
-  std::uint64_t beyond_box = 0;      ///< the cavity leaves the box of the point's own cell: a larger box is needed
-  std::uint64_t out_of_numbers = 0;  ///< the task had no numbers left for new vertices or triangles
-  /// Of beyond_box, with Decomposition::paper: points inside faces whose cavities fit by T1. There are none: one would
-  /// end the refinement with ErrorKind::internal.
+  Index columns = 1, rows = 1;  ///< of the lattice
+  std::uint64_t inserted = 0;   ///< number of vertices
+  /// Bad triangles that tasks handed on: a task left them to a later task. By reason:
+  std::uint64_t to_other_cells = 0;  ///< the split point lies in another cell
+  std::uint64_t beyond_box = 0;      ///< the cavity of the split point leaves the box of its cell
+  std::uint64_t out_of_numbers = 0;  ///< the task had no indices left for new vertices or triangles
+  /// Those of beyond_box, with Decomposition::paper, that contradict theorem T1 (THEORY.md). Always 0, because one such
+  /// triangle ends the refinement with ErrorKind::internal.
   std::uint64_t against_promise = 0;
   double seconds = 0;
 
   [[nodiscard]] std::uint64_t handed_on() const { return to_other_cells + beyond_box + out_of_numbers; }
 };
 
-/// Why a triangle that breaks the goal was left alone.
+/// Why a triangle that does not satisfy the goal was not split.
 enum class ExemptReason : std::uint8_t {
   nestled,       ///< its smallest angle lies between two input segments
-  seditious,     ///< its shortest edge joins two points of one shell about an apex with an angle below 60°
-  budget,        ///< max_vertices reached
-  min_edge,      ///< splitting it would go below the edge floor
-  precision,     ///< no point representable in double precision splits it validly
-  kept_segment,  ///< only splitting a segment that may not be split would help
+  seditious,     ///< its shortest edge joins two points at the same distance from an apex with an angle below 60°
+  budget,        ///< Options::max_vertices was reached
+  min_edge,      ///< a split would make an edge shorter than Options::min_edge
+  precision,     ///< no point that double precision can represent splits it validly
+  kept_segment,  ///< only the split of a segment that may not be split would help
 };
-inline constexpr int exempt_reasons = 6;
+inline constexpr int exempt_reasons = 6;  ///< number of enumerators
+/// The enumerator as text: "nestled".
 [[nodiscard]] const char* name(ExemptReason reason);
-/// True for the reasons that a small input angle justifies.
+/// True for the reasons that a small input angle makes unavoidable: nestled and seditious.
 [[nodiscard]] constexpr bool justified(ExemptReason reason) {
   return reason == ExemptReason::nestled || reason == ExemptReason::seditious;
 }
@@ -43,40 +45,45 @@ inline constexpr int exempt_reasons = 6;
 struct Exemption {
   Index triangle = no_index;
   ExemptReason reason = ExemptReason::precision;
-  Index apex = no_index;  ///< the input vertex with the small angle, where there is one
-  double angle_deg = 0;   ///< the small input angle there
+  Index apex = no_index;  ///< the input vertex with the small angle, for a justified reason; otherwise no_index
+  double angle_deg = 0;   ///< the input angle at the apex
 };
 
-/// How the plane was cut, beside what the theory says of it.
+/// The lattice of tiles, with the bounds on circumradii that the theory gives.
 struct Tiling {
   Index columns = 1, rows = 1;  ///< of the finest lattice
   double cell_width = 0, cell_height = 0;
-  Point low, high;  ///< corners of the rectangle that it divides
-  /// The first thread, from 0, that worked on each cell of the finest lattice, row by row from the lowest; -1: none.
-  /// The one thing in a report, beside times, that may differ from run to run.
+  Point low, high;  ///< corners of the rectangle that the lattice divides
+  /// For each cell of the finest lattice the first thread, from 0, that worked on it; -1: none. Row by row from the
+  /// lowest. Apart from times, only this may differ from run to run.
   std::vector<std::int16_t> thread_of_cell;
-  std::uint64_t vertices_before = 0;  ///< inserted on coarser lattices before the finest was laid
-  double largest_radius = 0;          ///< r̄ as measured when the finest lattice was laid
-  double radius_by_t3 = 0;            ///< bound from the largest ratio and area then (THEORY, T3)
-  double radius_by_t3_sharp = 0;      ///< the same by T3-sharp
-  std::vector<Sweep> sweeps;          ///< in order, coarse lattices included
+  std::uint64_t vertices_before = 0;  ///< number of vertices inserted on coarser lattices
+  double largest_radius = 0;          ///< r̄, the largest circumradius when work on the finest lattice began
+  double radius_by_t3 = 0;        ///< the bound on r̄ by T3 (THEORY.md), from the largest ratio and area at that time
+  double radius_by_t3_sharp = 0;  ///< the bound by T3-sharp
+  std::vector<Sweep> sweeps;      ///< in order, those of coarser lattices included
 
-  /// The cell of the finest lattice that a point lies in, or the nearest one; cells count row by row from the lowest.
+  /// The cell of the finest lattice that contains the point, or the nearest cell. Cells are numbered row by row from
+  /// the lowest.
   [[nodiscard]] Index cell_of(Point p) const;
-  /// Cells of one colour, 0 to 3, are refined at the same time.
+  /// The colour, 0 to 3, of a cell. Cells of one colour are refined in parallel.
   [[nodiscard]] unsigned colour_of(Index cell) const;
 };
 
 struct Report {
-  std::uint64_t inserted = 0;        ///< vertices added inside faces
-  std::uint64_t segment_splits = 0;  ///< vertices added on segments
-  std::uint64_t refused = 0;         ///< insertions that exact orientation or the floor refused
-  std::vector<Exemption> exempt;     ///< triangles of the result that break the goal, ascending
+  std::uint64_t inserted = 0;        ///< number of vertices added inside faces
+  std::uint64_t segment_splits = 0;  ///< number of vertices added on segments
+  /// Number of split points not inserted: they would have made an edge too short, or a triangle without positive area.
+  std::uint64_t refused = 0;
+  std::vector<Exemption> exempt;  ///< the triangles that do not satisfy the goal, in ascending order
   Tiling tiling;
-  double validate_seconds = 0, triangulate_seconds = 0, refine_seconds = 0;
+  double validate_seconds = 0;     ///< 0 where the mesher was given a ValidPslg
+  double triangulate_seconds = 0;  ///< for the constrained Delaunay triangulation of the input
+  double refine_seconds = 0;       ///< for the refinement and for making the Mesh
 
+  /// The number of exemptions with this reason.
   [[nodiscard]] std::uint64_t count(ExemptReason reason) const;
-  /// True when every exemption is justified.
+  /// True where every exemption is justified().
   [[nodiscard]] bool goal_met() const;
 };
 

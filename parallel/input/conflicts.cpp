@@ -11,13 +11,13 @@
 namespace pardel::engine {
 namespace {
 
-/// For collinear a, b, p.
+/// Precondition: a, b and p are collinear.
 bool strictly_between(Point a, Point b, Point p) {
   return (lexicographically_less(a, p) && lexicographically_less(p, b)) ||
          (lexicographically_less(b, p) && lexicographically_less(p, a));
 }
 
-/// What two segments on one line have in common; nothing where end comes before begin.
+/// The common part of two segments on one line; empty where `end` is smaller than `begin`.
 struct Stretch {
   Point begin, end;
 };
@@ -27,9 +27,9 @@ Stretch common_stretch(Point a, Point b, Point c, Point d) {
           std::min(std::max(a, b, less), std::max(c, d, less), less)};
 }
 
-/// Of the lines ab and cd, which are not parallel.
+/// The common point of the lines ab and cd. Precondition: they are not parallel.
 Point crossing_point(Point a, Point b, Point c, Point d) {
-  // a + (b - a) * area(a, c, d) / (area(a, c, d) - area(b, c, d)), rounded once above and once below the line.
+  // a + (b - a) * area(a, c, d) / (area(a, c, d) - area(b, c, d)), with numerator and denominator rounded once.
   using exact::Expansion;
   using exact::two_difference;
   const Expansion<2> dx(two_difference(d.x, c.x)), dy(two_difference(d.y, c.y));
@@ -46,7 +46,7 @@ class Search {
   Search(std::span<const Point> points, std::span<const Segment> segments, std::size_t most)
       : points_(points), segments_(segments), most_(most) {}
 
-  /// What s and t do to each other. False when the search is to end.
+  /// Adds the conflicts of s and t. Returns false where the search must end.
   bool compare(Index s, Index t) {
     const auto [a, b, s_marker] = segments_[s];
     const auto [c, d, t_marker] = segments_[t];
@@ -63,17 +63,17 @@ class Search {
       if (lexicographically_less(common.begin, common.end))
         go_on &= add({ConflictKind::overlapping, std::min(s, t), std::max(s, t)});
     }
-    if (c_side == 0) go_on &= put_on(c, s);
-    if (d_side == 0) go_on &= put_on(d, s);
-    if (a_side == 0) go_on &= put_on(a, t);
-    if (b_side == 0) go_on &= put_on(b, t);
+    if (c_side == 0) go_on &= add_if_between(c, s);
+    if (d_side == 0) go_on &= add_if_between(d, s);
+    if (a_side == 0) go_on &= add_if_between(a, t);
+    if (b_side == 0) go_on &= add_if_between(b, t);
     return go_on;
   }
 
-  /// For a point that no segment names.
-  bool compare_point(Index p, Index s) { return side(segments_[s].a, segments_[s].b, p) != 0 || put_on(p, s); }
+  /// The same for a segment and a point that is no end of a segment.
+  bool compare_point(Index p, Index s) { return side(segments_[s].a, segments_[s].b, p) != 0 || add_if_between(p, s); }
 
-  /// A point that several segments name is found on another segment several times.
+  /// Without duplicates: an end of several segments that lies on another segment is found several times.
   std::vector<Conflict> sorted() && {
     std::ranges::sort(conflicts_);
     conflicts_.erase(std::unique(conflicts_.begin(), conflicts_.end()), conflicts_.end());
@@ -81,14 +81,14 @@ class Search {
   }
 
  private:
-  /// The sign of orient2d, without looking at coordinates where a point is one of the ends.
+  /// The sign of orient2d(a, b, p); 0 without any arithmetic where p is a or b.
   [[nodiscard]] int side(Index a, Index b, Index p) const {
     if (p == a || p == b) return 0;
     const double det = orient2d(points_[a], points_[b], points_[p]);
     return (det > 0) - (det < 0);
   }
-  /// For a point on the line of s.
-  bool put_on(Index p, Index s) {
+  /// Adds the conflict of p and s, if p is between the ends. Precondition: p is on the line of s.
+  bool add_if_between(Index p, Index s) {
     const Segment& segment = segments_[s];
     return !strictly_between(points_[segment.a], points_[segment.b], points_[p]) ||
            add({ConflictKind::point_on_segment, p, s});

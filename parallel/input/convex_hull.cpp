@@ -9,8 +9,9 @@
 namespace pardel::engine {
 namespace {
 
-/// The points that are extreme in eight directions, counter-clockwise. (Rounding may pick points that are not
-/// quite extreme. What lies strictly left of every side of a closed polygon is inside its hull all the same.)
+/// The points that are extreme in eight directions, counter-clockwise. Rounding can pick points that are not quite
+/// extreme. This does no harm: a point strictly to the left of all sides of a closed polygon is inside the polygon's
+/// hull.
 std::array<Point, 8> octagon(std::span<const Point> points) {
   std::array<Point, 8> corner;
   corner.fill(points[0]);
@@ -30,7 +31,7 @@ std::array<Point, 8> octagon(std::span<const Point> points) {
   return corner;
 }
 
-/// Points that may be on the hull, sorted, each once.
+/// The points that can be on the hull, sorted lexicographically, without duplicates.
 std::vector<Index> candidates(std::span<const Point> points) {
   const std::array<Point, 8> corner = octagon(points);
   const auto is_inside = [&](Point p) {
@@ -58,7 +59,7 @@ bool all_collinear(std::span<const Point> points) {
   return std::ranges::all_of(other, points.end(), [&](Point p) { return orient2d(points[0], *other, p) == 0; });
 }
 
-/// Andrew's monotone chains.
+/// By Andrew's monotone chains (1979).
 std::vector<Index> convex_hull(std::span<const Point> points) {
   const std::vector<Index> sorted = candidates(points);
   std::vector<Index> hull;

@@ -8,12 +8,13 @@
 
 namespace pardel::engine {
 
-/// True also for fewer than three points. O(n); mostly three points decide.
+/// True where all points lie on one line; also for fewer than three points. O(n); on typical input three points
+/// suffice.
 [[nodiscard]] bool all_collinear(std::span<const Point> points);
 
-/// The points on the boundary of the convex hull, those in the interior of its edges included, counter-clockwise
-/// from the one that comes first by x, then y. Of equal points one is taken. Exact. O(n + h log h) typical, h the
-/// points that are not inside an octagon of extreme ones; O(n log n) at worst. Precondition: not all collinear.
+/// All points on the boundary of the convex hull, including those in the interior of its edges, counter-clockwise from
+/// the lexicographically smallest. Of equal points there is one. Exact. Precondition: the points are not all collinear.
+/// Time: O(n + h log h) typically, where h points lie outside an octagon of extreme points; O(n log n) at worst.
 [[nodiscard]] std::vector<Index> convex_hull(std::span<const Point> points);
 
 }  // namespace pardel::engine

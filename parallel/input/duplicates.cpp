@@ -19,7 +19,7 @@ std::uint64_t hash_of(Point p) {
   return mixed(mixed(std::bit_cast<std::uint64_t>(p.x + 0.0)) + std::bit_cast<std::uint64_t>(p.y + 0.0));
 }
 
-/// The low half of a point's hash beside its index.
+/// A point with the low half of its hash.
 struct Entry {
   std::uint32_t hash;
   Index index;
@@ -30,7 +30,7 @@ class Table {
  public:
   explicit Table(std::size_t entries) : slots_(std::bit_ceil(2 * entries + 1), nullptr), mask_(slots_.size() - 1) {}
 
-  /// The earlier entry with an equal point, or null after having taken the entry in.
+  /// Returns the entry with an equal point if there is one. Otherwise inserts the entry and returns null.
   const Entry* find_or_insert(const Entry& entry, std::span<const Point> points) {
     for (std::size_t slot = entry.hash & mask_;; slot = (slot + 1) & mask_) {
       if (slots_[slot] == nullptr) {
@@ -80,7 +80,7 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points, int thread
 }
 
 std::vector<Duplicate> find_close(std::span<const Point> points, double distance) {
-  // Cells at least so wide that a coordinate over the width is an integer of fewer than 53 bits.
+  // The width ensures that a coordinate divided by it has an integer part of fewer than 53 bits.
   double width = distance;
   for (const Point& p : points) width = std::max(width, 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y)));
   const auto cell_of = [&](Point p) { return Point{std::floor(p.x / width), std::floor(p.y / width)}; };

@@ -1,4 +1,4 @@
-// Points that are equal, or so close that they are to be.
+// Search for points that are equal or closer than a distance.
 #pragma once
 
 #include <span>
@@ -8,20 +8,22 @@
 
 namespace pardel::engine {
 
-/// `first` is the lowest index among the points equal to it; `again` is a later one.
+/// `first` has the lowest index among equal points; `again` is another one of them.
 struct Duplicate {
   Index first;
   Index again;
   friend bool operator==(const Duplicate&, const Duplicate&) = default;
 };
 
-/// Every point that equals an earlier one, in ascending order of `again`. -0 equals 0; NaN equals nothing.
-/// Expected time O(n): a partition by hash, then a table per part that stays in cache; parts on all threads.
+/// One entry for every point that equals an earlier point, in ascending order of `again`. -0 equals 0. A point with a
+/// NaN equals no point. Expected time O(n): the points are partitioned by hash, and each part, which fits the cache,
+/// gets a hash table of its own. The parts are processed in parallel.
 [[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads = 1);
 
-/// The same for points closer than `distance` (> 0, finite): in ascending order, every point becomes a duplicate of
-/// the lowest earlier point that is no duplicate and closer than that, or equal. So those that stay are at least
-/// `distance` apart. Preconditions: coordinates are in the predicates' range. Expected time O(n).
+/// Points are visited in ascending order. A point that is equal to an earlier point, or closer to it than `distance`
+/// (> 0, finite), becomes a duplicate of that point, unless that point is a duplicate itself. Of several such points it
+/// is the one with the lowest index. So the points that are no duplicates are at least `distance` apart. Precondition:
+/// coordinates are in the range of the predicates. Expected time O(n).
 [[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance);
 
 }  // namespace pardel::engine

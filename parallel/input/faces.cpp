@@ -16,11 +16,13 @@ Index origin(std::span<const Segment> segments, HalfEdge h) {
   return (h & 1U) != 0 ? segments[h / 2].b : segments[h / 2].a;
 }
 
-/// The half-edges around each vertex, in counter-clockwise order, from just past straight down on.
+/// The half-edges around each vertex, in counter-clockwise order, beginning just after the direction straight down.
 struct Rotation {
-  std::vector<HalfEdge> next;     ///< per half-edge: the one that follows with the same face to its left
-  std::vector<bool> guards_left;  ///< per half-edge: its vertex has none to the left, and it is the last there, so
-                                  ///< that what it has to its left is all that is left of its vertex
+  /// For each half-edge the next one along the face to its left.
+  std::vector<HalfEdge> next;
+  /// True for the last half-edge around a vertex that has no half-edge towards the left. The face to the left of this
+  /// half-edge is the face immediately to the left of the vertex.
+  std::vector<bool> guards_left;
 };
 
 Rotation rotation(std::span<const Point> points, std::span<const Segment> segments) {
@@ -47,8 +49,8 @@ Rotation rotation(std::span<const Point> points, std::span<const Segment> segmen
 
 /// A closed walk along half-edges with one face to the left.
 struct Cycle {
-  Index leftmost;   ///< its vertex that comes first by x, then y
-  bool is_outside;  ///< it goes around the outside of a whole component, as opposed to around a face
+  Index leftmost;   ///< the lexicographically smallest vertex
+  bool is_outside;  ///< the walk follows the outside of a component; otherwise it follows the inside of a face
 };
 
 }  // namespace
@@ -72,8 +74,9 @@ Faces::Faces(std::span<const Point> points, std::span<const Segment> segments, c
     cycles.push_back(cycle);
   }
 
-  // A cycle around a face makes one. One around a component lies in the face to the left of its leftmost vertex,
-  // which is the exterior or bounded by something further left; so these are settled from left to right.
+  // A cycle inside a face makes a new face. A cycle outside a component belongs to the face to the left of its leftmost
+  // vertex. That face is the exterior, or bounded by segments further left. So these cycles are processed from left to
+  // right.
   std::vector<Index> face_of_cycle(cycles.size(), no_index);
   std::vector<Index> outside;
   for (Index c = 0; c < cycles.size(); ++c) {

@@ -1,5 +1,5 @@
-// The faces into which segments cut the plane: which of them lies left and right of each segment, which
-// contains a point. Exact.
+// The faces into which segments divide the plane: the faces left and right of each segment, and the face of a point.
+// Exact.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace pardel::engine {
 
-/// Face 0 is the exterior, the one that is unbounded. A face may have islands: components of the segments' graph
-/// that lie inside it. Keeps references to its arguments.
-/// Preconditions: segments meet only at common ends (by index), coordinates are in the predicates' range, and
-/// `index` is over the same segments. O(n log n) on typical input.
+/// Face 0 is the unbounded face, the exterior. A face can contain islands: connected components of segments. Keeps
+/// references to its arguments. O(n log n) on typical input.
+/// Preconditions: segments meet only at common ends, which are the same point by index; coordinates are in the range of
+/// the predicates; `index` holds the same segments.
 class Faces {
  public:
   static constexpr Index exterior = 0;
@@ -22,10 +22,10 @@ class Faces {
   Faces(std::span<const Point> points, std::span<const Segment> segments, const SegmentIndex& index);
 
   [[nodiscard]] Index count() const { return count_; }
-  /// As seen from a to b.
+  /// Left and right in the direction from end a to end b.
   [[nodiscard]] Index left_of(Index segment) const { return face_[2 * std::size_t{segment}]; }
   [[nodiscard]] Index right_of(Index segment) const { return face_[2 * std::size_t{segment} + 1]; }
-  /// Precondition: p is on no segment.
+  /// Precondition: p is not on a segment.
   [[nodiscard]] Index containing(Point p) const;
 
  private:

@@ -62,7 +62,7 @@ std::string Problem::message(int base) const {
       return "Point " + id + " at " + at + " has a coordinate that is not a finite number.";
     case ProblemKind::coordinate_out_of_range:
       return "Point " + id + " at " + at +
-             " has a coordinate outside the range that exact arithmetic can use: zero, or " + "between " +
+             " has a coordinate outside the range that exact arithmetic can use: zero, or between " +
              shortest(smallest_coordinate) + " and " + shortest(largest_coordinate) + " in magnitude.";
     case ProblemKind::wrong_count:
       return "There is not one row of attributes, or not one marker, per point.";

@@ -1,8 +1,9 @@
-// Rounds of: merge points, drop what became nothing or the same twice, split where segments meet. A crossing is
-// rounded to a point, so pieces lie a rounding beside the segment that they are of and may meet others anew; hence
-// the rounds. Where many segments pass within roundings of one point, this breeds crossings. Then all is done again
-// with crossings rounded to a lattice, finer than the last place of the largest coordinate at first, then coarser
-// and coarser (after Hobby's snap rounding, 1999, but that given points stay where they are).
+// Repair works in rounds. Each round merges points, drops zero-length and duplicate segments, and splits segments where
+// they meet. A crossing is rounded to a point, so the pieces deviate from the segment by a rounding and can meet other
+// segments anew; therefore there are several rounds. Where many segments pass within a few roundings of one point, each
+// round can bring about more crossings than it removes. Then all is repeated with crossings rounded to a lattice: at
+// first finer than the last place of the largest coordinate, then coarser and coarser. This is Hobby's snap rounding
+// (1999), except that given points do not move.
 #include "../repair.hpp"
 
 #include <algorithm>
@@ -27,21 +28,21 @@ using namespace engine;
 
 namespace {
 
-/// The units of the lattices to be tried, relative to the largest coordinate; 0: none.
+/// The spacings of the lattices to try, relative to the largest coordinate; 0: no lattice.
 constexpr std::array<double, 6> lattice_units{0, 0x1p-52, 0x1p-49, 0x1p-46, 0x1p-43, 0x1p-40};
 
 Point on_lattice(Point p, double unit) {
   return unit > 0 ? Point{std::round(p.x / unit) * unit, std::round(p.y / unit) * unit} : p;
 }
 
-/// What is being repaired, and where it came from.
+/// The Pslg in its present state, with the origin of its points and segments.
 struct Work {
   Pslg pslg;
   std::vector<Index> point_map;  ///< old point -> point
   std::vector<Index> source;     ///< segment -> old segment
 };
 
-/// Takes the duplicates out of the points and names the first of each by its new number.
+/// Removes the duplicates from the points and renumbers the ends of segments.
 void merge(Work& work, std::span<const Duplicate> duplicates) {
   if (duplicates.empty()) return;
   Pslg& pslg = work.pslg;
@@ -68,8 +69,8 @@ void merge(Work& work, std::span<const Duplicate> duplicates) {
   for (Segment& s : pslg.segments) s = {renamed[s.a], renamed[s.b], s.marker};
 }
 
-/// Drops segments without length, and those with the ends of an earlier one. The one that stays takes the first
-/// marker that is not zero.
+/// Drops zero-length segments. Of segments with the same ends the first one stays, with the first marker that is not
+/// zero.
 void drop_surplus_segments(Work& work) {
   std::vector<Segment>& segments = work.pslg.segments;
   const auto ends = [&](Index s) { return std::minmax(segments[s].a, segments[s].b); };
@@ -98,7 +99,7 @@ void drop_surplus_segments(Work& work) {
   work.source.resize(kept);
 }
 
-/// A new point on a segment: its attributes lie between those of the ends, its marker is the segment's.
+/// Adds a point on a segment. Its attributes are interpolated between the ends; its marker is that of the segment.
 Index add_point(Pslg& pslg, Point p, const Segment& on) {
   const Point a = pslg.points[on.a], b = pslg.points[on.b];
   const double length = std::hypot(b.x - a.x, b.y - a.y);
@@ -113,7 +114,7 @@ Index add_point(Pslg& pslg, Point p, const Segment& on) {
   return static_cast<Index>(pslg.points.size() - 1);
 }
 
-/// Splits every segment at the given points, which are put in order along it. Pieces take the segment's place.
+/// Splits segments at the given points, which need no order. The pieces replace the segment.
 void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
   const std::vector<Point>& points = work.pslg.points;
   std::ranges::sort(segment_and_point);
@@ -125,7 +126,7 @@ void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
     const Point a = points[segment.a], b = points[segment.b];
     const auto first = next;
     while (next != segment_and_point.end() && next->first == s) ++next;
-    // By the longer extent, which rounding cannot turn around.
+    // Rounding cannot reverse the order of points along the longer extent.
     const bool along_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
     const bool ascending = along_x ? a.x < b.x : a.y < b.y;
     std::stable_sort(first, next, [&](const auto& p, const auto& q) {
@@ -145,9 +146,8 @@ void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
   work.source = std::move(source);
 }
 
-/// One round of splits. Returns how many conflicts there were: zero when no two segments meet but at their ends, and
-/// no point lies inside one.
-/// The search for them ends when there are `most` of one kind.
+/// One round. Returns the number of conflicts before it: zero where segments meet only at common ends and contain no
+/// other point. The search for conflicts ends at `most` of one kind.
 std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   Pslg& pslg = work.pslg;
   merge(work, find_duplicates(pslg.points));
@@ -162,7 +162,7 @@ std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   const SegmentIndex index(pslg.points, pslg.segments);
   const std::vector<Conflict> conflicts = find_conflicts(pslg.points, pslg.segments, loose, index, most);
 
-  // Where segments overlap, an end of one is inside the other.
+  // Overlaps need no split of their own: an end of one segment is a point on the other.
   std::vector<std::pair<Index, Index>> splits;
   for (const Conflict& c : conflicts) {
     if (c.kind == ConflictKind::overlapping) continue;
@@ -179,13 +179,14 @@ std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   return conflicts.size();
 }
 
-/// Rounds until nothing is left to do; false when the conflicts do not become fewer by half within some rounds, or
-/// become far more. A last conflict may need a few: its pieces cross another segment a rounding further on.
+/// Performs rounds until there is no conflict. Returns false where the number of conflicts does not halve within
+/// `patience` rounds, or more than doubles. Even a single conflict can take several rounds, because its pieces can
+/// cross another segment one rounding away.
 bool untangle(Work& work, double snap, double unit) {
   constexpr int patience = 8;
   constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
   std::size_t fewest = unbounded, too_many = unbounded;
-  int rounds = 0;  // since there were so few
+  int rounds = 0;  // since the number was halved
   while (true) {
     const std::size_t conflicts = resolve(work, snap, unit, too_many);
     if (conflicts == 0) return true;
@@ -199,7 +200,7 @@ bool untangle(Work& work, double snap, double unit) {
   }
 }
 
-/// What became of the points and segments, a line each.
+/// The log of the changes to points and segments.
 std::vector<std::string> summary(const Pslg& old, const Work& work) {
   std::vector<bool> is_old(work.pslg.points.size());
   for (const Index point : work.point_map) is_old[point] = true;
@@ -281,7 +282,8 @@ std::vector<Problem> find_unusable_values(const Pslg& pslg) {
 }  // namespace
 
 Result<Repaired> repair(const Pslg& pslg, double snap) {
-  if (!(snap >= 0) || std::isinf(snap)) return Error{ErrorKind::usage, "The snapping distance must not be negative."};
+  if (!(snap >= 0) || std::isinf(snap))
+    return Error{ErrorKind::usage, "the snapping distance must be zero or positive, and finite"};
   const int base = pslg.first_id.value;
   if (const std::vector<Problem> unusable = find_unusable_values(pslg); !unusable.empty())
     return Error{ErrorKind::invalid_input, messages(unusable, base)};

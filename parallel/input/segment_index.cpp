@@ -51,14 +51,14 @@ Index SegmentIndex::through(Point p) const {
   return found;
 }
 
-/// Meets the ray from p down that was moved to the left.
+/// True where the segment meets the ray of below().
 bool SegmentIndex::is_below(Index segment, Point p) const {
   const auto [left, right] = left_to_right(points_, segments_[segment]);
   return left.x < p.x && p.x <= right.x && orient2d(left, right, p) > 0;
 }
 
-/// Of two segments that a vertical line crosses and that meet at most in an end. The one end that lies in the
-/// other's range decides; where that is a common end, the other ends do.
+/// Preconditions: a vertical line crosses both segments, and they have at most an end in common. The result follows
+/// from the left end that is in the x range of the other segment. Where this is a common end, the right ends decide.
 bool SegmentIndex::is_higher(Index segment, Index than) const {
   const auto [left, right] = left_to_right(points_, segments_[segment]);
   const auto [other_left, other_right] = left_to_right(points_, segments_[than]);
@@ -69,7 +69,7 @@ bool SegmentIndex::is_higher(Index segment, Index than) const {
          0;
 }
 
-/// No more than the segment's height at x, and hardly less. Interpolation errs by less than 32 roundings.
+/// A close lower bound of the segment's y at x. The interpolation has an error of less than 32 roundings.
 double SegmentIndex::least_height(Index segment, double x) const {
   const auto [left, right] = left_to_right(points_, segments_[segment]);
   const double height = left.y + (x - left.x) / (right.x - left.x) * (right.y - left.y);
@@ -99,7 +99,7 @@ Index SegmentIndex::below(Point p) const {
     const std::size_t first = waiting;
     for (std::size_t child = node.index * fan; child < end_of_children(node); ++child)
       if (may_hold_better(levels_[node.level - 1][child])) stack[waiting++] = {node.level - 1, child};
-    // The highest is looked at first, so that what lies below the best is passed over.
+    // Visit the highest box first: boxes below the best segment are then skipped.
     std::sort(stack.data() + first, stack.data() + waiting,
               [&](Node a, Node b) { return bounds(a).max_y < bounds(b).max_y; });
   }

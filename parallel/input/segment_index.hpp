@@ -1,6 +1,6 @@
-// A packed hierarchy of bounding boxes over segments: which segments are near a box or a point, which lies
-// below a point. Segments are put in order along a Hilbert curve, and every eight consecutive boxes of one
-// level make one box of the next.
+// A hierarchy of bounding boxes of segments. It finds the segments near a box or a point, and the segment below a
+// point. The segments are sorted along a Hilbert curve, and eight consecutive boxes of one level form a box of the next
+// level.
 #pragma once
 
 #include <algorithm>
@@ -14,39 +14,39 @@
 
 namespace pardel::engine {
 
-/// Keeps references to the points and segments, which must stay as they are. Preconditions: ids in range,
-/// coordinates within the range of the predicates. O(n log n) to build.
+/// Keeps references to the points and the segments, which must not change. Preconditions: indices and coordinates are
+/// in range (for coordinates, that of the predicates). Construction takes O(n log n).
 class SegmentIndex {
  public:
   SegmentIndex(std::span<const Point> points, std::span<const Segment> segments);
 
-  /// Calls visit(segment) for every segment whose bounding box meets `box`, until visit returns false.
-  /// Returns false when it was stopped.
+  /// Calls visit(segment) for every segment whose bounding box meets `box`, until visit returns false. Returns false if
+  /// a call did.
   template <class Visit>
   bool for_each_near(const Box& box, const Visit& visit) const {
     return levels_.empty() ||
            descend({levels_.size() - 1, 0}, box, [&](std::size_t slot) { return visit(order_[slot]); });
   }
 
-  /// Calls visit(s, t) once for every two segments whose bounding boxes meet, until visit returns false.
+  /// Calls visit(s, t) once for every pair of segments whose bounding boxes meet, until visit returns false.
   template <class Visit>
   void for_each_near_pair(const Visit& visit) const;
 
-  /// A segment that contains p, ends included; no_index where there is none.
+  /// A segment that contains p, possibly as an end; no_index where there is none.
   [[nodiscard]] Index through(Point p) const;
 
-  /// The segment that a ray from p straight down meets first, where the ray is moved to the left by less than
-  /// anything: segments that only begin at p's vertical are not met, those that end there are. no_index when
-  /// there is none. Precondition: p lies on no segment, and segments meet only at their ends.
+  /// The first segment that a ray from p straight down meets; no_index where there is none. The ray is moved to the
+  /// left by an infinitesimal amount: it meets segments whose right end is on the vertical through p, and misses
+  /// segments whose left end is there. Preconditions: p is not on a segment, and segments meet only at their ends.
   [[nodiscard]] Index below(Point p) const;
 
  private:
   static constexpr std::size_t fan = 8;
-  /// Level 0 holds the boxes of segments.
+  /// Level 0 consists of the boxes of single segments.
   struct Node {
     std::size_t level, index;
   };
-  /// Nodes waiting in a depth-first walk: fan at each of at most 11 levels (8^11 > 2^32).
+  /// The nodes to visit in a depth-first walk: `fan` nodes at each of at most 11 levels (8^11 > 2^32).
   using Stack = std::array<Node, fan * 11>;
 
   [[nodiscard]] const Box& bounds(Node node) const { return levels_[node.level][node.index]; }
@@ -88,7 +88,7 @@ void SegmentIndex::for_each_near_pair(const Visit& visit) const {
   for (std::size_t slot = 0; slot < order_.size(); ++slot) {
     const Box box = levels_[0][slot];
     const auto visit_pair = [&](std::size_t other) { return visit(order_[slot], order_[other]); };
-    // What comes later in the order: the later siblings of this slot and of every node above it.
+    // The later slots are below the later siblings of this slot and of every node above it.
     std::size_t index = slot;
     for (std::size_t level = 0; level + 1 < levels_.size(); ++level, index /= fan)
       for (std::size_t sibling = index + 1; sibling < end_of_children({level + 1, index / fan}); ++sibling)

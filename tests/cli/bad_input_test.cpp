@@ -1,4 +1,4 @@
-// Every bad input gets one message with its place, its exit code, and leaves nothing behind.
+// Invalid input: one message that names the place, the right exit code, and no output file.
 #include <string>
 #include <vector>
 
@@ -9,8 +9,8 @@ namespace {
 
 class BadInput : public Workshop {
  protected:
-  /// `pardel mesh` on this text fails with `code`; the message holds `words`; no file appears, and
-  /// standard output stays empty.
+  /// Expects that `pardel mesh` fails on this text with `code` and a message that contains `words`, writes no file and
+  /// prints nothing on standard output.
   void is_refused(std::string_view text, int code, const std::vector<std::string>& words,
                   const std::vector<std::string>& more = {}) const {
     write("bad.poly", text);
@@ -29,7 +29,7 @@ std::string with_point(const std::string& x) {
   return "4 2 0 0\n1 0 0\n2 " + x + " 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
 }
 
-/// The square's outline and whatever else; six points.
+/// The outline of the square, with two more points and more segments.
 std::string with_more(const std::string& points, const std::string& segments, int segment_count) {
   return "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n" + points + std::to_string(segment_count) +
          " 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n" + segments + "0\n";
@@ -73,7 +73,7 @@ TEST_F(BadInput, a_count_of_points_larger_than_the_file_is_refused) {
   is_refused("4000000000 2 0 0\n1 0 0\n2 1 0\n", {"bad.poly:1:", "4000000000"});
 }
 
-TEST_F(BadInput, a_count_that_is_too_small_is_refused_where_the_next_section_goes_wrong) {
+TEST_F(BadInput, a_count_that_is_too_small_is_refused_where_the_next_section_fails) {
   is_refused("3 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n", {"bad.poly:"});
 }
 
@@ -136,7 +136,7 @@ TEST_F(BadInput, an_outline_that_is_not_closed_is_refused) {
   is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n", {"bad.poly", "outline"});
 }
 
-TEST_F(BadInput, every_problem_is_told_not_only_the_first) {
+TEST_F(BadInput, every_problem_is_listed_not_only_the_first) {
   is_refused(with_more("5 0.5 0.5\n6 0.5 0.5\n", "5 1 3\n6 2 4\n", 6),
              {"4 problems", "Points 5 and 6", "cross", "interior of segment 5", "interior of segment 6"});
 }

@@ -15,7 +15,7 @@ class BadOutput : public Workshop {
 
 constexpr const char* fine = "0.0001";  // an area that gives files of several 100 kB
 
-TEST_F(BadOutput, a_folder_that_does_not_exist_is_told_before_meshing) {
+TEST_F(BadOutput, a_folder_that_does_not_exist_is_reported_before_meshing) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "nowhere/out.vtu"});
   EXPECT_EQ(ran.exit_code, 5) << ran;
   EXPECT_TRUE(holds(ran.err, {"nowhere/out.vtu", "No such file or directory"}));

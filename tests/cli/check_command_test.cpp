@@ -1,4 +1,4 @@
-// pardel check: right meshes pass, wrong ones are told why, with the place.
+// pardel check: valid meshes pass; for invalid ones every violation is reported with its place.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -19,7 +19,7 @@ class CheckCommand : public Workshop {
   }
 };
 
-TEST_F(CheckCommand, a_right_mesh_of_another_program_is_certified) {
+TEST_F(CheckCommand, a_valid_mesh_of_another_program_is_certified) {
   const Ran ran = pardel({"check", "square.poly", "m.ele"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
   EXPECT_TRUE(holds(ran.out, {"valid"}));
@@ -53,7 +53,7 @@ TEST_F(CheckCommand, a_moved_vertex_is_a_violation) {
   EXPECT_EQ(pardel({"check", "square.poly", "m.ele"}).exit_code, 1);
 }
 
-TEST_F(CheckCommand, each_bound_of_the_goal_is_judged) {
+TEST_F(CheckCommand, each_bound_of_the_goal_is_checked) {
   EXPECT_EQ(pardel({"check", "square.poly", "m.ele", "--max-area", "0.5"}).exit_code, 0);
   EXPECT_EQ(pardel({"check", "square.poly", "m.ele", "--max-area", "0.4999999"}).exit_code, 1);
   EXPECT_EQ(pardel({"check", "square.poly", "m.ele", "--min-angle", "44.9"}).exit_code, 0);
@@ -64,7 +64,7 @@ TEST_F(CheckCommand, each_bound_of_the_goal_is_judged) {
   EXPECT_EQ(pardel({"check", "square.poly", "m.ele", "--max-circumradius", "0.7071"}).exit_code, 1);
 }
 
-TEST_F(CheckCommand, a_domain_that_is_invalid_itself_is_refused) {
+TEST_F(CheckCommand, an_invalid_domain_is_refused) {
   write("bad.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n2 0\n1 1 3\n2 2 4\n0\n");
   const Ran ran = pardel({"check", "bad.poly", "m.ele"});
   EXPECT_EQ(ran.exit_code, 3) << ran;

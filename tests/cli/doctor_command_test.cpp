@@ -1,4 +1,4 @@
-// pardel doctor: every problem, and a domain that has none.
+// pardel doctor: the list of problems and the repair.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -10,13 +10,13 @@ namespace {
 
 using nlohmann::json;
 
-/// The square with both diagonals, which cross, and a point twice.
+/// The square with both diagonals, which cross, and a duplicate point.
 constexpr const char* ill =
     "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 5 1\n5 1 3\n6 2 4\n0\n";
 
 using DoctorCommand = Workshop;
 
-TEST_F(DoctorCommand, a_sound_domain_has_no_problem) {
+TEST_F(DoctorCommand, a_valid_domain_has_no_problem) {
   write("square.poly", square_poly);
   const Ran ran = pardel({"doctor", "square.poly"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
@@ -39,13 +39,13 @@ TEST_F(DoctorCommand, a_repaired_domain_can_be_meshed) {
   EXPECT_EQ(pardel({"mesh", "well.poly", "-o", "m.vtu", "--check"}).exit_code, 0);
 }
 
-TEST_F(DoctorCommand, the_repaired_domain_counts_from_where_the_ill_one_did) {
+TEST_F(DoctorCommand, the_repaired_domain_is_numbered_like_the_invalid_one) {
   write("ill.poly", "5 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 4 0\n0\n");
   ASSERT_EQ(pardel({"doctor", "ill.poly", "--repair", "well.poly"}).exit_code, 0);
   EXPECT_EQ(table("well.poly")[1][0], 0);
 }
 
-TEST_F(DoctorCommand, the_repair_log_numbers_as_the_file_does_and_as_the_problems_do) {
+TEST_F(DoctorCommand, the_repair_log_and_the_problems_are_numbered_like_the_file) {
   for (const int base : {0, 1}) {
     std::string text = base == 0 ? "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n"
                                  : "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n";
@@ -67,7 +67,7 @@ TEST_F(DoctorCommand, points_closer_than_the_snap_are_merged) {
   EXPECT_EQ(pardel({"mesh", "well.poly", "-o", "m.vtu"}).exit_code, 0);
 }
 
-TEST_F(DoctorCommand, what_is_beyond_repair_is_said) {
+TEST_F(DoctorCommand, a_failed_repair_is_reported) {
   write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n");
   const Ran ran = pardel({"doctor", "open.poly", "--repair", "well.poly"});
   EXPECT_EQ(ran.exit_code, 3) << ran;
@@ -75,7 +75,7 @@ TEST_F(DoctorCommand, what_is_beyond_repair_is_said) {
   EXPECT_FALSE(exists("well.poly"));
 }
 
-TEST_F(DoctorCommand, the_findings_come_as_json) {
+TEST_F(DoctorCommand, the_findings_are_written_as_json) {
   write("ill.poly", ill);
   for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "-"}}) {
     std::vector<std::string> arguments = {"doctor", "ill.poly"};

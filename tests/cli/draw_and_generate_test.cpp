@@ -9,7 +9,7 @@ namespace {
 
 using DrawAndGenerate = Workshop;
 
-TEST_F(DrawAndGenerate, every_domain_named_in_the_help_is_written_and_sound) {
+TEST_F(DrawAndGenerate, every_domain_named_in_the_help_is_written_and_valid) {
   const std::string help = pardel({"generate", "--help"}).out;
   std::size_t at = help.find("Names:");
   ASSERT_NE(at, std::string::npos);
@@ -23,7 +23,7 @@ TEST_F(DrawAndGenerate, every_domain_named_in_the_help_is_written_and_sound) {
   EXPECT_GE(count, 8);
 }
 
-TEST_F(DrawAndGenerate, a_seed_makes_the_same_file_and_another_seed_another) {
+TEST_F(DrawAndGenerate, equal_seeds_give_equal_files_and_different_seeds_different_files) {
   for (const std::string name : {"a 7", "b 7", "c 8"}) {
     ASSERT_EQ(pardel({"generate", "points", "-n", "1000", "--seed", name.substr(2), "-o", name.substr(0, 1) + ".poly"})
                   .exit_code,

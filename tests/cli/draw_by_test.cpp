@@ -1,4 +1,4 @@
-// pardel draw --by: the lattice of a run in colours.
+// pardel draw --by: colours by tile, phase or thread.
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -65,7 +65,7 @@ TEST_F(DrawBy, all_triangles_are_drawn_in_any_format) {
   EXPECT_EQ(fills(read("v.svg")).size(), 12U);
 }
 
-TEST_F(DrawBy, a_report_and_by_need_each_other) {
+TEST_F(DrawBy, the_options_report_and_by_require_each_other) {
   EXPECT_EQ(pardel({"draw", "m.ele", "-o", "x.svg", "--by", "tile"}).exit_code, 2);
   EXPECT_EQ(pardel({"draw", "m.ele", "-o", "x.svg", "--report", "r.json"}).exit_code, 2);
   const Ran ran = pardel({"draw", "m.ele", "-o", "x.svg", "--by", "colour", "--report", "r.json"});
@@ -74,15 +74,15 @@ TEST_F(DrawBy, a_report_and_by_need_each_other) {
   EXPECT_FALSE(exists("x.svg"));
 }
 
-TEST_F(DrawBy, domains_have_no_tiles) {
+TEST_F(DrawBy, a_domain_cannot_be_drawn_by_tile) {
   const Ran ran = pardel({"draw", "square.poly", "-o", "x.svg", "--by", "tile", "--report", "r.json"});
   EXPECT_EQ(ran.exit_code, 2) << ran;
   EXPECT_TRUE(holds(ran.err, {"square.poly", "--by"}));
 }
 
-TEST_F(DrawBy, a_report_that_is_none_of_this_mesh_is_refused) {
+TEST_F(DrawBy, a_report_of_another_mesh_is_refused) {
   const json right = json::parse(read("r.json"));
-  expect_refused("{\"schema\": \"pardel", 3, {"other.json", "no JSON"});
+  expect_refused("{\"schema\": \"pardel", 3, {"other.json", "invalid JSON"});
   expect_refused("[1, 2]", 3, {"other.json", "not a report"});
   expect_refused("{\"schema\": \"pardel.certificate/1\"}", 3, {"other.json", "pardel.report/1"});
   json r = right;
@@ -102,7 +102,7 @@ TEST_F(DrawBy, a_report_that_is_none_of_this_mesh_is_refused) {
   expect_refused(r.dump(), 3, {"other.json", "lattice"});
 }
 
-TEST_F(DrawBy, a_report_that_does_not_exist_is_an_error_of_its_kind) {
+TEST_F(DrawBy, a_report_that_does_not_exist_is_an_io_error) {
   const Ran ran = pardel({"draw", "m.ele", "-o", "x.svg", "--by", "tile", "--report", "missing.json"});
   EXPECT_EQ(ran.exit_code, 5) << ran;
   EXPECT_TRUE(holds(ran.err, {"missing.json"}));

@@ -1,4 +1,4 @@
-// pardel check before meshes of other programs: they pass, or fail for what is true of them and nothing else.
+// pardel check on meshes of other programs: it reports the violations that they have and no others.
 #include <fmt/core.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using Kinds = std::set<std::string>;
 
-/// A quadrilateral with a quadrilateral hole, for both programs from the same numbers as text.
+/// A quadrilateral with a quadrilateral hole. Both programs read the same numbers as text.
 struct Plate {
   using Corner = std::pair<const char*, const char*>;
   std::array<Corner, 8> corners{{{"0", "0"},
@@ -34,7 +34,7 @@ struct Plate {
   double size_at_hole = 0.05;
   std::array<int, 2> markers{};  ///< of the outline and the hole, 0 for none
 
-  /// The corner where side i, which starts at corner i, ends.
+  /// The end corner of side i, which starts at corner i.
   static int end(int i) { return i / 4 * 4 + (i + 1) % 4; }
 
   [[nodiscard]] std::string poly() const {
@@ -60,7 +60,7 @@ class ForeignMesh : public Workshop {
  protected:
   using Options = std::vector<std::string>;
 
-  /// The kinds of violations that the program finds; none exactly where it exits with 0.
+  /// The kinds of violations that the program finds. Expects exit code 0 exactly where there are none.
   [[nodiscard]] Kinds judged(const std::string& domain, const std::string& mesh, const Options& goal) const {
     std::vector<std::string> arguments = {"check", domain, mesh, "--quiet", "--json", "-"};
     arguments.insert(arguments.end(), goal.begin(), goal.end());
@@ -86,7 +86,7 @@ class GmshMesh : public ForeignMesh {
     if (run("gmsh", {"-version"}).exit_code == 127) GTEST_SKIP() << "gmsh is not installed (Debian package gmsh)";
   }
 
-  /// Writes plate.poly, and by Gmsh plate.msh.
+  /// Writes plate.poly, and makes Gmsh write plate.msh.
   void mesh(const Plate& plate, const Options& options = {}, const std::string& groups = "") const {
     write("plate.poly", plate.poly());
     write("plate.geo", plate.geo() + groups);
@@ -160,7 +160,7 @@ TEST_F(GmshMesh, is_not_everywhere_Delaunay_once_its_vertices_are_smoothed) {
   EXPECT_EQ(judged({"--min-angle", "0"}), Kinds{});
 }
 
-// CGAL's Mesh_2, in files by the writers of the library.
+// CGAL's Mesh_2, with files written by this library.
 
 class CgalMesh : public ForeignMesh {
  protected:
@@ -172,7 +172,7 @@ class CgalMesh : public ForeignMesh {
     write("plate.poly", Plate{}.poly());
   }
 
-  /// With Triangle's marker, which .node and .vtu give to the vertices too.
+  /// The edges have Triangle's boundary marker. In .node and .vtu files the vertices have it, too.
   void list_boundary() {
     for (const Triangle& triangle : mesh_.triangles) {
       for (int i = 0; i < 3; ++i) {
@@ -182,7 +182,7 @@ class CgalMesh : public ForeignMesh {
     }
   }
 
-  /// What the program says of the mesh as a file of each format.
+  /// Expects these violations for the mesh in each format.
   void expect(const Options& goal, const Kinds& kinds) const {
     for (const std::string file : {"cgal.node", "cgal.off", "cgal.msh", "cgal.vtu"}) {
       ASSERT_TRUE(write_mesh(mesh_, domain_, folder_ / "work" / file));

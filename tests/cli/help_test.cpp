@@ -1,4 +1,4 @@
-// The program explains itself, and a command line without meaning is told so on stderr with code 2.
+// --help, --version, and wrong command lines, which give a message on stderr and exit code 2.
 #include <sstream>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace {
 
 using Help = Workshop;
 
-TEST_F(Help, help_tells_the_commands_examples_and_exit_codes) {
+TEST_F(Help, help_lists_the_commands_examples_and_exit_codes) {
   const Ran ran = pardel({"--help"});
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(
@@ -40,7 +40,7 @@ TEST_F(Help, the_version_is_printed) {
   EXPECT_TRUE(holds(ran.out, {"pardel "}));
 }
 
-TEST_F(Help, no_command_an_unknown_one_or_an_unknown_option_is_a_usage_error) {
+TEST_F(Help, a_missing_or_unknown_command_and_an_unknown_option_are_usage_errors) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{},
                                              {"fly"},
@@ -62,15 +62,15 @@ TEST_F(Help, a_usage_error_names_the_command_the_option_and_its_help) {
   EXPECT_TRUE(holds(pardel({"fly"}).err, {"there is no command 'fly'", "pardel --help"}));
 }
 
-TEST_F(Help, a_word_that_is_no_choice_is_answered_with_the_choices) {
+TEST_F(Help, a_wrong_choice_gives_a_message_with_the_right_ones) {
   const auto message = [this](const std::string& option) {
     return pardel({"mesh", "a.poly", "-o", "b.vtu", option, "foo"}).err;
   };
-  EXPECT_TRUE(holds(message("--placement"), {"'foo' is none of circumcentre, off-centre (see"}));
-  EXPECT_TRUE(holds(message("--decomposition"), {"'foo' is none of auto, none, paper (see"}));
-  EXPECT_TRUE(holds(message("--progress"), {"'foo' is none of always, auto, never (see"}));
+  EXPECT_TRUE(holds(message("--placement"), {"'foo' is not one of circumcentre, off-centre (see"}));
+  EXPECT_TRUE(holds(message("--decomposition"), {"'foo' is not one of auto, none, paper (see"}));
+  EXPECT_TRUE(holds(message("--progress"), {"'foo' is not one of always, auto, never (see"}));
   EXPECT_TRUE(holds(pardel({"draw", "a.node", "-o", "a.svg", "--report", "r.json", "--by", "foo"}).err,
-                    {"'foo' is none of phase, thread, tile (see"}));
+                    {"'foo' is not one of phase, thread, tile (see"}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// pardel mesh: what it writes, says and reports when all is well, and when a bound is out of reach.
+// pardel mesh: its files, its summary and its report, also where a bound cannot be met.
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -49,19 +49,19 @@ TEST_F(MeshCommand, every_format_is_written_in_one_run_and_certified) {
   }
 }
 
-TEST_F(MeshCommand, the_summary_tells_vertices_triangles_the_smallest_angle_and_the_time) {
+TEST_F(MeshCommand, the_summary_lists_vertices_triangles_the_smallest_angle_and_the_time) {
   const Ran ran = pardel({"mesh", "key.poly", "-o", "m.vtu"});
   EXPECT_TRUE(holds(ran.out, {"key.poly", " vertices", " triangles", "angles ", "time", "m.vtu"}));
   EXPECT_EQ(ran.err, "");
 }
 
-TEST_F(MeshCommand, quiet_says_nothing) {
+TEST_F(MeshCommand, quiet_prints_nothing) {
   const Ran ran = pardel({"mesh", "key.poly", "-o", "m.vtu", "-q"});
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_EQ(ran.out + ran.err, "");
 }
 
-TEST_F(MeshCommand, names_with_spaces_and_foreign_letters_are_just_names) {
+TEST_F(MeshCommand, names_may_contain_spaces_and_letters_outside_ASCII) {
   write("my square é.poly", square_poly);
   const Ran ran = pardel({"mesh", "my square é.poly", "-o", "my mesh é.node", "-o", "my mesh.vtu"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
@@ -99,7 +99,7 @@ TEST_F(MeshCommand, the_report_has_every_key_of_its_schema) {
   EXPECT_TRUE(r["goal"]["max_edge"].is_null());
 }
 
-TEST_F(MeshCommand, the_stages_take_no_more_than_the_total_together_and_hardly_less) {
+TEST_F(MeshCommand, the_times_of_the_stages_add_up_to_nearly_the_total) {
   json seconds = report({"square.poly", "-o", "m.vtu", "--max-area", "0.00001", "--check"})["seconds"];
   const double total = seconds["total"];
   seconds.erase("total");
@@ -119,7 +119,7 @@ TEST_F(MeshCommand, the_report_agrees_with_the_files) {
                                                   r["refine"]["segment_splits"].get<int>());
 }
 
-TEST_F(MeshCommand, the_report_goes_to_a_file_as_well) {
+TEST_F(MeshCommand, the_report_can_be_written_to_a_file) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--json", "report.json"});
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_TRUE(holds(ran.out, {"square.poly"}));
@@ -146,7 +146,7 @@ TEST_F(MeshCommand, a_ratio_is_another_way_to_give_the_angle) {
   EXPECT_NEAR(report({"square.poly", "-o", "m.vtu", "--rho", "1"})["goal"]["min_angle_deg"], 30.0, 1e-9);
 }
 
-TEST_F(MeshCommand, caps_of_regions_count_only_when_asked_for) {
+TEST_F(MeshCommand, caps_of_regions_apply_only_with_the_option_regions) {
   ASSERT_EQ(pardel({"generate", "regions", "-o", "regions.poly"}).exit_code, 0);
   const json without = report({"regions.poly", "-o", "a.node"});
   const json with = report({"regions.poly", "-o", "b.node", "--regions"});
@@ -157,7 +157,7 @@ TEST_F(MeshCommand, caps_of_regions_count_only_when_asked_for) {
   EXPECT_EQ(pardel({"check", "regions.poly", "a.node", "--regions"}).exit_code, 1);
 }
 
-TEST_F(MeshCommand, the_summary_says_that_area_caps_of_regions_count_on_request_only) {
+TEST_F(MeshCommand, the_summary_mentions_area_caps_of_regions_that_are_ignored) {
   ASSERT_EQ(pardel({"generate", "regions", "-o", "regions.poly"}).exit_code, 0);
   EXPECT_TRUE(holds(pardel({"mesh", "regions.poly", "-o", "a.vtu"}).out, {"area caps", "--regions"}));
   EXPECT_FALSE(holds(pardel({"mesh", "regions.poly", "-o", "a.vtu", "--regions"}).out, {"area caps"}));
@@ -204,7 +204,7 @@ TEST_F(MeshCommand, a_budget_that_is_too_small_gives_code_4_with_a_check_too) {
   EXPECT_GT(r["refine"]["exempt"]["budget"], 0);
 }
 
-TEST_F(MeshCommand, a_floor_on_edges_gives_code_4_where_it_stands_in_the_way) {
+TEST_F(MeshCommand, a_limit_on_edges_gives_code_4_where_it_prevents_a_bound) {
   const json r = report({"square.poly", "-o", "m.vtu", "--max-area", "0.0001", "--min-edge", "0.1"}, 4);
   EXPECT_GT(r["refine"]["exempt"]["min_edge"], 0);
 }
@@ -217,7 +217,7 @@ TEST_F(MeshCommand, small_input_angles_are_exempt_and_reported_with_code_0) {
   EXPECT_TRUE(holds(pardel({"mesh", "needle.poly", "-o", "m.vtu"}).out, {"exempt"}));
 }
 
-TEST_F(MeshCommand, every_exempt_triangle_is_in_the_report_with_the_small_input_angle_it_is_beside) {
+TEST_F(MeshCommand, every_exempt_triangle_is_in_the_report_with_its_small_input_angle) {
   write("needle.poly", "3 2 0 0\n1 10 0\n2 10 0.5\n3 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
   const json r = report({"needle.poly", "-o", "m.node"});
   const json& exemptions = r["refine"]["exemptions"];
@@ -233,7 +233,7 @@ TEST_F(MeshCommand, every_exempt_triangle_is_in_the_report_with_the_small_input_
   }
 }
 
-TEST_F(MeshCommand, ten_missed_triangles_are_told_and_all_are_in_the_report) {
+TEST_F(MeshCommand, ten_triangles_that_miss_the_goal_are_printed_and_all_are_in_the_report) {
   const std::vector<std::string> budget = {"square.poly", "-o", "m.vtu", "--max-area", "0.001", "--max-vertices", "50"};
   const json exemptions = report(budget, 4)["refine"]["exemptions"];
   ASSERT_GT(exemptions.size(), 10U);
@@ -243,13 +243,13 @@ TEST_F(MeshCommand, ten_missed_triangles_are_told_and_all_are_in_the_report) {
   std::vector<std::string> arguments = budget;
   arguments.insert(arguments.begin(), "mesh");
   const Ran ran = pardel(arguments);
-  int told = 0;
-  for (auto at = ran.err.find("triangle ("); at != std::string::npos; at = ran.err.find("triangle (", at + 1)) ++told;
-  EXPECT_EQ(told, 10) << ran;
+  int listed = 0;
+  for (auto at = ran.err.find("triangle ("); at != std::string::npos; at = ran.err.find("triangle (", at + 1)) ++listed;
+  EXPECT_EQ(listed, 10) << ran;
   EXPECT_TRUE(holds(ran.err, {"... and " + std::to_string(exemptions.size() - 10) + " more (all in --json)"}));
 }
 
-TEST_F(MeshCommand, one_task_over_everything_makes_a_mesh_as_good_as_tiles_do) {
+TEST_F(MeshCommand, one_tile_gives_a_mesh_as_good_as_many_tiles) {
   const json none = report({"key.poly", "-o", "m.node", "--decomposition", "none", "--max-area", "0.0005", "--check"});
   EXPECT_EQ(none["decomposition"]["kind"], "none");
   EXPECT_TRUE(none["certificate"]["valid"]);
@@ -257,7 +257,7 @@ TEST_F(MeshCommand, one_task_over_everything_makes_a_mesh_as_good_as_tiles_do) {
   EXPECT_EQ(pardel({"mesh", "key.poly", "-o", "m.node", "--decomposition", "some"}).exit_code, 2);
 }
 
-TEST_F(MeshCommand, msh_files_are_binary_unless_text_is_asked_for) {
+TEST_F(MeshCommand, msh_files_are_binary_without_the_option_msh_ascii) {
   const json binary = report({"key.poly", "-o", "binary.msh"});
   const json text = report({"key.poly", "-o", "text.msh", "--msh-ascii"});
   EXPECT_TRUE(read("binary.msh").starts_with("$MeshFormat\n4.1 1 8"));
@@ -266,7 +266,7 @@ TEST_F(MeshCommand, msh_files_are_binary_unless_text_is_asked_for) {
   EXPECT_TRUE(certified("key.poly", "text.msh", {}));
 }
 
-TEST_F(MeshCommand, what_is_broken_is_mended_on_request) {
+TEST_F(MeshCommand, an_invalid_domain_is_repaired_on_request) {
   write("crossed.poly",
         "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1 1\n6 0.5 0\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 5\n6 2 4\n0\n");
   EXPECT_EQ(pardel({"mesh", "crossed.poly", "-o", "m.vtu"}).exit_code, 3);
@@ -280,7 +280,7 @@ TEST_F(MeshCommand, a_conforming_mesh_passes_the_stricter_check) {
   EXPECT_TRUE(certified("key.poly", "m.node", {"--conforming"}));
 }
 
-TEST_F(MeshCommand, the_convex_hull_fills_what_the_outline_leaves_out) {
+TEST_F(MeshCommand, the_convex_hull_is_meshed_on_request) {
   write("corner.poly",
         "6 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 1 1\n5 1 2\n6 0 2\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n0\n");
   EXPECT_DOUBLE_EQ(report({"corner.poly", "-o", "a.vtu"})["mesh"]["area"], 3.0);
@@ -304,7 +304,7 @@ TEST_F(MeshCommand, a_mesh_is_refined_in_every_format_that_is_read) {
   }
 }
 
-TEST_F(MeshCommand, a_mesh_in_place_of_a_domain_is_a_usage_error_that_names_the_way) {
+TEST_F(MeshCommand, a_mesh_in_place_of_a_domain_is_a_usage_error_that_names_the_option) {
   write("m.vtu", "");
   const Ran ran = pardel({"mesh", "m.vtu", "-o", "fine.vtu"});
   EXPECT_EQ(ran.exit_code, 2) << ran;
@@ -326,7 +326,7 @@ TEST_F(MeshCommand, holes_of_a_mesh_are_found_again_without_its_domain) {
   EXPECT_TRUE(r["certificate"]["valid"]);
 }
 
-TEST_F(MeshCommand, an_area_file_beside_a_mesh_caps_each_triangle) {
+TEST_F(MeshCommand, an_area_file_with_the_name_of_the_mesh_caps_each_triangle) {
   ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.node", "--min-angle", "0"}).exit_code, 0);
   ASSERT_EQ(table("m.ele")[0][0], 2);
   write("m.area", "2\n1 0.001\n2 -1\n");
@@ -338,22 +338,22 @@ TEST_F(MeshCommand, an_area_file_beside_a_mesh_caps_each_triangle) {
   EXPECT_TRUE(holds(ran.err, {"m.area", "3 area caps for 2 triangles"}));
 }
 
-TEST_F(MeshCommand, progress_is_shown_when_asked_and_wiped_at_the_end) {
+TEST_F(MeshCommand, progress_is_shown_on_request_and_erased_at_the_end) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.00002", "--progress", "always"});
   EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K"}));
   EXPECT_TRUE(ran.err.ends_with("\r\033[K"));
 }
 
-TEST_F(MeshCommand, a_pipe_sees_no_progress) {
+TEST_F(MeshCommand, no_progress_is_written_to_a_pipe) {
   EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.00002"}).err, "");
 }
 
-TEST_F(MeshCommand, a_terminal_sees_no_progress_of_short_work) {
+TEST_F(MeshCommand, no_progress_of_short_work_is_shown_on_a_terminal) {
   if (!terminals_exist()) GTEST_SKIP() << "no pseudo-terminals here (is /dev/pts mounted?)";
   EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu"}, {.terminal = true}).err, "");
 }
 
-TEST_F(MeshCommand, a_terminal_sees_progress_of_long_work_and_Ctrl_C_ends_it) {
+TEST_F(MeshCommand, progress_of_long_work_is_shown_on_a_terminal_and_Ctrl_C_stops_the_work) {
   if (!terminals_exist()) GTEST_SKIP() << "no pseudo-terminals here (is /dev/pts mounted?)";
   const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--max-area", "5e-8"},
                          {.interrupt_when = "triangles", .terminal = true});
@@ -369,7 +369,7 @@ TEST_F(MeshCommand, refuses_a_mesh_that_memory_cannot_hold) {
   EXPECT_FALSE(files().contains("out.vtu"));
 }
 
-TEST_F(MeshCommand, cuts_the_plane_as_asked_and_reports_it) {
+TEST_F(MeshCommand, uses_the_tiles_that_the_options_describe_and_reports_them) {
   for (const std::string kind : {"auto", "paper"}) {
     const json r = report({"square.poly", "-o", "out.vtu", "--max-area", "1e-4", "--cells", "3,2", "--decomposition",
                            kind, "--check", "-q"});
@@ -385,7 +385,7 @@ TEST_F(MeshCommand, cuts_the_plane_as_asked_and_reports_it) {
   }
 }
 
-TEST_F(MeshCommand, refuses_cells_where_there_is_nothing_to_cut) {
+TEST_F(MeshCommand, refuses_cells_together_with_one_tile) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--cells", "3,2", "--decomposition", "none"});
   EXPECT_EQ(ran.exit_code, 2) << ran;
   EXPECT_TRUE(holds(ran.err, {"--cells", "--decomposition none"}));

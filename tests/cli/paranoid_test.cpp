@@ -1,4 +1,4 @@
-// pardel mesh --paranoid.
+// pardel mesh --paranoid: the check after every sweep.
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -19,7 +19,7 @@ class Paranoid : public Workshop {
   }
 };
 
-TEST_F(Paranoid, finds_nothing_wrong_with_many_tiles_on_any_number_of_threads_and_gives_the_same_mesh) {
+TEST_F(Paranoid, finds_no_violation_with_many_tiles_on_any_number_of_threads_and_gives_the_same_mesh) {
   const std::vector<std::vector<std::string>> runs = {{"square", "--max-area", "0.001"},
                                                       {"pipe", "--min-angle", "30"},
                                                       {"key", "--max-area", "0.003", "--conforming"},
@@ -43,14 +43,14 @@ TEST_F(Paranoid, finds_nothing_wrong_with_many_tiles_on_any_number_of_threads_an
   }
 }
 
-TEST_F(Paranoid, says_how_many_sweeps_it_checked) {
+TEST_F(Paranoid, reports_the_number_of_sweeps_checked) {
   write("square.poly", square_poly);
   const Ran ran = pardel({"mesh", "square.poly", "-o", "m.ele", "--max-area", "0.01", "--paranoid"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
-  EXPECT_TRUE(holds(ran.out, {"sweeps  ", ", the mesh checked after each"}));
+  EXPECT_TRUE(holds(ran.out, {"sweeps  ", ", the mesh was checked after each"}));
 }
 
-TEST_F(Paranoid, watches_the_refinement_of_a_mesh_too) {
+TEST_F(Paranoid, checks_the_refinement_of_a_mesh_too) {
   write("square.poly", square_poly);
   for (const std::string coarse : {"c.ele", "c.vtu", "c.msh"}) {
     ASSERT_EQ(pardel({"mesh", "square.poly", "-o", coarse}).exit_code, 0);

@@ -35,7 +35,7 @@ void redirect(int to, const char* file) {
   if (fd < 0 || dup2(fd, to) < 0) _exit(99);
 }
 
-/// The child's side of the fork; does not return.
+/// Runs in the child process; does not return.
 [[noreturn]] void become_program(std::string program, const std::vector<std::string>& arguments,
                                  const RunOptions& options, const fs::path& folder, const std::string& out,
                                  const std::string& err, int terminal) {
@@ -60,7 +60,7 @@ void redirect(int to, const char* file) {
   _exit(127);
 }
 
-/// All that a terminal shows until its last writer is gone; SIGINT to the child once it shows `interrupt_when`.
+/// Returns everything that is written to a terminal. Sends SIGINT to the child when the text contains `interrupt_when`.
 std::string shown(int terminal, pid_t child, const std::string& interrupt_when) {
   std::string text;
   bool waiting = !interrupt_when.empty();

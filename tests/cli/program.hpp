@@ -1,4 +1,4 @@
-// Runs the program in a folder of its own, and looks at what it left there.
+// Runs the program in a temporary folder and examines the files there.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace pardel::testing {
 
-/// Built with a sanitizer, whose shadow memory is larger than any sensible limit on the address space.
+/// True for a build with a sanitizer, whose shadow memory exceeds any useful limit on the address space.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool sanitized = true;
 #elif defined(__has_feature)
@@ -23,30 +23,30 @@ inline constexpr bool sanitized = false;
 #endif
 
 struct Ran {
-  int exit_code = 0;  ///< 128 + signal where one killed it
+  int exit_code = 0;  ///< 128 + signal number where a signal ended the program
   std::string out;
   std::string err;
 };
 
-/// Whether this machine has pseudo-terminals to run a program on.
+/// True where this machine has pseudo-terminals.
 [[nodiscard]] bool terminals_exist();
 
 struct RunOptions {
-  std::string out_file = {};                          ///< standard output goes there, if not empty
-  std::optional<std::uint64_t> file_size_limit = {};  ///< bytes; more is "File too large"
+  std::string out_file = {};                          ///< if not empty, standard output is written to this file
+  std::optional<std::uint64_t> file_size_limit = {};  ///< in bytes; a larger file gives the error "File too large"
   std::optional<std::uint64_t> address_space = {};    ///< bytes
-  std::string interrupt_when = {};                    ///< SIGINT is sent once standard error holds this
+  std::string interrupt_when = {};                    ///< SIGINT is sent when standard error contains this text
   bool terminal = false;                              ///< standard error is a terminal
 };
 
-/// A temporary folder in which the program runs. Gone at the end.
+/// A temporary folder in which the program runs. The destructor removes it.
 class Workshop : public ::testing::Test {
  protected:
   Workshop();
   ~Workshop() override;
 
   Ran pardel(const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
-  /// Another program, by its path or, as the shell does, by its name; exit code 127 where there is none.
+  /// Runs another program, given by its path, or by its name as in a shell. Exit code 127 where it does not exist.
   Ran run(const std::string& program, const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
 
   void write(const std::string& name, std::string_view text) const;
@@ -77,10 +77,10 @@ inline constexpr const char* square_poly = R"(# the unit square
 0
 )";
 
-/// For assertions: the program's words when they are not as expected.
+/// Prints the output of the program when an assertion fails.
 std::ostream& operator<<(std::ostream& out, const Ran& ran);
 
-/// True where `text` holds every one of `parts`.
+/// True where `text` contains all of `parts`.
 ::testing::AssertionResult holds(const std::string& text, const std::vector<std::string>& parts);
 
 }  // namespace pardel::testing

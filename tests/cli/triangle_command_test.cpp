@@ -1,4 +1,4 @@
-// pardel triangle: the files that Triangle would write, named and numbered as it does.
+// pardel triangle: it writes the files that Triangle writes, with the same names and numbers.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -81,7 +81,7 @@ TEST_F(TriangleCommand, without_p_the_convex_hull_of_the_points_is_triangulated)
   EXPECT_EQ(table("c.1.node")[0][0], 5);
 }
 
-TEST_F(TriangleCommand, a_file_with_spaces_in_its_name_is_just_a_file) {
+TEST_F(TriangleCommand, a_file_name_may_contain_spaces) {
   write("my square.poly", square_poly);
   ends_well("pq", "my square.poly");
   EXPECT_TRUE(exists("my square.1.ele"));
@@ -106,7 +106,7 @@ TEST_F(TriangleCommand, numbers_start_where_the_input_starts) {
   }
 }
 
-TEST_F(TriangleCommand, all_of_it_together) {
+TEST_F(TriangleCommand, all_switches_work_together) {
   ends_well("pq30a0.1ADjenz", "b");
   EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "b.1.node", "b.1.ele", "b.1.poly", "b.1.edge", "b.1.neigh"}));
   EXPECT_EQ(pardel({"check", "b.poly", "b.1.ele", "--min-angle", "30", "--max-area", "0.1", "--conforming"}).exit_code,
@@ -131,7 +131,7 @@ TEST_F(TriangleCommand, an_area_file_caps_the_triangles_of_the_mesh_it_refines) 
   EXPECT_GT(node.size(), 200U);
 }
 
-TEST_F(TriangleCommand, bare_a_honours_the_caps_of_regions) {
+TEST_F(TriangleCommand, a_without_a_number_applies_the_caps_of_regions) {
   ends_well("pq", "b");
   const std::size_t coarse = table("b.1.ele").size();
   ends_well("pqa", "b");
@@ -199,7 +199,7 @@ TEST_F(TriangleCommand, O_ignores_holes) {
   EXPECT_EQ(table("b.1.poly").size() >= 2, true);
 }
 
-TEST_F(TriangleCommand, c_keeps_what_lies_between_the_outline_and_the_hull) {
+TEST_F(TriangleCommand, c_keeps_the_triangles_between_the_outline_and_the_hull) {
   write("corner.poly",
         "6 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 1 1\n5 1 2\n6 0 2\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n0\n");
   ends_well("p", "corner");
@@ -223,7 +223,7 @@ TEST_F(TriangleCommand, P_N_and_E_leave_files_out) {
   EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.1.ele", "b.1.node", "b.1.poly"}));
 }
 
-TEST_F(TriangleCommand, I_writes_no_number_and_replaces_nothing_that_was_read) {
+TEST_F(TriangleCommand, I_writes_names_without_a_number_and_replaces_no_input_file) {
   ends_well("pqI", "a");
   EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.node", "a.ele"}));
   EXPECT_EQ(read("a.poly"), square_poly);
@@ -234,7 +234,7 @@ TEST_F(TriangleCommand, I_writes_no_number_and_replaces_nothing_that_was_read) {
   EXPECT_TRUE(exists("c.ele"));
 }
 
-TEST_F(TriangleCommand, I_keeps_the_node_file_that_a_poly_without_points_stands_on) {
+TEST_F(TriangleCommand, I_keeps_the_node_file_of_a_poly_without_points) {
   const std::string points = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
   write("d.node", points);
   write("d.poly", "0 2 0 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
@@ -275,7 +275,7 @@ TEST_F(TriangleCommand, e_and_n_describe_the_mesh) {
       const double other = neigh[t][i];
       outside += other < 0;
       if (other < 0) continue;
-      // The neighbour across has the two other corners, and names this one back.
+      // The neighbour has the two other corners, and this triangle is its neighbour.
       const auto& theirs = ele[static_cast<std::size_t>(other) + 1];
       const auto& back = neigh[static_cast<std::size_t>(other) + 1];
       for (int k = 1; k <= 3; ++k) {

@@ -1,4 +1,4 @@
-// Triangle's switches: how they are read, and which are refused.
+// The parser of Triangle's switches.
 #include <string>
 #include <vector>
 
@@ -30,14 +30,14 @@ TEST_F(TriangleSwitches, the_help_names_every_switch_of_triangle) {
   }
 }
 
-TEST_F(TriangleSwitches, what_is_not_supported_is_refused_by_name) {
+TEST_F(TriangleSwitches, a_switch_that_is_not_supported_is_refused_by_name) {
   is_usage_error({"-pqv", "a"}, {"switch v", "Voronoi"});
   is_usage_error({"-pqu", "a"}, {"switch u", "user"});
   is_usage_error({"-pw", "a"}, {"switch w", "weighted"});
   is_usage_error({"-pW", "a"}, {"switch W", "weighted"});
 }
 
-TEST_F(TriangleSwitches, a_letter_that_is_no_switch_is_refused_by_name) { is_usage_error({"-pk", "a"}, {"'k'"}); }
+TEST_F(TriangleSwitches, a_letter_that_is_not_a_switch_is_refused_by_name) { is_usage_error({"-pk", "a"}, {"'k'"}); }
 
 TEST_F(TriangleSwitches, no_file_and_two_files_are_usage_errors) {
   is_usage_error({"-pq"}, {"file"});
@@ -50,7 +50,7 @@ TEST_F(TriangleSwitches, an_area_of_zero_and_a_broken_number_are_usage_errors) {
   is_usage_error({"-pq3.4.5", "a"}, {"switch q"});
 }
 
-TEST_F(TriangleSwitches, an_angle_out_of_reach_is_a_usage_error) {
+TEST_F(TriangleSwitches, an_angle_that_is_too_large_is_a_usage_error) {
   const Ran ran = pardel({"triangle", "-Qpq60", "a"});
   EXPECT_EQ(ran.exit_code, 2) << ran;
   EXPECT_TRUE(holds(ran.err, {"33 degrees, not 60\n"}));
@@ -66,13 +66,13 @@ TEST_F(TriangleSwitches, switches_may_be_spread_over_arguments_and_follow_the_fi
 }
 
 TEST_F(TriangleSwitches, numbers_end_where_the_next_letter_begins) {
-  // 30 degrees, area 0.1 in spite of the e behind it, which asks for edges.
+  // 30 degrees and area 0.1. The e after 0.1 is the switch for edges, not an exponent.
   EXPECT_EQ(pardel({"triangle", "-Qpq30a0.1e", "a"}).exit_code, 0);
   EXPECT_TRUE(exists("a.1.edge"));
   EXPECT_EQ(pardel({"check", "a.poly", "a.1.ele", "--min-angle", "30", "--max-area", "0.1"}).exit_code, 0);
 }
 
-TEST_F(TriangleSwitches, algorithm_switches_are_accepted_and_said_to_have_no_effect) {
+TEST_F(TriangleSwitches, algorithm_switches_are_accepted_and_reported_to_have_no_effect) {
   const Ran plain = pardel({"triangle", "-pq", "a"});
   const std::string mesh = read("a.1.ele");
   EXPECT_EQ(plain.out.find("no effect"), std::string::npos);
@@ -83,7 +83,7 @@ TEST_F(TriangleSwitches, algorithm_switches_are_accepted_and_said_to_have_no_eff
   EXPECT_EQ(read("a.1.ele"), mesh);
 }
 
-TEST_F(TriangleSwitches, quiet_says_nothing_and_verbose_more) {
+TEST_F(TriangleSwitches, quiet_prints_nothing_and_verbose_prints_more) {
   EXPECT_EQ(pardel({"triangle", "-pqQ", "a"}).out, "");
   const Ran plain = pardel({"triangle", "-pq", "a"});
   const Ran verbose = pardel({"triangle", "-pqV", "a"});

@@ -1,4 +1,4 @@
-// What stops a run before its goal is met, and what a caller can get wrong.
+// Limits that end a run before the goal is met, and errors of the caller.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void expect_valid_but_for_angles(const Pslg& pslg, const Mesh& mesh) {
   EXPECT_TRUE(certificate.valid) << to_text(certificate);
 }
 
-TEST(Budget, ends_the_run_and_the_report_says_which_triangles_it_left) {
+TEST(Budget, ends_the_run_and_the_report_lists_the_triangles_that_remain) {
   const Pslg pslg = domains::pipe();
   const Goal goal{.max_area = 1e-4};
   for (const std::uint64_t most : {std::uint64_t{1}, std::uint64_t{pslg.points.size()}, std::uint64_t{2000}}) {
@@ -48,7 +48,7 @@ TEST(Budget, ends_the_run_and_the_report_says_which_triangles_it_left) {
   }
 }
 
-TEST(Memory, that_will_not_suffice_is_said_before_the_work) {
+TEST(Memory, that_cannot_suffice_is_reported_before_the_work) {
   const Pslg pslg = domains::square();
   const Result<Meshed> refused = mesh(pslg, {.max_area = 1e-8}, {.max_memory = std::uint64_t{1} << 30U});
   ASSERT_FALSE(refused);
@@ -66,9 +66,9 @@ TEST(Memory, that_suffices_is_not_refused) {
   EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100, .max_memory = 10'000}));
 }
 
-TEST(Memory, that_the_mesh_outgrows_ends_the_work) {
+TEST(Memory, that_the_mesh_exceeds_ends_the_work) {
   for (const int threads : {1, 2}) {
-    // More than the least that 137 thousand triangles can do with, less than what they take.
+    // More than the smallest estimate for 137 thousand triangles, less than they need.
     const Result<Meshed> refused =
         mesh(domains::square(), {.max_area = 1e-5}, {.threads = threads, .max_memory = 4'800'000});
     ASSERT_FALSE(refused);
@@ -84,8 +84,8 @@ TEST(Budget, that_is_not_needed_changes_nothing) {
   EXPECT_EQ(free->mesh, capped->mesh);
 }
 
-/// A goal of 10^12 triangles must not cost their memory where a budget allows a hundred.
-TEST(Budget, makes_a_goal_out_of_reach_cheap) {
+/// With a limit of a hundred vertices, a goal of 10^12 triangles must not take the memory for them.
+TEST(Budget, makes_an_unreachable_goal_cheap) {
   const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100});
   ASSERT_TRUE(meshed);
   EXPECT_EQ(meshed->mesh.points.size(), 100U);
@@ -116,7 +116,7 @@ TEST(Floor, is_never_undercut_and_the_report_names_it) {
     }
 }
 
-/// What doubles cannot hold is no floor: refinement would go on among neighbouring doubles.
+/// A floor below the limit of double precision has no effect: refinement would reach neighbouring doubles.
 TEST(Floor, has_a_least_value) {
   const Pslg pslg = domains::moved(domains::wedge(4, 0.001), 654321, 4987654);
   const Goal goal{.min_angle_deg = 33, .conforming = true};
@@ -126,7 +126,7 @@ TEST(Floor, has_a_least_value) {
   EXPECT_EQ(none->mesh, tiny->mesh);
 }
 
-TEST(Floor, holds_beside_a_point_that_all_but_touches_a_segment) {
+TEST(Floor, holds_near_a_point_that_almost_touches_a_segment) {
   Pslg pslg = domains::square();
   pslg.points.push_back({0.5, 0.001});
   const Result<Meshed> meshed = mesh(pslg, {.min_angle_deg = 30}, {.min_edge = 0.01});
@@ -135,7 +135,7 @@ TEST(Floor, holds_beside_a_point_that_all_but_touches_a_segment) {
   EXPECT_GT(meshed->report.count(ExemptReason::min_edge), 0U);
 }
 
-TEST(KeptSegments, are_not_split_where_the_caller_forbids_it) {
+TEST(KeptSegments, are_not_split_where_the_options_forbid_it) {
   const Pslg pslg = domains::cracks();
   const Goal goal{.max_area = 0.001};
   const Result<Meshed> all = mesh(pslg, goal, {.no_segment_splits = true});
@@ -163,7 +163,7 @@ TEST(Cancellation, ends_the_run_with_an_error_of_its_kind) {
   EXPECT_EQ(meshed.error().kind, ErrorKind::cancelled);
 }
 
-TEST(ProgressCallback, sees_the_mesh_grow) {
+TEST(ProgressCallback, is_called_with_a_growing_number_of_triangles) {
   std::vector<std::uint64_t> seen;
   Options options;
   options.progress = [&](const Progress& progress) {
@@ -177,7 +177,7 @@ TEST(ProgressCallback, sees_the_mesh_grow) {
   EXPECT_NEAR(double(seen.back()) / double(meshed->mesh.triangles.size()), 1, 0.2);
 }
 
-TEST(Usage, is_an_error_where_a_goal_has_no_meaning) {
+TEST(Usage, is_the_error_for_a_goal_out_of_range) {
   const std::vector<Goal> wrong{
       {.min_angle_deg = 60}, {.min_angle_deg = 33.01}, {.min_angle_deg = -1},      {.min_angle_deg = nan},
       {.max_area = 0},       {.max_area = -1},         {.max_area = nan},          {.max_edge = 0},

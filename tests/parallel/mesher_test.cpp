@@ -1,4 +1,4 @@
-// The mesher end to end: every goal on every domain, judged by the independent checker.
+// The mesher on every domain with every kind of goal; the independent checker examines the meshes.
 #include "../../parallel/mesher.hpp"
 
 #include <gtest/gtest.h>
@@ -28,13 +28,14 @@ std::string verdict(const Pslg& pslg, const Mesh& mesh, const Goal& goal) {
   return text;
 }
 
-/// The triangles that the report calls justified are those that the checker finds justified itself.
+/// Expects that the exemptions which the report calls justified are justified by the checker, too.
 void expect_same_exemptions(const Certificate& certificate, const Report& report) {
   std::set<Index> reported, found;
   for (const Exemption& e : report.exempt)
     if (justified(e.reason)) reported.insert(e.triangle);
   for (const Justified& j : certificate.justified) found.insert(j.triangle);
-  // The mesher aims a hair higher than the goal, so it may excuse what needs no excuse, never the other way round.
+  // The mesher works with slightly stricter bounds, so it can exempt a triangle that satisfies the goal, but never
+  // omits one.
   EXPECT_TRUE(std::includes(reported.begin(), reported.end(), found.begin(), found.end()));
 }
 
@@ -109,7 +110,7 @@ TEST_P(Domain, gives_the_same_mesh_twice) {
   EXPECT_EQ(first->mesh, second->mesh);
 }
 
-TEST_P(Domain, is_triangulated_without_a_single_new_point) {
+TEST_P(Domain, is_triangulated_without_new_points) {
   const Pslg pslg = domain(GetParam());
   const Result<Meshed> meshed = triangulate(pslg);
   ASSERT_TRUE(meshed) << meshed.error().message;
@@ -126,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Domain, testing::ValuesIn(domains::names()), tes
 
 // Goals of one kind -------------------------------------------------------------------------------------------
 
-TEST(Mesher, honours_the_caps_of_regions_and_only_where_asked) {
+TEST(Mesher, applies_the_caps_of_regions_only_where_the_goal_says_so) {
   const Pslg pslg = domain("regions");
   const Meshed capped = expect_met(pslg, {});
   const Meshed free = expect_met(pslg, {.region_caps = false});
@@ -162,7 +163,7 @@ TEST(Mesher, keeps_the_attributes_of_points_and_interpolates_them_for_new_ones) 
   }
 }
 
-TEST(Mesher, tells_where_every_vertex_and_every_constrained_edge_comes_from) {
+TEST(Mesher, records_the_origin_of_every_vertex_and_constrained_edge) {
   Pslg pslg = domains::square();
   pslg.segments.pop_back();
   pslg.has_segment_markers = true;

@@ -1,5 +1,5 @@
-// Inputs that kill meshers: refinement ends on each, the mesh is certified, and what it leaves is excused by a
-// small input angle or, at the limit of double precision alone, by the floor on edges.
+// Difficult inputs: refinement ends on each of them, and the mesh is certified. Triangles are exempt because of a small
+// input angle or, only at the limit of double precision, because of the floor on edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Pslg box(double low, double high) {
   return pslg;
 }
 
-/// Meshed at each angle; all that breaks the goal is justified, and the checker agrees.
+/// Meshes the domain at each angle. Expects that all exemptions are justified and that the checker agrees.
 void expect_certified(const Pslg& pslg, std::initializer_list<double> angles = {20.7, 30.0, 33.0}) {
   for (const bool conforming : {false, true})
     for (const double angle : angles) {
@@ -70,7 +70,7 @@ TEST(TinyAngle, between_segments_of_unlike_lengths_ends) {
 }
 
 TEST(TinyAngle, chained_from_segment_to_segment_ends) {
-  // A zigzag whose every corner is sharp: splits of one corner's shells encroach on the next.
+  // A zigzag with sharp corners: a split at one corner encroaches on segments at the next.
   for (const double height : {0.5, 0.05, 0.002}) {
     SCOPED_TRACE(height);
     Pslg pslg = box(-1, 9);
@@ -101,7 +101,7 @@ TEST(Parallels, that_nearly_touch_end) {
   for (const double gap : {1e-4, 1e-6, 1e-9}) {
     SCOPED_TRACE(gap);
     Pslg pslg = box(0, 1);
-    // As long as a thousand gaps: what lies between them has to be cut into triangles of the gap's size.
+    // The segments are a thousand times as long as the gap. The triangles between them must be as small as the gap.
     add_segment(pslg, {0.5, 0.5}, {0.5 + 1000 * gap, 0.5});
     add_segment(pslg, {0.5 + 300 * gap, 0.5 + gap}, {0.5 + 1300 * gap, 0.5 + gap});
     expect_certified(pslg, {20.7, 30.0});
@@ -162,7 +162,7 @@ TEST(FarOffset, of_two_to_the_fortieth_ends) {
   expect_certified(domains::moved(pslg, 0x1p40, 0x1p40), {20.7, 30.0});
 }
 
-/// Where the input itself is as fine as the doubles about it, the floor ends refinement, and the report says so.
+/// Where the input is as fine as the spacing of doubles, the floor on edges ends refinement, and the report lists it.
 TEST(FarOffset, too_far_for_the_size_of_the_domain_ends_with_reasons) {
   for (const double offset : {0x1p46, 0x1p50, 0x1p51}) {
     SCOPED_TRACE(offset);
@@ -176,8 +176,8 @@ TEST(FarOffset, too_far_for_the_size_of_the_domain_ends_with_reasons) {
   }
 }
 
-/// Rounded onto a slanted line, the hull has corners of 179.99999999999 degrees and slivers along it that are
-/// thinner than doubles can split; all else is right.
+/// Points rounded onto a slanted line: the hull has corners of 179.99999999999 degrees, and slivers along it are too
+/// thin to be split in double precision. Everything else is valid.
 TEST(NearlyCollinear, points_of_the_hull_end_with_reasons) {
   samples::Random random(1);
   Pslg pslg;
@@ -193,7 +193,7 @@ TEST(NearlyCollinear, points_of_the_hull_end_with_reasons) {
   EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid);
 }
 
-/// Sizes that go to zero at a point: a mesh graded down to the floor there.
+/// Sizes that go to zero at a point: the mesh is graded down to the floor there.
 TEST(Size, that_vanishes_at_a_corner_ends) {
   Goal goal;
   goal.size = [](Point p) { return 0.3 * std::hypot(p.x, p.y); };
@@ -201,7 +201,7 @@ TEST(Size, that_vanishes_at_a_corner_ends) {
   const Result<Meshed> meshed = mesh(pslg, goal);
   ASSERT_TRUE(meshed);
   EXPECT_LT(meshed->mesh.triangles.size(), 100'000U);
-  // At the corner the sizes go below what doubles can hold, and with them the shapes; the report says so.
+  // At the corner the sizes, and with them the shapes, go below the limit of double precision. The report lists this.
   EXPECT_FALSE(meshed->report.goal_met());
   for (const Violation& violation : check(pslg, meshed->mesh, {}).violations) {
     EXPECT_EQ(violation.kind, ViolationKind::small_angle) << violation.message();
@@ -212,7 +212,7 @@ TEST(Size, that_vanishes_at_a_corner_ends) {
   }
 }
 
-/// Random segments in all directions, many of them sharing ends: small angles of every kind at once.
+/// Random segments in all directions, many with common ends: small angles of every kind.
 TEST(RandomSegments, end) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -1,5 +1,5 @@
-// Random domains of every kind: lattice points and free ones, segments that dangle and that enclose, holes and
-// regions wherever they are valid. Each is meshed to a random goal and certified, and its mesh refined again.
+// Random domains with points on and off a lattice, dangling and enclosing segments, holes and regions. Each is meshed
+// with a random goal and certified; then its mesh is refined again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<Point> random_points(Random& random) {
   return points;
 }
 
-/// Takes out of the input or the goal what makes the domain invalid, until nothing does; false where that fails.
+/// Removes parts of the input, or changes the goal, until the domain is valid. Returns false where this fails.
 bool make_valid(Pslg& pslg, Goal& goal) {
   for (int round = 0; round < 4; ++round) {
     const std::vector<Problem> problems = find_problems(pslg, {goal.convex_hull});
@@ -83,7 +83,7 @@ Case random_case(Random& random) {
   return c;
 }
 
-TEST(RandomDomain, is_meshed_and_certified_and_its_mesh_is_a_fixpoint_of_refinement) {
+TEST(RandomDomain, is_meshed_and_certified_and_refining_the_mesh_again_changes_nothing) {
   int meshed_ones = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -105,7 +105,7 @@ TEST(RandomDomain, is_meshed_and_certified_and_its_mesh_is_a_fixpoint_of_refinem
   EXPECT_GT(meshed_ones, 350);
 }
 
-/// What may not be split is not, everything else about the mesh is right, and the report has a reason for the rest.
+/// Kept segments are not split, the mesh is otherwise valid, and the report has a reason for every exempt triangle.
 TEST(RandomDomain, with_kept_segments_is_meshed_as_far_as_it_goes) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

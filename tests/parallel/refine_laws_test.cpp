@@ -1,10 +1,11 @@
-// How the mesh of a changed input follows from the mesh of the input.
+// Metamorphic tests: the mesh of a changed input, compared with the mesh of the input.
 //
-// Exact laws: a power of two scales every coordinate and every intermediate result without rounding, and the order
-// in which points and segments are listed decides nothing, since every order follows from coordinates.
-// No exact laws: a translation changes how circumcentres round, so the mesh of a lattice moved by a lattice vector
-// has the same guarantees and about the same size, but other points; a reflection or a quarter turn besides changes
-// the space-filling curve and with it the order of insertions.
+// Two changes have an exact effect. A power of two scales every coordinate and every intermediate result without
+// rounding. The order of points and segments in the input has no effect, because every order in the engine follows from
+// coordinates.
+// Other changes have none. A translation changes the rounding of circumcentres, so the mesh has the same guarantees and
+// about the same size, but other points. A reflection or a quarter turn also changes the space-filling curve, and with
+// it the order of insertions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,8 +40,8 @@ Mesh scaled(Mesh m, double scale) {
 
 class Law : public testing::TestWithParam<std::string> {
  protected:
-  /// But for the wedge: where one of its segments has to be split, shell by shell all of them are, and at 20.7
-  /// degrees rounding decides whether one has to.
+  /// Not for the wedge. If one of its segments is split, all of them are, shell by shell; and at 20.7 degrees rounding
+  /// decides whether one is split.
   void expect_like_sizes(const Mesh& here, const Mesh& there) const {
     if (GetParam() == "wedge") return;
     const auto ratio = static_cast<double>(there.triangles.size()) / static_cast<double>(here.triangles.size());
@@ -63,7 +64,7 @@ TEST_P(Law, scaling_by_a_power_of_two_scales_the_mesh) {
   }
 }
 
-TEST_P(Law, the_order_of_points_and_segments_decides_nothing) {
+TEST_P(Law, the_order_of_points_and_segments_has_no_effect) {
   samples::Random random(7);
   std::vector<Index> new_place(pslg_.points.size());
   for (std::size_t i = 0; i < new_place.size(); ++i) new_place[i] = static_cast<Index>(i);
@@ -82,7 +83,7 @@ TEST_P(Law, the_order_of_points_and_segments_decides_nothing) {
   }
 }
 
-TEST_P(Law, turning_segments_round_decides_nothing) {
+TEST_P(Law, reversing_segments_has_no_effect) {
   Pslg turned = pslg_;
   for (Segment& s : turned.segments) std::swap(s.a, s.b);
   for (const Goal& goal : goals()) EXPECT_EQ(digest(mesh_of(turned, goal)), digest(mesh_of(pslg_, goal)));

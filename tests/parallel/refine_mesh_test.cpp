@@ -1,4 +1,4 @@
-// Refinement of a mesh that exists already.
+// Refinement of an existing mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST(RefineMesh, keeps_every_vertex_and_meets_the_finer_goal) {
   EXPECT_TRUE(certificate.valid) << to_text(certificate);
 }
 
-TEST(RefineMesh, honours_a_cap_per_triangle) {
+TEST(RefineMesh, applies_a_cap_per_triangle) {
   const Mesh coarse = coarse_square();
   std::vector<double> caps(coarse.triangles.size(), 1.0);
   caps[0] = 1e-4;
@@ -68,8 +68,8 @@ TEST(RefineMesh, honours_a_cap_per_triangle) {
   EXPECT_LT(fine->mesh.triangles.size(), 10'000U) << "only that triangle is refined, and a graded ring around it";
 }
 
-/// A good mesh stays as it is, whatever the domain; where small input angles excuse triangles, they stay excused.
-TEST(RefineMesh, with_the_goal_that_it_meets_changes_nothing) {
+/// A mesh that satisfies the goal does not change, on any domain. Exempt triangles stay exempt.
+TEST(RefineMesh, with_a_goal_that_is_met_changes_nothing) {
   for (const std::string& name : domains::names()) {
     for (const Goal& goal : {Goal{}, Goal{.min_angle_deg = 30, .max_area = 0.01}, Goal{.conforming = true}}) {
       SCOPED_TRACE(name + " at " + std::to_string(goal.min_angle_deg) + (goal.conforming ? " conforming" : ""));
@@ -141,7 +141,7 @@ TEST(RefineMesh, keeps_markers_regions_and_attributes) {
     EXPECT_NEAR(fine->mesh.point_attributes[v], fine->mesh.points[v].x + fine->mesh.points[v].y, 1e-9);
 }
 
-TEST(RefineMesh, refuses_what_is_no_mesh) {
+TEST(RefineMesh, refuses_an_invalid_mesh) {
   const Mesh good = coarse_square();
   Mesh empty = good, flipped = good, lost_vertex = good, lost_neighbour = good, lost_edge = good, not_a_number = good;
   empty.triangles.clear();

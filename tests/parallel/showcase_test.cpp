@@ -1,5 +1,5 @@
-// What a user may expect on named domains, at the angles that people ask for: certified meshes, exemptions only
-// beside small input angles, and no more triangles than Triangle makes.
+// The named domains at usual angles: the meshes are certified, triangles are exempt only at small input angles, and
+// there are no more triangles than in Triangle's meshes.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -58,7 +58,7 @@ std::size_t triangles(const Pslg& pslg, const Goal& goal) {
   return meshed ? meshed->mesh.triangles.size() : SIZE_MAX;
 }
 
-// For meshes of some thousand triangles and more. Of the first two Triangle 1.6 makes a tenth more.
+// The constants hold for meshes of some thousand triangles and more. For the first two Triangle 1.6 makes a tenth more.
 
 TEST(MeshSize, of_the_square_is_at_most_1_41_over_the_bound) {
   for (const double bound : {3e-4, 1e-4, 1e-5, 1.55e-6}) {

@@ -23,8 +23,8 @@ inline void showValue(const Pslg& pslg, std::ostream& out) {  // found by RapidC
 
 namespace pardel::testing {
 
-/// Distinct points with coordinates from 1 to `size`, distinct segments between them, and the square from (0, 0) to
-/// (size + 1, size + 1), whose corners come last. `unit` is what the lattice is scaled by.
+/// Distinct points with integer coordinates from 1 to `size`, distinct segments between them, and the square from (0,
+/// 0) to (size + 1, size + 1), whose corners come last. All coordinates are multiplied by `unit`.
 inline rc::Gen<Pslg> lattice_mess(int size, double unit = 1) {
   const auto point = rc::gen::pair(rc::gen::inRange(1, size + 1), rc::gen::inRange(1, size + 1));
   const auto ends = rc::gen::pair(rc::gen::inRange<Index>(0, 1000), rc::gen::inRange<Index>(0, 1000));
@@ -47,7 +47,8 @@ inline rc::Gen<Pslg> lattice_mess(int size, double unit = 1) {
       rc::gen::container<std::vector<std::pair<Index, Index>>>(ends));
 }
 
-/// Short and long pieces of a lattice on which everything is degenerate, and of ones that doubles only approach.
+/// On lattices whose coordinates are exact, where degeneracies are frequent, and on lattices whose coordinates are
+/// rounded.
 inline rc::Gen<Pslg> mess() {
   return rc::gen::oneOf(lattice_mess(5), lattice_mess(12, 0.1), lattice_mess(1000, 1.0 / 3),
                         lattice_mess(1000000, 1e-7));

@@ -1,4 +1,4 @@
-// What repair() does to each kind of damage, and what it leaves alone.
+// repair(): the repair of each kind of problem.
 #include "../../../parallel/repair.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(Repair, leaves_a_valid_domain_as_it_is) {
   EXPECT_TRUE(result.log.empty());
 }
 
-TEST(Repair, merges_equal_points_and_says_where_they_went) {
+TEST(Repair, merges_equal_points_and_maps_them) {
   Pslg pslg = square(4);
   pslg.points.insert(pslg.points.begin() + 1, {0, 0});  // 0 and 1 are equal now
   pslg.segments = {{0, 2}, {2, 3}, {3, 4}, {4, 1}};
@@ -139,7 +139,7 @@ TEST(Repair, drops_holes_and_regions_that_have_no_face_of_their_own) {
   EXPECT_EQ(result.log.size(), 6);
 }
 
-TEST(Repair, splits_a_pencil_of_lines_through_nearly_one_point) {
+TEST(Repair, splits_many_segments_that_cross_near_one_point) {
   Pslg pslg;
   add_square(pslg, 4, {-2, -2});
   for (int i = 0; i < 60; ++i) {
@@ -154,7 +154,7 @@ TEST(Repair, splits_a_pencil_of_lines_through_nearly_one_point) {
   EXPECT_EQ(snapped.domain.pslg().points.size(), pslg.points.size() + 1);
 }
 
-TEST(Repair, keeps_a_log_of_what_it_did) {
+TEST(Repair, logs_every_change) {
   Pslg pslg = square(4);
   pslg.points.insert(pslg.points.end(), {{0, 0}, {2, 0}});
   pslg.segments.insert(pslg.segments.end(), {{0, 4}, {0, 2}, {1, 3}, {2, 0}});
@@ -170,7 +170,7 @@ TEST(Repair, keeps_a_log_of_what_it_did) {
             }));
 }
 
-TEST(Repair, refuses_what_topology_cannot_mend) {
+TEST(Repair, refuses_unusable_values_and_domains_without_an_outline) {
   Pslg pslg = square(4);
   pslg.points.push_back({NAN, 0});
   EXPECT_EQ(repair(pslg).error().kind, ErrorKind::invalid_input);
@@ -189,7 +189,7 @@ TEST(Repair, refuses_what_topology_cannot_mend) {
   EXPECT_FALSE(repair({}).ok());
 }
 
-TEST(Repair, refuses_a_snapping_distance_that_is_none) {
+TEST(Repair, refuses_a_snapping_distance_that_is_not_a_length) {
   for (const double snap : {-1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)})
     EXPECT_EQ(repair(square(1), snap).error().kind, ErrorKind::usage);
 }

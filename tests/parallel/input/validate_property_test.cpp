@@ -1,4 +1,5 @@
-// Conflicts, faces and repair on random messes of segments, against exact constructions and against their own laws.
+// Conflicts, faces and repair on random segments that cross, overlap and touch: compared with exact constructions, and
+// with properties that they must have.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
@@ -29,7 +30,7 @@ K::Segment_2 exact(const Pslg& pslg, Index s) {
 }
 bool is_end(const K::Segment_2& s, const K::Point_2& p) { return p == s.source() || p == s.target(); }
 
-/// By definition, from what every two segments have in common and every point on every segment.
+/// By definition, from the intersections of all pairs of segments and from all pairs of a point and a segment.
 std::vector<Conflict> conflicts_by_definition(const Pslg& pslg) {
   std::vector<Conflict> conflicts;
   for (Index s = 0; s < pslg.segments.size(); ++s) {
@@ -97,7 +98,7 @@ PARDEL_PROPERTY(Conflicts, have_their_crossing_where_rational_arithmetic_has_it,
   }
 }
 
-/// A mess after repair: faces of all shapes, with islands and dangling ends.
+/// Random segments after repair. The faces have all shapes, with islands and dangling ends.
 Pslg some_planar_graph(Exhibit& exhibit) {
   const Pslg pslg = some_mess(exhibit);
   Result<Repaired> result = repair(pslg);
@@ -145,7 +146,7 @@ PARDEL_PROPERTY(Faces, change_across_a_segment_and_nowhere_else,
   const Point p{*anywhere, *anywhere}, q{*anywhere, *anywhere};
   RC_PRE(p != q && index.through(p) == no_index && index.through(q) == no_index);
 
-  // Walk from p to q over the segments between them; not over their ends.
+  // Walk from p to q across the segments between them, but not through their ends.
   const K::Segment_2 walk(exact(p), exact(q));
   std::vector<std::pair<K::FT, Index>> crossed;
   for (Index s = 0; s < pslg.segments.size(); ++s) {
@@ -214,7 +215,7 @@ PARDEL_PROPERTY(Repair, keeps_every_segment_as_a_chain_within_rounding,
   RC_ASSERT(result.ok());
   const double rounding = 1e-14 * mess.points.back().y;
   for (Index s = 0; s < mess.segments.size(); ++s) {
-    // What can be reached along new segments that lie on the old one.
+    // The points that can be reached along new segments on the old segment.
     std::set<Index> reached{result->point_map[mess.segments[s].a]};
     for (std::size_t size = 0; size < reached.size();) {
       size = reached.size();

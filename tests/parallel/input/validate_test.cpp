@@ -1,4 +1,4 @@
-// One test per kind of problem: its kind, ids, place and sentence; and inputs that have none.
+// find_problems(): one test per kind of problem, with its ids, place and message; and inputs without problems.
 #include "../../../parallel/validate.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ void expect_only(ProblemKind kind, const Ids& ids, Point where, const Pslg& pslg
   EXPECT_EQ(problems[0].where, where);
 }
 
-TEST(Validate, finds_nothing_wrong_with_good_domains) {
+TEST(Validate, finds_no_problem_in_valid_domains) {
   Pslg with_hole = square(4);
   add_square(with_hole, 2, {1, 1});
   with_hole.holes = {{2, 2}};
@@ -93,7 +93,7 @@ TEST(Validate, reports_a_wrong_number_of_attributes_or_markers) {
   expect_only(ProblemKind::wrong_count, {}, {}, pslg);
 }
 
-TEST(Validate, reports_a_segment_that_names_no_point) {
+TEST(Validate, reports_a_segment_whose_end_is_no_point) {
   Pslg pslg = square(1);
   pslg.segments.push_back({0, 4});
   pslg.segments.push_back({no_index, 2});
@@ -155,7 +155,7 @@ TEST(Validate, reports_crossing_segments_with_the_crossing) {
   EXPECT_EQ(find_problems(pslg)[0].message(1), "Segments 5 and 6 cross at (2, 2).");
 }
 
-TEST(Validate, tells_a_crossing_from_a_near_miss_by_one_rounding) {
+TEST(Validate, distinguishes_a_crossing_from_a_miss_by_one_rounding) {
   Pslg pslg = square(1);
   const double x = 0.7;
   pslg.points.insert(pslg.points.end(), {{0.1, 0.1}, {0.9, 0.9}, {x, x}, {0.8, 0.2}});
@@ -237,7 +237,7 @@ TEST(Validate, reports_an_outline_that_is_not_closed) {
   EXPECT_TRUE(find_problems(pslg, {.convex_hull = true}).empty());
 }
 
-TEST(Validate, reports_holes_that_leave_nothing) {
+TEST(Validate, reports_holes_that_leave_no_domain) {
   Pslg pslg = square(4);
   pslg.points.push_back({2, 2});
   pslg.segments.push_back({0, 2});
@@ -304,7 +304,7 @@ TEST(Validate, reports_an_area_cap_that_is_not_positive) {
   }
 }
 
-TEST(Validate, counts_pockets_of_the_hull_as_domain_when_the_hull_is_the_outline) {
+TEST(Validate, includes_pockets_of_the_hull_in_the_domain_when_the_hull_is_the_outline) {
   Pslg wedge;  // a reflex corner: the pocket is the triangle 0, 1, 2
   add_polygon(wedge, {{0, 0}, {2, 3}, {4, 0}, {4, 4}, {0, 4}});
   wedge.regions = {{{2, 1}}};
@@ -349,7 +349,7 @@ TEST(Validate, orders_problems_by_kind_and_ids) {
                 (problems[i - 1].kind == problems[i].kind && problems[i - 1].ids < problems[i].ids));
 }
 
-TEST(Validate, stops_at_so_many_problems_of_a_kind) {
+TEST(Validate, stops_at_the_largest_number_of_problems_of_a_kind) {
   Pslg pslg = square(101);
   for (int i = 1; i <= 100; ++i) {
     const Index n = static_cast<Index>(pslg.points.size());
@@ -368,7 +368,7 @@ TEST(Validate, works_far_from_the_origin) {
   expect_only(ProblemKind::hole_outside, {0}, {654323, 4987654.5}, pslg);
 }
 
-TEST(Validate, has_a_name_and_a_sentence_for_every_kind) {
+TEST(Validate, has_a_name_and_a_message_for_every_kind) {
   for (int k = 0; k <= static_cast<int>(ProblemKind::bad_region_cap); ++k) {
     const Problem problem{static_cast<ProblemKind>(k), {2, 5}, {0.1, -1e22}};
     EXPECT_STRNE(name(problem.kind), "unknown");

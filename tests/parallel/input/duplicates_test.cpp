@@ -1,0 +1,32 @@
+// Equal and close points.
+#include "../../../parallel/input/duplicates.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pardel::engine {
+namespace {
+
+TEST(Duplicates, name_the_first_of_equal_points) {
+  const std::vector<Point> points{{1, 2}, {0.0, 3}, {1, 2}, {-0.0, 3}, {2, 1}, {1, 2}};
+  EXPECT_EQ(find_duplicates(points), (std::vector<Duplicate>{{0, 2}, {1, 3}, {0, 5}}));
+  EXPECT_TRUE(find_duplicates({}).empty());
+}
+
+TEST(Duplicates, are_found_among_many_points) {
+  std::vector<Point> points;
+  for (int i = 0; i < 100000; ++i) points.push_back({0.1 * (i % 300), 0.1 * (i / 300)});
+  EXPECT_TRUE(find_duplicates(points).empty());
+  points.push_back(points[77777]);
+  for (const int threads : {0, 1, 2, 7})
+    EXPECT_EQ(find_duplicates(points, threads), (std::vector<Duplicate>{{77777, 100000}})) << threads;
+  EXPECT_EQ(find_duplicates(std::vector<Point>(50000)).size(), 49999);
+}
+
+TEST(Duplicates, include_points_closer_than_a_distance_across_cells) {
+  const std::vector<Point> points{{0.99, 0}, {1.01, 0}, {2.02, 0}, {0, 0}, {1.5, 0}};
+  EXPECT_EQ(find_close(points, 1), (std::vector<Duplicate>{{0, 1}, {0, 3}, {0, 4}}));
+  EXPECT_TRUE(find_close(points, 1e-300).empty());
+}
+
+}  // namespace
+}  // namespace pardel::engine
