@@ -6,9 +6,9 @@
 
 #include <cmath>
 
+#include "../core/support/stopwatch.hpp"
 #include "cgal_mesh_2.hpp"
 #include "run_in_child.hpp"
-#include "stopwatch.hpp"
 #include "tool.hpp"
 
 namespace pardel::bench {

@@ -5,14 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <vector>
 
 #include "../cli/choice.hpp"
+#include "../cli/names.hpp"
+#include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/domains/domains.hpp"
 #include "run_in_child.hpp"
-#include "stopwatch.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 
@@ -101,9 +101,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--per-thread", settings.per_thread, "Triangles for each thread")->capture_default_str();
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
-  const std::map<std::string, Decomposition> decompositions = {{"auto", Decomposition::automatic},
-                                                               {"paper", Decomposition::paper}};
-  app.add_option("--decomposition", settings.decomposition, "auto or paper")->transform(cli::choice(decompositions));
+  app.add_option("--decomposition", settings.decomposition, "auto, paper or none")
+      ->transform(cli::choice(cli::decomposition_names));
   CLI11_PARSE(app, argc, argv);
   for (const bench::Table& table : bench::tables) bench::print(table, settings);
   return 0;

@@ -1,6 +1,6 @@
+#include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "run_in_child.hpp"
-#include "stopwatch.hpp"
 #include "tool.hpp"
 
 namespace pardel::bench {

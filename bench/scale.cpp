@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "../cli/memory.hpp"
+#include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "run_in_child.hpp"
-#include "stopwatch.hpp"
 #include "tool.hpp"
 
 namespace pardel::bench {

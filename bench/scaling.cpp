@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "../core/digest.hpp"
+#include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "run_in_child.hpp"
-#include "stopwatch.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 

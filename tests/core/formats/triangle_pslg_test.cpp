@@ -76,6 +76,13 @@ TEST(Poly, counts_from_the_number_of_the_first_point) {
   EXPECT_EQ(*from_0, *from_1);
 }
 
+TEST(Poly, remembers_the_number_of_the_first_point) {
+  const auto first_id = [](std::string_view text) { return parse_poly(text, "f")->first_id.value; };
+  EXPECT_EQ(first_id("2 2 0 0\n0 0 0\n1 1 0\n0\n0\n"), 0);
+  EXPECT_EQ(first_id("2 2 0 0\n1 0 0\n2 1 0\n0\n0\n"), 1);
+  EXPECT_EQ(*parse_poly("2 2 0 0\n0 0 0\n1 1 0\n0\n0\n", "f"), *parse_poly("2 2 0 0\n1 0 0\n2 1 0\n0\n0\n", "f"));
+}
+
 TEST(Poly, needs_no_more_in_a_header_than_the_count) {
   const auto pslg = parse_poly("3\n1 0 0\n2 1 0\n3 0 1\n1\n1 1 2\n0\n", "f");
   ASSERT_TRUE(pslg.ok()) << pslg.error().message;
