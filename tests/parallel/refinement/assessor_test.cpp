@@ -33,7 +33,7 @@ struct Scene {
   }
 };
 
-TEST(Assessor, asks_to_split_an_encroached_edge_before_the_triangle) {
+TEST(Assessor, splits_an_encroached_edge_before_the_triangle) {
   const Scene scene({4, 1}, {.min_angle_deg = 30, .max_area = 0.1});
   const Assessment a = scene.assessor.assess(0);
   EXPECT_EQ(a.need, Need::split_edge);
@@ -45,7 +45,7 @@ TEST(Assessor, asks_to_split_an_encroached_edge_before_the_triangle) {
   EXPECT_NE(inside.side, scene.base()) << "the shortest side is another one";
 }
 
-TEST(Assessor, asks_for_nothing_where_the_triangle_keeps_the_goal) {
+TEST(Assessor, does_nothing_where_the_triangle_keeps_the_goal) {
   const Scene scene({4, 7}, {.min_angle_deg = 30});
   EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
   EXPECT_FALSE(scene.assessor.assess(0).left_alone);
