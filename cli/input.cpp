@@ -24,8 +24,8 @@ long long first_number(std::istream& in, long long fallback) {
   return fallback;
 }
 
-/// The domain of a mesh in Triangle's files, where the .poly written with it lies beside it.
-Result<Pslg> domain_beside(const fs::path& file, const Mesh& mesh) {
+/// The domain of a mesh: the .poly of the same name where there is one with as many points, else domain_of(mesh).
+Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
   const fs::path poly = fs::path(file).replace_extension(".poly");
   const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
   std::error_code ignored;
@@ -45,7 +45,7 @@ bool has_own_points(const fs::path& poly) {
 
 Result<Domain> read_domain(const fs::path& file) {
   if (is_mesh_suffix(file) && file.extension() != ".node") {
-    return Error{ErrorKind::usage, fmt::format("{}: a domain is needed here, a .poly or .node file; meshes are for "
+    return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly or .node file; meshes are for "
                                                "'pardel mesh --refine' and 'pardel check'",
                                                file.string())};
   }
@@ -57,7 +57,7 @@ Result<Domain> read_domain(const fs::path& file) {
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   Result<Mesh> mesh = read_mesh(file);
   if (!mesh) return mesh.error();
-  Result<Pslg> pslg = domain_beside(file, *mesh);
+  Result<Pslg> pslg = domain_with(file, *mesh);
   if (!pslg) return pslg.error();
   CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), file.string()}};
   adopt_segments(coarse);

@@ -32,7 +32,7 @@ bool begins_with_number(std::string_view rest) {
   return !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 || rest[0] == '.');
 }
 
-/// What a switch of Triangle that is not supported does; null for any other letter.
+/// The purpose of a switch of Triangle that is not supported; null for any other letter.
 const char* unsupported(char letter) {
   switch (letter) {
     case 'u':
