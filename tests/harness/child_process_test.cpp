@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-#include "../core/folder.hpp"
+#include "../temporary_folder.hpp"
 
 namespace pardel::harness {
 namespace {
@@ -35,7 +35,7 @@ class AChildProcess : public ::testing::Test {
     return run_child({"/bin/sh", "-c", script}, folder_ / "log", limits, stop);
   }
 
-  const Folder folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(AChildProcess, GivesItsExitCodeAndWhatItSaid) {

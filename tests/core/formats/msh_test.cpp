@@ -7,7 +7,7 @@
 #include "../../../core/digest.hpp"
 #include "../../../core/formats.hpp"
 #include "../../../core/formats/mesh_readers.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
 namespace pardel {
@@ -93,7 +93,7 @@ Mesh sorted_sample() {
 }
 
 TEST(Msh, reads_back_as_the_mesh_it_was_but_for_the_order_of_triangles) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", encoding).ok());
     const auto read = read_mesh(folder / "m.msh");
@@ -104,7 +104,7 @@ TEST(Msh, reads_back_as_the_mesh_it_was_but_for_the_order_of_triangles) {
 }
 
 TEST(Msh, names_regions_and_markers_as_physical_groups_with_their_own_tags_where_they_can_be_tags) {
-  const Folder folder;
+  const TemporaryFolder folder;
   ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", MshEncoding::ascii).ok());
   EXPECT_NE(folder.read("m.msh").find("$PhysicalNames\n6\n1 2 \"marker -4\"\n1 3 \"marker 0\"\n1 1 \"marker 1\"\n"
                                       "1 5 \"marker 5\"\n2 1 \"region 2.5\"\n2 7 \"region 7\"\n$EndPhysicalNames"),
@@ -112,7 +112,7 @@ TEST(Msh, names_regions_and_markers_as_physical_groups_with_their_own_tags_where
 }
 
 TEST(Msh, keeps_triangles_that_have_no_region) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh = sorted_sample();
   mesh.region[2] = mesh.region[3] = no_index;
   mesh.region_attributes = {2.5};
@@ -125,7 +125,7 @@ TEST(Msh, keeps_triangles_that_have_no_region) {
 }
 
 TEST(Msh, of_an_empty_mesh_can_be_read) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh({}, folder / "m.msh", encoding).ok());
     const auto read = read_mesh(folder / "m.msh");
@@ -205,7 +205,7 @@ TEST(Msh, says_what_is_wrong_in_which_line) {
 }
 
 TEST(Msh, cut_off_anywhere_is_refused) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", encoding).ok());
     const std::string file = folder.read("m.msh");
@@ -216,7 +216,7 @@ TEST(Msh, cut_off_anywhere_is_refused) {
 }
 
 TEST(Msh, in_binary_gives_the_place_of_an_error_in_bytes) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
   mesh.points[5].x = std::numeric_limits<double>::infinity();
   ASSERT_TRUE(write_msh(mesh, folder / "m.msh", MshEncoding::binary).ok());
@@ -226,7 +226,7 @@ TEST(Msh, in_binary_gives_the_place_of_an_error_in_bytes) {
 }
 
 /// Gmsh's words on opening a file and saving it again as `to`.
-std::string gmsh(const Folder& folder, const std::string& options) {
+std::string gmsh(const TemporaryFolder& folder, const std::string& options) {
   const std::string log = (folder / "log").string();
   const std::string command =
       "cd '" + (folder / "").string() + "' && '" PARDEL_GMSH "' " + options + " > '" + log + "' 2>&1";
@@ -235,7 +235,7 @@ std::string gmsh(const Folder& folder, const std::string& options) {
 
 TEST(Msh, is_opened_by_gmsh_without_a_warning_and_comes_back_the_same) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
-  const Folder folder;
+  const TemporaryFolder folder;
   // An infinite or tiny attribute would not go through Gmsh's 16 digits; coordinates here are exact in them.
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh(sample_mesh(), folder / "ours.msh", encoding).ok());
@@ -249,7 +249,7 @@ TEST(Msh, is_opened_by_gmsh_without_a_warning_and_comes_back_the_same) {
 
 TEST(Msh, made_by_gmsh_is_read_with_its_groups) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("two.geo", R"(Point(1)={0,0,0,0.3}; Point(2)={2,0,0,0.3}; Point(3)={2,1,0,0.3}; Point(4)={0,1,0,0.3};
 Point(5)={1,0,0,0.3}; Point(6)={1,1,0,0.3};
 Line(1)={1,5}; Line(2)={5,2}; Line(3)={2,3}; Line(4)={3,6}; Line(5)={6,4}; Line(6)={4,1}; Line(7)={5,6};

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "../../../core/formats.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
 namespace pardel {
 namespace {
 
 TEST(Off, is_counts_then_vertices_then_faces) {
-  const Folder folder;
+  const TemporaryFolder folder;
   ASSERT_TRUE(write_off(sample_mesh(), folder / "m.off").ok());
   EXPECT_EQ(folder.read("m.off"),
             "OFF\n6 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n5 5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
@@ -22,7 +22,7 @@ TEST(Off, is_counts_then_vertices_then_faces) {
 }
 
 TEST(Off, may_have_its_counts_on_the_first_line_comments_and_colours) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto read =
       read_mesh(folder.write("m.off", "# made by hand\nOFF 3 1 3\n\n0 0 1\n1 0 2\n0 1 3\n3 0 1 2 255 0 0\n"));
   ASSERT_TRUE(read.ok()) << read.error().message;
@@ -31,7 +31,7 @@ TEST(Off, may_have_its_counts_on_the_first_line_comments_and_colours) {
 }
 
 TEST(Off, says_what_is_wrong_in_which_line) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto failure = [&](const char* text) { return message_of(read_mesh(folder.write("m.off", text)), folder); };
   EXPECT_EQ(failure(""), "m.off:1: expected \"OFF\", found the end of the file");
   EXPECT_EQ(failure("COFF\n"), "m.off:1: expected \"OFF\", found \"COFF\"");

@@ -9,7 +9,7 @@
 #include "../../../core/formats/mesh_readers.hpp"
 #include "../../../core/neighbours.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 
 namespace pardel {
 using namespace files;
@@ -84,7 +84,7 @@ Mesh any_mesh() {
   return mesh;
 }
 
-Mesh read_back(const Folder& folder, const char* name) {
+Mesh read_back(const TemporaryFolder& folder, const char* name) {
   const auto read = read_mesh(folder / name);
   RC_ASSERT(read.ok());
   return *read;
@@ -94,7 +94,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_pslg_through_a_poly_changes_nothing,
                 {.statement = "a domain written as .poly reads back equal",
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Pslg pslg = any_pslg();
   RC_ASSERT(write_poly(pslg, folder / "p.poly", either() ? 1 : 0).ok());
   const auto read = read_pslg(folder / "p.poly");
@@ -106,7 +106,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_triangles_files_changes_nothing,
                 {.statement = "a mesh written as .node, .ele, .edge, .neigh reads back equal",
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Mesh mesh = any_mesh();
   TriangleFiles files;
   files.base = either() ? 1 : 0;
@@ -120,7 +120,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_vtu_changes_nothing,
                 {.statement = "a mesh written as .vtu reads back equal",
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Mesh mesh = any_mesh();
   RC_ASSERT(write_vtu(mesh, folder / "m.vtu").ok());
   RC_ASSERT(read_back(folder, "m.vtu") == mesh);
@@ -130,7 +130,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest
                 {.statement = "a mesh written as .msh reads back with the same points, regions and digest",
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Mesh mesh = any_mesh();
   RC_ASSERT(write_msh(mesh, folder / "m.msh", either() ? MshEncoding::ascii : MshEncoding::binary).ok());
   const Mesh read = read_back(folder, "m.msh");
@@ -144,7 +144,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles,
                 {.statement = "a mesh written as .off reads back with the same points and triangles",
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Mesh mesh = any_mesh();
   RC_ASSERT(write_off(mesh, folder / "m.off").ok());
   const Mesh read = read_back(folder, "m.off");
@@ -157,7 +157,7 @@ PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
                 {.statement = "a file with some bytes changed reads as a value or gives an error with a message",
                  .source = "core/formats.hpp",
                  .families = "files of four formats"}) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Mesh mesh = any_mesh();
   const char* names[] = {"m.vtu", "m.off", "m.ele", "m.msh"};
   const char* name = names[below(4)];

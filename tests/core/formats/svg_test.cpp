@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../../../core/formats.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
 namespace pardel {
@@ -18,7 +18,7 @@ std::size_t count(const std::string& text, const std::string& pattern) {
 }
 
 TEST(Svg, of_a_mesh_fills_each_region_and_draws_each_constrained_edge) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
   ASSERT_TRUE(write_svg(mesh, folder / "m.svg").ok());
   const std::string svg = folder.read("m.svg");
@@ -29,7 +29,7 @@ TEST(Svg, of_a_mesh_fills_each_region_and_draws_each_constrained_edge) {
 }
 
 TEST(Svg, of_a_mesh_with_hues_fills_each_triangle_with_its_own) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Mesh mesh = sample_mesh();
   ASSERT_EQ(mesh.triangles.size(), 4u);
   const std::vector<std::uint16_t> hues = {0, 359, no_hue, 359};
@@ -42,7 +42,7 @@ TEST(Svg, of_a_mesh_with_hues_fills_each_triangle_with_its_own) {
 }
 
 TEST(Svg, has_y_upwards_and_fits_its_canvas_even_far_from_the_origin) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
   mesh.points.pop_back();
   mesh.region.clear();
@@ -55,7 +55,7 @@ TEST(Svg, has_y_upwards_and_fits_its_canvas_even_far_from_the_origin) {
 }
 
 TEST(Svg, of_a_pslg_shows_points_segments_holes_and_regions) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Pslg pslg;
   pslg.points = {{0, 0}, {1, 0}, {0, 1}, {0.25, 0.25}};
   pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
@@ -70,7 +70,7 @@ TEST(Svg, of_a_pslg_shows_points_segments_holes_and_regions) {
 }
 
 TEST(Svg, of_nothing_is_still_a_drawing) {
-  const Folder folder;
+  const TemporaryFolder folder;
   EXPECT_TRUE(write_svg(Mesh{}, folder / "m.svg").ok());
   EXPECT_TRUE(write_svg(Pslg{}, folder / "p.svg").ok());
   EXPECT_EQ(count(folder.read("m.svg"), "<svg "), 1u);

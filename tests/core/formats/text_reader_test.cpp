@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 
 namespace pardel::files {
 namespace {
@@ -132,14 +132,14 @@ TEST(ReadFile, names_a_file_that_is_not_there) {
 }
 
 TEST(ReadFile, refuses_a_folder) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto result = read_file(folder / "");
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, ErrorKind::io);
 }
 
 TEST(ReadFile, returns_all_bytes) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string bytes("\0\xff\r\n#", 5);
   EXPECT_EQ(*read_file(folder.write("with spaces.bin", bytes)), bytes);
 }

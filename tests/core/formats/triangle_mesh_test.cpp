@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../../../core/formats.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
 namespace pardel {
@@ -15,10 +15,10 @@ namespace {
 constexpr const char* node = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
 constexpr const char* ele = "2 3 0\n1 1 2 3\n2 1 3 4\n";
 
-std::string failure_of(const Folder& folder) { return message_of(read_mesh(folder / "m.ele"), folder); }
+std::string failure_of(const TemporaryFolder& folder) { return message_of(read_mesh(folder / "m.ele"), folder); }
 
 TEST(TriangleFiles, say_all_that_the_formats_say) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Pslg pslg;
   pslg.holes = {{0.5, 0.25}};
   pslg.regions = {{{1, 0.5}, 2.5, 0.125}, {{1.5, 1}, 7, std::numeric_limits<double>::infinity()}};
@@ -38,7 +38,7 @@ TEST(TriangleFiles, say_all_that_the_formats_say) {
 }
 
 TEST(TriangleFiles, leave_out_what_they_are_told_to) {
-  const Folder folder;
+  const TemporaryFolder folder;
   TriangleFiles files;
   files.base = 0;
   files.write_node = false;
@@ -53,7 +53,7 @@ TEST(TriangleFiles, leave_out_what_they_are_told_to) {
 }
 
 TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corners) {
-  const Folder folder;
+  const TemporaryFolder folder;
   TriangleFiles files;
   files.second_order = true;
   ASSERT_TRUE(write_triangle_files(sample_mesh(), {}, folder / "m", files).ok());
@@ -70,7 +70,7 @@ TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corne
 }
 
 TEST(TriangleFiles, read_back_as_the_mesh_they_were) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const int base : {0, 1}) {
     TriangleFiles files;
     files.base = base;
@@ -84,7 +84,7 @@ TEST(TriangleFiles, read_back_as_the_mesh_they_were) {
 }
 
 TEST(TriangleFiles, give_markers_to_vertices_by_their_constrained_edges_where_the_mesh_has_none) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
   mesh.point_markers.clear();
   ASSERT_TRUE(write_mesh(mesh, {}, folder / "m.node").ok());
@@ -95,7 +95,7 @@ TEST(TriangleFiles, give_markers_to_vertices_by_their_constrained_edges_where_th
 }
 
 TEST(TriangleFiles, need_only_nodes_and_elements) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("m.node", node);
   folder.write("m.ele", ele);
   const auto mesh = read_mesh(folder / "m.node");
@@ -107,7 +107,7 @@ TEST(TriangleFiles, need_only_nodes_and_elements) {
 }
 
 TEST(TriangleFiles, take_constraints_from_the_edges_where_there_is_no_poly_of_the_mesh) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("m.node", node);
   folder.write("m.ele", ele);
   folder.write("m.edge", "5 1\n1 1 2 1\n2 2 3 4\n3 3 4 1\n4 4 1 1\n5 1 3 0\n");
@@ -121,7 +121,7 @@ TEST(TriangleFiles, take_constraints_from_the_edges_where_there_is_no_poly_of_th
 }
 
 TEST(TriangleFiles, of_neighbours_must_say_what_the_triangles_say) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("m.node", node);
   folder.write("m.ele", ele);
   folder.write("m.neigh", "2 3\n1 -1 2 -1\n2 -1 -1 1\n");
@@ -135,7 +135,7 @@ TEST(TriangleFiles, of_neighbours_must_say_what_the_triangles_say) {
 }
 
 TEST(TriangleFiles, say_what_is_wrong_in_which_line) {
-  const Folder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(failure_of(folder), "m.node: cannot be opened: No such file or directory");
   folder.write("m.node", node);
   EXPECT_EQ(failure_of(folder), "m.ele: cannot be opened: No such file or directory");

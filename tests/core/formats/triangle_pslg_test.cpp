@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../../../core/formats.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 
 namespace pardel {
 namespace {
@@ -99,7 +99,7 @@ TEST(Poly, takes_an_area_that_is_not_positive_as_none) {
 }
 
 TEST(Poly, takes_its_points_from_the_node_file_beside_it) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("key ring.node", "3 2 0 1\n0 0 0 1\n1 1 0 2\n2 0 1 3\n");
   const auto pslg = read_pslg(folder.write("key ring.poly", "0 2 0 0\n1 0\n0 0 2\n0\n"));
   ASSERT_TRUE(pslg.ok()) << pslg.error().message;
@@ -109,7 +109,7 @@ TEST(Poly, takes_its_points_from_the_node_file_beside_it) {
 }
 
 TEST(Poly, names_the_node_file_that_is_missing_or_wrong) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto poly = folder.write("a.poly", "0 2 0 0\n1 0\n1 1 2\n0\n");
   EXPECT_EQ(message_of(read_pslg(poly), folder), "a.node: cannot be opened: No such file or directory");
   folder.write("a.node", "2 2 0 0\n1 0 0\n2 x 0\n");
@@ -219,7 +219,7 @@ TEST(Poly, keeps_extreme_numbers) {
 }
 
 TEST(Node, alone_is_a_set_of_points) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto pslg = read_pslg(folder.write("p.node", "2 2 2 1\n0 0.25 1 -1 -2 5\n1 3 4 -3 -4 6\n"));
   ASSERT_TRUE(pslg.ok()) << pslg.error().message;
   EXPECT_EQ(pslg->points, (std::vector<Point>{{0.25, 1}, {3, 4}}));
@@ -229,7 +229,7 @@ TEST(Node, alone_is_a_set_of_points) {
 }
 
 TEST(Node, without_points_is_an_empty_pslg) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto pslg = read_pslg(folder.write("p.node", "0 2 0 0\n"));
   ASSERT_TRUE(pslg.ok());
   EXPECT_TRUE(pslg->points.empty());
@@ -239,14 +239,14 @@ TEST(Node, without_points_is_an_empty_pslg) {
 }
 
 TEST(Area, reads_one_cap_per_triangle_and_infinity_for_none) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto areas = read_area(folder.write("a.area", "3\n1 0.5\n2 -1\n3 1e-9\n"));
   ASSERT_TRUE(areas.ok());
   EXPECT_EQ(*areas, (std::vector<double>{0.5, std::numeric_limits<double>::infinity(), 1e-9}));
 }
 
 TEST(Area, reads_back_as_it_was_written) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::vector<double> caps{0.1, std::numeric_limits<double>::infinity(), 5e-324, 1.0 / 3, 1e300};
   for (const int base : {0, 1}) {
     ASSERT_TRUE(write_area(folder / "a.area", caps, base).ok());
@@ -256,7 +256,7 @@ TEST(Area, reads_back_as_it_was_written) {
 }
 
 TEST(Area, says_what_is_wrong_in_which_line) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto failure = [&](const char* text) { return message_of(read_area(folder.write("a.area", text)), folder); };
   EXPECT_EQ(failure(""), "a.area:1: expected the number of values, found the end of the file");
   EXPECT_EQ(failure("2\n1 0.5\n3 1\n"), "a.area:3: expected triangle 2 (numbers are consecutive), found 3");
@@ -266,14 +266,14 @@ TEST(Area, says_what_is_wrong_in_which_line) {
 }
 
 TEST(Sizes, must_be_greater_than_zero) {
-  const Folder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(*read_sizes(folder.write("a", "2\n0 0.5\n1 2\n")), (std::vector<double>{0.5, 2}));
   EXPECT_EQ(message_of(read_sizes(folder.write("a", "2\n0 0.5\n1 0\n")), folder),
             "a:3: expected a value greater than 0");
 }
 
 TEST(WritePoly, writes_what_it_was_given) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Pslg pslg = *parse_poly(everything, "f");
   for (const int base : {0, 1}) {
     ASSERT_TRUE(write_poly(pslg, folder / "out.poly", base).ok());

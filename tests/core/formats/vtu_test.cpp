@@ -6,7 +6,7 @@
 
 #include "../../../core/formats.hpp"
 #include "../../../core/formats/mesh_readers.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
 namespace pardel {
@@ -61,7 +61,7 @@ std::string failure_of(const std::string& text) {
 }
 
 TEST(Vtu, reads_back_as_the_mesh_it_was) {
-  const Folder folder;
+  const TemporaryFolder folder;
   ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
   const auto read = read_mesh(folder / "m.vtu");
   ASSERT_TRUE(read.ok()) << read.error().message;
@@ -69,7 +69,7 @@ TEST(Vtu, reads_back_as_the_mesh_it_was) {
 }
 
 TEST(Vtu, tells_the_smallest_angle_of_each_triangle) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh;
   for (const Point& p : {Point{0, 0}, {1, 0}, {0, 1}, {2, 0}}) mesh.points.push_back(p);
   mesh.triangles.push_back({{0, 1, 2}, {}});
@@ -168,7 +168,7 @@ TEST(Vtu, says_what_is_wrong_and_where) {
 }
 
 TEST(Vtu, cut_off_anywhere_is_refused) {
-  const Folder folder;
+  const TemporaryFolder folder;
   ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
   const std::string file = folder.read("m.vtu");
   const std::size_t data_end = file.size() - std::string("\n</AppendedData>\n</VTKFile>\n").size();
@@ -179,7 +179,7 @@ TEST(Vtu, cut_off_anywhere_is_refused) {
 }
 
 TEST(Vtu, with_a_number_that_is_not_finite_is_refused) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
   mesh.points[3].y = std::numeric_limits<double>::quiet_NaN();
   ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu").ok());

@@ -4,7 +4,7 @@
 
 #include "../../../core/formats.hpp"
 #include "../../../core/formats/records.hpp"
-#include "../folder.hpp"
+#include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
 namespace pardel {
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(OutputFile, appears_under_its_name_only_when_complete) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("a b.txt", "old");
   OutputFile out(folder / "a b.txt");
   out.write("new");
@@ -26,13 +26,13 @@ TEST(OutputFile, appears_under_its_name_only_when_complete) {
 }
 
 TEST(OutputFile, leaves_nothing_behind_when_it_is_given_up) {
-  const Folder folder;
+  const TemporaryFolder folder;
   { OutputFile(folder / "a.txt").write("half"); }
   EXPECT_EQ(folder.names(), "");
 }
 
 TEST(OutputFile, replaces_what_a_symbolic_link_points_to) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("file", "old");
   fs::create_symlink("file", folder / "link");
   OutputFile out(folder / "link");
@@ -84,7 +84,7 @@ TEST(Writers, report_a_full_disk) {
 }
 
 TEST(Writers, of_several_files_leave_none_if_one_fails) {
-  const Folder folder;
+  const TemporaryFolder folder;
   fs::create_symlink("/dev/full", folder / "m.ele");
   const Status status = write_mesh(sample_mesh(), {}, folder / "m.node");
   ASSERT_FALSE(status.ok());
@@ -93,7 +93,7 @@ TEST(Writers, of_several_files_leave_none_if_one_fails) {
 }
 
 TEST(Writers, that_cannot_open_a_file_leave_none) {
-  const Folder folder;
+  const TemporaryFolder folder;
   fs::create_directory(folder / "m.poly");
   EXPECT_EQ(message_of(write_mesh(sample_mesh(), {}, folder / "m.node"), folder),
             "m.poly: cannot be opened for writing: Is a directory");
@@ -101,7 +101,7 @@ TEST(Writers, that_cannot_open_a_file_leave_none) {
 }
 
 TEST(Records, are_written_in_order_across_all_blocks) {
-  const Folder folder;
+  const TemporaryFolder folder;
   constexpr std::size_t n = 200'000;
   std::string expected;
   for (std::size_t i = 0; i < n; ++i) expected += std::to_string(i) + "\n";

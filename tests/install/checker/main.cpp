@@ -1,4 +1,4 @@
-// Meshes a square and has the installed checker judge it.
+// Meshes a square and checks the mesh with the installed checker.
 #include <cstdio>
 #include <pardel/parallel/mesher.hpp>
 #include <pardel/properties/checker/check.hpp>

@@ -1,9 +1,10 @@
-// A folder of its own for a test that reads and writes files, removed with all it holds.
+// A new folder for a test that reads and writes files. It is removed with its contents.
 #pragma once
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,22 +13,25 @@
 
 namespace pardel {
 
-class Folder {
+class TemporaryFolder {
  public:
-  Folder() {
-    // ctest runs each test in a process of its own; within one process the counter tells folders apart.
+  TemporaryFolder() {
+    // ctest runs each test in its own process; the counter distinguishes the folders of one process.
     static int count = 0;
     path_ = std::filesystem::temp_directory_path() /
-            ("pardel-core-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+            ("pardel-test-folder-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     std::filesystem::create_directory(path_);
   }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
+  /// Makes the folders that `name` needs.
   std::filesystem::path write(std::string_view name, std::string_view content) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << content;
     return path_ / name;
   }
@@ -35,7 +39,7 @@ class Folder {
     std::ifstream in(path_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
-  /// The names in it, sorted, one after the other: "a.ele a.node ".
+  /// The sorted names of its files, each followed by a blank: "a.ele a.node ".
   [[nodiscard]] std::string names() const {
     std::vector<std::string> sorted;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) sorted.push_back(entry.path().filename());
@@ -49,9 +53,9 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// The message of a result that must be an error of this kind, without the folder's part of file names.
+/// The error message of `result`, with file names relative to `folder`; "(no error)" where it is no error.
 template <class T>
-std::string message_of(const T& result, const Folder& folder) {
+std::string message_of(const T& result, const TemporaryFolder& folder) {
   if (result.ok()) return "(no error)";
   std::string message = result.error().message;
   const std::string prefix = (folder / "").string();

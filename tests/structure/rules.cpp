@@ -1,0 +1,248 @@
+#include "rules.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace pardel::structure {
+namespace {
+
+namespace fs = std::filesystem;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The tables.
+
+/// A folder, and the other folders that its files may include. A file belongs to the longest folder that contains it.
+struct Layer {
+  std::string_view folder;
+  std::vector<std::string_view> may_include;
+};
+const std::vector<Layer>& layers() {
+  static const std::vector<Layer> table = {
+      {"core", {}},
+      {"parallel", {"core"}},
+      {"ref", {"core"}},
+      {"properties/checker", {"core"}},
+      {"properties/domains", {"core"}},
+      {"properties/defects", {"core", "properties/checker", "properties/domains"}},
+      {"properties/theorems",
+       {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects"}},
+      {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
+      {"cli", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"cli/harness", {"core", "properties/checker", "properties/domains", "cli"}},
+      {"fuzz", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli"}},
+      {"examples", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"tests",
+       {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",
+        "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz"}},
+  };
+  return table;
+}
+
+/// The folders whose headers are public, without those in the folders below.
+const std::set<std::string, std::less<>> public_folders = {"core", "parallel", "properties/checker",
+                                                           "properties/domains", "properties/domains/generators"};
+
+/// The rooms below the public folders are private. Their order: a room may include rooms of a lower rank of the same
+/// folder and itself, and the folder's public headers. The files directly in the folder may include all its rooms.
+struct Room {
+  std::string_view folder;
+  std::string_view room;
+  int rank;
+  std::string_view name_space;  ///< the only namespace, with those inside it, that its headers open
+};
+const std::vector<Room>& rooms() {
+  static const std::vector<Room> table = {
+      {"core", "core/support", 0, "pardel"},
+      {"core", "core/formats", 1, "pardel::files"},
+      {"parallel", "parallel/arithmetic", 0, "pardel::engine"},
+      {"parallel", "parallel/concurrency", 1, "pardel::engine"},
+      {"parallel", "parallel/input", 2, "pardel::engine"},
+      {"parallel", "parallel/triangulation", 2, "pardel::engine"},
+      {"parallel", "parallel/refinement", 3, "pardel::engine"},
+      {"parallel", "parallel/scheduling", 4, "pardel::engine"},
+      {"parallel", "parallel/conversion", 5, "pardel::engine"},
+      {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
+      {"properties/checker", "properties/checker/model", 1, "pardel::checker"},
+      {"properties/checker", "properties/checker/stages", 2, "pardel::checker"},
+  };
+  return table;
+}
+
+/// Who may include private headers from outside: `from` and `to` are folders or files.
+struct Exception {
+  std::string_view from;
+  std::string_view to;
+  std::string_view reason;
+};
+const std::vector<Exception>& exceptions() {
+  static const std::vector<Exception> table = {
+      {"parallel", "core/support", "core/support is for all folders of the project"},
+      {"properties", "core/support", "core/support is for all folders of the project"},
+      {"cli", "core/support", "core/support is for all folders of the project"},
+      {"bench", "core/support", "core/support is for all folders of the project"},
+      {"tests/core", "core", "tests the rooms of core"},
+      {"tests/parallel", "parallel", "tests the rooms of the engine"},
+      {"tests/races", "parallel/concurrency", "proves that the sanitizer sees a race in the engine's own loops"},
+      {"tests/properties/checker", "properties/checker", "tests the rooms of the checker"},
+      {"tests/parallel", "properties/checker/arithmetic/exact.hpp", "compares the engine with exact arithmetic"},
+      {"tests/properties/defects", "properties/checker/stages/findings.hpp",
+       "compares findings with those of a defect"},
+      {"properties/theorems", "properties/checker/arithmetic/exact.hpp",
+       "the theorems are checked in exact arithmetic"},
+      {"properties/defects", "properties/checker/arithmetic/exact.hpp",
+       "a defect is made, and proved, in exact arithmetic"},
+      {"properties/mutants", "properties/checker/stages/findings.hpp", "names what a mutant of the checker reports"},
+      {"cli/harness/adaptors/gmsh.cpp", "properties/checker/model/domain.hpp", "Gmsh needs the faces of the domain"},
+      {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
+  };
+  return table;
+}
+
+/// The most files of one folder of parallel/.
+constexpr std::size_t most_files_of_a_room = 16;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The rules.
+
+bool lies_in(std::string_view path, std::string_view folder) {
+  return path == folder || (path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/');
+}
+
+std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
+
+const Layer* layer_of(std::string_view file) {
+  const Layer* longest = nullptr;
+  for (const Layer& layer : layers())
+    if (lies_in(file, layer.folder) && (longest == nullptr || layer.folder.size() > longest->folder.size()))
+      longest = &layer;
+  return longest;
+}
+
+const Room* room_of(std::string_view file) {
+  const auto room = std::find_if(rooms().begin(), rooms().end(), [&](const Room& r) { return lies_in(file, r.room); });
+  return room == rooms().end() ? nullptr : &*room;
+}
+
+bool is_header(std::string_view file) { return file.ends_with(".hpp"); }
+bool is_public_header(const std::string& file) { return is_header(file) && public_folders.contains(folder_of(file)); }
+
+/// True for a header below a public folder that is not public itself.
+bool is_private_header(const std::string& file) {
+  return is_header(file) && !is_public_header(file) &&
+         std::any_of(public_folders.begin(), public_folders.end(), [&](const auto& f) { return lies_in(file, f); });
+}
+
+const Exception* exception_for(std::string_view from, std::string_view to) {
+  const auto found = std::find_if(exceptions().begin(), exceptions().end(),
+                                  [&](const Exception& e) { return lies_in(from, e.from) && lies_in(to, e.to); });
+  return found == exceptions().end() ? nullptr : &*found;
+}
+
+/// Why `from` may not include `to`, or nothing where it may.
+std::optional<std::string> objection(const SourceTree& tree, const std::string& from, const std::string& to) {
+  if (!tree.contains(to)) return "there is no such file";
+  const Layer* mine = layer_of(from);
+  const Layer* theirs = layer_of(to);
+  if (mine == nullptr || theirs == nullptr) return "a file lies outside the folders of the table";
+  if (mine == theirs) {
+    const Room* room = room_of(from);
+    const Room* included = room_of(to);
+    if (is_public_header(from) && !is_public_header(to)) return "a public header includes a private one";
+    if (room != nullptr && included != nullptr && room != included && room->rank <= included->rank)
+      return "this room is not lower than " + std::string(room->room);
+    if (room != nullptr && included == nullptr && !is_public_header(to))
+      return "a room includes a source of its folder";
+    return std::nullopt;
+  }
+  if (std::find(mine->may_include.begin(), mine->may_include.end(), theirs->folder) == mine->may_include.end())
+    return std::string(mine->folder) + " may not use " + std::string(theirs->folder);
+  if (is_private_header(to)) {
+    if (is_public_header(from)) return "a public header includes a private one";
+    if (exception_for(from, to) == nullptr) return "the header is private to " + std::string(theirs->folder);
+  }
+  return std::nullopt;
+}
+
+/// Appends the includes that go in a circle: `path` leads from a file that has been visited to `file`.
+void find_circles(const SourceTree& tree, const std::string& file, std::vector<std::string>& path,
+                  std::set<std::string>& done, std::vector<std::string>& found) {
+  if (const auto again = std::find(path.begin(), path.end(), file); again != path.end()) {
+    std::string circle;
+    for (auto step = again; step != path.end(); ++step) circle += *step + " -> ";
+    found.push_back(circle + file + ": files include each other in a circle");
+    return;
+  }
+  const auto source = tree.find(file);
+  if (source == tree.end() || done.contains(file)) return;
+  path.push_back(file);
+  for (const Include& include : source->second.includes) find_circles(tree, include.target, path, done, found);
+  path.pop_back();
+  done.insert(file);
+}
+
+void check_namespaces(const std::string& file, const SourceFile& source, std::vector<std::string>& found) {
+  const Room* room = room_of(file);
+  if (room == nullptr || !is_header(file)) return;
+  for (const std::string& name : source.namespaces)
+    if (name != room->name_space && !name.starts_with(std::string(room->name_space) + "::"))
+      found.push_back(file + ": opens namespace " + name + ", but the namespace of its room is " +
+                      std::string(room->name_space));
+}
+
+void check_sizes(const SourceTree& tree, std::vector<std::string>& found) {
+  std::map<std::string, std::size_t> files;
+  for (const auto& [file, source] : tree)
+    if (lies_in(file, "parallel")) ++files[folder_of(file)];
+  for (const auto& [folder, count] : files)
+    if (count > most_files_of_a_room)
+      found.push_back(folder + ": " + std::to_string(count) + " files, more than " +
+                      std::to_string(most_files_of_a_room));
+}
+
+}  // namespace
+
+std::vector<std::string> violations(const SourceTree& tree) {
+  std::vector<std::string> found;
+  for (const auto& [file, source] : tree) {
+    if (layer_of(file) == nullptr) found.push_back(file + ": lies outside the folders of the table");
+    if (is_private_header(file) && room_of(file) == nullptr)
+      found.push_back(file + ": its folder is no room of the table");
+    for (const Include& include : source.includes)
+      if (const auto reason = objection(tree, file, include.target))
+        found.push_back(file + ":" + std::to_string(include.line) + ": includes " + include.target + ": " + *reason);
+    check_namespaces(file, source, found);
+  }
+  std::set<std::string> done;
+  std::vector<std::string> path;
+  for (const auto& [file, source] : tree) find_circles(tree, file, path, done, found);
+  check_sizes(tree, found);
+  return found;
+}
+
+std::vector<std::string> unused_exceptions(const SourceTree& tree) {
+  std::set<const Exception*> used;
+  for (const auto& [file, source] : tree)
+    for (const Include& include : source.includes)
+      if (layer_of(file) != layer_of(include.target) && is_private_header(include.target))
+        used.insert(exception_for(file, include.target));
+  std::vector<std::string> unused;
+  for (const Exception& e : exceptions())
+    if (!used.contains(&e)) unused.push_back(std::string(e.from) + " -> " + std::string(e.to));
+  return unused;
+}
+
+std::vector<std::string> drawing(const SourceTree& tree) {
+  std::map<std::string, int> arrows;
+  for (const auto& [file, source] : tree)
+    for (const Include& include : source.includes)
+      if (folder_of(file) != folder_of(include.target)) ++arrows[folder_of(file) + " -> " + folder_of(include.target)];
+  std::vector<std::string> lines;
+  for (const auto& [arrow, count] : arrows) lines.push_back(arrow + " " + std::to_string(count));
+  return lines;
+}
+
+}  // namespace pardel::structure

@@ -1,0 +1,28 @@
+// The C++ files of the repository: which file includes which, and which namespaces a header opens.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pardel::structure {
+
+/// One line `#include "..."` or `#include <pardel/...>`.
+struct Include {
+  int line = 0;
+  std::string target;  ///< relative to the root of the repository
+};
+
+struct SourceFile {
+  std::vector<Include> includes;
+  std::vector<std::string> namespaces;  ///< in the file's order; those named `pardel` or `pardel::...` only
+};
+
+/// By path, relative to the root of the repository.
+using SourceTree = std::map<std::string, SourceFile>;
+
+/// Reads every .hpp and .cpp below `root`, except those in a folder `build` or in a hidden folder directly below it.
+[[nodiscard]] SourceTree read_source_tree(const std::filesystem::path& root);
+
+}  // namespace pardel::structure

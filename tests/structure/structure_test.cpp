@@ -1,0 +1,192 @@
+// The repository keeps the rules of its structure, and each rule fails on a tree that breaks it.
+#include <gtest/gtest.h>
+
+#include "../temporary_folder.hpp"
+#include "rules.hpp"
+
+namespace pardel::structure {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lines(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& line : all) text += line + '\n';
+  return text;
+}
+
+TEST(Structure, the_repository_keeps_every_rule) {
+  const SourceTree tree = read_source_tree(PARDEL_SOURCE);
+  EXPECT_GT(tree.size(), 300u);
+  EXPECT_EQ(lines(violations(tree)), "") << "The tables are in tests/structure/rules.cpp.";
+}
+
+TEST(Structure, every_exception_is_used) { EXPECT_EQ(lines(unused_exceptions(read_source_tree(PARDEL_SOURCE))), ""); }
+
+/// A small tree that keeps every rule; each test adds one file that breaks one.
+class BrokenTree : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    add("core/mesh.hpp", {});
+    add("core/support/shortest.hpp", {});
+    add("core/formats/text_reader.hpp", {"../mesh.hpp", "../support/shortest.hpp"}, "pardel::files");
+    add("parallel/options.hpp", {"../core/mesh.hpp"});
+    add("parallel/arithmetic/predicates.hpp", {}, "pardel::engine");
+    add("parallel/input/faces.hpp", {"../arithmetic/predicates.hpp"}, "pardel::engine");
+    add("parallel/triangulation/cavity.hpp", {"../arithmetic/predicates.hpp", "../options.hpp"}, "pardel::engine");
+    add("parallel/mesher.cpp", {"options.hpp", "triangulation/cavity.hpp", "input/faces.hpp"});
+    add("properties/checker/check.hpp", {"../../core/mesh.hpp"});
+    add("properties/checker/arithmetic/exact.hpp", {}, "pardel::checker");
+    add("properties/checker/model/domain.hpp", {"../arithmetic/exact.hpp", "../check.hpp"}, "pardel::checker");
+    add("properties/defects/defects.hpp", {"../checker/check.hpp", "../checker/arithmetic/exact.hpp"});
+    add("properties/theorems/region_test.cpp", {"../../ref/region.hpp", "../../parallel/options.hpp"});
+    add("ref/region.hpp", {"../core/mesh.hpp"});
+    add("cli/main.cpp", {"../parallel/options.hpp", "../core/support/shortest.hpp"});
+    add("tests/parallel/cavity_test.cpp", {"../../parallel/triangulation/cavity.hpp"});
+    ASSERT_EQ(lines(violations(read_source_tree(root_.path()))), "");
+  }
+
+  void add(const std::string& file, const std::vector<std::string>& includes, const std::string& name = "pardel") {
+    std::string text;
+    for (const std::string& include : includes) text += "#include \"" + include + "\"\n";
+    root_.write(file, text + "namespace " + name + " {\n}\n");
+  }
+
+  /// The violations of the tree with one more file.
+  std::string violations_with(const std::string& file, const std::vector<std::string>& includes,
+                              const std::string& name = "pardel") {
+    add(file, includes, name);
+    return lines(violations(read_source_tree(root_.path())));
+  }
+
+  TemporaryFolder root_;
+};
+
+TEST_F(BrokenTree, a_private_header_of_the_engine_is_not_included_from_outside) {
+  EXPECT_EQ(violations_with("cli/draw.cpp", {"../parallel/triangulation/cavity.hpp"}),
+            "cli/draw.cpp:1: includes parallel/triangulation/cavity.hpp: the header is private to parallel\n");
+}
+
+TEST_F(BrokenTree, a_private_header_of_the_checker_is_not_included_from_outside) {
+  EXPECT_EQ(violations_with("cli/draw.cpp", {"../properties/checker/model/domain.hpp"}),
+            "cli/draw.cpp:1: includes properties/checker/model/domain.hpp: the header is private to "
+            "properties/checker\n");
+}
+
+TEST_F(BrokenTree, a_private_header_of_core_is_not_included_from_outside) {
+  EXPECT_EQ(violations_with("parallel/mesher2.cpp", {"../core/formats/text_reader.hpp"}),
+            "parallel/mesher2.cpp:1: includes core/formats/text_reader.hpp: the header is private to core\n");
+}
+
+TEST_F(BrokenTree, a_private_header_is_not_included_by_its_name_as_a_public_one) {
+  root_.write("examples/a.cpp", "#include <pardel/parallel/options.hpp>\n#include <pardel/parallel/input/faces.hpp>\n");
+  EXPECT_EQ(lines(violations(read_source_tree(root_.path()))),
+            "examples/a.cpp:2: includes parallel/input/faces.hpp: the header is private to parallel\n");
+}
+
+TEST_F(BrokenTree, an_exception_holds_for_its_own_folder_only) {
+  EXPECT_EQ(violations_with("tests/cli/draw_test.cpp", {"../../parallel/triangulation/cavity.hpp"}),
+            "tests/cli/draw_test.cpp:1: includes parallel/triangulation/cavity.hpp: the header is private to "
+            "parallel\n");
+}
+
+TEST_F(BrokenTree, the_checker_uses_neither_the_engine_nor_the_reference_nor_defects_nor_theorems) {
+  add("properties/theorems/scene.hpp", {});
+  EXPECT_EQ(violations_with("properties/checker/check.cpp",
+                            {"check.hpp", "../../parallel/options.hpp", "../../ref/region.hpp",
+                             "../defects/defects.hpp", "../theorems/scene.hpp"}),
+            "properties/checker/check.cpp:2: includes parallel/options.hpp: properties/checker may not use parallel\n"
+            "properties/checker/check.cpp:3: includes ref/region.hpp: properties/checker may not use ref\n"
+            "properties/checker/check.cpp:4: includes properties/defects/defects.hpp: properties/checker may not use "
+            "properties/defects\n"
+            "properties/checker/check.cpp:5: includes properties/theorems/scene.hpp: properties/checker may not use "
+            "properties/theorems\n");
+}
+
+TEST_F(BrokenTree, the_domains_do_not_use_the_engine) {
+  EXPECT_EQ(violations_with("properties/domains/domains.cpp", {"../../parallel/options.hpp"}),
+            "properties/domains/domains.cpp:1: includes parallel/options.hpp: properties/domains may not use "
+            "parallel\n");
+}
+
+TEST_F(BrokenTree, core_uses_nothing_above_it) {
+  EXPECT_EQ(violations_with("core/mesh.cpp", {"mesh.hpp", "../parallel/options.hpp"}),
+            "core/mesh.cpp:2: includes parallel/options.hpp: core may not use parallel\n");
+}
+
+TEST_F(BrokenTree, the_engine_does_not_use_the_checker) {
+  EXPECT_EQ(violations_with("parallel/mesher2.cpp", {"../properties/checker/check.hpp"}),
+            "parallel/mesher2.cpp:1: includes properties/checker/check.hpp: parallel may not use properties/checker\n");
+}
+
+TEST_F(BrokenTree, the_reference_and_the_engine_do_not_use_each_other) {
+  EXPECT_EQ(violations_with("ref/region.cpp", {"region.hpp", "../parallel/options.hpp"}),
+            "ref/region.cpp:2: includes parallel/options.hpp: ref may not use parallel\n");
+  EXPECT_EQ(violations_with("ref/region.cpp", {"region.hpp", "../properties/checker/check.hpp"}),
+            "ref/region.cpp:2: includes properties/checker/check.hpp: ref may not use properties/checker\n");
+  add("ref/region.cpp", {"region.hpp"});
+  EXPECT_EQ(violations_with("parallel/mesher2.cpp", {"../ref/region.hpp"}),
+            "parallel/mesher2.cpp:1: includes ref/region.hpp: parallel may not use ref\n");
+}
+
+TEST_F(BrokenTree, a_room_does_not_use_a_higher_room) {
+  EXPECT_EQ(violations_with("parallel/arithmetic/pair.hpp", {"../triangulation/cavity.hpp"}, "pardel::engine"),
+            "parallel/arithmetic/pair.hpp:1: includes parallel/triangulation/cavity.hpp: this room is not lower than "
+            "parallel/arithmetic\n");
+  add("parallel/arithmetic/pair.hpp", {}, "pardel::engine");
+  EXPECT_EQ(violations_with("properties/checker/arithmetic/sum.hpp", {"../model/domain.hpp"}, "pardel::checker"),
+            "properties/checker/arithmetic/sum.hpp:1: includes properties/checker/model/domain.hpp: this room is not "
+            "lower than properties/checker/arithmetic\n");
+}
+
+TEST_F(BrokenTree, input_and_triangulation_do_not_use_each_other) {
+  EXPECT_EQ(violations_with("parallel/input/hull.cpp", {"../triangulation/cavity.hpp"}),
+            "parallel/input/hull.cpp:1: includes parallel/triangulation/cavity.hpp: this room is not lower than "
+            "parallel/input\n");
+  add("parallel/input/hull.cpp", {});
+  EXPECT_EQ(violations_with("parallel/triangulation/carve.cpp", {"../input/faces.hpp"}),
+            "parallel/triangulation/carve.cpp:1: includes parallel/input/faces.hpp: this room is not lower than "
+            "parallel/triangulation\n");
+}
+
+TEST_F(BrokenTree, a_public_header_includes_no_private_one) {
+  EXPECT_EQ(violations_with("parallel/report.hpp", {"triangulation/cavity.hpp"}),
+            "parallel/report.hpp:1: includes parallel/triangulation/cavity.hpp: a public header includes a private "
+            "one\n");
+  EXPECT_EQ(violations_with("parallel/report.hpp", {"../core/support/shortest.hpp"}),
+            "parallel/report.hpp:1: includes core/support/shortest.hpp: a public header includes a private one\n");
+}
+
+TEST_F(BrokenTree, a_private_header_opens_the_namespace_of_its_room) {
+  EXPECT_EQ(violations_with("parallel/triangulation/flips.hpp", {}, "pardel"),
+            "parallel/triangulation/flips.hpp: opens namespace pardel, but the namespace of its room is "
+            "pardel::engine\n");
+}
+
+TEST_F(BrokenTree, a_new_room_needs_a_place_in_the_table) {
+  EXPECT_EQ(violations_with("parallel/smoothing/laplace.hpp", {}, "pardel::engine"),
+            "parallel/smoothing/laplace.hpp: its folder is no room of the table\n");
+  add("parallel/smoothing/laplace.cpp", {});
+  fs::remove(root_.path() / "parallel/smoothing/laplace.hpp");
+  EXPECT_EQ(violations_with("gui/window.cpp", {}), "gui/window.cpp: lies outside the folders of the table\n");
+}
+
+TEST_F(BrokenTree, an_include_names_a_file_that_exists) {
+  EXPECT_EQ(violations_with("core/mesh.cpp", {"meshes.hpp"}),
+            "core/mesh.cpp:1: includes core/meshes.hpp: there is no such file\n");
+}
+
+TEST_F(BrokenTree, files_do_not_include_each_other_in_a_circle) {
+  add("parallel/triangulation/a.hpp", {"b.hpp"}, "pardel::engine");
+  EXPECT_EQ(violations_with("parallel/triangulation/b.hpp", {"a.hpp"}, "pardel::engine"),
+            "parallel/triangulation/a.hpp -> parallel/triangulation/b.hpp -> parallel/triangulation/a.hpp: files "
+            "include each other in a circle\n");
+}
+
+TEST_F(BrokenTree, a_room_of_the_engine_has_at_most_sixteen_files) {
+  for (int i = 0; i < 16; ++i) add("parallel/input/part" + std::to_string(i) + ".cpp", {});
+  EXPECT_EQ(lines(violations(read_source_tree(root_.path()))), "parallel/input: 17 files, more than 16\n");
+}
+
+}  // namespace
+}  // namespace pardel::structure
