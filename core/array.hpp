@@ -1,6 +1,5 @@
-// Array<T>: a growable array of trivially copyable values whose growth neither copies nor doubles the
-// peak memory: large blocks are grown by moving pages instead of bytes, and pages that are reserved but not
-// written cost nothing.
+// Array<T>: a growable array of trivially copyable values. A large array grows by moving pages, not by copying bytes,
+// so growth does not double the peak memory. Pages that are reserved but never written take no memory.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +13,8 @@
 
 namespace pardel {
 namespace detail {
-/// realloc for blocks of any size: nullptr where there is no memory (the old block then stays). Large blocks are
-/// mappings of their own, grown without copying, on huge pages where the system has them.
+/// realloc for blocks of any size. Returns nullptr if there is not enough memory; the old block then remains valid.
+/// A large block is a mapping of its own. It grows without copying, and uses huge pages if the system has them.
 [[nodiscard]] void* grow_block(void* block, std::size_t old_bytes, std::size_t new_bytes);
 void free_block(void* block, std::size_t bytes);
 }  // namespace detail
@@ -38,7 +37,7 @@ class Array {
   }
   ~Array() { detail::free_block(data_, capacity_ * sizeof(T)); }
 
-  /// Takes over the storage of an array of another type of the same size, bytes unchanged.
+  /// Takes over the storage of an array whose elements have another type of the same size. The bytes do not change.
   template <class U>
   [[nodiscard]] static Array recast(Array<U>&& other) {
     static_assert(sizeof(T) == sizeof(U) && std::is_trivially_copyable_v<U>);
@@ -57,7 +56,6 @@ class Array {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
-  [[nodiscard]] std::size_t capacity() const { return capacity_; }
   T* data() { return data_; }
   const T* data() const { return data_; }
   T* begin() { return data_; }
@@ -71,7 +69,7 @@ class Array {
   [[nodiscard]] std::span<T> span() { return {data_, size_}; }
   [[nodiscard]] std::span<const T> span() const { return {data_, size_}; }
 
-  /// Room for n elements without moving; throws std::bad_alloc. Never shrinks.
+  /// Reserves memory for n elements; growth up to n elements then moves nothing. Never shrinks. Throws std::bad_alloc.
   void reserve(std::size_t n) {
     if (n <= capacity_) return;
     if (n > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
@@ -81,7 +79,7 @@ class Array {
     capacity_ = n;
   }
   void push_back(const T& value) {
-    const T copy = value;  // value may lie inside this array, which reserve may move
+    const T copy = value;  // value may be an element of this array, which reserve() may move
     if (size_ == capacity_) reserve(grown_capacity(size_ + 1));
     data_[size_++] = copy;
   }
@@ -97,15 +95,15 @@ class Array {
     for (std::size_t i = size_; i < n; ++i) data_[i] = copy;
     size_ = n;
   }
-  /// New elements hold whatever the memory holds (zero bytes, in a large block not used before); pages of a
-  /// large block that nobody writes cost nothing.
+  /// New elements are not initialised (in a large block that has not been used before they are zero bytes). Pages of a
+  /// large block that are never written take no memory.
   void resize_uninitialised(std::size_t n) {
     if (n > capacity_) reserve(grown_capacity(n));
     size_ = n;
   }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
-  /// Gives the unused tail back to the system.
+  /// Returns the unused memory at the end to the system.
   void shrink_to_fit() {
     if (size_ == capacity_) return;
     if (size_ == 0) {

@@ -63,8 +63,8 @@ Digest hash_edge(const Mesh& mesh, const ConstrainedEdge& edge) {
   return hash.value();
 }
 
-/// The sum of hash(i) for i < n, by all threads. Each block has a place of its own for its sum, so no thread waits for
-/// another, and they are added up in the order of the blocks.
+/// The sum of hash(i) for i < n, computed on all threads. Each block of indices stores its own sum, so no thread waits
+/// for another. The sums are added in the order of the blocks.
 template <class HashOne>
 Digest sum(std::size_t n, const HashOne& hash) {
   constexpr std::size_t block = 16'384;

@@ -1,4 +1,4 @@
-// A fingerprint of a mesh as a set: equal for equal meshes whatever the numbering of vertices and triangles.
+// A fingerprint of a mesh that does not depend on the numbering of its vertices, triangles and edges.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@ struct Digest {
   friend bool operator==(const Digest&, const Digest&) = default;
 };
 
-/// The sum modulo 2^128 of one 128-bit hash per triangle and one per constrained edge, each over a sequence of
-/// 64-bit words. Coordinates and attributes go in as the bits of the double, -0 as 0.
+/// The sum modulo 2^128 of one 128-bit hash per triangle and one per constrained edge. Each hash is computed from a
+/// sequence of 64-bit words; a coordinate or an attribute is a word with the bits of the double, and -0 counts as 0.
 ///   triangle: x, y of its corners in their order (counter-clockwise in a valid mesh), starting at the
-///             lexicographically least; then its region's attribute, 0 if it has none. kind = 3.
-///   edge:     x, y of its ends, the lexicographically least first; then its marker as int64. kind = 2.
+///             lexicographically least corner; then its region's attribute, 0 if it has no region. kind = 3.
+///   edge:     x, y of its ends, the lexicographically least end first; then its marker as int64. kind = 2.
 /// The hash of words w starts at h = mix(kind), l = mix(not kind), continues for each w with
 ///   h = mix(h xor w * 0x9e3779b97f4a7c15),  l = mix(l + w * 0xd1342543de82ef95 + 0x2545f4914f6cdd1d),
 /// and ends as (high, low) = (mix(h + l), mix(l xor h * 0x9e3779b97f4a7c15)); mix is the finalizer of
-/// splitmix64. Not cryptographic: it finds differences, it does not withstand an adversary.
-/// Linear time, parallel; the sum commutes, so threads do not change it.
-/// Precondition: indices are in range (what read_mesh and the mesher return is).
+/// splitmix64. The digest is not cryptographic: it detects differences, but not forgeries.
+/// Linear time, on all threads. The result does not depend on the number of threads, because addition commutes.
+/// Precondition: all indices are in range, as in the results of read_mesh and of the mesher.
 [[nodiscard]] Digest digest(const Mesh& mesh);
 
 /// 32 lower-case hexadecimal digits.

@@ -1,7 +1,7 @@
-// Files: Triangle's formats, VTU, Gmsh MSH 4.1, OFF, SVG. Numbers are written so that they read back to
-// the same double. A writer never leaves a partial file under the final name: it writes `NAME.partial`
-// beside it and renames on success (targets that are no regular files, /dev/stdout say, are written to
-// directly). Every error names the file, and for text the line.
+// Readers and writers of files: Triangle's formats, VTU, Gmsh's MSH, OFF, SVG. Numbers are written with enough digits
+// to read back the same double. A writer never leaves a partial file under the final name: it writes `NAME.partial` in
+// the same folder and renames it on success. A target that is not a regular file, such as /dev/stdout, is written
+// directly. Every error message names the file; for text files it also names the line.
 #pragma once
 
 #include <cstdint>
@@ -16,83 +16,90 @@
 
 namespace pardel {
 
-/// Triangle's .poly (its .node beside it when its point section is empty), or a bare .node. Points must be
-/// numbered consecutively from 0 or 1; the numbers of segments, holes and regions mean nothing. Coordinates and
-/// attributes must be finite. What follows the fields of a line, or the last section, is ignored.
+/// Reads Triangle's .poly or .node. If the point section of the .poly is empty, the points are read from the .node of
+/// the same name. Points must be numbered consecutively from 0 or 1; the numbers of segments, holes and regions are
+/// ignored. Coordinates and attributes must be finite. Text after the fields of a line, or after the last section, is
+/// ignored.
 [[nodiscard]] Result<Pslg> read_pslg(const std::filesystem::path& file);
-/// The same from text; `name` stands for the file in messages. A .poly whose points lie in a .node is refused.
+/// Reads a .poly from `text`; messages call the file `name`. A .poly whose points are in a .node is an error.
 [[nodiscard]] Result<Pslg> parse_poly(std::string_view text, const std::string& name);
 
-/// base: 0 or 1, the number of the first vertex, in all Triangle files.
+/// base: the number of the first vertex in Triangle's files, 0 or 1.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);
 
-/// A mesh that any program wrote, by suffix. Indices are in range and numbers finite; nothing else is certain
-/// (triangles may be clockwise, flat or overlap): that is for the checker. Neighbours are rebuilt from the
-/// triangles; where an edge has more than two, the neighbours of the surplus ones are no_index. Region
-/// attributes are ascending. z is ignored. Where the format has no constrained edges, there are none.
-///   .node, .ele  either name means both. Constrained edges from the .poly beside them if that has no points of
-///                its own, else from the marked edges of the .edge. A .neigh must agree with the triangles.
-///   .msh         4.1, ASCII or binary, and 2.x ASCII. Triangles; lines are constrained edges; points are
-///                passed over. Attribute and marker are X and N for physical groups named `region X` and
-///                `marker N`, else the group's tag. No markers or attributes of points.
-///   .vtu         one uncompressed piece, arrays as text, base64 or raw. Triangles; lines (and our own arrays)
-///                are constrained edges. Cell array `region`, point arrays `marker` and `attributes`.
-///   .off         triangles only, nothing else.
+/// Reads a mesh written by any program; the suffix determines the format. In the result, indices are in range and
+/// numbers are finite. Nothing else is verified: triangles may be clockwise, flat or overlapping (see the checker).
+/// Neighbours are computed from the triangles by rebuild_neighbours(). Region attributes are in ascending order. z is
+/// ignored. There are no constrained edges if the format has none.
+///   .node, .ele  either name reads both files. Constrained edges come from the .poly of the same name if it has no
+///                points of its own, else from the marked edges of the .edge. A .neigh must agree with the triangles.
+///   .msh         version 4.1, ASCII or binary, and version 2.x, ASCII. Triangles are read, lines become constrained
+///                edges, points are ignored. The attribute of a region and the marker of an edge are X and N for
+///                physical groups named `region X` and `marker N`, else the tag of the group. Points get neither
+///                markers nor attributes.
+///   .vtu         one uncompressed piece; arrays as text, base64 or raw bytes. Triangles are read; lines, and the
+///                arrays of write_vtu(), become constrained edges. Cell array `region`, point arrays `marker` and
+///                `attributes`.
+///   .off         triangles only.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
 
 enum class MshEncoding : std::uint8_t { ascii, binary };
 
-/// By suffix: .node or .ele writes .node, .ele and .poly (all or, on an error, none); .vtu; .msh (as `msh` says);
-/// .off; .svg.
-/// Preconditions, here and for all writers of meshes: indices are in range, per-point and per-triangle arrays
-/// have their lengths, and for .edge, .neigh and second order the neighbours are right.
+/// Writes a mesh in the format of the suffix. .node or .ele writes .node, .ele and .poly, all of them or, on an error,
+/// none; .vtu; .msh in the encoding `msh`; .off; .svg.
+/// Preconditions of this and all other writers of meshes: indices are in range, and arrays per point and per triangle
+/// have the right lengths; for .edge, .neigh and second order, Triangle::n is correct.
 [[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
                                 MshEncoding msh = MshEncoding::binary);
 
-/// All the files that write_mesh makes of this one name.
+/// The names of all files that write_mesh() writes for `file`.
 [[nodiscard]] std::vector<std::string> written_files(const std::filesystem::path& file);
 
-/// True where write_mesh knows the suffix.
+/// True if write_mesh() can write the format of the suffix.
 [[nodiscard]] bool is_mesh_suffix(const std::filesystem::path& file);
 
-/// What Triangle's switches can leave out or add.
+/// The files and parts of files that Triangle's switches select.
 struct TriangleFiles {
   int base = 1;
   bool write_node = true;
   bool write_ele = true;
-  bool write_poly = true;  ///< vertex count 0, constrained edges as segments, holes and regions
+  bool write_poly = true;  ///< no points; the constrained edges as segments, holes and regions
   bool write_edge = false;
   bool write_neigh = false;
   bool markers = true;
   bool holes = true;          ///< in the .poly
-  bool second_order = false;  ///< six-node .ele: mid-edge nodes are appended to the .node
+  bool second_order = false;  ///< .ele with six nodes per triangle; the middle nodes of edges end the .node
 };
-/// Writes stem.node, stem.ele, ... as `files` says. Vertices without markers of their own get those of
-/// constrained edges at them.
+/// Writes stem.node, stem.ele and so on, as selected by `files`. If the mesh has no markers of points, a point gets the
+/// first non-zero marker of its constrained edges.
 [[nodiscard]] Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& stem,
                                           const TriangleFiles& files);
 
-/// Triangle's .area file: one cap per triangle, +infinity where the file says negative.
+/// Reads Triangle's .area file: one area cap per triangle. A value that is not positive means no cap, +infinity.
 [[nodiscard]] Result<std::vector<double>> read_area(const std::filesystem::path& file);
-/// The same, written: cap i is that of triangle base + i, +infinity is written as -1. Precondition: caps are positive.
+/// Writes an .area file. Cap i belongs to triangle base + i; +infinity is written as -1. Precondition: caps are
+/// positive.
 [[nodiscard]] Status write_area(const std::filesystem::path& file, std::span<const double> caps, int base = 1);
-/// One positive number per input vertex, Triangle-like: `n` then `i size`.
+/// Reads one positive number per input vertex, in the manner of Triangle's files: a line `n`, then n lines `i size`.
 [[nodiscard]] Result<std::vector<double>> read_sizes(const std::filesystem::path& file);
 
-/// Each region's attribute and each marker is a physical group (`region X`, `marker N`; `domain` for triangles
-/// without a region), its tag the number itself where that is a positive int. Vertices keep their order by tag,
-/// triangles are grouped by region.
+/// Writes MSH 4.1. Each attribute of a region and each marker becomes a physical group named `region X` or `marker N`;
+/// triangles without a region are in the group `domain`. The tag of a group is the attribute or marker itself if that
+/// is a positive int. Tags of vertices are in the order of the mesh; triangles are grouped by region.
 [[nodiscard]] Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding);
-/// Version 1.0, appended raw, UInt64 headers. Cell arrays `region` (attribute) and `quality` (smallest angle in
-/// degrees), point arrays `marker` and `attributes`; constrained edges and their markers as field data.
+/// Writes VTU version 1.0 with raw appended data and UInt64 headers. Cell arrays: `region` (the attribute) and
+/// `quality` (the smallest angle, in degrees). Point arrays: `marker` and `attributes`. Field data: the constrained
+/// edges and their markers.
 [[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file);
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
-/// Triangles are filled by region.
+/// Draws the mesh. The colour of a triangle depends on its region.
 [[nodiscard]] Status write_svg(const Mesh& mesh, const std::filesystem::path& file);
-/// Triangle i is filled with hue hues[i], in degrees below 360, or left white.
+/// In place of a hue: the triangle is white.
 inline constexpr std::uint16_t no_hue = 360;
+/// Draws the mesh; triangle i has the hue hues[i], in degrees below 360, or no_hue. Precondition: one hue per triangle.
 [[nodiscard]] Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues,
                                const std::filesystem::path& file);
+/// Draws points, segments, holes (crosses) and regions (diamonds with their attributes).
 [[nodiscard]] Status write_svg(const Pslg& pslg, const std::filesystem::path& file);
 
 }  // namespace pardel

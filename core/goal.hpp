@@ -1,5 +1,5 @@
-// Goal: what a mesh has to satisfy beyond conforming to its Pslg. The mesher aims at it, the checker
-// judges by it.
+// Goal: the bounds that a mesh must satisfy, in addition to conforming to its Pslg. The mesher refines until they hold;
+// the checker verifies them.
 #pragma once
 
 #include <functional>
@@ -10,21 +10,22 @@
 namespace pardel {
 
 struct Goal {
-  /// No angle below this, in degrees, 0 (no bound) to 33. The default is the proven bound of Ruppert's
-  /// algorithm: arcsin(1 / (2 sqrt 2)) = 20.7 degrees, circumradius-to-shortest-edge ratio sqrt 2.
+  /// The least angle of a triangle, in degrees, from 0 (no bound) to 33. The default is the proven bound of Ruppert's
+  /// algorithm: arcsin(1 / (2 sqrt 2)) = 20.7 degrees, a ratio of circumradius to shortest edge of at most sqrt 2.
   double min_angle_deg = 20.7;
-  /// No triangle with a larger area.
+  /// The largest area of a triangle, in squared units of the coordinates, > 0.
   double max_area = std::numeric_limits<double>::infinity();
-  /// No edge longer than this.
+  /// The longest edge, in units of the coordinates, > 0.
   double max_edge = std::numeric_limits<double>::infinity();
-  /// Honour Region::max_area.
+  /// True: Region::max_area bounds the areas of a region's triangles. False: it is ignored.
   bool region_caps = true;
-  /// Sizing: the longest edge wanted at a point, > 0; a triangle is too large when its longest edge
-  /// exceeds size(centroid). Empty: none. Must be pure and callable from several threads.
+  /// Sizing: the longest edge allowed near a point, > 0. A triangle is too large when its longest edge exceeds
+  /// size(centroid). Empty: no such bound. The function must be pure and callable from several threads at once.
   std::function<double(Point)> size{};
-  /// Truly Delaunay (every edge locally Delaunay) instead of constrained Delaunay.
+  /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh
+  /// must be constrained Delaunay.
   bool conforming = false;
-  /// The domain is the convex hull of the points (implied when there are no segments).
+  /// True: the domain is the convex hull of the points. This is implied when the Pslg has no segments.
   bool convex_hull = false;
 };
 

@@ -19,8 +19,8 @@ Ends ends_of(const Array<Triangle>& triangles, Index side) {
 
 }  // namespace
 
-// The sides are brought together by their lower end (a counting sort). Among the sides of one lower end, a
-// table by the higher end finds the partner; it is cleaned by walking over the same sides again.
+// A counting sort groups the sides by their lower end. Within a group, a table indexed by the higher end finds the
+// other side of the same edge. A second pass over the same group clears the table.
 std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
   const auto sides = static_cast<Index>(3 * triangles.size());
   Array<Index> start(points + 1, 0);
@@ -29,7 +29,7 @@ std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
   Array<Index> by_low_end(sides, 0);
   for (Index s = sides; s-- > 0;) by_low_end[--start[ends_of(triangles, s).low]] = s;
 
-  Array<Index> open(points, no_index);  // by higher end: the side that waits for its partner, or `closed`
+  Array<Index> open(points, no_index);  // by higher end: the one side of this edge so far, or `closed`
   constexpr Index closed = no_index - 1;
   std::size_t surplus = 0;
   for (std::size_t p = 0; p < points; ++p) {

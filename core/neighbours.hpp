@@ -1,4 +1,4 @@
-// Who shares an edge with whom, from the corners of triangles alone.
+// Computes the neighbours of triangles from their corners.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,15 @@
 
 namespace pardel {
 
-/// The most triangles whose corners an Index can count.
+/// The largest number of triangles whose sides can be numbered by an Index.
 inline constexpr std::size_t max_mesh_triangles = (no_index - 1) / 3;
 
-/// Sets Triangle::n of all from Triangle::v. Where more than two triangles have an edge, the first two (by
-/// index) are neighbours and the surplus ones get no_index there; a triangle is no neighbour of itself.
-/// Returns the number of surplus sides: 0 where the mesh is a manifold. Orientation plays no part.
-/// O(triangles + points) time; 12 bytes per triangle and 8 per point of memory besides.
-/// Preconditions: every corner < points, triangles.size() <= max_mesh_triangles.
+/// Computes Triangle::n of all triangles from Triangle::v; the orientation of the triangles does not matter. If more
+/// than two triangles share an edge, the two with the smallest indices are neighbours, and the others, called surplus,
+/// get no_index there. A triangle is never its own neighbour. Returns the number of surplus sides, which is 0 if the
+/// mesh is a manifold.
+/// Time O(triangles + points); extra memory 12 bytes per triangle and 8 bytes per point.
+/// Preconditions: every corner < points, and triangles.size() <= max_mesh_triangles.
 std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points);
 
 }  // namespace pardel

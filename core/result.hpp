@@ -1,5 +1,5 @@
-// Errors as values. A function that can fail on what it was given returns Result<T>; it never prints,
-// never exits and does not throw (but for std::bad_alloc, which callers at the top turn into `resources`).
+// Errors as values. A function that can fail because of its input returns Result<T>. It does not print, does not exit
+// and throws nothing except std::bad_alloc, which the outermost callers turn into an error of kind `resources`.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,23 @@
 
 namespace pardel {
 
-/// What kind of thing went wrong; the program's exit codes follow from it.
+/// The kind of an error. It determines the exit code of the programs.
 enum class ErrorKind : std::uint8_t {
-  usage,          ///< the caller asked for something that has no meaning (minimum angle 60, negative area)
-  invalid_input,  ///< the input is not what it should be; the message names the place
+  usage,          ///< an argument has no meaning (minimum angle 60, negative area)
+  invalid_input,  ///< the input is wrong; the message names the place
   io,             ///< a file could not be opened, read or written
-  resources,      ///< memory or an id range does not suffice
-  cancelled,      ///< the caller's own callback asked to stop
-  internal,       ///< not the input but the program is wrong: what it relies on does not hold
+  resources,      ///< not enough memory, or more ids than their type can hold
+  cancelled,      ///< a callback of the caller requested a stop
+  internal,       ///< a self-check of the program failed: the program is wrong, not the input
 };
 
-/// `message` is one complete sentence or several lines, with file and line, or ids and coordinates, inside.
+/// `message` is one complete sentence or several lines. It names the file and line, or the ids and coordinates.
 struct Error {
   ErrorKind kind = ErrorKind::invalid_input;
   std::string message;
 };
 
+/// A value of type T, or an error. Converts to true if it holds a value.
 template <class T, class E = Error>
 class [[nodiscard]] Result {
  public:
@@ -50,7 +51,7 @@ class [[nodiscard]] Result {
   std::variant<T, E> state_;
 };
 
-/// For functions that return nothing but may fail.
+/// The result of functions that can fail but return no value.
 struct Done {};
 using Status = Result<Done>;
 

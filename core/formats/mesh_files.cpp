@@ -1,4 +1,4 @@
-// Reading and writing a mesh by the suffix of its file.
+// Reads and writes meshes; the suffix of the file determines the format.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +23,7 @@ Format format_of(const std::filesystem::path& file) {
 }
 
 Error unknown_suffix(const std::filesystem::path& file, const char* known) {
-  return {ErrorKind::usage, file.string() + ": the suffix says no format of a mesh; known are " + known};
+  return {ErrorKind::usage, file.string() + ": the suffix is not that of a mesh format; known are " + known};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the readers of meshes have in common, and one reader per format. Each takes the whole file; `name`
-// stands for it in messages.
+// One reader of meshes per format, and a function that they share. A reader gets the whole file as text; messages call
+// the file `name`.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ namespace pardel::files {
 [[nodiscard]] Result<Mesh> parse_vtu(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_off(std::string_view text, const std::string& name);
 
-/// One region per distinct attribute, in ascending order: attributes[t] is that of triangle t, NaN
-/// where it has no region.
+/// Sets mesh.region and mesh.region_attributes: one region per distinct attribute, in ascending order. attributes[t] is
+/// the attribute of triangle t, or NaN if it has no region.
 void set_regions(Mesh& mesh, std::span<const double> attributes);
 
 }  // namespace pardel::files

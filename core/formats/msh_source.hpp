@@ -1,4 +1,4 @@
-// What MSH files are made of: values in either encoding, and vertices by their tags.
+// The parts of MSH files: values in ASCII or binary, and vertices by their tags.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace pardel::files {
 
-/// Values in rows of text or as bytes one after the other.
+/// Reads values: rows of text in ASCII, consecutive bytes in binary.
 class MshSource {
  public:
   explicit MshSource(TextReader& in) : in_(in) {}
   void set_binary() { binary_ = true; }
   [[nodiscard]] bool binary() const { return binary_; }
 
-  /// Behind the line that opens a section, where the section's data begin.
+  /// Call after the line that opens a section, before its data.
   void open_section() {
     if (binary_) in_.end_line();
   }
@@ -41,7 +41,7 @@ class MshSource {
     if (!std::isfinite(value)) in_.fail("expected " + std::string(what) + ", found a number that is not finite");
     return value;
   }
-  /// Whether n records of `fields` fields, 8 bytes each in binary, are there.
+  /// True if the rest of the file can hold n records of `fields` fields, 8 bytes each in binary; otherwise fails.
   bool room_for(std::size_t n, std::size_t fields, std::string_view what) {
     return in_.room_for(n, binary_ ? 8 * fields : text_bytes(fields), what);
   }
@@ -65,7 +65,7 @@ class MshSource {
   bool binary_ = false;
 };
 
-/// Vertices as the file numbers them. Tags need not be consecutive.
+/// Vertices by the tags of the file, which need not be consecutive.
 class MshNodes {
  public:
   void add(std::size_t tag, const Point& p) { nodes_.push_back({tag, p}); }
@@ -74,13 +74,13 @@ class MshNodes {
   }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }
-  /// A tag that occurs twice, or 0 (which none may have). Precondition: sorted.
+  /// A tag that occurs twice, or 0, which is no valid tag. Precondition: sort() was called last.
   [[nodiscard]] std::size_t repeated() const {
     const auto same =
         std::adjacent_find(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag == b.tag; });
     return same == nodes_.end() ? 0 : same->tag;
   }
-  /// no_index where there is no such node. Precondition: sorted.
+  /// The index of the node with this tag, or no_index. Precondition: sort() was called last.
   [[nodiscard]] Index find(std::size_t tag) const {
     if (nodes_.size() == 0 || tag < nodes_[0].tag || tag > nodes_.back().tag) return no_index;
     if (nodes_.back().tag - nodes_[0].tag == nodes_.size() - 1) return static_cast<Index>(tag - nodes_[0].tag);

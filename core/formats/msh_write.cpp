@@ -1,6 +1,6 @@
-// Gmsh's MSH 4.1, ASCII and binary (gmsh.info, "MSH file format"). Regions and markers are physical groups, each
-// with one entity: surfaces `region ATTRIBUTE` (`domain` where a triangle has no region), curves `marker NUMBER`.
-// The tag of a group is the attribute or marker itself where that is a positive int, else the least free one.
+// Writes Gmsh's MSH 4.1, ASCII and binary (gmsh.info, "MSH file format"). Regions and markers are physical groups, each
+// with one entity: surfaces `region ATTRIBUTE` (`domain` for triangles without a region), curves `marker NUMBER`. The
+// tag of a group is the attribute or marker itself if that is a positive int, else the smallest free number.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,7 +26,7 @@ struct Group {
   }
 };
 
-/// One group per value, which are ascending and distinct; a NaN at the end stands for "no region".
+/// One group per value. The values are ascending and distinct; a NaN at the end means "no region".
 std::vector<Group> groups_of(const std::vector<double>& values, const std::string& prefix) {
   const auto is_tag = [](double v) { return v >= 1 && v <= std::numeric_limits<int>::max() && v == std::floor(v); };
   std::set<int> taken;
@@ -49,7 +49,7 @@ std::vector<Group> groups_of(const std::vector<double>& values, const std::strin
   return groups;
 }
 
-/// 0 .. n-1, gathered by group: those of group g are members[start[g]] .. members[start[g + 1] - 1], ascending.
+/// The numbers 0 .. n-1 by group: the members of group g are members[start[g]] .. members[start[g + 1] - 1], ascending.
 struct Gathered {
   std::vector<std::size_t> start;
   Array<Index> members;
@@ -73,7 +73,7 @@ Gathered gather(std::size_t n, std::size_t groups, const GroupOf& group_of) {
   return gathered;
 }
 
-/// The mesh as Gmsh sees it: everything belongs to an entity, curves numbered before surfaces.
+/// The mesh in Gmsh's terms: everything belongs to an entity; curves are numbered before surfaces.
 struct Model {
   std::vector<Group> curves;
   std::vector<Group> surfaces;
@@ -88,7 +88,7 @@ std::size_t place_of(const std::vector<double>& values, double value) {
                                   values.begin());
 }
 
-/// Sorted and distinct, with the NaN, if any, at the end.
+/// The distinct values in ascending order; a NaN, if any, comes last.
 std::vector<double> distinct(std::vector<double> values) {
   const auto end = std::partition(values.begin(), values.end(), [](double v) { return !std::isnan(v); });
   const bool none = end != values.end();
@@ -108,7 +108,7 @@ Model model_of(const Mesh& mesh) {
   model.lines = gather(mesh.constrained_edges.size(), model.curves.size(),
                        [&](std::size_t i) { return place_of(markers, mesh.constrained_edges[i].marker); });
 
-  // The surface of each region; the last entry is that of no region.
+  // The surface of each region; the last entry is for triangles without a region.
   std::vector<double> attributes = mesh.region_attributes;
   attributes.push_back(none);
   std::vector<char> used(attributes.size(), 0);
@@ -150,7 +150,7 @@ Model model_of(const Mesh& mesh) {
   return model;
 }
 
-/// Numbers as MSH wants them: in rows of text, or as bytes one after the other.
+/// Writes numbers in the encoding of the file: rows of text in ASCII, consecutive bytes in binary.
 class MshWriter {
  public:
   MshWriter(OutputFile& out, MshEncoding encoding) : out_(out), binary_(encoding == MshEncoding::binary) {}
@@ -165,7 +165,7 @@ class MshWriter {
   }
 
  private:
-  /// int, std::size_t and double are the types of the format; what is passed must have the right one.
+  /// The format has the types int, std::size_t and double; each argument must have the right one.
   template <class... Numbers>
   void row(Bytes& to, Numbers... numbers) const {
     if (binary_) {
@@ -194,7 +194,7 @@ class MshWriter {
     close("MeshFormat");
   }
 
-  /// Text in either encoding.
+  /// Writes text, in ASCII and in binary files.
   void write_names(const Model& model) {
     Bytes to;
     to << "$PhysicalNames\n" << model.curves.size() + model.surfaces.size() << '\n';

@@ -1,5 +1,5 @@
-// OFF: "OFF", counts of vertices, faces and edges, then "x y z" per vertex and "3 a b c" per face. Numbers
-// after those of a record are colours and are passed over. z is written as 0 and ignored when read.
+// OFF: "OFF", the numbers of vertices, faces and edges, then "x y z" per vertex and "3 a b c" per face. Further numbers
+// in a record are colours and are ignored. z is written as 0 and ignored when read.
 #include "../formats.hpp"
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"

@@ -1,4 +1,4 @@
-// SVG drawings: of a mesh, of a Pslg. y points up, as in the data.
+// SVG drawings of a mesh and of a Pslg. y points up, as in the data.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,7 +11,7 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// Maps the data onto a canvas whose longer side has 1000 units, with a margin around.
+/// Maps the data to a canvas whose longer side has 1000 units, plus a margin.
 class Canvas {
  public:
   template <class Points>
@@ -40,7 +40,7 @@ class Canvas {
     return number(to, (high_.y - p.y) * scale_ + margin + dy);
   }
 
-  /// Three decimals: a thousandth of a unit is no longer seen.
+  /// Three decimals: a thousandth of a unit is not visible.
   static Bytes& number(Bytes& to, double value) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, 3);
@@ -55,7 +55,7 @@ class Canvas {
   double scale_ = 1;
 };
 
-/// Far apart for consecutive regions: by the golden angle. 0 is what belongs to none.
+/// Hues of consecutive regions differ by the golden angle, so they are easy to distinguish. 0 stands for no region.
 std::uint16_t hue_of_region(std::size_t region) { return static_cast<std::uint16_t>((210 + region * 137) % 360); }
 
 void put_fill(Bytes& to, std::size_t hue) {
@@ -65,7 +65,7 @@ void put_fill(Bytes& to, std::size_t hue) {
     to << "fill=\"hsl(" << hue << ",60%,88%)\"";
 }
 
-/// Segments or constrained edges.
+/// Draws segments or constrained edges.
 template <class Edges, class Points>
 void draw_lines(OutputFile& out, const Canvas& canvas, const Edges& edges, const Points& points) {
   out.write("<path fill=\"none\" stroke=\"#202020\" stroke-width=\"1.5\" stroke-linecap=\"round\" d=\"\n");
@@ -76,7 +76,7 @@ void draw_lines(OutputFile& out, const Canvas& canvas, const Edges& edges, const
   out.write("\"/>\n");
 }
 
-/// The triangles of one hue as one path.
+/// Draws the triangles of one hue as one path.
 void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std::span<const Index> triangles,
                     std::size_t hue) {
   Bytes head;

@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// from_chars takes no leading '+'; files may. (What follows must not be a second sign.)
+/// Removes a leading '+', which std::from_chars does not accept. A second sign must not follow.
 std::string_view without_plus(std::string_view token) {
   if (token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   return token;
@@ -30,7 +30,7 @@ Result<std::string> read_file(const std::filesystem::path& file) {
   if (!stream) return failure("cannot be opened");
 
   std::string bytes;
-  std::error_code unknown;  // a pipe has no size; then the string just grows
+  std::error_code unknown;  // a pipe has no size; the string then grows step by step
   const auto size = std::filesystem::file_size(file, unknown);
   std::size_t length = 0;
   std::size_t chunk = unknown ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
@@ -175,7 +175,7 @@ std::size_t TextReader::count(std::string_view what) {
 
 bool TextReader::room_for(std::size_t n, std::size_t bytes_each, std::string_view what) {
   if (failed_) return false;
-  // One byte more than there are: the last record may lack its newline.
+  // One byte more than the text has, because the last record may lack its newline.
   if (n <= (rest().size() + 1) / bytes_each) return true;
   fail("announces " + std::to_string(n) + " " + std::string(what) + ", more than the " + std::to_string(rest().size()) +
        " bytes that follow can hold");

@@ -1,4 +1,4 @@
-// Triangle's input files: .poly, .node, .area, and sizes per vertex in the same manner.
+// Reads Triangle's input files .poly, .node and .area, and files with a size per vertex, which look like them.
 #include <limits>
 
 #include "../formats.hpp"
@@ -24,8 +24,8 @@ void read_holes(TextReader& in, std::vector<Point>& holes) {
   }
 }
 
-/// Optional: `<# of regions>`, then `<region #> <x> <y> <attribute> <maximum area>`. A single value at the end
-/// serves as both; an area that is not positive means none.
+/// Optional: `<# of regions>`, then `<region #> <x> <y> <attribute> <maximum area>`. If there is only one value after
+/// y, it is both the attribute and the area. An area that is not positive means no bound.
 void read_regions(TextReader& in, std::vector<Region>& regions) {
   if (!in.next_line()) return;
   const std::size_t n = in.count("the number of regions");
@@ -52,7 +52,7 @@ Status read_node(const fs::path& node, Pslg& pslg) {
   return Done{};
 }
 
-/// `node`: where the points are if the section of points is empty; null if they may be nowhere else.
+/// `node`: the file with the points if the point section is empty; null if the points must be in the text.
 Result<Pslg> read_poly(TextReader& in, const fs::path* node) {
   Pslg pslg;
   const PointHeader header = read_point_header(in);
@@ -73,7 +73,7 @@ Result<Pslg> read_poly(TextReader& in, const fs::path* node) {
   return pslg;
 }
 
-/// `n`, then `i value`: one number per `thing`, counted from 0 or 1.
+/// Reads a line `n`, then n lines `i value`: one number per `thing`, numbered from 0 or 1.
 Result<std::vector<double>> read_numbered_values(const fs::path& file, std::string_view thing, bool positive) {
   const auto text = read_file(file);
   if (!text.ok()) return text.error();

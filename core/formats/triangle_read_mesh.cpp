@@ -1,4 +1,4 @@
-// A mesh in Triangle's files: .node and .ele, with the .poly or .edge and the .neigh beside them.
+// Reads a mesh from Triangle's files .node and .ele, and from the .poly, .edge and .neigh of the same name.
 #include <string>
 
 #include "../neighbours.hpp"
@@ -16,7 +16,7 @@ struct ReadMesh {
 };
 
 /// `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
-/// Of six nodes the corners are kept; the first attribute is the region's.
+/// Of six nodes the first three, the corners, are kept. The first attribute is that of the region.
 void read_elements(TextReader& in, ReadMesh& read) {
   Mesh& mesh = read.mesh;
   in.expect_line("the number of triangles");
@@ -47,7 +47,8 @@ void read_elements(TextReader& in, ReadMesh& read) {
   if (attributes > 0) set_regions(mesh, region.span());
 }
 
-/// The segments of the mesh's own .poly, which has no points of its own (one that has is the mesh's input).
+/// Reads the segments of the .poly that was written with the mesh. Returns false for a .poly that has points: it is the
+/// input of the mesh.
 bool read_own_segments(TextReader& in, ReadMesh& read) {
   const PointHeader header = read_point_header(in);
   if (header.points > 0) return false;
@@ -57,16 +58,16 @@ bool read_own_segments(TextReader& in, ReadMesh& read) {
   return true;
 }
 
-/// `<# of edges> <# of markers>`, then `<edge #> <end> <end> [marker]`: as a .poly's segments. Edges with a
-/// marker are those that a constraint or the boundary gave one.
+/// `<# of edges> <# of markers>`, then `<edge #> <end> <end> [marker]`, like the segments of a .poly. Edges with a
+/// marker become constrained edges: they lie on a segment or on the boundary.
 void read_edges(TextReader& in, ReadMesh& read) {
   for (const Segment& s : read_segments(in, read.mesh.points.size(), read.base).segments) {
     if (s.marker != 0) read.mesh.constrained_edges.push_back({s.a, s.b, no_index, s.marker});
   }
 }
 
-/// `<# of triangles> 3`, then `<triangle #> <neighbour opposite each corner, -1: none>`. Neighbours follow from
-/// the triangles; a file that says otherwise is wrong.
+/// `<# of triangles> 3`, then `<triangle #> <neighbour opposite each corner, -1: none>`. The neighbours follow from the
+/// triangles; a file with other neighbours is wrong.
 void check_neighbours(TextReader& in, const ReadMesh& read) {
   const Array<Triangle>& triangles = read.mesh.triangles;
   in.expect_line("the number of triangles");

@@ -1,5 +1,5 @@
-// The parts that Triangle's files are made of: a section of points (.node, .poly), one of segments (.poly).
-// The conventions are those of "Triangle's file formats" (www.cs.cmu.edu/~quake/triangle.html).
+// Sections of Triangle's files: points (.node, .poly) and segments (.poly). The conventions are those of "Triangle's
+// file formats" (www.cs.cmu.edu/~quake/triangle.html).
 #pragma once
 
 #include <limits>
@@ -10,14 +10,13 @@
 
 namespace pardel::files {
 
-/// The most points a mesh can index; the three largest indices have other meanings (see mesh.hpp).
+/// The largest number of points of a mesh. The three largest indices have other meanings (see mesh.hpp).
 inline constexpr std::size_t max_points = no_index - 3;
 
 inline constexpr std::int64_t any_marker_low = std::numeric_limits<int>::min();
 inline constexpr std::int64_t any_marker_high = std::numeric_limits<int>::max();
 
-/// `<# of points> <dimension, 2> <# of attributes> <# of markers, 0 or 1>`; what is missing at the end of the
-/// line counts as 2, 0, 0.
+/// `<# of points> <dimension, 2> <# of attributes> <# of markers, 0 or 1>`. The last three default to 2, 0, 0.
 struct PointHeader {
   std::size_t points = 0;
   std::size_t attributes = 0;
@@ -25,7 +24,7 @@ struct PointHeader {
 };
 PointHeader read_point_header(TextReader& in);
 
-/// The number of record i in a file whose records are counted from `base`.
+/// Reads the number of record i, which must be base + i.
 inline void read_number(TextReader& in, std::string_view what, std::size_t i, int base) {
   const auto number = static_cast<std::int64_t>(i) + base;
   const std::int64_t found = in.integer(what, 0, std::numeric_limits<std::int64_t>::max());
@@ -35,8 +34,8 @@ inline void read_number(TextReader& in, std::string_view what, std::size_t i, in
   }
 }
 
-/// `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base:
-/// the number of the first point, 0 or 1 (1 if there is no point).
+/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base, that
+/// is the number of the first point: 0 or 1, and 1 if there is no point.
 template <class PointSet>
 int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
   const std::size_t n = header.points;
@@ -66,15 +65,15 @@ int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
   return base;
 }
 
-/// `<# of segments> <# of markers, 0 or 1>`, then `<segment #> <end> <end> [marker]`. The segments' own numbers
-/// mean nothing. `points` and `base` are those of the points.
+/// `<# of segments> <# of markers, 0 or 1>`, then `<segment #> <end> <end> [marker]`. The numbers of the segments are
+/// ignored. `points`: how many points there are. `base`: the number of the first point.
 struct SegmentSection {
   std::vector<Segment> segments;
   bool markers = false;
 };
 SegmentSection read_segments(TextReader& in, std::size_t points, int base);
 
-/// The number of a point, as an index.
+/// Reads the number of a point and returns its index.
 inline Index read_point_index(TextReader& in, std::string_view what, std::size_t points, int base) {
   if (points == 0) {
     in.fail("expected no point, as there are none, found one as " + std::string(what));

@@ -1,4 +1,4 @@
-// Writing Triangle's files.
+// Writes Triangle's files.
 #include <cmath>
 
 #include "../formats.hpp"
@@ -19,7 +19,7 @@ void put_point(Bytes& to, std::size_t number, const Point& p, std::span<const do
   to << '\n';
 }
 
-/// The section of points, of a Pslg or a Mesh. `total` counts those that the caller adds itself, too.
+/// Writes the point section of a Pslg or a Mesh. `total` includes points that the caller adds afterwards.
 template <class PointSet>
 void write_points(OutputFile& out, const PointSet& set, std::span<const int> markers, int base, std::size_t total) {
   const std::size_t k = set.attributes_per_point;
@@ -53,7 +53,7 @@ void write_holes(OutputFile& out, std::span<const Point> holes, int base) {
   out.write(to.view());
 }
 
-/// Nothing if there are none. No area cap is written as -1.
+/// Writes nothing if there are no regions. A region without an area cap has the area -1.
 void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
   if (regions.empty()) return;
   Bytes to;
@@ -66,7 +66,8 @@ void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
   out.write(to.view());
 }
 
-/// The .node; for second order followed by the middle of every edge, whose attributes are the means of its ends'.
+/// Writes the .node. For second order, the middles of all edges follow; the attributes of a middle are the means of
+/// those of the edge's ends.
 void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const std::size_t n = mesh.points.size();
   const std::size_t middles = files.second_order ? table.edges.size() : 0;
@@ -86,8 +87,8 @@ void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const
   });
 }
 
-/// The .ele: one attribute, the region's, where the mesh has regions. Node 4 of a second-order triangle is the
-/// middle of the edge opposite corner 1, and so on.
+/// Writes the .ele. If the mesh has regions, each triangle has one attribute, that of its region. Node 4 of a
+/// second-order triangle is the middle of the edge opposite corner 1, and so on.
 void write_ele(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const bool regions = !mesh.region.empty();
   Bytes header;

@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// An XML start tag at text[at] == '<'. No entities: nothing we look for needs any.
+/// An XML start tag at text[at] == '<'. XML entities are not decoded, because no attribute read here needs one.
 struct Tag {
   std::string_view name;
   std::string_view attributes;
-  std::size_t end = 0;  ///< behind its '>'
+  std::size_t end = 0;  ///< the byte after its '>'
   bool closed = false;  ///< <.../>
 
-  /// The value of an attribute, empty if it is not given.
+  /// The value of an attribute; empty if the tag does not have it.
   [[nodiscard]] std::string_view operator[](std::string_view key) const {
     for (std::size_t at = attributes.find(key); at != std::string_view::npos; at = attributes.find(key, at + 1)) {
       const std::string_view rest = attributes.substr(at + key.size());
@@ -44,7 +44,7 @@ Tag tag_at(std::string_view text, std::size_t at) {
   return tag;
 }
 
-/// -1 where the text is no number, `otherwise` where it is empty.
+/// The number in the text; -1 if the text is no number, `otherwise` if it is empty.
 std::int64_t whole(std::string_view text, std::int64_t otherwise) {
   if (text.empty()) return otherwise;
   std::int64_t value = 0;
@@ -59,8 +59,8 @@ int base64_digit(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Decodes up to `most` bytes, or to the first byte that is no base64. Padding ends a group of four, not the
-/// text: some writers encode the length and the data one after the other, each with its padding.
+/// Decodes base64 up to `most` bytes, or up to the first character that is not base64. Padding ends a group of four
+/// characters, but not the text: some writers encode the length and the data separately, each with its padding.
 std::string decode_base64(std::string_view text, std::size_t most) {
   std::string bytes;
   std::uint32_t group = 0;
@@ -99,7 +99,7 @@ Array<Value> converted(std::string_view bytes) {
   return values;
 }
 
-/// By VTK's name of the stored type; false if it is unknown or does not go into a Value.
+/// Converts the values from the type with this VTK name. False if the type is unknown or a value does not fit a Value.
 template <class Value>
 bool convert(std::string_view bytes, std::string_view type, Array<Value>& to) {
   if (type == "Int8") return to = converted<std::int8_t, Value>(bytes), true;
@@ -184,7 +184,7 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
       if (!tag.closed) {
         array.end = text.find("</DataArray", tag.end);
         if (array.end == std::string_view::npos) return file.error_at(at, "this DataArray does not end");
-        // Elements inside (VTK's InformationKey) come before the values.
+        // Inner elements (VTK's InformationKey) come before the values.
         array.begin = std::max(tag.end, text.rfind('>', array.end) + 1);
       }
       file.arrays_.push_back(array);
@@ -195,7 +195,7 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
       file.appended_ = text.find('_', tag.end);
       if (file.appended_ == std::string_view::npos) return file.error_at(at, "expected appended data, found none");
       ++file.appended_;
-      break;  // what follows is no XML
+      break;  // the rest is not XML
     } else if (!tag.name.starts_with('/') && !tag.name.starts_with('?') && !tag.name.starts_with('!')) {
       section = tag.name;
     }
@@ -225,7 +225,7 @@ Result<std::string_view> VtuFile::bytes_of(const VtuArray& array, std::string& d
   const std::string_view source =
       appended ? text_.substr(appended_ + array.offset) : text_.substr(array.begin, array.end - array.begin);
 
-  // The data begin with their length, as an integer of header_bytes_.
+  // The data begin with their length, an integer of header_bytes_ bytes.
   if (!raw) decoded = decode_base64(source, header_bytes_);
   const std::string_view header = raw ? source.substr(0, header_bytes_) : std::string_view(decoded);
   std::uint64_t length = 0;

@@ -1,4 +1,4 @@
-// The arrays of a VTU file, wherever and however it keeps them.
+// The arrays of a VTU file, in all places and encodings that the format allows without compression.
 #pragma once
 
 #include <string>
@@ -10,33 +10,33 @@
 
 namespace pardel::files {
 
-/// One <DataArray>, its values still where they are.
+/// One element <DataArray>. Its values stay in the text of the file.
 struct VtuArray {
   std::string_view section;  ///< the element around it: Points, Cells, CellData, PointData, FieldData
   std::string_view name;
   std::string_view type;    ///< Float64, Int32, ...
   std::string_view format;  ///< ascii, binary or appended
   std::size_t components = 1;
-  std::size_t offset = 0;  ///< of appended data
-  std::size_t begin = 0;   ///< of the element's content in the text
+  std::size_t offset = 0;  ///< in the appended data, in bytes
+  std::size_t begin = 0;   ///< of the element's content, in the text
   std::size_t end = 0;
 };
 
-/// The skeleton of the file. `text` must outlive it.
+/// The elements of a VTU file. The text must outlive the object.
 class VtuFile {
  public:
-  /// Understood: one piece of an UnstructuredGrid, without compression, in the byte order of this machine;
-  /// arrays as text, as base64 inline or appended, or raw and appended; headers of 32 and 64 bits. Another
-  /// file is an `invalid_input` error that names what is not understood.
+  /// Supported: one piece of an UnstructuredGrid, without compression, in the byte order of this machine; arrays as
+  /// text, as base64 (inline or appended), or as appended raw bytes; headers of 32 and 64 bits. Any other file is an
+  /// error of kind `invalid_input` that names the unsupported part.
   static Result<VtuFile> parse(std::string_view text, const std::string& name);
 
   [[nodiscard]] std::size_t points() const { return points_; }
   [[nodiscard]] std::size_t cells() const { return cells_; }
-  /// By section and name; an empty name takes the first of the section. Null if there is none.
+  /// The array with this section and name; an empty name means the first array of the section. Null if there is none.
   [[nodiscard]] const VtuArray* find(std::string_view section, std::string_view name) const;
 
-  /// All values of an array, whatever type the file has them in. `Value` is double or int64_t; numbers with a
-  /// fraction are refused as the latter.
+  /// All values of an array, converted from the type in the file. `Value` is double or int64_t. A number with a
+  /// fraction is an error if `Value` is int64_t.
   template <class Value>
   [[nodiscard]] Result<Array<Value>> values(const VtuArray& array) const;
 
@@ -45,7 +45,7 @@ class VtuFile {
 
  private:
   VtuFile() = default;
-  /// The bytes of an array that is not kept as text; `decoded` holds them if they are not in the file as such.
+  /// The bytes of an array that is not text. If they must be decoded, the result refers to `decoded`.
   Result<std::string_view> bytes_of(const VtuArray& array, std::string& decoded) const;
 
   std::string_view text_;
@@ -53,7 +53,7 @@ class VtuFile {
   std::vector<VtuArray> arrays_;
   std::size_t points_ = 0;
   std::size_t cells_ = 0;
-  std::size_t appended_ = 0;  ///< where appended data begin, behind the `_`
+  std::size_t appended_ = 0;  ///< the first byte of the appended data, after the `_`
   bool appended_raw_ = false;
   std::size_t header_bytes_ = 4;
 };

@@ -1,5 +1,5 @@
-// Reading VTU: triangles become the mesh, lines its constrained edges, vertices are passed over. Arrays that we
-// write ourselves (region, marker, attributes, constrained_edges) are taken up where they are present. z is ignored.
+// Reads VTU: triangles become the mesh, lines its constrained edges, vertices are ignored. The arrays of write_vtu()
+// (region, marker, attributes, constrained_edges) are read if they are present. z is ignored.
 #include <optional>
 #include <string>
 
@@ -12,7 +12,7 @@
 namespace pardel::files {
 namespace {
 
-/// Fills a mesh from the arrays of a file. The first failure is kept; after it, every step does nothing.
+/// Fills a mesh from the arrays of a file. Stores the first failure; after it, every step does nothing.
 class VtuMesh {
  public:
   explicit VtuMesh(const VtuFile& file) : file_(file) {}
@@ -41,7 +41,7 @@ class VtuMesh {
     return array;
   }
 
-  /// The values of an array, which must have n of them if n is given; empty if it is missing or wrong.
+  /// The values of an array, which must have n values if n is given. Empty if the array is missing or wrong.
   template <class Value>
   Array<Value> values(const VtuArray* array, std::optional<std::size_t> n = std::nullopt) {
     if (error_ || array == nullptr) return {};
@@ -57,7 +57,7 @@ class VtuMesh {
     return std::move(*values);
   }
 
-  /// values[i] as a number from low to high; low, with a failure, if it is not.
+  /// values[i] if it is a number from low to high; otherwise fails and returns low.
   std::int64_t checked(const VtuArray* array, const Array<std::int64_t>& values, std::size_t i, std::int64_t low,
                        std::int64_t high) {
     if (values[i] >= low && values[i] <= high) return values[i];

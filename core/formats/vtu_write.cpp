@@ -1,4 +1,4 @@
-// VTU, VTK's XML format for unstructured grids (version 1.0), its arrays appended as raw bytes.
+// Writes VTU, VTK's XML format for unstructured grids (version 1.0). The arrays are appended as raw bytes.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,7 +14,7 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// One array: its element in the header, and what to write for it behind the header.
+/// One array: the attributes of its element in the header, and a function that writes its bytes after the header.
 struct AppendedArray {
   std::string type;
   std::string name;
@@ -40,7 +40,7 @@ AppendedArray array_of(std::string name, std::size_t components, std::size_t n, 
           [n, format = std::move(format)](OutputFile& out) { write_records(out, n, format); }};
 }
 
-/// In degrees: the angle opposite the shortest edge; 0 where the triangle is flat.
+/// The smallest angle in degrees: that opposite the shortest edge. 0 if the triangle is flat.
 double smallest_angle(const std::array<Point, 3>& p) {
   const auto squared_length = [&](std::size_t i) {  // of the edge opposite corner i
     const Point& a = p[(i + 1) % 3];
@@ -57,7 +57,7 @@ double smallest_angle(const std::array<Point, 3>& p) {
 
 using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
-/// Corners and offsets as integers of type Id: 32 bits where they suffice, as files are half the size then.
+/// Corners and offsets as integers of type Id. With 32 bits, if they suffice, files are half as large.
 template <class Id>
 Section cells(const Mesh& mesh) {
   const std::size_t n = mesh.triangles.size();
@@ -101,7 +101,7 @@ Section point_data(const Mesh& mesh, const Array<int>& markers) {
   return section;
 }
 
-/// What is neither a value per point nor per cell: viewers pass over it, our reader does not.
+/// The constrained edges, which are values neither per point nor per cell. Viewers ignore them; read_mesh() reads them.
 Section field_data(const Mesh& mesh) {
   const auto& edges = mesh.constrained_edges;
   Section section{"FieldData", {}};
@@ -115,14 +115,14 @@ Section field_data(const Mesh& mesh) {
   return section;
 }
 
-/// The section's elements; `offset` is where its first array begins, and then where it ended.
+/// Appends the elements of a section. `offset`: where its first array begins; on return, where its last array ends.
 void put_section(Bytes& to, const Section& section, std::size_t& offset) {
   const auto& [name, arrays] = section;
   to << "<" << name << ">\n";
   for (const AppendedArray& array : arrays) {
     to << "<DataArray type=\"" << array.type << "\" Name=\"" << array.name << "\" NumberOfComponents=\""
        << array.components << "\" format=\"appended\" offset=\"" << offset << "\"";
-    // The length of other arrays follows from the numbers of points and cells.
+    // The lengths of other arrays follow from the numbers of points and cells.
     if (name == "FieldData") to << " NumberOfTuples=\"" << array.tuples << "\"";
     to << "/>\n";
     offset += sizeof(std::uint64_t) + array.bytes;

@@ -1,12 +1,12 @@
-// The edges of a mesh, as writers need them: each once, with its constraint and marker.
+// The edges of a mesh, each once, with its marker; and the constrained edges by their ends.
 #pragma once
 
 #include "../mesh.hpp"
 
 namespace pardel {
 
-/// The constrained edges of a mesh by their ends. O(n log n) for n constrained edges, plus O(points), to build.
-/// The mesh must outlive the index.
+/// Finds constrained edges of a mesh by their ends. Construction takes O(n log n + points) for n constrained edges, a
+/// search O(log k) for k constrained edges at the lower end. The mesh must outlive the index.
 class ConstrainedEdgeIndex {
  public:
   explicit ConstrainedEdgeIndex(const Mesh& mesh);
@@ -20,8 +20,8 @@ class ConstrainedEdgeIndex {
   Array<Index> start_;         ///< by lower end, into sorted_
 };
 
-/// One marker per point: mesh.point_markers if the mesh has them, else the first non-zero marker among the
-/// constrained edges at the point, else 0.
+/// One marker per point: mesh.point_markers if the mesh has them, else the first non-zero marker of a constrained edge
+/// at the point, else 0.
 [[nodiscard]] Array<int> vertex_markers(const Mesh& mesh);
 
 struct MarkedEdge {
@@ -30,14 +30,14 @@ struct MarkedEdge {
   int marker = 0;
 };
 
-/// The edges of a mesh, and the edge of every side: side 3t + i lies opposite corner i of triangle t.
+/// The edges of a mesh, and the edge of every side. Side 3t + i lies opposite corner i of triangle t.
 struct EdgeTable {
   Array<MarkedEdge> edges;    ///< in the order of the triangles
   Array<Index> edge_of_side;  ///< triangles.size() * 3
 };
 
-/// The marker of an edge is its constrained edge's, else 1 where it has no second triangle, else 0. O(n log n) in
-/// the constrained edges, else linear. Precondition: neighbours are right.
+/// The marker of an edge is that of its constrained edge; else 1 if the edge has only one triangle; else 0. Time
+/// O(n log n) in the constrained edges, linear in the rest. Precondition: Triangle::n is correct.
 [[nodiscard]] EdgeTable edge_table(const Mesh& mesh);
 
 }  // namespace pardel

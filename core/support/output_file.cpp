@@ -8,8 +8,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether `file` has to be written in place: it exists and is no regular file, or its name is a handle on an
-/// open file (/dev/stdout, /proc/self/fd/1), which a renamed file would not reach.
+/// True if `file` must be written directly: it exists and is not a regular file, or its name refers to an open file
+/// (/dev/stdout, /proc/self/fd/1), which a renamed file would not reach.
 bool is_special(const fs::path& file) {
   std::error_code missing;
   const fs::file_status status = fs::status(file, missing);
@@ -38,7 +38,7 @@ OutputFile::OutputFile(const fs::path& file) : name_(file), target_(file) {
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
-  std::error_code ignored;  // nothing more can be done about a partial file that will not go
+  std::error_code ignored;  // a partial file that cannot be removed stays
   if (!written_.empty() && written_ != target_) fs::remove(written_, ignored);
 }
 

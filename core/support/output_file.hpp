@@ -1,4 +1,4 @@
-// OutputFile: a file that appears under its name only when it is complete.
+// OutputFile: a file that gets its name only when it is complete.
 #pragma once
 
 #include <cstdio>
@@ -11,9 +11,10 @@
 
 namespace pardel {
 
-/// Writes to `NAME.partial` beside NAME; commit() renames it, and without commit() it is removed again. What
-/// is no regular file (a pipe, a device, anything below /dev or /proc) is written to directly. A symbolic link
-/// is followed: the file it points to is replaced. The first failure is kept, and reported by close().
+/// Writes to `NAME.partial` in the folder of NAME. commit() renames that file to NAME; without commit() the destructor
+/// removes it. If NAME exists and is not a regular file (a pipe, a device), or lies below /dev or /proc, it is written
+/// directly. A symbolic link is followed: the file that it points to is replaced. The object stores the first failure,
+/// and close() reports it.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
@@ -21,25 +22,26 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
-  /// False after a failure, when writing on is in vain.
+  /// False after a failure. Later writes then do nothing.
   [[nodiscard]] bool ok() const { return failure_.empty(); }
   void write(std::string_view bytes);
-  /// Flushes and closes; what the system did not take is an `io` error here at the latest.
+  /// Flushes and closes the file. Every failure to write is reported here at the latest, as an `io` error.
   Status close();
-  /// close(), then gives the file its name.
+  /// Calls close(), then gives the file its name.
   Status commit();
 
  private:
   void fail(const char* what, int error_number);
 
-  std::filesystem::path name_;     ///< as the caller wrote it, for messages
-  std::filesystem::path target_;   ///< what is to be replaced
-  std::filesystem::path written_;  ///< what is being written: the partial file or target_ itself; empty: nothing
+  std::filesystem::path name_;     ///< as given by the caller, for messages
+  std::filesystem::path target_;   ///< the file to replace
+  std::filesystem::path written_;  ///< the file being written: the partial file, or target_ itself; empty: none
   std::FILE* stream_ = nullptr;
   std::string failure_;
 };
 
-/// Closes all and, only if that succeeded for all, commits each: a set of files appears together or not at all.
+/// Closes all files; if that succeeded for all, commits each of them. So either all files get their names, or none
+/// does, unless a renaming fails.
 Status commit_all(std::deque<OutputFile>& files);
 
 }  // namespace pardel
