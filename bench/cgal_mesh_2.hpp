@@ -1,6 +1,5 @@
-// CGAL's Mesh_2 on plain values. This part of CGAL is under the GPL, so what includes this file is, as a compiled
-// work, too; nothing that is installed contains it.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's Mesh_2 on plain values. This part of CGAL is under the GPL, and so is every program compiled from a source
+// that includes this file. Nothing that is installed contains it. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -27,12 +26,12 @@ using MeshStructure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_v
                                                            CGAL::Delaunay_mesh_face_base_2<Kernel>>;
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, MeshStructure>;
 
-/// CGAL::Delaunay_mesh_size_criteria_2 with the area in place of the longest edge, so that the goal is the very
-/// one that the other tools get: too large first (largest first), then too thin (thinnest first).
+/// CGAL::Delaunay_mesh_size_criteria_2 with the area instead of the longest edge, so all tools have the same goal.
+/// Triangles that are too large come first, by decreasing size; then those that are too thin, by increasing angle.
 class ShapeAndArea {
  public:
   struct Quality {
-    double size = 0;  ///< area over bound
+    double size = 0;  ///< area divided by its bound
     double sine = 0;  ///< squared sine of the smallest angle
     bool operator<(const Quality& other) const {
       if (size > 1) return other.size > 1 ? size > other.size : true;
@@ -53,7 +52,7 @@ class ShapeAndArea {
       const double area = CGAL::area(a, b, c);
       const double la = CGAL::squared_distance(b, c), lb = CGAL::squared_distance(c, a),
                    lc = CGAL::squared_distance(a, b);
-      // The smallest angle lies opposite the shortest edge, between the other two.
+      // The smallest angle lies opposite the shortest edge.
       quality.size = area / area_bound_;
       quality.sine = 4 * area * area / (la * lb * lc) * std::min({la, lb, lc});
       return (*this)(quality);
@@ -72,7 +71,7 @@ class ShapeAndArea {
   double area_bound_;
 };
 
-/// Triangles and their vertices as plain values; `takes` says which faces are of the domain.
+/// Triangles and their vertices as plain values, of the faces for which `takes` returns true.
 template <class Cgal, class Takes>
 [[nodiscard]] Mesh plain(const Cgal& triangulation, const Takes& takes) {
   Mesh mesh;
@@ -112,7 +111,8 @@ inline void constrain_hull(Constrained& cdt) {
   return sine * sine;
 }
 
-/// The Pslg's constrained Delaunay triangulation, refined. Holes are seeds; a Pslg without segments is its hull.
+/// The refined constrained Delaunay triangulation of a Pslg. The holes are CGAL's seeds. The domain of a Pslg without
+/// segments is its convex hull.
 template <class Criteria>
 [[nodiscard]] Constrained refined(const Pslg& pslg, const Criteria& criteria) {
   const auto points = cgal_points(pslg);

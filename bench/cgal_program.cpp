@@ -1,4 +1,4 @@
-// pardel-cgal POLY OUT MIN_ANGLE [MAX_AREA]: CGAL's Mesh_2 as a program. What it writes follows the suffix of OUT.
+// pardel-cgal POLY OUT MIN_ANGLE [MAX_AREA]: CGAL's Mesh_2 as a program. The suffix of OUT determines the format.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

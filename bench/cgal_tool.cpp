@@ -1,6 +1,5 @@
-// CGAL's Mesh_2 and Delaunay_triangulation_2. These parts of CGAL are under the GPL, so this file is, as a
-// compiled work, too; nothing that is installed contains it.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's Mesh_2 and Delaunay_triangulation_2. These parts of CGAL are under the GPL, and so is every program compiled
+// from this file. Nothing that is installed contains it. SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 
@@ -16,10 +15,10 @@ namespace {
 
 using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
 
-/// Measured on the pipe at a million triangles: the squared bound on edges over the mean area that it leads to.
+/// The squared bound on edges divided by the resulting mean area, measured on the pipe with a million triangles.
 constexpr double squared_edge_per_mean_area = 5.0;
 
-/// CGAL's own criteria, which know the longest edge and no area: a bound that leads to about as many triangles.
+/// CGAL's own criteria. They bound the longest edge, not the area; this bound makes about as many triangles.
 CGAL::Delaunay_mesh_size_criteria_2<Constrained> size_criteria(const Task& task) {
   const double mean_area = task.goal.max_area / triangles_per_cap;
   const double edge = std::isfinite(mean_area) ? std::sqrt(mean_area * squared_edge_per_mean_area) : 0;  // 0: no bound
@@ -47,7 +46,7 @@ Run triangulate_once(const Task& task) {
   const auto points = cgal_points(pslg);
   const Stopwatch watch;
   Triangulation triangulation;
-  triangulation.insert(points.begin(), points.end());  // sorts along a space-filling curve first
+  triangulation.insert(points.begin(), points.end());  // CGAL sorts the points along a space-filling curve first
   run.seconds = watch.seconds();
   run.peak_rss_bytes = peak_rss_bytes();
   const Mesh mesh = plain(triangulation, [](auto) { return true; });

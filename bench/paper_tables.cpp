@@ -1,5 +1,6 @@
-// paper_tables: the form of Tables 1 and 2 of [CC] with our figures: the area bound is inversely proportional to the
-// number of threads, so that every thread has the same work, and ideal scaling keeps the time constant. See --help.
+// paper_tables: repeats the workload of Tables 1 and 2 of [CC] on this machine. The area bound is inversely
+// proportional to the number of threads. So every thread has the same work, and ideal scaling keeps the time constant.
+// See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -23,7 +24,7 @@ struct Table {
   const char* title;
   const char* domain;
   double area;
-  const char* theirs;  ///< what [CC] reports of this domain on the largest number of processors
+  const char* theirs;  ///< the result of [CC] for this domain on the largest number of processors
 };
 constexpr Table tables[] = {
     {"Table 1: the pipe cross-section", "pipe", 2.486, "121 processors (MPI): 441.1 million triangles, 212.7 s"},
@@ -56,7 +57,7 @@ std::optional<Timed> run(const Table& table, const Settings& settings, int threa
   });
 }
 
-/// The run with the median time; nothing where one failed.
+/// The run with the median time; nothing if a run failed.
 std::optional<Timed> median_run(const Table& table, const Settings& settings, int threads) {
   std::vector<Timed> all;
   for (int i = 0; i < settings.runs; ++i) {
@@ -95,8 +96,8 @@ void print(const Table& table, const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace pardel;
   bench::Settings settings;
-  CLI::App app("The scaled workload of the paper's Tables 1 and 2: work in proportion to the number of threads");
-  app.add_option("--threads", settings.threads, "Numbers of threads, a row each")
+  CLI::App app("The workload of the paper's Tables 1 and 2: work proportional to the number of threads");
+  app.add_option("--threads", settings.threads, "Numbers of threads, one row each")
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--per-thread", settings.per_thread, "Triangles for each thread")->capture_default_str();

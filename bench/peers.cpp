@@ -1,5 +1,5 @@
-// peers: the same domain and goal through pardel and its peers, in interleaved runs, each in a process of its
-// own; one table of medians. See --help.
+// peers: runs pardel and other meshers on the same domain and goal. The runs are interleaved, each in its own process.
+// The result is one table of medians. See --help.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -57,13 +57,13 @@ Row summarise(const std::string& tool, const std::vector<Run>& runs) {
     if (run.verdict != runs.front().verdict) row.verdict = "differs from run to run";
   }
   row.seconds = median(row.all_seconds);
-  row.triangles = *std::min_element(triangles.begin(), triangles.end());  // a failed run fails the row
+  row.triangles = *std::min_element(triangles.begin(), triangles.end());  // if a run failed, the row has failed
   if (!bytes.empty()) row.bytes_per_triangle = median(bytes);
   if (row.failed() && row.verdict.empty()) row.verdict = "the process died";
   return row;
 }
 
-/// Runs of a tool until they fill a second: what ends sooner says little by itself on a machine that others share.
+/// Runs a tool until its runs add up to a second. A shorter time is not reliable on a machine with other load.
 void run_for_a_second(const Tool& tool, const Task& task, const fs::path& scratch, std::vector<Run>& runs) {
   for (double spent = 0; spent < 1;) {
     warm_memory(runs.empty() ? 0 : runs.back().peak_rss_bytes);
@@ -151,25 +151,26 @@ int main_of_peers(int argc, char** argv) {
   Settings settings;
   Task& task = settings.task;
   bool no_check = false;
-  CLI::App app{"The same domain and goal through pardel and its peers; prints one table of medians."};
-  app.add_option("--domain", task.domain, "What is meshed")
+  CLI::App app{"Runs pardel and other meshers on the same domain and goal; prints one table of medians."};
+  app.add_option("--domain", task.domain, "The domain")
       ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points"}))
       ->capture_default_str();
-  app.add_option("--triangles", task.triangles, "About how many triangles an area cap shall lead to; 0: no cap")
+  app.add_option("--triangles", task.triangles,
+                 "Approximate number of triangles, which determines the area cap; 0: no cap")
       ->capture_default_str();
-  app.add_option("--points", task.points, "How many random points (for --domain points)");
-  app.add_option("--seed", task.seed, "Of the random points")->capture_default_str();
-  app.add_option("--min-angle", task.goal.min_angle_deg, "Degrees")
+  app.add_option("--points", task.points, "Number of random points (for --domain points)");
+  app.add_option("--seed", task.seed, "Seed of the random points")->capture_default_str();
+  app.add_option("--min-angle", task.goal.min_angle_deg, "Minimum angle in degrees")
       ->check(CLI::Range(0.0, 33.0))
       ->capture_default_str();
-  app.add_option("--runs", settings.runs, "Rounds: in each, every tool runs for a second at least")
+  app.add_option("--runs", settings.runs, "Rounds; in each round, every tool runs for at least a second")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_flag("--delaunay-only", task.delaunay_only, "Triangulate the points, insert nothing");
+  app.add_flag("--delaunay-only", task.delaunay_only, "Only triangulate the points; no refinement");
   app.add_option("--tools", settings.tools,
-                 "Of pardel, cgal-mesh, cgal-size, cgal-delaunay, gmsh, triangle (default: all there are)")
+                 "Tools: pardel, cgal-mesh, cgal-size, cgal-delaunay, gmsh, triangle (default: all that are installed)")
       ->delimiter(',');
-  app.add_flag("--no-check", no_check, "Leave the meshes unjudged: for large ones");
+  app.add_flag("--no-check", no_check, "Do not check the meshes, which takes long for large ones");
   app.add_option("--json", settings.json_file, "Write all runs to this file");
   CLI11_PARSE(app, argc, argv);
   task.check = !no_check;

@@ -1,4 +1,4 @@
-// What a predicate costs: where the filter decides, on lattices, and where only exact arithmetic does.
+// The cost of a predicate: on points where the filter decides, on lattices, and where only exact arithmetic decides.
 #include <benchmark/benchmark.h>
 
 #include <array>

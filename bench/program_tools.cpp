@@ -1,5 +1,5 @@
-// Tools that are programs: Gmsh and Triangle. Their own timers are read off what they print, so that neither
-// start-up nor files count. Files are written, read and checked in processes of their own.
+// Tools that are programs: Gmsh and Triangle. The times are those that the programs print, so start-up and files do not
+// count. Files are written, read and checked in separate processes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where `program` is on the PATH; empty where it is not.
+/// The path of `program` on the PATH; empty if it is not there.
 fs::path on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string folders = path != nullptr ? path : "";
@@ -34,7 +34,7 @@ fs::path triangle_program() {
   return given != nullptr && *given != '\0' ? fs::path(given) : on_path("triangle");
 }
 
-/// The sum of the first groups of all matches: a program may print one time per phase.
+/// The sum of the first groups of all matches, because a program may print one time per phase.
 double sum_of_matches(const std::string& text, const std::regex& pattern) {
   double sum = 0;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
@@ -42,7 +42,7 @@ double sum_of_matches(const std::string& text, const std::regex& pattern) {
   return sum;
 }
 
-/// Reads what the program wrote and has it judged, in a child.
+/// Reads and checks the mesh of the program in a child process.
 Run read_and_judge(const Task& task, const fs::path& file, Run run) {
   const double seconds = run.seconds;
   const std::uint64_t peak = run.peak_rss_bytes;
@@ -94,8 +94,8 @@ bool write_geo(const Task& task, const fs::path& file, double edge) {
 
 Run run_gmsh(const Task& task, const fs::path& scratch) {
   const fs::path geo = scratch / "domain.geo", msh = scratch / "gmsh.msh";
-  // Equilateral triangles of the wanted mean area; Gmsh knows sizes of edges, no areas and no angles, and makes
-  // its triangles 15 % smaller than that on a square.
+  // Gmsh has bounds on edges, not on areas and angles. The bound is the edge of an equilateral triangle with the wanted
+  // mean area, plus a correction: on a square, Gmsh's triangles are 15 % smaller.
   const double mean_area = domain_area(task) / static_cast<double>(task.triangles);
   const double edge = std::sqrt(1.15 * mean_area * 4 / std::sqrt(3.0));
   if (!run_in_child<int>([&] { return write_geo(task, geo, edge) ? 1 : 0; }).value_or(0)) return {};
@@ -111,7 +111,8 @@ Run run_gmsh(const Task& task, const fs::path& scratch) {
 Run run_triangle(const Task& task, const fs::path& scratch) {
   const fs::path poly = scratch / "domain.poly";
   if (!run_in_child<int>([&] { return write_poly(make_domain(task), poly) ? 1 : 0; }).value_or(0)) return {};
-  // A domain without segments is the convex hull (c), which Triangle would eat otherwise.
+  // A domain without segments is the convex hull of its points. Triangle needs the switch c for it, or it removes all
+  // triangles.
   std::string switches = is_point_set(task) ? "-pc" : "-p";
   if (!task.delaunay_only) {
     switches += fmt::format("q{}", task.goal.min_angle_deg);

@@ -1,4 +1,4 @@
-// Refinement: under an area cap, where the order hardly matters, and for quality alone, where it does.
+// Refinement with an area cap, where the order of insertions has little effect, and for angles only, where it has much.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ void run(benchmark::State& state, const Pslg& pslg, const Goal& goal) {
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 
-/// Argument: the area cap as a power of a tenth.
+/// Argument n: the area cap is 10^-n.
 Goal capped(const benchmark::State& state) {
   return {.max_area = std::pow(10.0, -static_cast<double>(state.range(0)))};
 }

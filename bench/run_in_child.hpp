@@ -1,4 +1,4 @@
-// One measured run, in a process of its own: so its peak memory is its own, and a crash is a row in a table.
+// Runs one measurement in its own process. So its peak memory is measured alone, and a crash does not end the program.
 #pragma once
 
 #include <sys/resource.h>
@@ -22,8 +22,8 @@ namespace pardel::bench {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Work in a forked process, from the construction on. Linux hands the parent's resident set on to the child, so the
-/// parent must stay small: make inputs inside `work`.
+/// Work in a forked process; the constructor starts it. On Linux the child's peak memory includes the parent's memory
+/// at the fork, so the parent must stay small: make inputs inside `work`.
 template <class T>
 class Child {
   static_assert(std::is_trivially_copyable_v<T>, "the result travels through a pipe as bytes");
@@ -39,7 +39,7 @@ class Child {
       try {
         const T result = work();
         written = write(pipe_ends[1], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
-      } catch (...) {  // must not reach what the parent has on its stack
+      } catch (...) {  // must not unwind the parent's stack frames
       }
       _exit(written ? 0 : 1);
     }
@@ -51,7 +51,7 @@ class Child {
   Child& operator=(Child&&) = delete;
   ~Child() { (void)result(); }
 
-  /// Waits for the end; what the work returned, once, or nothing where the process died.
+  /// Waits for the end of the process. The first call returns the result of the work, or nothing if the process died.
   [[nodiscard]] std::optional<T> result() {
     if (read_end_ < 0) return std::nullopt;
     T result{};
@@ -74,14 +74,14 @@ template <class T>
   return Child<T>(work).result();
 }
 
-/// A program that was run: its exit code, what it said (stdout and stderr), its peak memory.
+/// The result of a program: its exit code, its output (stdout and stderr) and its peak memory.
 struct ProgramRun {
   int exit_code = -1;
   std::string output;
   std::uint64_t peak_rss_bytes = 0;
 };
 
-/// Runs a program directly, without a shell. `arguments` starts with the program, searched on the PATH.
+/// Runs a program without a shell. arguments[0] is the program, which is searched on the PATH.
 [[nodiscard]] inline ProgramRun run_program(const std::vector<std::string>& arguments) {
   ProgramRun run;
   int pipe_ends[2];

@@ -1,5 +1,5 @@
-// scale: one domain at ever larger sizes, each mesh made and wholly checked in a process of its own; one table, and
-// from its last row what the paper's largest mesh takes of this machine. See --help.
+// scale: meshes one domain at increasing sizes. Each mesh is made and checked in its own process. The result is one
+// table, and an extrapolation of its last row to the largest mesh of the paper. See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -26,12 +26,12 @@ constexpr double gibibyte = 0x1p30;
 
 struct Settings {
   Task task;
-  std::vector<double> triangles = {10e6, 100e6, 250e6};  ///< wanted, roughly, ascending
+  std::vector<double> triangles = {10e6, 100e6, 250e6};  ///< approximate numbers, ascending
   int threads = 2;
 };
 
 struct Row {
-  Run mesh;  ///< its verdict is of every triangle, or says why there is none
+  Run mesh;  ///< its verdict is on all triangles, or the reason why there is no mesh
   double check_seconds = 0;
   std::uint64_t peak_with_check = 0;  ///< bytes
 
@@ -62,12 +62,12 @@ Row make_and_check(const Task& task, int threads) {
   return row;
 }
 
-/// A row for a size, without a run where the last one has shown that it would be killed for its memory.
+/// The row for a size. There is no run if, by the last row, it would need more memory than is available.
 Row row_for(const Settings& settings, double triangles, const std::optional<Row>& last) {
   Row row;
   const auto available = static_cast<double>(cli::available_memory());
   if (last && available > 0 && last->bytes_with_check() * triangles > available) {
-    row.mesh.say(fmt::format("left out: takes {:.1f} GiB, and there are {:.1f}",
+    row.mesh.say(fmt::format("left out: needs {:.1f} GiB, available are {:.1f}",
                              last->bytes_with_check() * triangles / gibibyte, available / gibibyte));
     return row;
   }
@@ -113,7 +113,7 @@ void print_extrapolation(const Row& last) {
              with_check * gibibyte <= available ? "fits" : "does not fit", paper_seconds, paper_processors);
 }
 
-/// False where a mesh was not made or is not valid.
+/// False if a mesh was not made or is not valid.
 bool run(const Settings& settings) {
   print_head(settings);
   std::optional<Row> last;
@@ -137,15 +137,17 @@ int main(int argc, char** argv) {
   bench::Settings settings;
   settings.task.domain = "pipe";
   bool no_check = false;
-  CLI::App app("One domain at ever larger sizes, and what the paper's largest mesh takes of this machine");
-  app.add_option("--domain", settings.task.domain, "square, pipe, key, ...")->capture_default_str();
-  app.add_option("--triangles", settings.triangles, "Wanted, roughly, a row each: 100e6,250e6")
+  CLI::App app("Meshes one domain at increasing sizes and extrapolates to the largest mesh of the paper");
+  app.add_option("--domain", settings.task.domain, "The domain: square, pipe, key, ...")->capture_default_str();
+  app.add_option("--triangles", settings.triangles, "Approximate numbers of triangles, one row each: 100e6,250e6")
       ->delimiter(',')
       ->check(CLI::Range(1e3, 536e6))
       ->capture_default_str();
-  app.add_option("--threads", settings.threads, "Of the mesher")->check(CLI::Range(1, 4096))->capture_default_str();
-  app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Degrees")->capture_default_str();
-  app.add_flag("--no-check", no_check, "Leave the meshes unjudged");
+  app.add_option("--threads", settings.threads, "Threads of the mesher")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Minimum angle in degrees")->capture_default_str();
+  app.add_flag("--no-check", no_check, "Do not check the meshes");
   CLI11_PARSE(app, argc, argv);
   settings.task.check = !no_check;
   std::sort(settings.triangles.begin(), settings.triangles.end());

@@ -1,7 +1,7 @@
-// scaling: one mesh by one queue over everything, by tiles, and by tiles on several threads, in interleaved runs, each
-// in a process of its own; one table of medians. The meshes of all numbers of threads must be one. Beside n threads
-// stand n runs of one thread at the same time, which share nothing but the machine: a yardstick for what the other
-// cores are worth there. See --help.
+// scaling: makes one mesh with a single queue, with tiles on one thread, and with tiles on several threads. The runs
+// are interleaved, each in its own process. The result is one table of medians. All numbers of threads must make the
+// same mesh. n threads are compared with n independent processes of one thread each, which run at the same time and
+// share only the machine. See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -42,7 +42,7 @@ constexpr const char* one_thread_row = "tiles, 1 thread";
 struct Row {
   Decomposition decomposition;
   int threads;
-  int processes = 1;                 ///< at the same time, each with these threads
+  int processes = 1;                 ///< run at the same time, each with this number of threads
   std::uint64_t peak_rss_bytes = 0;  ///< of the last run
   std::vector<Timed> runs{};
 
@@ -68,8 +68,8 @@ Timed timed_run(const Task& task, Decomposition decomposition, int threads) {
           .digest = digest(meshed->mesh)};
 }
 
-/// One run, or several at once as one: all their triangles, at the sum of their rates. Nothing where one failed or
-/// they made different meshes.
+/// One run, or several processes at the same time, which count as one run with all their triangles and the sum of their
+/// rates. Nothing if a process failed, or if they made different meshes.
 std::optional<Timed> run(const Task& task, const Row& row) {
   std::vector<Child<Timed>> children;
   for (int i = 0; i < row.processes; ++i)
@@ -92,8 +92,8 @@ std::optional<Timed> run(const Task& task, const Row& row) {
   return all;
 }
 
-/// Runs of every row by turns. A first one of each is not counted: it tells how much memory to have at hand. False, and
-/// a message, where a run failed or meshes that must be one are not.
+/// Runs the rows in turn. The first run of a row does not count: it shows how much memory warm_memory() must prepare.
+/// Prints a message and returns false if a run failed or made another mesh.
 bool measure(const Settings& settings, std::vector<Row>& rows) {
   std::optional<Digest> one_mesh;
   for (int i = 0; i <= settings.runs; ++i)
@@ -101,7 +101,7 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
       warm_memory(row.peak_rss_bytes);
       const std::optional<Timed> one = run(settings.task, row);
       if (!one) {
-        fmt::print(stderr, "scaling: {}: no mesh, or more than one\n", row.name());
+        fmt::print(stderr, "scaling: {}: no mesh, or different meshes\n", row.name());
         return false;
       }
       row.peak_rss_bytes = one->peak_rss_bytes;
@@ -109,7 +109,7 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
       if (row.decomposition == Decomposition::none) continue;
       if (!one_mesh) one_mesh = one->digest;
       if (one->digest == one_mesh) continue;
-      fmt::print(stderr, "scaling: {}: another mesh than in an earlier run\n", row.name());
+      fmt::print(stderr, "scaling: {}: the mesh differs from that of an earlier run\n", row.name());
       return false;
     }
   for (Row& row : rows)
@@ -117,10 +117,10 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
   return true;
 }
 
-/// As much as a run of the row makes in a second.
+/// Triangles per second of the median run.
 double rate(const Row& row) { return static_cast<double>(row.median().triangles) / row.median().seconds; }
 
-/// Its rate as a multiple of that of the row so named; empty where there is none.
+/// The rate of `row` divided by that of the row called `name`; empty if there is no such row.
 std::string times(const Row& row, const std::vector<Row>& rows, std::string_view name) {
   const auto base = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name() == name; });
   return base == rows.end() ? "" : fmt::format("{:.2f}", rate(row) / rate(*base));
@@ -147,18 +147,19 @@ int main(int argc, char** argv) {
   using namespace pardel;
   bench::Settings settings;
   settings.task.goal.min_angle_deg = 20.7;
-  CLI::App app("What tiles and threads are worth: one mesh in interleaved runs, medians");
-  app.add_option("--domain", settings.task.domain, "square, pipe, points, ...")->capture_default_str();
-  app.add_option("--points", settings.task.points, "For points: how many");
-  app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Degrees")->capture_default_str();
-  app.add_option("--triangles", settings.task.triangles, "Wanted, roughly; 0: as the angle bound asks");
-  app.add_option("--threads", settings.threads, "Numbers of threads, a row each")
+  CLI::App app("The speed of tiles and threads: one mesh in interleaved runs; prints one table of medians");
+  app.add_option("--domain", settings.task.domain, "The domain: square, pipe, points, ...")->capture_default_str();
+  app.add_option("--points", settings.task.points, "Number of points (for --domain points)");
+  app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Minimum angle in degrees")->capture_default_str();
+  app.add_option("--triangles", settings.task.triangles,
+                 "Approximate number of triangles; 0: the angle bound alone determines it");
+  app.add_option("--threads", settings.threads, "Numbers of threads, one row each")
       ->delimiter(',')
       ->capture_default_str();
-  app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
-  app.add_flag("!--no-queue", settings.one_queue, "Leave out the row with one queue over everything");
+  app.add_option("--runs", settings.runs, "Runs per row; the table has the medians")->check(CLI::PositiveNumber);
+  app.add_flag("!--no-queue", settings.one_queue, "Leave out the row with a single queue");
   app.add_flag("!--no-at-once", settings.at_once,
-               "Leave out the rows with n runs of one thread at once, which take n times the memory");
+               "Leave out the rows with n processes of one thread each, which take n times the memory");
   CLI11_PARSE(app, argc, argv);
   settings.task.goal.max_area = bench::area_cap(settings.task);
   std::vector<bench::Row> rows;

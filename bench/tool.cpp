@@ -19,8 +19,8 @@ bool is_point_set(const Task& task) { return task.domain == "points"; }
 double domain_area(const Task& task) {
   if (is_point_set(task)) return 1;
   const Pslg pslg = make_domain(task);
-  // Every domain compared here is bounded by disjoint closed chains whose segments come in order; the outer
-  // one has the largest area and all others are holes.
+  // The boundary of every domain used here consists of disjoint closed chains, whose segments are in order. The outer
+  // chain has the largest area; all others are holes.
   double largest = 0, sum = 0, chain = 0;
   for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
     const Point a = pslg.points[pslg.segments[i].a], b = pslg.points[pslg.segments[i].b];

@@ -1,4 +1,4 @@
-// Delaunay triangulation alone: random points, and the two arrangements that hurt most.
+// Delaunay triangulation only: random points, and the two slowest arrangements.
 #include <benchmark/benchmark.h>
 
 #include "../parallel/mesher.hpp"
@@ -27,13 +27,13 @@ void triangulate_random_points(benchmark::State& state) {
 }
 BENCHMARK(triangulate_random_points)->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(benchmark::kMillisecond);
 
-/// Everything cocircular: the in-circle filter never decides.
+/// The four corners of each cell are cocircular, so the filter of the in-circle test never decides.
 void triangulate_lattice_points(benchmark::State& state) {
   run(state, domains::grid_points(static_cast<int>(state.range(0))));
 }
 BENCHMARK(triangulate_lattice_points)->Arg(31)->Arg(316)->Unit(benchmark::kMillisecond);
 
-/// The same with every lattice edge and a diagonal a cell as constraints.
+/// The same points, with all lattice edges and one diagonal per cell as constraints.
 void triangulate_constrained_grid(benchmark::State& state) {
   run(state, domains::grid(static_cast<int>(state.range(0))));
 }

@@ -1,4 +1,4 @@
-// Memory that a run finds at hand, however long the machine has been idle.
+// Makes the host of a virtual machine provide memory before a measured run starts.
 #pragma once
 
 #include <sys/mman.h>
@@ -12,10 +12,10 @@
 
 namespace pardel::bench {
 
-/// The memory of a virtual machine may be handed out by its host as it is touched, and taken back some seconds after
-/// it was freed: whoever touches it first then waits for it, the next one does not. So which run pays is chance. Before
-/// a run this touches as much memory as such a run is known to take (0: nothing is known), and a gibibyte at least, in
-/// a process of its own, and frees it. At most half of what is available.
+/// The host of a virtual machine may provide memory only when it is first written, and take it back some seconds after
+/// it was freed. The first run to write the memory waits for it, the next one does not, so times vary by chance. This
+/// function writes and frees memory in its own process: `known_bytes`, the memory that such a run takes (0 if unknown),
+/// but at least 1 GiB and at most half of the available memory.
 inline void warm_memory(std::uint64_t known_bytes) {
   constexpr std::size_t page = 4096;
   constexpr std::uint64_t least = std::uint64_t{1} << 30U;

@@ -50,7 +50,6 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     return 0;
   }
   const std::filesystem::path file = scratch_file();
-  // Without a point there is no first number for the base to be read off.
   for (const int base : {0, 1}) {
     if (const Status written = write_poly(*parsed, file, base); !written) fail(written.error().message);
     const Result<Pslg> again = read_pslg(file);

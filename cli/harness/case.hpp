@@ -1,4 +1,4 @@
-// Which input: a case is its name, and its name makes it.
+// A case: a generated domain, identified by seed, family and index.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace pardel::harness {
 using generators::Family;
 using generators::LatticeDomain;
 
-/// The index-th domain of a family for a seed. Printed and parsed as SEED:FAMILY:INDEX.
+/// The domain number `index` of a family, for a seed. Its text form is SEED:FAMILY:INDEX.
 struct CaseId {
   std::uint64_t seed = 1;
   Family family = Family::general_position;
@@ -26,10 +26,10 @@ struct CaseId {
 [[nodiscard]] Result<CaseId> parse_case(const std::string& text);
 [[nodiscard]] Result<Family> parse_family(std::string_view text);
 
-/// Depends on nothing but the id: neither on the other cases nor on which families there are.
+/// Makes the domain. It depends on the id only, not on other cases and not on the list of families.
 [[nodiscard]] LatticeDomain make_case(const CaseId& id);
 
-/// `count` cases, the families in turn. Precondition: there is a family.
+/// Returns `count` cases that go through the families in turn. Precondition: `families` is not empty.
 [[nodiscard]] std::vector<CaseId> draw_cases(std::uint64_t seed, std::span<const Family> families, std::uint64_t count);
 
 }  // namespace pardel::harness

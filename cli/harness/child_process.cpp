@@ -23,7 +23,7 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
   setrlimit(resource, &both);
 }
 
-/// The child's side of the fork: nothing but system calls, since other threads may have held locks.
+/// The child after the fork. It makes system calls only, because other threads may have held locks at the fork.
 [[noreturn]] void become(char* const* argv, const char* log, const Limits& limits) {
   setpgid(0, 0);
   const int in = open("/dev/null", O_RDONLY);
@@ -39,7 +39,7 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
   _exit(126);
 }
 
-/// Waits until the child has ended; says what ended the waiting otherwise.
+/// Waits until the child has exited, its time is over, or stop() returns true.
 Ending wait_for(int handle, const Limits& limits, const std::function<bool()>& stop) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
   while (true) {
@@ -62,13 +62,13 @@ ChildRun run_child(const std::vector<std::string>& words, const std::filesystem:
   const pid_t child = fork();
   if (child < 0) return {Ending::not_started, errno};
   if (child == 0) become(argv.data(), log.c_str(), limits);
-  setpgid(child, child);  // whoever comes first, the group exists before anybody kills it
+  setpgid(child, child);  // in parent and child, so the group exists before it is killed
   // glibc 2.36 declares pidfd_open() without extern "C".
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
   const int no_handle = errno;
   const Ending ending = handle < 0 ? Ending::not_started : wait_for(handle, limits, stop);
   if (handle >= 0) close(handle);
-  kill(-child, SIGKILL);  // before the child is reaped, while its id is still its own
+  kill(-child, SIGKILL);  // before waitpid(), while the process id cannot be reused
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

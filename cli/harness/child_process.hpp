@@ -1,4 +1,4 @@
-// A program of unknown manners, run within limits.
+// Runs a program within limits on time, memory and file size.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace pardel::harness {
 
 struct Limits {
-  double seconds = 10;                                 ///< of wall clock
-  std::uint64_t memory_bytes = 0;                      ///< of address space; 0: no limit
-  std::uint64_t file_bytes = std::uint64_t{1} << 28U;  ///< of each file that it writes
+  double seconds = 10;                                 ///< wall-clock time
+  std::uint64_t memory_bytes = 0;                      ///< address space; 0: no limit
+  std::uint64_t file_bytes = std::uint64_t{1} << 28U;  ///< size of each file that it writes
 };
 
 enum class Ending : std::uint8_t {
-  exited,     ///< number: the exit code; 126 where it could not be run at all
+  exited,     ///< number: the exit code; 126 if the program could not be run
   signalled,  ///< number: the signal
   timed_out,
-  interrupted,  ///< by `stop`
+  interrupted,  ///< stop() returned true
   not_started,  ///< number: the errno of fork
 };
 
@@ -28,13 +28,13 @@ struct ChildRun {
   int number = 0;
 };
 
-/// Runs `words` (the first is a path), standard input empty, both outputs into the file `log`. The program gets a
-/// process group of its own, all of which is killed when it ends, its time is over, or stop() says so (asked about
-/// ten times a second). Callable from several threads.
+/// Runs a command; words[0] is the path of the program. Standard input is empty; both outputs go to the file `log`. The
+/// program runs in a new process group. All processes of the group are killed when the program ends, when its time is
+/// over, or when stop() returns true; stop() is called about ten times a second. May be called from several threads.
 [[nodiscard]] ChildRun run_child(const std::vector<std::string>& words, const std::filesystem::path& log,
                                  const Limits& limits, const std::function<bool()>& stop);
 
-/// "SIGSEGV".
+/// The name of a signal, such as "SIGSEGV".
 [[nodiscard]] std::string signal_name(int signal);
 
 }  // namespace pardel::harness

@@ -5,7 +5,7 @@
 
 #include "../../core/formats.hpp"
 #include "../../properties/domains/drawing/picture.hpp"
-#include "campaign.hpp"
+#include "run_cases.hpp"
 #include "shrink.hpp"
 
 namespace pardel::harness {
@@ -17,7 +17,7 @@ std::string file_name(std::string kind) {
   return kind;
 }
 
-/// The domain; the mesh behind it, if one can be read; red where it is wrong.
+/// Draws the domain, the mesh behind it if it can be read, and red dots at the places of the violations.
 Status draw(const Pslg& pslg, const fs::path& mesh_file, const Outcome& outcome, const fs::path& svg) {
   drawing::Picture picture;
   if (const Result<Mesh> mesh = read_mesh(mesh_file)) {
@@ -32,7 +32,7 @@ Status draw(const Pslg& pslg, const fs::path& mesh_file, const Outcome& outcome,
   return picture.write(svg);
 }
 
-Status write_failure(const Card& card, FailureKind& kind, const Trials& trials, std::size_t max_runs,
+Status write_failure(const ReportCard& card, FailureKind& kind, const Trials& trials, std::size_t max_runs,
                      const fs::path& folder, const fs::path& work) {
   const auto fails = [&](const LatticeDomain& domain) -> Result<bool> {
     const Result<Outcome> outcome = try_mesher(trials, domain, work);
@@ -59,7 +59,7 @@ Status write_failure(const Card& card, FailureKind& kind, const Trials& trials, 
 
 }  // namespace
 
-Status write_failures(Card& card, const Trials& trials, std::size_t max_runs, int jobs, const fs::path& folder,
+Status write_failures(ReportCard& card, const Trials& trials, std::size_t max_runs, int jobs, const fs::path& folder,
                       const fs::path& work) {
   return run_jobs(card.kinds.size(), jobs, [&](std::size_t k) {
     return write_failure(card, card.kinds[k], trials, max_runs, folder, work / ("shrink-" + std::to_string(k)));

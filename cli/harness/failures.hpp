@@ -1,18 +1,18 @@
-// The folder of failures: of each kind one small case, as .poly and as a picture.
+// Writes one small failing case per kind of failure, as .poly and as a picture.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "card.hpp"
+#include "report_card.hpp"
 #include "trial.hpp"
 
 namespace pardel::harness {
 
-/// Shrinks the first case of each kind of failure and writes KIND.poly and KIND.svg to `folder`; says so in
-/// card.kinds. At most max_runs runs of the mesher per kind, a tenth of that where each takes the whole time limit.
-/// `work`: a folder for files that do not last.
-[[nodiscard]] Status write_failures(Card& card, const Trials& trials, std::size_t max_runs, int jobs,
+/// Shrinks the first case of each kind of failure, writes it to `folder` as KIND.poly and KIND.svg, and sets
+/// FailureKind::smallest in card.kinds. Runs the mesher at most max_runs times per kind, or max_runs / 10 times if
+/// every run lasts until the time limit. `work`: a folder for temporary files.
+[[nodiscard]] Status write_failures(ReportCard& card, const Trials& trials, std::size_t max_runs, int jobs,
                                     const std::filesystem::path& folder, const std::filesystem::path& work);
 
 }  // namespace pardel::harness

@@ -1,4 +1,4 @@
-// pardel-harness: bring your own mesher.
+// pardel-harness: tests any mesher on generated domains with the independent checker.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -10,12 +10,12 @@
 #include "../exit_code.hpp"
 #include "../interrupt.hpp"
 #include "../output.hpp"
-#include "campaign.hpp"
-#include "card.hpp"
-#include "counter.hpp"
 #include "failures.hpp"
 #include "options.hpp"
-#include "words.hpp"
+#include "progress_counter.hpp"
+#include "report_card.hpp"
+#include "run_cases.hpp"
+#include "shell_words.hpp"
 #include "work_folder.hpp"
 
 namespace pardel::harness {
@@ -43,8 +43,8 @@ std::string replay_line(const Options& options) {
   return line;
 }
 
-Card blank_card(const Options& options, const Mesher& mesher) {
-  Card card;
+ReportCard blank_card(const Options& options, const Mesher& mesher) {
+  ReportCard card;
   card.mesher = mesher.title;
   card.goal = options.min_angle_deg > 0 ? fmt::format("No angle below {} degrees", options.min_angle_deg)
                                         : std::string("No bound on angles");
@@ -61,7 +61,7 @@ Card blank_card(const Options& options, const Mesher& mesher) {
   return card;
 }
 
-/// What is bound to fail is told before the work.
+/// Reports outputs that cannot be written before any case runs.
 Status check_outputs(const Options& options) {
   for (const auto& file : {options.report, options.json}) {
     if (Status fine = cli::check_folder(file); !fine) return fine;
@@ -73,8 +73,8 @@ Status check_outputs(const Options& options) {
   return Done{};
 }
 
-/// Whoever repeats single cases wants to see all that is wrong with them.
-void list_violations(const Card& card) {
+/// Lists all violations of the cases of --replay on stderr.
+void list_violations(const ReportCard& card) {
   for (std::size_t i = 0; i < card.cases.size(); ++i) {
     for (const std::string& line : card.outcomes[i].details)
       fmt::print(stderr, "{}: {}\n", to_string(card.cases[i]), line);
@@ -95,9 +95,9 @@ Result<ExitCode> run(const Options& options) {
                       !options.any_triangulation,
                       {.seconds = options.time_limit, .memory_bytes = options.memory_limit_mib << 20U},
                       [&] { return interrupt.requested(); }};
-  Card card = blank_card(options, *mesher);
+  ReportCard card = blank_card(options, *mesher);
   {
-    Counter counter(card.cases.size());
+    ProgressCounter counter(card.cases.size());
     const bool keep = !options.keep.empty();
     Result<std::vector<Outcome>> outcomes =
         run_cases(trials, card.cases, options.jobs, keep ? std::filesystem::absolute(options.keep) : work.path(), keep,

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "words.hpp"
+#include "shell_words.hpp"
 
 namespace pardel::harness {
 namespace fs = std::filesystem;
@@ -17,16 +17,16 @@ namespace {
 struct Adaptor {
   const char* name;
   const char* command;
-  const char* area_words;  ///< what asks for an area bound
+  const char* area_words;  ///< the arguments for an area bound
   const char* suffix;
   std::vector<int> success_codes;
   const char* needs;     ///< a program on the PATH, or ""
-  const char* obtained;  ///< how to get what is missing
+  const char* obtained;  ///< how to get the missing program
 };
 
 const std::vector<Adaptor>& adaptors() {
   static const std::vector<Adaptor> all = {
-      // With 4 pardel says that it missed a bound, and writes the mesh: the checker is to judge it.
+      // Exit code 4 of pardel: it wrote a mesh that misses a bound. The checker decides about that mesh.
       {"pardel",
        "pardel mesh {poly} -o {out} --quiet --min-angle {min-angle}",
        " --max-area {max-area}",
@@ -40,7 +40,7 @@ const std::vector<Adaptor>& adaptors() {
        "off",
        {0},
        "",
-       "it is built with the benchmarks (cmake --preset bench), since CGAL's Mesh_2 is under the GPL"},
+       "it is built with the benchmarks (cmake --preset bench), because CGAL's Mesh_2 is under the GPL"},
       {"gmsh", "pardel-gmsh {poly} {out}", " {max-area}", "msh", {0}, "gmsh", "scripts/install-packages test"},
       {"triangle",
        "pardel-triangle {poly} {min-angle}",
@@ -58,7 +58,7 @@ bool is_program(const fs::path& file) {
   return access(file.c_str(), X_OK) == 0 && !fs::is_directory(file, ignored);
 }
 
-/// Empty where there is none.
+/// The program's path, or an empty path if it is not on the PATH.
 fs::path on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   const std::string folders = path != nullptr ? path : "";
@@ -71,7 +71,7 @@ fs::path on_path(const std::string& program) {
   return {};
 }
 
-/// Programs of ours: installed or built together, in one folder; the benchmarks' are in the next one.
+/// The path of a program of this project: in the folder of this program, or, for the benchmarks', in ../bench.
 fs::path beside_this_program(const std::string& program) {
   std::error_code ignored;
   const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -89,7 +89,7 @@ Result<Mesher> adapted(const Adaptor& adaptor, bool with_area) {
   if (program.empty() || lacks) {
     return Error{ErrorKind::io, fmt::format("--mesher {}: there is no program '{}' {}; {}", adaptor.name,
                                             lacks ? adaptor.needs : mesher.words[0],
-                                            lacks ? "on the PATH" : "beside this one", adaptor.obtained)};
+                                            lacks ? "on the PATH" : "in the folder of this program", adaptor.obtained)};
   }
   mesher.words[0] = program;
   return mesher;
@@ -110,10 +110,11 @@ Result<Mesher> find_mesher(const std::string& command, const std::string& suffix
   const Result<std::vector<std::string>> words = split_words(command);
   if (!words) return Error{ErrorKind::usage, "--mesher: " + words.error().message};
   if (command.find("{poly}") == std::string::npos || words->front().find("{poly}") != std::string::npos) {
-    return Error{ErrorKind::usage,
-                 fmt::format("--mesher: '{}' is no adaptor, and as a command it has no argument {{poly}}, where the "
-                             "name of the input belongs",
-                             command)};
+    return Error{
+        ErrorKind::usage,
+        fmt::format("--mesher: '{}' is no adaptor, and as a command it has no argument {{poly}} for the name of "
+                    "the input",
+                    command)};
   }
   Mesher mesher{*words, suffix, {0}, command};
   std::string& program = mesher.words[0];

@@ -1,4 +1,4 @@
-// The program under test: a command line with blanks for the file names and the bounds.
+// The program under test: a command line with placeholders for file names and bounds.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,22 @@
 namespace pardel::harness {
 
 struct Mesher {
-  std::vector<std::string> words;     ///< the first is the path of a program
-  std::string suffix;                 ///< of what it writes: "ele", "vtu", "msh" or "off"
-  std::vector<int> success_codes{0};  ///< exit codes with which it promises a mesh
-  std::string title;                  ///< for the report: the command as it was given, or an adaptor's
+  std::vector<std::string> words;     ///< words[0] is the path of the program
+  std::string suffix;                 ///< of the file that it writes: "ele", "vtu", "msh" or "off"
+  std::vector<int> success_codes{0};  ///< exit codes with which it has written a mesh
+  std::string title;                  ///< for the report: the command of the user or of the adaptor
 };
 
-/// `command` is the name of an adaptor ("pardel", "cgal", "gmsh", "triangle"), whose program is looked for beside
-/// this one, or any command line, split as split_words() does. `suffix`: what the command writes (adaptors know).
-/// `with_area`: the goal has an area bound. Errors: no program, no {poly} (usage).
+/// `command` is the name of an adaptor ("pardel", "cgal", "gmsh", "triangle"), whose program must be in the folder of
+/// this program, or a command line that split_words() splits. `suffix`: the format that a command line writes; adaptors
+/// have their own. `with_area`: the goal has an area bound. Errors: `io` if the program does not exist, `usage` if the
+/// command line has no {poly}.
 [[nodiscard]] Result<Mesher> find_mesher(const std::string& command, const std::string& suffix, bool with_area);
 
-/// The names of the adaptors, with what they run.
+/// The adaptors with their commands, a line each.
 [[nodiscard]] std::string adaptors_text();
 
-/// The command for one case. Replaces {poly}, {out}, {min-angle} and {max-area} (fixed notation, exact).
+/// The command for one case: replaces {poly}, {out}, {min-angle} and {max-area}. Numbers are exact, without exponents.
 [[nodiscard]] std::vector<std::string> command(const Mesher& mesher, const std::filesystem::path& poly,
                                                const std::filesystem::path& out, const Goal& goal);
 

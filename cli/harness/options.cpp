@@ -13,16 +13,16 @@ namespace {
 
 constexpr int most_words = 100'000;
 constexpr const char* description =
-    "pardel-harness: tries any mesher on generated domains, and has an independent checker judge its meshes.";
+    "pardel-harness: runs any mesher on generated domains and checks its meshes with an independent checker.";
 
 std::string footer() {
   return R"(COMMAND is run once per case, without a shell. In its arguments
-  {poly}       is the input, Triangle's format, points numbered from 1
-  {out}        is where the mesh belongs; it may be left out by programs that write domain.1.ele beside
-               domain.poly, as Triangle does
+  {poly}       is the input file in Triangle's format, points numbered from 1
+  {out}        is the file for the mesh; it may be missing for programs that, like Triangle, write domain.1.ele
+               in the folder of domain.poly
   {min-angle}  is the angle bound in degrees
   {max-area}   is the area bound (with --max-area-fraction)
-What is absent from the mesh (neighbours, markers, constrained edges) is not judged. Or COMMAND is an adaptor:
+Parts that a mesh does not have (neighbours, markers, constrained edges) are not checked. COMMAND may also be an adaptor:
 )" + adaptors_text() +
          R"(
 Examples:
@@ -34,9 +34,9 @@ Examples:
 
 Exit status:
   0    every case is valid
-  1    some case is not; the report says which
-  2    the command line has no meaning
-  5    a program that is not there, a file that cannot be written, no memory or processes
+  1    some case is not valid; the report names it
+  2    wrong command line
+  5    a program is missing, a file cannot be written, or memory or processes are used up
   130  interrupted)";
 }
 
@@ -46,7 +46,7 @@ std::string list_of_families() {
   return text;
 }
 
-/// CLI11's conversion of words to what is parsed from them, and its message where that fails.
+/// A callback of CLI11 that parses words into `values`. If a word is wrong, the message is that of parse_one.
 template <class Value>
 CLI::callback_t into(std::vector<Value>& values, Result<Value> (*parse_one)(const std::string&)) {
   return [&values, parse_one](const CLI::results_t& words) {
@@ -63,19 +63,20 @@ Result<Family> family_named(const std::string& text) { return parse_family(text)
 
 void add_case_options(CLI::App& app, Options& options) {
   constexpr const char* group = "Cases";
-  app.add_option("--cases", options.cases, "How many (default 500); the families take turns")
+  app.add_option("--cases", options.cases, "Number of cases (default 500), taken from the families in turn")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}).description(""))
       ->type_name("N")
       ->group(group);
-  app.add_option("--seed", options.seed, "Of the cases (default 1); the report depends on nothing else")
+  app.add_option("--seed", options.seed, "Seed of the cases (default 1); equal seeds give equal reports")
       ->type_name("S")
       ->group(group);
-  app.add_option("--families", into<Family>(options.families, family_named), "These only, with commas between them")
+  app.add_option("--families", into<Family>(options.families, family_named),
+                 "Use these families only, separated by commas")
       ->delimiter(',')
       ->expected(1, most_words)
       ->type_name("NAMES")
       ->group(group);
-  app.add_option("--replay", into<CaseId>(options.replay, parse_case), "These cases only, as the report names them")
+  app.add_option("--replay", into<CaseId>(options.replay, parse_case), "Run these cases only, named as in the report")
       ->delimiter(',')
       ->expected(1, most_words)
       ->type_name("SEED:FAMILY:INDEX")
@@ -86,7 +87,7 @@ void add_case_options(CLI::App& app, Options& options) {
            fmt::print("{}", list_of_families());
            throw CLI::Success();
          },
-         "List the families of domains, and nothing else")
+         "List the families of domains and exit")
       ->group(group);
 }
 
@@ -100,7 +101,8 @@ void add_limits(CLI::App& app, Options& options) {
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40U).description(""))
       ->type_name("MIB")
       ->group(group);
-  app.add_option("--jobs", options.jobs, "Cases at a time (default 1); the report does not depend on it")
+  app.add_option("--jobs", options.jobs,
+                 "Cases that run at the same time (default 1); the report does not depend on it")
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N")
       ->group(group);
@@ -108,20 +110,21 @@ void add_limits(CLI::App& app, Options& options) {
 
 void add_outputs(CLI::App& app, Options& options) {
   constexpr const char* group = "Reports";
-  app.add_option("--report", options.report, "The report card, Markdown (default: standard output)")
+  app.add_option("--report", options.report,
+                 "Write the report card as Markdown to this file (default: standard output)")
       ->type_name("FILE|-")
       ->group(group);
-  app.add_option("--json", options.json, "The same as JSON (pardel.harness/1), with every failing case")
+  app.add_option("--json", options.json, "Write the report card as JSON (pardel.harness/1) with every failing case")
       ->type_name("FILE|-")
       ->group(group);
   app.add_option("--failures", options.failures,
-                 "Shrink the first case of each kind of failure, and write it here as .poly and .svg")
+                 "Shrink the first case of each kind of failure and write it to this folder as .poly and .svg")
       ->type_name("FOLDER")
       ->group(group);
-  app.add_option("--shrink-runs", options.shrink_runs, "Runs of the mesher for that, per kind (default 300)")
+  app.add_option("--shrink-runs", options.shrink_runs, "Runs of the mesher to shrink one kind of failure (default 300)")
       ->type_name("N")
       ->group(group);
-  app.add_option("--keep", options.keep, "Keep every case's input, output and log here")
+  app.add_option("--keep", options.keep, "Keep the input, output and log of every case in this folder")
       ->type_name("FOLDER")
       ->group(group);
 }
@@ -136,26 +139,26 @@ Answer parse(int argc, char** argv, Options& options) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("pardel-harness: {} (see 'pardel-harness --help')\n", error.what());
   });
-  app.add_option("--mesher", options.mesher, "What to try: a command or an adaptor, see below")
+  app.add_option("--mesher", options.mesher, "The mesher: a command or an adaptor, see below")
       ->required()
       ->type_name("COMMAND");
-  app.add_option("--format", options.format, "What a command writes: ele (default), vtu, msh or off")
+  app.add_option("--format", options.format, "Format that a command writes: ele (default), vtu, msh or off")
       ->check(CLI::IsMember({"ele", "vtu", "msh", "off"}).description(""))
       ->type_name("SUFFIX");
-  app.add_option("--min-angle", options.min_angle_deg, "No angle below this is asked for (default 20; 0: no bound)")
+  app.add_option("--min-angle", options.min_angle_deg, "Lower bound on the angles (default 20; 0: no bound)")
       ->check(CLI::Range(0.0, 60.0).description(""))
       ->type_name("DEGREES");
   app.add_option("--max-area-fraction", options.max_area_fraction,
-                 "No triangle larger than this fraction of the bounding box (default: no bound)")
+                 "Upper bound on areas as a fraction of the bounding box (default: no bound)")
       ->check(CLI::Range(1e-6, 1.0).description(""))
       ->type_name("F");
-  app.add_flag("--any-triangulation", options.any_triangulation, "Do not ask for a (constrained) Delaunay mesh");
+  app.add_flag("--any-triangulation", options.any_triangulation, "Accept meshes that are not (constrained) Delaunay");
   add_case_options(app, options);
   add_limits(app, options);
   add_outputs(app, options);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& stop) {  // --help and --version come this way, too
+  } catch (const CLI::ParseError& stop) {  // also thrown by --help and --version
     return app.exit(stop) == 0 ? Answer::was_answered : Answer::misused;
   }
   if (options.families.empty()) options.families = generators::all_families();

@@ -1,4 +1,4 @@
-// What the command line asks for.
+// The options of pardel-harness.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ struct Options {
   std::string format = "ele";
   double min_angle_deg = 20;
   double max_area_fraction = 0;
-  bool any_triangulation = false;  ///< no Delaunay mesh is asked for
+  bool any_triangulation = false;  ///< the mesh need not be Delaunay
   std::uint64_t cases = 500;
   std::uint64_t seed = 1;
-  std::vector<Family> families;  ///< in turn
-  std::vector<CaseId> replay;    ///< these instead of drawn ones, if any
+  std::vector<Family> families;  ///< drawn from in turn
+  std::vector<CaseId> replay;    ///< if not empty: run these cases instead of drawn ones
   double time_limit = 10;        ///< seconds
   std::uint64_t memory_limit_mib = 4096;
   int jobs = 1;
@@ -33,8 +33,8 @@ struct Options {
 
 enum class Answer : std::uint8_t { run, was_answered, misused };
 
-/// Fills in the options. `was_answered`: --help, --version or --list-families was, on stdout; `misused`: what has
-/// no meaning is on stderr.
+/// Sets the options from the command line. `was_answered`: --help, --version or --list-families was given, and the
+/// answer is on stdout. `misused`: the command line is wrong, and the message is on stderr.
 [[nodiscard]] Answer parse(int argc, char** argv, Options& options);
 
 }  // namespace pardel::harness

@@ -2,31 +2,28 @@
 
 #include <algorithm>
 
+#include "../../core/support/enum_names.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../verdict.hpp"
 
 namespace pardel::harness {
 namespace {
-constexpr std::size_t most_listed = 10;
-}
 
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::valid:
-      return "valid";
-    case Verdict::missed:
-      return "missed";
-    case Verdict::wrong:
-      return "wrong";
-    case Verdict::crashed:
-      return "crashed";
-    case Verdict::hung:
-      return "hung";
-    case Verdict::refused:
-      return "refused";
-  }
-  return "";
-}
+constexpr std::size_t most_listed = 10;
+
+constexpr auto verdict_names = enum_names<Verdict>({
+    {Verdict::valid, "valid"},
+    {Verdict::missed, "missed"},
+    {Verdict::wrong, "wrong"},
+    {Verdict::crashed, "crashed"},
+    {Verdict::hung, "hung"},
+    {Verdict::refused, "refused"},
+});
+static_assert(verdict_names.size() == verdict_count);
+
+}  // namespace
+
+const char* name(Verdict verdict) { return verdict_names[verdict]; }
 
 Outcome judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, bool delaunay) {
   Certificate certificate = check(pslg, mesh, goal, {.max_violations = most_listed, .foreign = true});

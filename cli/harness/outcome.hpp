@@ -1,4 +1,4 @@
-// What became of one case.
+// The outcome of one case.
 #pragma once
 
 #include <cstdint>
@@ -14,34 +14,34 @@ namespace pardel::harness {
 
 enum class Verdict : std::uint8_t {
   valid,
-  missed,   ///< a right mesh of the domain, but a bound (angle, area) does not hold: not every mesher promises one
-  wrong,    ///< no right mesh of the domain, or no mesh at all in the file
+  missed,   ///< a correct mesh of the domain that misses a bound (angle, area), which not every mesher guarantees
+  wrong,    ///< no correct mesh of the domain, or no readable mesh
   crashed,  ///< ended by a signal
-  hung,     ///< not done within the time limit
-  refused,  ///< the mesher said so by its exit code, or wrote nothing
+  hung,     ///< not finished within the time limit
+  refused,  ///< the mesher exited with an error, or wrote no file
 };
 inline constexpr std::size_t verdict_count = 6;
 [[nodiscard]] const char* name(Verdict verdict);
 
-/// One kind of what was wrong, for counting: a kind of violation by the checker's name, "unreadable", "SIGSEGV",
-/// "time limit", "exit code 3", "no output". Each kind belongs to one verdict.
+/// One kind of failure: the checker's name of a violation, "unreadable", "SIGSEGV", "time limit", "exit code 3" or
+/// "no output". Each kind belongs to one verdict.
 struct Finding {
   std::string kind;
-  std::string message;  ///< one line: the first such violation, what the mesher said, ...
+  std::string message;  ///< one line: the first such violation, or a line of the mesher's output
 };
 
 struct Outcome {
   Verdict verdict = Verdict::valid;
-  std::vector<Finding> findings;     ///< one per kind; none exactly where the case is valid
-  std::vector<std::string> details;  ///< of a mesh: the first violations of each kind, a line each
-  std::vector<Point> where;          ///< their places
+  std::vector<Finding> findings;     ///< one per kind; empty if and only if the case is valid
+  std::vector<std::string> details;  ///< the first violations of each kind, a line each
+  std::vector<Point> where;          ///< the places of the violations
 
   [[nodiscard]] bool has(const std::string& kind) const;
 };
 
-/// The independent checker's word on a mesh of another program: what it does not carry is not judged.
-/// Of a wrong mesh, missed bounds are passed over. `delaunay`: edges that are not locally Delaunay are wrong; else they
-/// are passed over.
+/// Checks a mesh of another program with the independent checker. Parts that the mesh does not have are not checked. If
+/// the mesh is wrong, missed bounds are ignored. `delaunay`: an edge that is not locally Delaunay makes the mesh wrong;
+/// otherwise such edges are ignored.
 [[nodiscard]] Outcome judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, bool delaunay);
 
 }  // namespace pardel::harness

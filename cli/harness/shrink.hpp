@@ -1,4 +1,4 @@
-// From a case that fails to a small one that fails in the same way.
+// Shrinks a case that fails to a small case that fails in the same way.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace pardel::harness {
 
 struct Shrunk {
   LatticeDomain domain;
-  std::size_t runs = 0;   ///< of the mesher
-  bool smallest = false;  ///< nothing simpler fails; false where the runs were used up
+  std::size_t runs = 0;   ///< how often the mesher ran
+  bool smallest = false;  ///< no simpler domain fails; false if the runs were used up
 };
 
-/// Takes the first simpler domain that fails, again and again, with at most max_runs calls of `fails`. An error of
-/// `fails` ends it and is returned.
+/// Replaces the domain by its first simpler domain that fails, until there is none, with at most max_runs calls of
+/// `fails`. If `fails` returns an error, so does shrink.
 [[nodiscard]] Result<Shrunk> shrink(LatticeDomain domain, std::size_t max_runs,
                                     const std::function<Result<bool>(const LatticeDomain&)>& fails);
 

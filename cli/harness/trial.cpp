@@ -10,19 +10,20 @@
 #include <system_error>
 
 #include "../../core/formats.hpp"
-#include "words.hpp"
+#include "shell_words.hpp"
 
 namespace pardel::harness {
 namespace fs = std::filesystem;
 namespace {
 
-/// Shells report a child that a signal ended with an exit code of this plus the signal.
+/// A shell whose child was ended by a signal exits with this number plus the signal.
 constexpr int shell_signal_base = 128;
 
-/// Signals that mean a crash, and not that somebody stopped the program.
+/// Signals of a crash, as opposed to signals that stop a program from outside.
 constexpr int crash_signals[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGKILL};
 
-/// The mesher's first line with "error" in it, or else its last line; the folder's name left out.
+/// The first line of the mesher's output that contains "error", else the last line. Names of files are without the
+/// folder.
 std::string telling_line(const fs::path& log, const fs::path& folder) {
   std::ifstream in(log);
   std::string telling;
@@ -60,7 +61,7 @@ Result<Outcome> outcome_of(const ChildRun& run, const Trials& trials, const Pslg
     case Ending::interrupted:
       return Error{ErrorKind::cancelled, "interrupted"};
     case Ending::timed_out:
-      return failed(Verdict::hung, "time limit", fmt::format("not done within {} s", trials.limits.seconds));
+      return failed(Verdict::hung, "time limit", fmt::format("not finished within {} s", trials.limits.seconds));
     case Ending::signalled:
       return failed(Verdict::crashed, signal_name(run.number), telling_line(log, folder));
     case Ending::exited:

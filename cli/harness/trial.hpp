@@ -1,4 +1,4 @@
-// One trial: a mesher run on a domain, and its verdict.
+// One trial: runs a mesher on a domain and checks the result.
 #pragma once
 
 #include <filesystem>
@@ -14,25 +14,25 @@
 
 namespace pardel::harness {
 
-/// What stays the same from trial to trial.
+/// The parameters that all trials share.
 struct Trials {
   Mesher mesher;
   double min_angle_deg = 20;
   double max_area_fraction = 0;  ///< area bound as a fraction of the bounding box's area; 0: none
   bool delaunay = true;          ///< see judge()
   Limits limits;
-  std::function<bool()> stop;  ///< asked now and then; callable from several threads
+  std::function<bool()> stop;  ///< called often, from several threads; true: stop all trials
 };
 
 [[nodiscard]] Goal goal_for(const Trials& trials, const Pslg& pslg);
 
-/// Names of files in a trial's folder.
+/// The input file in a trial's folder.
 [[nodiscard]] std::filesystem::path input_in(const std::filesystem::path& folder);
-/// DOMAIN.1.SUFFIX beside DOMAIN.poly: where Triangle writes without being told.
+/// domain.1.SUFFIX in the folder of domain.poly: the name that Triangle chooses itself.
 [[nodiscard]] std::filesystem::path output_in(const std::filesystem::path& folder, const Mesher& mesher);
 
-/// Works in `folder`, which is made anew. An error is the harness's own (io, resources, cancelled); whatever the
-/// mesher does is an outcome.
+/// Runs the mesher in `folder`, which is emptied first. An error (io, resources, cancelled) comes from the harness
+/// itself; all failures of the mesher are outcomes.
 [[nodiscard]] Result<Outcome> try_mesher(const Trials& trials, const LatticeDomain& domain,
                                          const std::filesystem::path& folder);
 

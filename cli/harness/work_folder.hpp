@@ -1,4 +1,4 @@
-// A folder for files that do not last.
+// A temporary folder.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace pardel::harness {
 
-/// Made below the system's folder for such things; gone, with all that is in it, at the end.
+/// make() creates it in the system's folder for temporary files; the destructor removes it with its contents.
 class WorkFolder {
  public:
   WorkFolder() = default;
@@ -22,7 +22,7 @@ class WorkFolder {
   std::filesystem::path path_;
 };
 
-/// Makes a folder, unless it exists, and tries whether files can be made in it.
+/// Creates a folder if it does not exist. An error if files cannot be created in it.
 [[nodiscard]] Status make_folder(const std::filesystem::path& folder);
 
 }  // namespace pardel::harness

@@ -43,13 +43,13 @@ TEST(Digest, does_not_depend_on_any_numbering) {
   for (unsigned seed = 0; seed < 50; ++seed) EXPECT_EQ(digest(renumbered(mesh, seed)), digest(mesh));
 }
 
-TEST(Digest, does_not_tell_minus_zero_from_zero) {
+TEST(Digest, is_equal_for_minus_zero_and_zero) {
   Mesh mesh = sample_mesh();
   mesh.points[0] = {-0.0, -0.0};
   EXPECT_EQ(digest(mesh), digest(sample_mesh()));
 }
 
-TEST(Digest, changes_with_everything_that_it_is_taken_over) {
+TEST(Digest, changes_with_every_coordinate_attribute_and_marker) {
   std::vector<Mesh> others(10, sample_mesh());
   others[0].points[4].x = std::nextafter(1.0, 2.0);
   std::swap(others[1].triangles[2].v[0], others[1].triangles[2].v[1]);
@@ -80,7 +80,7 @@ TEST(Digest, of_a_mesh_without_regions_is_that_with_region_attribute_zero) {
 }
 
 TEST(Digest, of_many_triangles_by_many_threads_is_the_sum_of_its_parts) {
-  // 300,000 triangles are summed by all threads, 30 times 10,000 by one: the sums must agree.
+  // All threads sum 300,000 triangles; one thread sums 10,000 triangles, 30 times. The sums must agree.
   Mesh part = sample_mesh();
   part.constrained_edges.clear();
   part.triangles.resize(10'000, part.triangles[0]);

@@ -1,5 +1,5 @@
-// A mesh that has everything: the square of side 2 in four triangles around its centre, the left and right ones
-// in region 7, the others in 2.5, and one vertex that no triangle uses.
+// A mesh with all parts: a square of side 2, divided into four triangles at its centre. The left and right triangles
+// have the region attribute 7, the others 2.5. One vertex belongs to no triangle.
 #pragma once
 
 #include "../../core/mesh.hpp"

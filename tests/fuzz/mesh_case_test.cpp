@@ -1,5 +1,5 @@
-// A fuzz target that throws its constraints away tests nothing. So: what bytes mean is a case with constraints,
-// and the committed corpus exercises all that a Pslg can have.
+// Bytes decode to cases with constraints, and the committed corpus covers all parts of a Pslg. Without these tests, the
+// fuzz target might drop all constraints and test nothing.
 #include "../../fuzz/mesh_case.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<Bytes> corpus() {
   return inputs;
 }
 
-/// Of the outline alone: what an empty input draws.
+/// The number of segments of the outline, which an empty input gives.
 std::size_t outline_segments() { return decode_mesh_case({}).pslg.segments.size(); }
 
 TEST(MeshCase, no_bytes_at_all_still_draw_an_outline) {
@@ -45,7 +45,7 @@ TEST(MeshCase, repairing_keeps_what_was_drawn) {
     const MeshCase drawn = decode_mesh_case(bytes);
     const Prepared prepared = prepare(drawn);
     ASSERT_TRUE(prepared.usable);
-    // Every drawn segment that has a length is still there, as one piece or several: none of its ends is lost.
+    // Repair may split a drawn segment, but it keeps both ends.
     for (const Segment& segment : drawn.pslg.segments) {
       for (const Index end : {segment.a, segment.b}) {
         const Point p = drawn.pslg.points[end];
@@ -72,7 +72,7 @@ TEST(MeshCase, the_corpus_exercises_constraints_holes_and_regions) {
     caps += drawn.goal.max_area < std::numeric_limits<double>::infinity();
     conforming += drawn.goal.conforming;
   }
-  // Shares of the corpus, not mere existence.
+  // Each feature must occur in a share of the corpus, not only once.
   const std::size_t n = inputs.size();
   EXPECT_GE(n, 60u);
   EXPECT_GE(usable, n * 95 / 100);

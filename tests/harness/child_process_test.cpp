@@ -1,4 +1,4 @@
-// Limits hold, and nothing outlives its time.
+// Child processes keep their limits, and none of their processes stays.
 #include "../../cli/harness/child_process.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 bool never() { return false; }
 
-/// Waits for it: whoever inherits an orphan may take a while to bury it, so a zombie counts as gone.
+/// Waits until the process has ended. A zombie counts as ended, because its new parent may reap it later.
 bool is_gone(const std::string& process) {
   for (int tries = 0; tries < 1000; ++tries, std::this_thread::sleep_for(10ms)) {
     std::ifstream stat("/proc/" + process.substr(0, process.find('\n')) + "/stat");
@@ -27,7 +27,7 @@ bool is_gone(const std::string& process) {
   return false;
 }
 
-class AChildProcess : public ::testing::Test {
+class ChildProcess : public ::testing::Test {
  protected:
   [[nodiscard]] std::string said() const { return folder_.read("log"); }
   ChildRun shell(const std::string& script, const Limits& limits = {},
@@ -38,23 +38,23 @@ class AChildProcess : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST_F(AChildProcess, GivesItsExitCodeAndWhatItSaid) {
+TEST_F(ChildProcess, returns_its_exit_code_and_logs_both_outputs) {
   const ChildRun run = shell("echo out; echo err >&2; exit 7");
   EXPECT_EQ(run.ending, Ending::exited);
   EXPECT_EQ(run.number, 7);
   EXPECT_EQ(said(), "out\nerr\n");
 }
 
-TEST_F(AChildProcess, ReadsNothing) { EXPECT_EQ(shell("cat").number, 0); }
+TEST_F(ChildProcess, has_an_empty_standard_input) { EXPECT_EQ(shell("cat").number, 0); }
 
-TEST_F(AChildProcess, GivesTheSignalThatEndedIt) {
+TEST_F(ChildProcess, returns_the_signal_that_ended_it) {
   const ChildRun run = shell("kill -SEGV $$");
   EXPECT_EQ(run.ending, Ending::signalled);
   EXPECT_EQ(run.number, SIGSEGV);
   EXPECT_EQ(signal_name(run.number), "SIGSEGV");
 }
 
-TEST_F(AChildProcess, IsKilledWithItsChildrenWhenTimeIsUp) {
+TEST_F(ChildProcess, is_killed_with_its_children_at_the_time_limit) {
   const auto start = std::chrono::steady_clock::now();
   const ChildRun run = shell("sleep 600 & echo $!; wait", {.seconds = 0.3});
   EXPECT_EQ(run.ending, Ending::timed_out);
@@ -62,26 +62,26 @@ TEST_F(AChildProcess, IsKilledWithItsChildrenWhenTimeIsUp) {
   EXPECT_TRUE(is_gone(said()));
 }
 
-TEST_F(AChildProcess, LeavesNothingRunningBehindIt) {
+TEST_F(ChildProcess, leaves_no_process_running) {
   EXPECT_EQ(shell("sleep 600 & echo $!").ending, Ending::exited);
   EXPECT_TRUE(is_gone(said()));
 }
 
-TEST_F(AChildProcess, IsStoppedWhenAskedTo) {
+TEST_F(ChildProcess, is_killed_when_stop_returns_true) {
   EXPECT_EQ(shell("sleep 600", {}, [] { return true; }).ending, Ending::interrupted);
 }
 
-TEST_F(AChildProcess, WritesNoFileAboveItsLimit) {
+TEST_F(ChildProcess, cannot_write_a_file_above_the_size_limit) {
   shell("head -c 1000000 /dev/zero > " + (folder_ / "large").string(), {.file_bytes = 1000});
   EXPECT_LE(std::filesystem::file_size(folder_ / "large"), 1000);
 }
 
-TEST_F(AChildProcess, GetsNoMoreMemoryThanItsLimit) {
+TEST_F(ChildProcess, cannot_use_more_memory_than_its_limit) {
   const ChildRun run = shell("head -c 200000000 /dev/zero | sort > /dev/null || exit 9", {.memory_bytes = 50'000'000});
   EXPECT_NE(run.number, 0);
 }
 
-TEST_F(AChildProcess, ThatCannotBeRunSaysWhy) {
+TEST_F(ChildProcess, that_cannot_be_run_exits_with_126_and_logs_the_reason) {
   const ChildRun run = run_child({folder_.write("no-program", "")}, folder_ / "log", {}, never);
   EXPECT_EQ(run.ending, Ending::exited);
   EXPECT_EQ(run.number, 126);

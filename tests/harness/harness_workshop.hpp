@@ -1,4 +1,4 @@
-// Runs the harness in a folder of its own.
+// Runs the harness in a temporary folder.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace pardel::testing {
 
 class HarnessWorkshop : public Workshop {
  protected:
-  /// In a sanitized build without the limit on memory, which a pardel with shadow memory cannot live with.
+  /// In a sanitized build, without the limit on memory: the sanitizer's shadow memory exceeds any such limit.
   Ran harness(std::vector<std::string> arguments, const RunOptions& options = {}) const {
     if (sanitized) arguments.insert(arguments.end(), {"--memory-limit", "0"});
     return run(PARDEL_HARNESS, arguments, options);

@@ -7,7 +7,7 @@
 namespace pardel::harness {
 namespace {
 
-/// A flat rhombus cut along its longer diagonal, and along its shorter one.
+/// A flat rhombus. Its two meshes: cut along the longer diagonal, and along the shorter one.
 const Pslg rhombus = [] {
   Pslg pslg;
   pslg.points = {{0, 0}, {4, -1}, {8, 0}, {4, 1}};
@@ -32,11 +32,11 @@ Kinds kinds(const Outcome& outcome) {
   return all;
 }
 
-TEST(AMesh, IsValidWithPointsAndTrianglesAlone) {
+TEST(Outcome, a_mesh_of_points_and_triangles_only_can_be_valid) {
   EXPECT_EQ(judge(rhombus, across, {.min_angle_deg = 0}, true).verdict, Verdict::valid);
 }
 
-TEST(AMesh, ThatIsNotDelaunayIsWrongUnlessAnyTriangulationWillDo) {
+TEST(Outcome, a_mesh_that_is_not_delaunay_is_wrong_unless_any_triangulation_is_accepted) {
   const Outcome strict = judge(rhombus, along, {.min_angle_deg = 0}, true);
   EXPECT_EQ(strict.verdict, Verdict::wrong);
   EXPECT_EQ(kinds(strict), Kinds{"not_delaunay"});
@@ -44,7 +44,7 @@ TEST(AMesh, ThatIsNotDelaunayIsWrongUnlessAnyTriangulationWillDo) {
   EXPECT_EQ(judge(rhombus, along, {.min_angle_deg = 0}, false).verdict, Verdict::valid);
 }
 
-TEST(AMesh, ThatMissesABoundIsToldFromAWrongOne) {
+TEST(Outcome, a_missed_bound_differs_from_a_wrong_mesh) {
   const Goal small = {.min_angle_deg = 0, .max_area = 1};
   const Outcome missed = judge(rhombus, across, small, true);
   EXPECT_EQ(missed.verdict, Verdict::missed);
@@ -55,11 +55,11 @@ TEST(AMesh, ThatMissesABoundIsToldFromAWrongOne) {
   EXPECT_EQ(judge(rhombus, along, small, false).verdict, Verdict::missed);
 }
 
-TEST(AMesh, IsExcusedASmallInputAngle) {
+TEST(Outcome, a_small_input_angle_excuses_a_small_angle) {
   EXPECT_EQ(judge(rhombus, across, {.min_angle_deg = 30}, true).verdict, Verdict::valid);
 }
 
-TEST(AMesh, MayMarkAVertexAsASegmentOutsideTheDomainDoes) {
+TEST(Outcome, a_vertex_may_have_the_marker_of_a_segment_outside_the_domain) {
   Pslg with_tail = rhombus;
   with_tail.points.push_back({4, -3});
   with_tail.segments.push_back({1, 4, 7});
@@ -70,7 +70,7 @@ TEST(AMesh, MayMarkAVertexAsASegmentOutsideTheDomainDoes) {
   EXPECT_EQ(kinds(judge(with_tail, mesh, {.min_angle_deg = 0}, true)), Kinds{"wrong_vertex_marker"});
 }
 
-TEST(AMesh, WithoutATriangleIsWrong) {
+TEST(Outcome, a_mesh_that_lacks_a_triangle_is_wrong) {
   const Outcome outcome = judge(rhombus, mesh_of({{0, 1, 3}}), {}, true);
   EXPECT_EQ(outcome.verdict, Verdict::wrong);
   EXPECT_NE(kinds(outcome), Kinds{});

@@ -7,7 +7,7 @@ namespace {
 
 Result<bool> has_a_hole(const LatticeDomain& domain) { return !domain.holes.empty(); }
 
-TEST(Shrinking, EndsWhereNothingSimplerFails) {
+TEST(Shrink, ends_at_a_domain_of_which_no_simpler_one_fails) {
   const LatticeDomain large = make_case({1, Family::nested_holes, 3});
   const Result<Shrunk> small = shrink(large, 100'000, has_a_hole);
   ASSERT_TRUE(small.ok());
@@ -17,7 +17,7 @@ TEST(Shrinking, EndsWhereNothingSimplerFails) {
   for (const LatticeDomain& simpler : shrinks(small->domain)) EXPECT_FALSE(*has_a_hole(simpler));
 }
 
-TEST(Shrinking, KeepsToItsNumberOfRuns) {
+TEST(Shrink, does_not_exceed_the_number_of_runs) {
   const LatticeDomain large = make_case({1, Family::nested_holes, 3});
   std::size_t runs = 0;
   const Result<Shrunk> small = shrink(large, 2, [&](const LatticeDomain&) {
@@ -31,7 +31,7 @@ TEST(Shrinking, KeepsToItsNumberOfRuns) {
   EXPECT_EQ(small->domain, large);
 }
 
-TEST(Shrinking, PassesErrorsOn) {
+TEST(Shrink, returns_the_error_of_a_run) {
   const auto broken = [](const LatticeDomain&) { return Result<bool>(Error{ErrorKind::io, "full"}); };
   EXPECT_FALSE(shrink(make_case({1, Family::cracks, 0}), 10, broken).ok());
 }

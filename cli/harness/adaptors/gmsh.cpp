@@ -1,5 +1,5 @@
-// pardel-gmsh POLY OUT.msh [MAX_AREA]: has Gmsh mesh a domain, one plane surface for each of its faces. Gmsh knows
-// sizes of edges, no angles and no areas: with MAX_AREA it is asked for equilateral triangles of that area.
+// pardel-gmsh POLY OUT.msh [MAX_AREA]: meshes a domain with Gmsh, one plane surface per face. Gmsh has bounds on edges,
+// but not on angles and areas: MAX_AREA becomes the edge length of an equilateral triangle of that area.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using checker::Domain;
 using checker::Side;
 
-/// A segment in one direction, with its number in the .geo: 1 + its index, negative where it is walked backwards.
+/// A segment with a direction, and its number in the .geo: 1 + its index, negative for the reverse direction.
 struct Line {
   int number = 0;
   Index from = 0, to = 0;
@@ -34,13 +34,14 @@ using Loop = std::vector<Line>;
 
 /// One face of the domain.
 struct Surface {
-  std::vector<Loop> loops;    ///< with the face on the left; the outer one first, as Gmsh orients triangles by it
+  std::vector<Loop>
+      loops;  ///< the face is on their left; the outer loop is first, because Gmsh orients triangles by it
   std::vector<Index> cracks;  ///< segments with the face on both sides
-  std::vector<Index> points;  ///< at the end of no segment
+  std::vector<Index> points;  ///< isolated points
 };
 
-/// Splits the boundary of a face into simple loops: walks along it, and cuts a loop off wherever a vertex is met
-/// again.
+/// Splits the boundary of a face into simple loops: follows the boundary and cuts off a loop at each vertex that it
+/// meets again.
 std::vector<Loop> simple_loops(const std::vector<Line>& boundary) {
   std::multimap<Index, Line> from;
   for (const Line& line : boundary) from.emplace(line.from, line);
@@ -60,9 +61,9 @@ std::vector<Loop> simple_loops(const std::vector<Line>& boundary) {
   return loops;
 }
 
-/// Twice the area that a loop runs around counter-clockwise.
+/// Twice the signed area of a loop, positive if it is counter-clockwise.
 double doubled_area(const Loop& loop, const std::vector<Point>& points) {
-  const Point origin = points[loop.front().from];  // far from 0, differences keep their digits
+  const Point origin = points[loop.front().from];  // differences avoid cancellation far from the origin
   double sum = 0;
   for (const Line& line : loop) {
     const Point p = points[line.from], q = points[line.to];
@@ -71,7 +72,7 @@ double doubled_area(const Loop& loop, const std::vector<Point>& points) {
   return sum;
 }
 
-/// By face; those outside the domain are left out.
+/// The surfaces by face, without faces outside the domain.
 std::map<Index, Surface> surfaces_of(const Pslg& pslg, const Domain& domain) {
   std::map<Index, Surface> surfaces;
   std::map<Index, std::vector<Line>> boundaries;

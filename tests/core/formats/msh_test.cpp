@@ -14,7 +14,7 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// As Gmsh writes it: points, bounding entities, a node that is parametric, a section of no interest to us.
+/// A file as Gmsh writes it: points, bounding entities, a parametric node, a section that is not read.
 constexpr const char* ascii = R"($MeshFormat
 4.1 0 8
 $EndMeshFormat
@@ -74,8 +74,8 @@ std::string failure_of(const std::string& text) {
   return mesh.error().message;
 }
 
-/// The sample mesh with triangles by region and edges by marker, the order in which MSH has them, and without
-/// what MSH does not have.
+/// The sample mesh in the order of an MSH file, triangles by region and edges by marker, and without the parts that MSH
+/// cannot hold.
 Mesh sorted_sample() {
   Mesh mesh = sample_mesh();
   mesh.point_markers.clear();
@@ -92,7 +92,7 @@ Mesh sorted_sample() {
   return mesh;
 }
 
-TEST(Msh, reads_back_as_the_mesh_it_was_but_for_the_order_of_triangles) {
+TEST(Msh, reads_back_as_the_same_mesh_with_triangles_in_another_order) {
   const TemporaryFolder folder;
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", encoding).ok());
@@ -103,7 +103,7 @@ TEST(Msh, reads_back_as_the_mesh_it_was_but_for_the_order_of_triangles) {
   }
 }
 
-TEST(Msh, names_regions_and_markers_as_physical_groups_with_their_own_tags_where_they_can_be_tags) {
+TEST(Msh, makes_regions_and_markers_physical_groups_whose_tags_are_their_values_if_possible) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", MshEncoding::ascii).ok());
   EXPECT_NE(folder.read("m.msh").find("$PhysicalNames\n6\n1 2 \"marker -4\"\n1 3 \"marker 0\"\n1 1 \"marker 1\"\n"
@@ -176,7 +176,7 @@ $EndElements
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 6}}));
 }
 
-TEST(Msh, says_what_is_wrong_in_which_line) {
+TEST(Msh, errors_name_the_line_and_the_fault) {
   const auto failure = [&](const char* from, const char* to) { return failure_of(replaced(ascii, from, to)); };
   EXPECT_EQ(failure_of(""), "f:1: expected $MeshFormat, found the end of the file");
   EXPECT_EQ(failure_of("\x7f"
@@ -225,7 +225,7 @@ TEST(Msh, in_binary_gives_the_place_of_an_error_in_bytes) {
   EXPECT_TRUE(message.ends_with(": expected an x coordinate, found a number that is not finite")) << message;
 }
 
-/// Gmsh's words on opening a file and saving it again as `to`.
+/// Opens a file with Gmsh and saves it as `to`; returns Gmsh's messages.
 std::string gmsh(const TemporaryFolder& folder, const std::string& options) {
   const std::string log = (folder / "log").string();
   const std::string command =
@@ -236,7 +236,7 @@ std::string gmsh(const TemporaryFolder& folder, const std::string& options) {
 TEST(Msh, is_opened_by_gmsh_without_a_warning_and_comes_back_the_same) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
   const TemporaryFolder folder;
-  // An infinite or tiny attribute would not go through Gmsh's 16 digits; coordinates here are exact in them.
+  // Gmsh writes 16 digits. The coordinates are exact in them, but an infinite or tiny attribute would not be.
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh(sample_mesh(), folder / "ours.msh", encoding).ok());
     const std::string log = gmsh(folder, "ours.msh -save_all -save -o theirs.msh -format msh41 -bin");

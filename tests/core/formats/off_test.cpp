@@ -30,7 +30,7 @@ TEST(Off, may_have_its_counts_on_the_first_line_comments_and_colours) {
   EXPECT_EQ(read->triangles.size(), 1u);
 }
 
-TEST(Off, says_what_is_wrong_in_which_line) {
+TEST(Off, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   const auto failure = [&](const char* text) { return message_of(read_mesh(folder.write("m.off", text)), folder); };
   EXPECT_EQ(failure(""), "m.off:1: expected \"OFF\", found the end of the file");

@@ -1,4 +1,4 @@
-// What is written reads back as the same value, for values of every shape.
+// A written value reads back as the same value, for random values.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// A finite double of any size: either any bits at all, or a small whole number.
+/// A finite double: random bits, or a small integer.
 double any_double() {
   if (*rc::gen::inRange(0, 3) == 0) return *rc::gen::inRange(-20, 20);
   const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
@@ -55,7 +55,7 @@ Pslg any_pslg() {
   return pslg;
 }
 
-/// Any triangles between any points, even where no geometry would have them: files do not care.
+/// Random triangles on random points. They need not be a mesh, because files store any triangles.
 Mesh any_mesh() {
   Mesh mesh;
   const std::size_t points = 3 + up_to(12);
@@ -152,7 +152,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles,
   RC_ASSERT(read.triangles == mesh.triangles);
 }
 
-/// Bytes of a good file with a few of them changed: reading them ends with a value or an error, never otherwise.
+/// A correct file with a few bytes changed. Reading it must return a value or an error.
 PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
                 {.statement = "a file with some bytes changed reads as a value or gives an error with a message",
                  .source = "core/formats.hpp",

@@ -34,7 +34,7 @@ std::string failure_of_integer(std::string_view text) {
   return in.failed() ? in.error().message : "";
 }
 
-TEST(TextReader, passes_over_blank_lines_and_comments) {
+TEST(TextReader, skips_blank_lines_and_comments) {
   TextReader in("\n  \t\n# one\n   # two\n 7 # seven\r\n\r\n8#eight\n9", "f");
   for (const int expected : {7, 8, 9}) {
     ASSERT_TRUE(in.next_line());
@@ -45,7 +45,7 @@ TEST(TextReader, passes_over_blank_lines_and_comments) {
   EXPECT_FALSE(in.failed());
 }
 
-TEST(TextReader, ignores_the_fields_of_a_line_that_nobody_asks_for) {
+TEST(TextReader, ignores_fields_that_are_not_read) {
   TextReader in("1 garbage \x01\x02\n2\n", "f");
   ASSERT_TRUE(in.next_line());
   EXPECT_EQ(in.integer("a number", low, high), 1);
@@ -62,7 +62,7 @@ TEST(TextReader, reads_numbers_in_every_usual_spelling) {
   EXPECT_EQ(number_in("1.7976931348623157e308"), std::numeric_limits<double>::max());
 }
 
-TEST(TextReader, refuses_what_is_no_finite_number_and_says_what_it_found) {
+TEST(TextReader, fails_at_a_field_that_is_no_finite_number_and_quotes_it) {
   for (const char* token : {"nan", "NaN", "inf", "-inf", "infinity", "1e400"}) {
     EXPECT_EQ(failure_of_number(token),
               "f:1: expected a number, finite and within the range of a double, found \"" + std::string(token) + "\"");
@@ -72,7 +72,7 @@ TEST(TextReader, refuses_what_is_no_finite_number_and_says_what_it_found) {
   }
 }
 
-TEST(TextReader, refuses_what_is_no_whole_number_in_range) {
+TEST(TextReader, fails_at_a_field_that_is_no_integer_in_range) {
   EXPECT_EQ(failure_of_integer("3.0"), "f:1: expected a count, a whole number, found \"3.0\"");
   EXPECT_EQ(failure_of_integer("x"), "f:1: expected a count, a whole number, found \"x\"");
   EXPECT_EQ(failure_of_integer("10"), "f:1: expected a count, a whole number from 0 to 9, found \"10\"");
@@ -81,7 +81,7 @@ TEST(TextReader, refuses_what_is_no_whole_number_in_range) {
             "f:1: expected a count, a whole number from 0 to 9, found \"99999999999999999999\"");
 }
 
-TEST(TextReader, tells_the_end_of_a_line_from_the_end_of_the_file) {
+TEST(TextReader, distinguishes_the_end_of_a_line_from_the_end_of_the_file) {
   EXPECT_EQ(failure_of_number("# only a comment\n"), "f:2: expected a number, found the end of the file");
   TextReader in("1\n2", "f");
   ASSERT_TRUE(in.next_line());
@@ -100,7 +100,7 @@ TEST(TextReader, keeps_the_first_failure) {
   EXPECT_EQ(in.error().message, "f:1: expected a number, found \"a\"");
 }
 
-TEST(TextReader, makes_room_for_no_more_than_the_text_can_hold) {
+TEST(TextReader, fails_at_a_count_that_is_too_large_for_the_text) {
   TextReader exact("1 2\n3 4", "f");  // two records of two fields, the last without its newline
   EXPECT_TRUE(exact.room_for(2, text_bytes(2), "things"));
   EXPECT_FALSE(exact.room_for(3, text_bytes(2), "things"));
@@ -109,12 +109,12 @@ TEST(TextReader, makes_room_for_no_more_than_the_text_can_hold) {
   EXPECT_FALSE(absurd.room_for(std::numeric_limits<std::size_t>::max(), text_bytes(2), "things"));
 }
 
-TEST(TextReader, shows_bytes_that_do_not_print_as_numbers_and_shortens_what_is_long) {
+TEST(TextReader, quotes_unprintable_bytes_in_hexadecimal_and_shortens_long_fields) {
   EXPECT_EQ(in_quotes(std::string_view("a\x1b[\0\"\\", 6)), "\"a\\x1b[\\x00\\x22\\x5c\"");
   EXPECT_EQ(in_quotes(std::string(50, 'x')), "\"" + std::string(40, 'x') + "...\"");
 }
 
-TEST(TextReader, gives_places_in_bytes_once_data_are_binary) {
+TEST(TextReader, gives_places_in_bytes_after_binary_data) {
   TextReader in("head\n12345678", "f");
   in.next_line();
   EXPECT_EQ(in.word(), "head");
@@ -124,7 +124,7 @@ TEST(TextReader, gives_places_in_bytes_once_data_are_binary) {
   EXPECT_EQ(in.error().message, "f: byte 9: expected more data (5 bytes), found the end of the file after 4 bytes");
 }
 
-TEST(ReadFile, names_a_file_that_is_not_there) {
+TEST(ReadFile, names_a_file_that_does_not_exist) {
   const auto result = read_file("/nowhere/a file.poly");
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, ErrorKind::io);

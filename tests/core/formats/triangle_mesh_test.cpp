@@ -17,7 +17,7 @@ constexpr const char* ele = "2 3 0\n1 1 2 3\n2 1 3 4\n";
 
 std::string failure_of(const TemporaryFolder& folder) { return message_of(read_mesh(folder / "m.ele"), folder); }
 
-TEST(TriangleFiles, say_all_that_the_formats_say) {
+TEST(TriangleFiles, have_all_parts_of_the_formats) {
   const TemporaryFolder folder;
   Pslg pslg;
   pslg.holes = {{0.5, 0.25}};
@@ -37,7 +37,7 @@ TEST(TriangleFiles, say_all_that_the_formats_say) {
   EXPECT_EQ(folder.read("m.1.neigh"), "4 3\n1 2 4 -1\n2 3 1 -1\n3 4 2 -1\n4 1 3 -1\n");
 }
 
-TEST(TriangleFiles, leave_out_what_they_are_told_to) {
+TEST(TriangleFiles, leave_out_the_parts_that_the_options_exclude) {
   const TemporaryFolder folder;
   TriangleFiles files;
   files.base = 0;
@@ -69,7 +69,7 @@ TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corne
   EXPECT_EQ(read->points.size(), 14u);
 }
 
-TEST(TriangleFiles, read_back_as_the_mesh_they_were) {
+TEST(TriangleFiles, read_back_as_the_same_mesh) {
   const TemporaryFolder folder;
   for (const int base : {0, 1}) {
     TriangleFiles files;
@@ -83,7 +83,7 @@ TEST(TriangleFiles, read_back_as_the_mesh_they_were) {
   }
 }
 
-TEST(TriangleFiles, give_markers_to_vertices_by_their_constrained_edges_where_the_mesh_has_none) {
+TEST(TriangleFiles, mark_vertices_by_their_constrained_edges_if_the_mesh_has_no_markers) {
   const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
   mesh.point_markers.clear();
@@ -106,12 +106,12 @@ TEST(TriangleFiles, need_only_nodes_and_elements) {
   EXPECT_TRUE(mesh->constrained_edges.empty());
 }
 
-TEST(TriangleFiles, take_constraints_from_the_edges_where_there_is_no_poly_of_the_mesh) {
+TEST(TriangleFiles, take_constraints_from_the_edges_if_there_is_no_poly_of_the_mesh) {
   const TemporaryFolder folder;
   folder.write("m.node", node);
   folder.write("m.ele", ele);
   folder.write("m.edge", "5 1\n1 1 2 1\n2 2 3 4\n3 3 4 1\n4 4 1 1\n5 1 3 0\n");
-  // This .poly has points of its own: it is what the mesh was made from, not the mesh's.
+  // This .poly has points, so it is the input of the mesh and not a part of the mesh.
   folder.write("m.poly", "3\n1 0 0\n2 1 0\n3 1 1\n1 0\n1 1 2\n0\n");
   const auto mesh = read_mesh(folder / "m.ele");
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
@@ -120,7 +120,7 @@ TEST(TriangleFiles, take_constraints_from_the_edges_where_there_is_no_poly_of_th
                 {0, 1, no_index, 1}, {1, 2, no_index, 4}, {2, 3, no_index, 1}, {3, 0, no_index, 1}}));
 }
 
-TEST(TriangleFiles, of_neighbours_must_say_what_the_triangles_say) {
+TEST(TriangleFiles, of_neighbours_must_agree_with_the_triangles) {
   const TemporaryFolder folder;
   folder.write("m.node", node);
   folder.write("m.ele", ele);
@@ -134,7 +134,7 @@ TEST(TriangleFiles, of_neighbours_must_say_what_the_triangles_say) {
   EXPECT_EQ(failure_of(folder), "m.neigh:2: expected a neighbour, a whole number from -1 to 2, found \"7\"");
 }
 
-TEST(TriangleFiles, say_what_is_wrong_in_which_line) {
+TEST(TriangleFiles, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   EXPECT_EQ(failure_of(folder), "m.node: cannot be opened: No such file or directory");
   folder.write("m.node", node);

@@ -48,7 +48,7 @@ std::string with_line(int n, const std::string& line) {
   return text.replace(begin, text.find('\n', begin) - begin, line);
 }
 
-TEST(Poly, carries_points_attributes_markers_segments_holes_and_regions) {
+TEST(Poly, has_points_attributes_markers_segments_holes_and_regions) {
   const auto result = parse_poly(everything, "f");
   ASSERT_TRUE(result.ok()) << result.error().message;
   const Pslg& pslg = *result;
@@ -98,7 +98,7 @@ TEST(Poly, takes_an_area_that_is_not_positive_as_none) {
   EXPECT_EQ(pslg->regions[2].attribute, -2);
 }
 
-TEST(Poly, takes_its_points_from_the_node_file_beside_it) {
+TEST(Poly, without_points_takes_them_from_the_node_file_of_its_name) {
   const TemporaryFolder folder;
   folder.write("key ring.node", "3 2 0 1\n0 0 0 1\n1 1 0 2\n2 0 1 3\n");
   const auto pslg = read_pslg(folder.write("key ring.poly", "0 2 0 0\n1 0\n0 0 2\n0\n"));
@@ -116,12 +116,12 @@ TEST(Poly, names_the_node_file_that_is_missing_or_wrong) {
   EXPECT_EQ(message_of(read_pslg(poly), folder), "a.node:3: expected an x coordinate, found \"x\"");
 }
 
-TEST(Poly, as_text_must_have_its_points_itself) {
+TEST(Poly, as_text_must_have_its_own_points) {
   EXPECT_EQ(failure_of("0 2 0 0\n1 0\n1 1 2\n0\n"),
             "f:1: expected points here: only a file can have them in a .node beside it");
 }
 
-TEST(Poly, that_is_empty_says_so) {
+TEST(Poly, that_is_empty_is_an_error) {
   for (const char* text : {"", "\n\n", "# nothing\n", "   "}) {
     EXPECT_NE(failure_of(text).find(": expected the number of points, found the end of the file"), std::string::npos);
   }
@@ -139,7 +139,8 @@ TEST(Poly, cut_off_anywhere_before_its_regions_is_refused_with_a_place) {
   const std::size_t regions = text.find("2\n1 0.75");
   for (std::size_t length = 0; length < text.size(); ++length) {
     const auto pslg = parse_poly(std::string_view(text).substr(0, length), "f");
-    // Without its regions, it is a file without regions; a number that is cut may be another number.
+    // A file cut before its regions is a valid file without regions, and a shortened number may be another valid
+    // number.
     const bool after_holes = length + 2 >= regions;
     if (!after_holes) {
       ASSERT_FALSE(pslg.ok()) << length;
@@ -154,7 +155,7 @@ struct Wrong {
   const char* message;
 };
 
-TEST(Poly, says_what_is_wrong_in_which_line) {
+TEST(Poly, errors_name_the_line_and_the_fault) {
   for (const Wrong& wrong : std::vector<Wrong>{
            {2, "x 2 1 1", "expected the number of points, a whole number, found \"x\""},
            {2, "-4 2 1 1", "expected the number of points, a whole number from 0 to 9223372036854775807, found \"-4\""},
@@ -194,7 +195,7 @@ TEST(Poly, with_too_large_a_count_misses_its_last_record) {
             "f:7: expected point 5 of 5, found the end of the file");
 }
 
-TEST(Poly, with_an_absurd_count_is_refused_before_memory_is_asked_for) {
+TEST(Poly, with_an_absurd_count_is_an_error_before_memory_is_allocated) {
   EXPECT_EQ(failure_of("4000000000 2 0 0\n1 0 0\n"),
             "f:1: announces 4000000000 points, more than the 7 bytes that follow can hold");
   EXPECT_EQ(failure_of("1 2 2000000000 0\n1 0 0\n"),
@@ -208,7 +209,7 @@ TEST(Poly, with_an_absurd_count_is_refused_before_memory_is_asked_for) {
             "f:5: announces 1000000000000 regions, more than the 1 bytes that follow can hold");
 }
 
-TEST(Poly, may_hold_anything_behind_its_last_section) {
+TEST(Poly, may_have_any_text_after_its_last_section) {
   EXPECT_TRUE(parse_poly("1\n1 0 0\n0\n0\n0\nand they lived happily ever after\n", "f").ok());
 }
 
@@ -255,7 +256,7 @@ TEST(Area, reads_back_as_it_was_written) {
   EXPECT_TRUE(folder.read("a.area").starts_with("5\n1 0.1\n2 -1\n"));
 }
 
-TEST(Area, says_what_is_wrong_in_which_line) {
+TEST(Area, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   const auto failure = [&](const char* text) { return message_of(read_area(folder.write("a.area", text)), folder); };
   EXPECT_EQ(failure(""), "a.area:1: expected the number of values, found the end of the file");
@@ -272,7 +273,7 @@ TEST(Sizes, must_be_greater_than_zero) {
             "a:3: expected a value greater than 0");
 }
 
-TEST(WritePoly, writes_what_it_was_given) {
+TEST(WritePoly, writes_all_parts_of_a_pslg) {
   const TemporaryFolder folder;
   const Pslg pslg = *parse_poly(everything, "f");
   for (const int base : {0, 1}) {

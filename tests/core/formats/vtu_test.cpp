@@ -13,7 +13,7 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// Two triangles, a line and a vertex, as another program might write them: as text, with what we do not know.
+/// Two triangles, a line and a vertex, as another program may write them: as text, with unknown arrays.
 constexpr const char* ascii = R"(<?xml version="1.0"?>
 <!-- <Piece> in a comment is none -->
 <VTKFile type='UnstructuredGrid' version="0.1" byte_order="LittleEndian">
@@ -60,7 +60,7 @@ std::string failure_of(const std::string& text) {
   return mesh.error().message;
 }
 
-TEST(Vtu, reads_back_as_the_mesh_it_was) {
+TEST(Vtu, reads_back_as_the_same_mesh) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
   const auto read = read_mesh(folder / "m.vtu");
@@ -68,7 +68,7 @@ TEST(Vtu, reads_back_as_the_mesh_it_was) {
   EXPECT_EQ(*read, sample_mesh());
 }
 
-TEST(Vtu, tells_the_smallest_angle_of_each_triangle) {
+TEST(Vtu, has_the_smallest_angle_of_each_triangle) {
   const TemporaryFolder folder;
   Mesh mesh;
   for (const Point& p : {Point{0, 0}, {1, 0}, {0, 1}, {2, 0}}) mesh.points.push_back(p);
@@ -101,8 +101,8 @@ TEST(Vtu, of_another_program_may_hold_text_lines_vertices_and_unknown_arrays) {
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 0}}));
 }
 
-TEST(Vtu, may_hold_base64_with_its_length_apart_or_not) {
-  // The coordinates 0 0 0 1 0 0 0 1 0 as Float32 behind the UInt32 36.
+TEST(Vtu, may_have_base64_with_the_length_encoded_separately_or_not) {
+  // The UInt32 36, then the coordinates 0 0 0 1 0 0 0 1 0 as Float32.
   const std::string together = "JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==";
   const std::string apart = "JAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
   const std::string file = R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
@@ -133,7 +133,7 @@ TEST(Vtu, may_hold_base64_with_its_length_apart_or_not) {
   EXPECT_EQ(mesh->points[2], (Point{0, 1}));
 }
 
-TEST(Vtu, says_what_is_wrong_and_where) {
+TEST(Vtu, errors_name_the_line_and_the_fault) {
   const auto failure = [&](const char* from, const char* to) { return failure_of(replaced(ascii, from, to)); };
   EXPECT_EQ(failure_of(""), "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
   EXPECT_EQ(failure_of("\x89PNG<\xff\xfe<<"),

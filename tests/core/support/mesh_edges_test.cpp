@@ -36,7 +36,7 @@ TEST(EdgeTable, has_every_edge_once_and_names_it_at_both_its_sides) {
   }
 }
 
-TEST(EdgeTable, marks_a_boundary_that_nothing_else_marks) {
+TEST(EdgeTable, gives_unmarked_boundary_edges_the_marker_1) {
   Mesh mesh = sample_mesh();
   mesh.constrained_edges = {{1, 2, no_index, 5}};
   for (const MarkedEdge& edge : edge_table(mesh).edges) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(OutputFile, appears_under_its_name_only_when_complete) {
+TEST(OutputFile, gets_its_name_only_when_it_is_complete) {
   const TemporaryFolder folder;
   folder.write("a b.txt", "old");
   OutputFile out(folder / "a b.txt");
@@ -25,13 +25,13 @@ TEST(OutputFile, appears_under_its_name_only_when_complete) {
   EXPECT_EQ(folder.read("a b.txt"), "new");
 }
 
-TEST(OutputFile, leaves_nothing_behind_when_it_is_given_up) {
+TEST(OutputFile, leaves_no_file_without_commit) {
   const TemporaryFolder folder;
   { OutputFile(folder / "a.txt").write("half"); }
   EXPECT_EQ(folder.names(), "");
 }
 
-TEST(OutputFile, replaces_what_a_symbolic_link_points_to) {
+TEST(OutputFile, replaces_the_target_of_a_symbolic_link) {
   const TemporaryFolder folder;
   folder.write("file", "old");
   fs::create_symlink("file", folder / "link");

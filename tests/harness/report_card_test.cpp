@@ -1,4 +1,4 @@
-#include "../../cli/harness/card.hpp"
+#include "../../cli/harness/report_card.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 namespace pardel::harness {
 namespace {
 
-Card sample() {
-  Card card;
+ReportCard sample() {
+  ReportCard card;
   card.mesher = "mesher {poly} {out}";
   card.replay = "pardel-harness --mesher m";
   card.cases = {{1, Family::cracks, 0}, {1, Family::far_offset, 0}, {1, Family::cracks, 1}, {1, Family::far_offset, 1}};
@@ -20,8 +20,8 @@ Card sample() {
   return card;
 }
 
-TEST(ACard, CountsByVerdictFamilyAndKind) {
-  const Card card = sample();
+TEST(ReportCard, counts_cases_by_verdict_family_and_kind) {
+  const ReportCard card = sample();
   EXPECT_EQ(card.counts, (Counts{1, 0, 2, 1, 0, 0}));
   ASSERT_EQ(card.families.size(), 2);
   EXPECT_EQ(card.families[0].counts, (Counts{1, 0, 0, 1, 0, 0}));
@@ -35,7 +35,7 @@ TEST(ACard, CountsByVerdictFamilyAndKind) {
   EXPECT_FALSE(all_valid(card));
 }
 
-TEST(ACard, IsATableForPeople) {
+TEST(ReportCard, as_markdown_has_a_table_of_families_and_one_of_kinds) {
   const std::string text = to_markdown(sample());
   for (const char* part :
        {"# 1 of 4 valid", "| cracks | 2 | 1 | 0 | 0 | 1 | 0 | 0 |", "| **all** | 4 | 1 | 0 | 2 | 1 | 0 | 0 |",
@@ -43,7 +43,7 @@ TEST(ACard, IsATableForPeople) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
 }
 
-TEST(ACard, IsJsonForPrograms) {
+TEST(ReportCard, as_json_has_counts_and_every_failing_case) {
   const auto json = nlohmann::json::parse(to_json(sample()));
   EXPECT_EQ(json["schema"], "pardel.harness/1");
   EXPECT_EQ(json["counts"]["wrong"], 2);

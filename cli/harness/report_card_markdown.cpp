@@ -1,15 +1,15 @@
-// The card for people.
+// The report card as Markdown.
 #include <fmt/format.h>
 
-#include "card.hpp"
-#include "words.hpp"
+#include "report_card.hpp"
+#include "shell_words.hpp"
 
 namespace pardel::harness {
 namespace {
 
 constexpr std::size_t longest_cell = 140;
 
-/// Inside a table, a bar would end the cell. What is cut off is in the JSON.
+/// The message as a cell of a table: without bars, which would end the cell, and shortened. The JSON has all of it.
 std::string cell(const FailureKind& kind) {
   std::string text = kind.message;
   if (text.starts_with(kind.kind + ": ")) text.erase(0, kind.kind.size() + 2);
@@ -27,7 +27,7 @@ std::string row(const std::string& title, const Counts& counts) {
   return fmt::format("| {} | {} |{}\n", title, all, cells);
 }
 
-std::string families_table(const Card& card) {
+std::string families_table(const ReportCard& card) {
   std::string head = "| family | cases |", rule = "|---|---:|";
   for (std::size_t v = 0; v < verdict_count; ++v) {
     head += fmt::format(" {} |", name(static_cast<Verdict>(v)));
@@ -45,7 +45,7 @@ std::string smallest_text(const FailureKind& kind) {
   return fmt::format("; at its smallest {} points, {} segments{}: `{}`", s.points, s.segments, holes, s.poly.string());
 }
 
-std::string kinds_table(const Card& card) {
+std::string kinds_table(const ReportCard& card) {
   std::string table = "| verdict | kind | cases | first | there |\n|---|---|---:|---|---|\n";
   for (const FailureKind& kind : card.kinds) {
     table += fmt::format("| {} | {} | {} | {} | {}{} |\n", name(kind.verdict), kind.kind, kind.cases,
@@ -56,7 +56,7 @@ std::string kinds_table(const Card& card) {
 
 }  // namespace
 
-std::string to_markdown(const Card& card) {
+std::string to_markdown(const ReportCard& card) {
   std::string text = fmt::format("### {} of {} valid\n\n`{}`\n\n{}. {}. Seed {}.\n\n{}",
                                  card.counts[static_cast<std::size_t>(Verdict::valid)], card.outcomes.size(),
                                  card.mesher, card.goal, card.limits, card.seed, families_table(card));

@@ -1,4 +1,4 @@
-// All cases, on several threads, with outcomes that do not depend on how many.
+// Runs all cases on several threads. The outcomes do not depend on the number of threads.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,13 @@
 
 namespace pardel::harness {
 
-/// Calls work(0) ... work(count - 1) on `jobs` threads, in this order but at the same time. Ends early at the first
-/// error and returns it.
+/// Calls work(0) ... work(count - 1) on `jobs` threads; the calls start in this order. After an error no further call
+/// starts. Returns the first error.
 [[nodiscard]] Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::size_t)>& work);
 
-/// Outcomes in the order of the cases. Each works in a folder of its own below `work`, which stays if `keep`.
-/// `done` is told after each case how many are done, from any thread.
+/// Runs the mesher on every case and returns the outcomes in the order of the cases. Each case has its own folder below
+/// `work`, which is removed unless `keep`. After each case, `done` is called with the number of finished cases, from
+/// any thread.
 [[nodiscard]] Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int jobs,
                                                      const std::filesystem::path& work, bool keep,
                                                      const std::function<void(std::size_t)>& done);

@@ -1,7 +1,7 @@
-// The card for programs.
+// The report card as JSON.
 #include <nlohmann/json.hpp>
 
-#include "card.hpp"
+#include "report_card.hpp"
 
 namespace pardel::harness {
 namespace {
@@ -14,7 +14,7 @@ Json counts_json(const Counts& counts) {
   return json;
 }
 
-Json kind_json(const Card& card, const FailureKind& kind) {
+Json kind_json(const ReportCard& card, const FailureKind& kind) {
   Json json = {{"verdict", name(kind.verdict)},
                {"kind", kind.kind},
                {"cases", kind.cases},
@@ -32,7 +32,7 @@ Json kind_json(const Card& card, const FailureKind& kind) {
 
 }  // namespace
 
-std::string to_json(const Card& card) {
+std::string to_json(const ReportCard& card) {
   Json json = {{"schema", "pardel.harness/1"},
                {"mesher", card.mesher},
                {"goal", card.goal},
@@ -56,7 +56,7 @@ std::string to_json(const Card& card) {
                                 {"findings", findings},
                                 {"replay", card.replay + " --replay " + to_string(card.cases[i])}});
   }
-  // What a mesher says need not be UTF-8.
+  // The messages of a mesher may be invalid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -1,4 +1,4 @@
-#include "../../cli/harness/words.hpp"
+#include "../../cli/harness/shell_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,26 +12,30 @@ Words split(std::string_view line) {
   return words ? *words : Words{"error"};
 }
 
-TEST(Words, EndAtBlanks) {
+TEST(SplitWords, splits_at_blanks) {
   EXPECT_EQ(split("  mesher\t{poly} -o  {out} "), (Words{"mesher", "{poly}", "-o", "{out}"}));
 }
 
-TEST(Words, KeepTheirBlanksInQuotationMarks) {
+TEST(SplitWords, keeps_blanks_between_quotation_marks) {
   EXPECT_EQ(split(R"(sh -c 'a "b" \c' "d 'e' \"f\" \\ \g" h" i"j)"),
             (Words{"sh", "-c", R"(a "b" \c)", R"(d 'e' "f" \ \g)", "h ij"}));
 }
 
-TEST(Words, KeepWhatFollowsABackslash) { EXPECT_EQ(split(R"(my\ mesher \'a\\)"), (Words{"my mesher", R"('a\)"})); }
+TEST(SplitWords, keeps_the_character_after_a_backslash) {
+  EXPECT_EQ(split(R"(my\ mesher \'a\\)"), (Words{"my mesher", R"('a\)"}));
+}
 
-TEST(Words, MayBeEmpty) { EXPECT_EQ(split(R"(a '' "")"), (Words{"a", "", ""})); }
+TEST(SplitWords, returns_an_empty_word_for_empty_quotation_marks) {
+  EXPECT_EQ(split(R"(a '' "")"), (Words{"a", "", ""}));
+}
 
-TEST(Words, OfAnEmptyLineAreNone) { EXPECT_EQ(split(" "), Words{}); }
+TEST(SplitWords, returns_no_words_for_an_empty_line) { EXPECT_EQ(split(" "), Words{}); }
 
-TEST(Words, AreRefusedWithAnOpenQuotationMarkOrALastBackslash) {
+TEST(SplitWords, an_open_quotation_mark_and_a_last_backslash_are_errors) {
   for (const char* line : {"a 'b", "a \"b", "a\\"}) EXPECT_FALSE(split_words(line).ok()) << line;
 }
 
-TEST(Replaced, ReplacesEveryOccurrenceOnce) {
+TEST(Replaced, replaces_every_occurrence_once) {
   EXPECT_EQ(replaced("{a}{a}b", "{a}", "{a}{a}"), "{a}{a}{a}{a}b");
   EXPECT_EQ(replaced("none", "{a}", "b"), "none");
 }

@@ -1,4 +1,4 @@
-#include "campaign.hpp"
+#include "run_cases.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -18,7 +18,7 @@ Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::siz
   std::mutex guard;
   std::optional<Error> first;  // under guard
   const auto run = [&] {
-    omp_set_num_threads(1);  // of this thread: the checker's loops must not fight over the cores
+    omp_set_num_threads(1);  // for this thread: the checker's parallel loops must not compete for the cores
     for (std::size_t i; (i = next++) < count;) {
       const Status status = work(i);
       if (status) continue;

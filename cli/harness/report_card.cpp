@@ -1,4 +1,4 @@
-#include "card.hpp"
+#include "report_card.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -14,7 +14,7 @@ auto& row_of(Rows& rows, const Matches& matches, Row fresh) {
 
 }  // namespace
 
-void count(Card& card) {
+void count(ReportCard& card) {
   for (std::size_t i = 0; i < card.cases.size(); ++i) {
     const Family family = card.cases[i].family;
     const Outcome& outcome = card.outcomes[i];
@@ -35,7 +35,7 @@ void count(Card& card) {
   });
 }
 
-bool all_valid(const Card& card) {
+bool all_valid(const ReportCard& card) {
   return card.counts[static_cast<std::size_t>(Verdict::valid)] == card.outcomes.size();
 }
 

@@ -1,4 +1,4 @@
-#include "counter.hpp"
+#include "progress_counter.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -7,16 +7,16 @@
 
 namespace pardel::harness {
 
-Counter::Counter(std::size_t all) : all_(all), enabled_(isatty(STDERR_FILENO) == 1) {}
+ProgressCounter::ProgressCounter(std::size_t all) : all_(all), enabled_(isatty(STDERR_FILENO) == 1) {}
 
-Counter::~Counter() {
+ProgressCounter::~ProgressCounter() {
   if (shown_ > 0) fmt::print(stderr, "\r\033[K");
 }
 
-void Counter::show(std::size_t done) {
+void ProgressCounter::show(std::size_t done) {
   if (!enabled_) return;
   const std::lock_guard<std::mutex> lock(guard_);
-  if (done <= shown_) return;  // another thread was faster
+  if (done <= shown_) return;  // another thread has shown a larger number
   shown_ = done;
   fmt::print(stderr, "\r\033[K{} of {} cases", done, all_);
   std::fflush(stderr);

@@ -1,4 +1,4 @@
-#include "words.hpp"
+#include "shell_words.hpp"
 
 #include <utility>
 
@@ -18,7 +18,7 @@ Result<std::vector<std::string>> split_words(std::string_view line) {
     if (quote == '\0' && (c == ' ' || c == '\t' || c == '\n')) {
       in_word = false;
     } else if (quote == '\0' && (c == '\'' || c == '"')) {
-      if (!in_word) words.emplace_back();  // '' is a word, too
+      if (!in_word) words.emplace_back();  // '' is an empty word
       in_word = true;
       quote = c;
     } else if (c == quote && quote != '\0') {
