@@ -22,7 +22,8 @@ std::string footer() {
                in the folder of domain.poly
   {min-angle}  is the angle bound in degrees
   {max-area}   is the area bound (with --max-area-fraction)
-Parts that a mesh does not have (neighbours, markers, constrained edges) are not checked. COMMAND may also be an adaptor:
+Parts that a mesh does not have (neighbours, markers, constrained edges) are not checked. COMMAND may also be an
+adaptor:
 )" + adaptors_text() +
          R"(
 Examples:

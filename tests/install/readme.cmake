@@ -1,4 +1,4 @@
-# cmake -DREADME= -DEXAMPLE= -P readme.cmake: the README shows the file EXAMPLE unchanged, so its example builds and runs.
+# cmake -DREADME= -DEXAMPLE= -P readme.cmake: the README shows the file EXAMPLE unchanged, which a test builds and runs.
 file(READ ${README} readme)
 file(READ ${EXAMPLE} example)
 string(FIND "${readme}" "```cpp\n${example}```" place)
