@@ -67,10 +67,10 @@ void measure(benchmark::State& state, Four (*generate)(Random&), const Predicate
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * cases));
 }
 void orient2d_of(benchmark::State& state, Four (*generate)(Random&)) {
-  measure(state, generate, [](const Four& p) { return orient2d(p[0], p[1], p[2]); });
+  measure(state, generate, [](const Four& p) { return engine::orient2d(p[0], p[1], p[2]); });
 }
 void incircle_of(benchmark::State& state, Four (*generate)(Random&)) {
-  measure(state, generate, [](const Four& p) { return incircle(p[0], p[1], p[2], p[3]); });
+  measure(state, generate, [](const Four& p) { return engine::incircle(p[0], p[1], p[2], p[3]); });
 }
 
 BENCHMARK_CAPTURE(orient2d_of, uniform, uniform);
