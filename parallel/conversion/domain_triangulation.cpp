@@ -3,8 +3,8 @@
 #include <string>
 
 #include "../concurrency/parallel_arrays.hpp"
-#include "../triangulation/carve.hpp"
-#include "../triangulation/delaunay.hpp"
+#include "../construction/carve.hpp"
+#include "../construction/delaunay.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
-#include "../triangulation/insert_constraints.hpp"
+#include "../triangulation/constraint.hpp"
 
 namespace pardel::engine {
 

@@ -14,7 +14,7 @@
 #include "pending_triangles.hpp"
 #include "phase.hpp"
 #include "progress_monitor.hpp"
-#include "radii.hpp"
+#include "../triangulation/radii.hpp"
 #include "tiling_record.hpp"
 
 namespace pardel::engine {

@@ -3,7 +3,7 @@
 
 #include "../concurrency/lattice.hpp"
 #include "../report.hpp"
-#include "radii.hpp"
+#include "../triangulation/radii.hpp"
 
 namespace pardel::engine {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "insert_constraints.hpp"
+#include "constraint.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

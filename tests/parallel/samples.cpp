@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "../../core/support/point_order.hpp"
-#include "../../parallel/triangulation/carve.hpp"
-#include "../../parallel/triangulation/delaunay.hpp"
+#include "../../parallel/construction/carve.hpp"
+#include "../../parallel/construction/delaunay.hpp"
 #include "../../properties/checker/arithmetic/exact.hpp"
 
 namespace pardel::engine::samples {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
-#include "../../parallel/triangulation/insert_constraints.hpp"
+#include "../../parallel/construction/insert_constraints.hpp"
 #include "../../parallel/triangulation/triangulation.hpp"
 #include "../../properties/domains/generators/random.hpp"
 

@@ -62,9 +62,10 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/concurrency", 1, "pardel::engine"},
       {"parallel", "parallel/input", 2, "pardel::engine"},
       {"parallel", "parallel/triangulation", 2, "pardel::engine"},
-      {"parallel", "parallel/refinement", 3, "pardel::engine"},
-      {"parallel", "parallel/scheduling", 4, "pardel::engine"},
-      {"parallel", "parallel/conversion", 5, "pardel::engine"},
+      {"parallel", "parallel/construction", 3, "pardel::engine"},
+      {"parallel", "parallel/refinement", 4, "pardel::engine"},
+      {"parallel", "parallel/scheduling", 5, "pardel::engine"},
+      {"parallel", "parallel/conversion", 6, "pardel::engine"},
       {"properties/domains", "properties/domains/drawing", 0, "pardel::drawing"},
       {"properties/domains", "properties/domains/generators/lattice", 0, "pardel::generators"},
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
@@ -102,17 +103,8 @@ const std::vector<Exception>& exceptions() {
   return table;
 }
 
-/// The most files of one folder of parallel/, and the folders that may have more.
+/// The most files of one folder of parallel/.
 constexpr std::size_t most_files_of_a_room = 16;
-struct LargeRoom {
-  std::string_view folder;
-  std::size_t most_files;
-  std::string_view reason;
-};
-constexpr LargeRoom large_rooms[] = {
-    {"parallel/scheduling", 18, "levels, sweeps, phases and the limits that stop them"},
-    {"parallel/triangulation", 19, "one data structure, and all that builds it, searches it and changes it"},
-};
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The rules.
@@ -202,20 +194,14 @@ void check_namespaces(const std::string& file, const SourceFile& source, std::ve
                       std::string(room->name_space));
 }
 
-std::size_t most_files(std::string_view folder) {
-  for (const LargeRoom& room : large_rooms)
-    if (room.folder == folder) return room.most_files;
-  return most_files_of_a_room;
-}
-
 void check_sizes(const SourceTree& tree, std::vector<std::string>& found) {
   std::map<std::string, std::size_t> files;
   for (const auto& [file, source] : tree)
     if (lies_in(file, "parallel")) ++files[folder_of(file)];
   for (const auto& [folder, count] : files)
-    if (count > most_files(folder))
+    if (count > most_files_of_a_room)
       found.push_back(folder + ": " + std::to_string(count) + " files, more than " +
-                      std::to_string(most_files(folder)));
+                      std::to_string(most_files_of_a_room));
 }
 
 }  // namespace

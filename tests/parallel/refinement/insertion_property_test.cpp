@@ -5,7 +5,7 @@
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../parallel/refinement/insertion.hpp"
 #include "../../../parallel/refinement/small_angles.hpp"
-#include "../../../parallel/triangulation/delaunay.hpp"
+#include "../../../parallel/construction/delaunay.hpp"
 #include "../../../parallel/triangulation/locate.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../../../properties/theorems/framework/property.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../../../parallel/triangulation/delaunay.hpp"
+#include "../../../parallel/construction/delaunay.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../samples.hpp"
 

@@ -1,8 +1,8 @@
 #include "bowyer_watson.hpp"
 
 #include "../arithmetic/predicates.hpp"
-#include "in_circumdisk.hpp"
-#include "locate.hpp"
+#include "../triangulation/in_circumdisk.hpp"
+#include "../triangulation/locate.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -1,5 +1,5 @@
 // Insertion of constraints, compared with the definition of a constrained Delaunay triangulation.
-#include "../../../parallel/triangulation/insert_constraints.hpp"
+#include "../../../parallel/construction/insert_constraints.hpp"
 
 #include <gtest/gtest.h>
 

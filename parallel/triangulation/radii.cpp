@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../concurrency/parallel_for.hpp"
-#include "../refinement/criteria.hpp"
+#include "triangle_shape.hpp"
 
 namespace pardel::engine {
 

@@ -1,11 +1,11 @@
 // Carving: which triangles remain, and which region each one gets.
-#include "../../../parallel/triangulation/carve.hpp"
+#include "../../../parallel/construction/carve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "../../../parallel/triangulation/delaunay.hpp"
+#include "../../../parallel/construction/delaunay.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../../core/result.hpp"
-#include "triangulation.hpp"
+#include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 

@@ -6,7 +6,7 @@
 
 #include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
-#include "flips.hpp"
+#include "../triangulation/flips.hpp"
 
 namespace pardel::engine {
 namespace {

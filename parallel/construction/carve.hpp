@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "insert_constraints.hpp"
-#include "triangulation.hpp"
+#include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 

@@ -1,6 +1,6 @@
 // Compares the triangulation of points with the definition: no point lies strictly inside the circumcircle of a
 // triangle.
-#include "../../../parallel/triangulation/delaunay.hpp"
+#include "../../../parallel/construction/delaunay.hpp"
 
 #include <gtest/gtest.h>
 

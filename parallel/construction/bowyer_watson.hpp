@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../concurrency/lattice.hpp"
-#include "cavity.hpp"
-#include "triangulation.hpp"
+#include "../triangulation/cavity.hpp"
+#include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 

@@ -1,5 +1,5 @@
 // The bounds on circumradii, and the largest circumradius of a mesh.
-#include "../../../parallel/scheduling/radii.hpp"
+#include "../../../parallel/triangulation/radii.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,14 +4,10 @@
 #include <span>
 
 #include "../../core/result.hpp"
-#include "triangulation.hpp"
+#include "../triangulation/constraint.hpp"
+#include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
-
-/// An edge that the triangulation must contain, given by its two vertices.
-struct Constraint {
-  VertexId a, b;
-};
 
 /// Makes every constraint an edge and restores the constrained Delaunay property (Sloan, "A fast algorithm for
 /// generating constrained Delaunay triangulations", 1993). Ghost triangles remain. Returns invalid_input if a

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../concurrency/index_allocator.hpp"
-#include "../triangulation/triangulation.hpp"
+#include "triangulation.hpp"
 
 namespace pardel::engine {
 

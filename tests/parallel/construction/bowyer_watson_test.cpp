@@ -1,5 +1,5 @@
 // Insertion of single points. delaunay_test.cpp tests whole triangulations.
-#include "../../../parallel/triangulation/bowyer_watson.hpp"
+#include "../../../parallel/construction/bowyer_watson.hpp"
 
 #include <gtest/gtest.h>
 

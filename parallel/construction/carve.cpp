@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "../concurrency/parallel_arrays.hpp"
-#include "locate.hpp"
+#include "../triangulation/locate.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -1,0 +1,65 @@
+// The shape of a triangle: its squared side lengths and its area, for one triangle or for two at once.
+#pragma once
+
+#include <array>
+
+#include "../../core/pslg.hpp"
+#include "../arithmetic/pair.hpp"
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+
+/// The lengths and the area from which the quality of a triangle follows. T is double, or Pair for two triangles at
+/// once.
+template <class T>
+struct MeasureOf {
+  std::array<T, 3> squared{};  ///< squared length of the side opposite each corner
+  T twice_area{};
+
+  [[nodiscard]] T shortest_squared() const { return least(least(squared[0], squared[1]), squared[2]); }
+  [[nodiscard]] T longest_squared() const { return greatest(greatest(squared[0], squared[1]), squared[2]); }
+  [[nodiscard]] T middle_squared() const {
+    const T low = least(squared[0], squared[1]), high = greatest(squared[0], squared[1]);
+    return greatest(low, least(high, squared[2]));
+  }
+  [[nodiscard]] T squared_circumradius() const {
+    return squared[0] * (squared[1] / twice_area) * (squared[2] / twice_area) / 4;
+  }
+  /// The shortest side. The smallest angle lies at the corner of the same number.
+  [[nodiscard]] unsigned shortest_side() const {
+    const auto second = static_cast<unsigned>(squared[1] < squared[0]);
+    const auto third = static_cast<unsigned>(squared[2] < least(squared[0], squared[1]));
+    return third << 1U | (second & ~third);
+  }
+  /// The scalar product (b - a) . (c - a), where a is the corner and b, c are the other two.
+  [[nodiscard]] T dot_at(unsigned corner) const {
+    return 0.5 * (squared[next_corner[corner]] + squared[previous_corner[corner]] - squared[corner]);
+  }
+};
+using Measure = MeasureOf<double>;
+
+[[nodiscard]] inline Point centroid_of(Point a, Point b, Point c) {
+  return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+}
+
+/// The corners of a triangle with its measure.
+struct Shape : Measure {
+  std::array<Point, 3> p;
+
+  Shape(const Triangulation& t, const Slot& slot)
+      : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
+  /// All lengths are computed from the differences to the first corner. An insertion computes them in the same way
+  /// (Insertion::measures), so both get the same bits. The same is true of the area where floating point decides its
+  /// sign.
+  Shape(Point a, Point b, Point c) : p{a, b, c} {
+    const double abx = b.x - a.x, aby = b.y - a.y;
+    const double acx = c.x - a.x, acy = c.y - a.y;
+    const double bcx = acx - abx, bcy = acy - aby;
+    squared = {bcx * bcx + bcy * bcy, acx * acx + acy * acy, abx * abx + aby * aby};
+    twice_area = abx * acy - aby * acx;
+  }
+
+  [[nodiscard]] Point centroid() const { return centroid_of(p[0], p[1], p[2]); }
+};
+
+}  // namespace pardel::engine
