@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "insert_constraints.hpp"
+#include "../triangulation/constraint.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

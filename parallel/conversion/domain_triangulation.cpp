@@ -5,6 +5,7 @@
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/carve.hpp"
 #include "../construction/delaunay.hpp"
+#include "../construction/insert_constraints.hpp"
 
 namespace pardel::engine {
 namespace {

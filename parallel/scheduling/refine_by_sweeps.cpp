@@ -9,12 +9,12 @@
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/lattice_levels.hpp"
 #include "../triangulation/compact.hpp"
+#include "../triangulation/radii.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
 #include "progress_monitor.hpp"
-#include "../triangulation/radii.hpp"
 #include "tiling_record.hpp"
 
 namespace pardel::engine {

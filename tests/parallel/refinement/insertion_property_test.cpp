@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../../parallel/construction/delaunay.hpp"
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../parallel/refinement/insertion.hpp"
 #include "../../../parallel/refinement/small_angles.hpp"
-#include "../../../parallel/construction/delaunay.hpp"
 #include "../../../parallel/triangulation/locate.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../../../properties/theorems/framework/property.hpp"

@@ -8,8 +8,8 @@
 #include <functional>
 #include <tuple>
 
-#include "../../../parallel/refinement/paired_disk_query.hpp"
 #include "../../../parallel/construction/delaunay.hpp"
+#include "../../../parallel/refinement/paired_disk_query.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../samples.hpp"
 
