@@ -142,6 +142,16 @@ TEST(Documents, fit_the_width_except_for_tables_links_and_code) {
   }
 }
 
+TEST(Documents, list_every_folder_and_room_in_the_architecture) {
+  const std::string text = read_document("ARCHITECTURE.md");
+  for (const char* folder : {"core", "parallel", "properties"}) {
+    for (const auto& entry : fs::directory_iterator(root / folder)) {
+      const std::string room = "`" + fs::relative(entry.path(), root).string() + "/`";
+      EXPECT_TRUE(!entry.is_directory() || text.find(room) != std::string::npos) << room;
+    }
+  }
+}
+
 /// The number of cells in a row of a table. `\\|` does not separate cells.
 std::ptrdiff_t cells_of(const std::string& row) {
   const auto separators = std::count(row.begin(), row.end(), '|');
