@@ -36,7 +36,7 @@ Run mesh_once(const Task& task, const Criteria& criteria) {
   const Mesh mesh = plain(cdt, [](auto face) { return face->is_in_domain(); });
   run.vertices = mesh.points.size();
   run.triangles = mesh.triangles.size();
-  run.say(verdict(task, mesh, true));
+  run.set_verdict(verdict(task, mesh, true));
   return run;
 }
 
@@ -52,7 +52,7 @@ Run triangulate_once(const Task& task) {
   const Mesh mesh = plain(triangulation, [](auto) { return true; });
   run.vertices = mesh.points.size();
   run.triangles = mesh.triangles.size();
-  run.say(verdict(task, mesh, true));
+  run.set_verdict(verdict(task, mesh, true));
   return run;
 }
 

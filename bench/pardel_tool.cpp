@@ -14,12 +14,12 @@ Run mesh_once(const Task& task) {
   run.seconds = watch.seconds();
   run.peak_rss_bytes = peak_rss_bytes();
   if (!meshed) {
-    run.say(meshed.error().message);
+    run.set_verdict(meshed.error().message);
     return run;
   }
   run.vertices = meshed->mesh.points.size();
   run.triangles = meshed->mesh.triangles.size();
-  run.say(verdict(task, meshed->mesh, false));
+  run.set_verdict(verdict(task, meshed->mesh, false));
   return run;
 }
 

@@ -92,7 +92,7 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
   if (task.delaunay_only)
     fmt::print(", Delaunay triangulation alone");
   else
-    fmt::print(", angles from {}°", task.goal.min_angle_deg);
+    fmt::print(", angles of at least {}°", task.goal.min_angle_deg);
   if (std::isfinite(task.goal.max_area)) fmt::print(", areas to {:.4g}", task.goal.max_area);
   fmt::print("; medians of {} interleaved rounds of a second or more, one thread\n\n", settings.runs);
   fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", "tool", "mesh s", "× pardel", "triangles",

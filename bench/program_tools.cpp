@@ -50,12 +50,12 @@ Run read_and_judge(const Task& task, const fs::path& file, Run run) {
           Run judged;
           const Result<Mesh> mesh = read_mesh(file);
           if (!mesh) {
-            judged.say(mesh.error().message);
+            judged.set_verdict(mesh.error().message);
             return judged;
           }
           judged.vertices = mesh->points.size();
           judged.triangles = mesh->triangles.size();
-          judged.say(verdict(task, *mesh, true));
+          judged.set_verdict(verdict(task, *mesh, true));
           return judged;
         }).value_or(Run{});
   run.seconds = seconds;
@@ -65,7 +65,7 @@ Run read_and_judge(const Task& task, const fs::path& file, Run run) {
 
 Run failed(const ProgramRun& program) {
   Run run;
-  run.say(fmt::format("exit code {}", program.exit_code));
+  run.set_verdict(fmt::format("exit code {}", program.exit_code));
   return run;
 }
 

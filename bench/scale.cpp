@@ -1,5 +1,6 @@
 // scale: meshes one domain at increasing sizes. Each mesh is made and checked in its own process. The result is one
-// table, and an extrapolation of its last row to the largest mesh of the paper. See --help.
+// table, and an extrapolation of its last row to the largest mesh in [CC] (Chernikov and Chrisochoides 2004). See
+// --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,7 @@
 namespace pardel::bench {
 namespace {
 
-/// The largest mesh of the pipe cross-section in [CC], Table 1.
+/// The largest mesh of the pipe cross-section in [CC] (Chernikov and Chrisochoides 2004), Table 1.
 constexpr double paper_triangles = 441.1e6;
 constexpr double paper_seconds = 212.7;
 constexpr int paper_processors = 121;
@@ -31,7 +32,7 @@ struct Settings {
 };
 
 struct Row {
-  Run mesh;  ///< its verdict is on all triangles, or the reason why there is no mesh
+  Run mesh;  ///< its verdict covers all triangles; if there is no mesh, it is the reason
   double check_seconds = 0;
   std::uint64_t peak_with_check = 0;  ///< bytes
 
@@ -50,41 +51,42 @@ Row make_and_check(const Task& task, int threads) {
   row.mesh.seconds = watch.seconds();
   row.mesh.peak_rss_bytes = peak_rss_bytes();
   if (!meshed) {
-    row.mesh.say(meshed.error().message);
+    row.mesh.set_verdict(meshed.error().message);
     return row;
   }
   row.mesh.vertices = meshed->mesh.points.size();
   row.mesh.triangles = meshed->mesh.triangles.size();
   const Stopwatch check_watch;
-  row.mesh.say(verdict(task, meshed->mesh, false));
+  row.mesh.set_verdict(verdict(task, meshed->mesh, false));
   row.check_seconds = check_watch.seconds();
   row.peak_with_check = peak_rss_bytes();
   return row;
 }
 
-/// The row for a size. There is no run if, by the last row, it would need more memory than is available.
+/// The row for one size. The run is skipped if, judging from the last row, it would need more memory than is available.
 Row row_for(const Settings& settings, double triangles, const std::optional<Row>& last) {
   Row row;
   const auto available = static_cast<double>(cli::available_memory());
   if (last && available > 0 && last->bytes_with_check() * triangles > available) {
-    row.mesh.say(fmt::format("left out: needs {:.1f} GiB, available are {:.1f}",
-                             last->bytes_with_check() * triangles / gibibyte, available / gibibyte));
+    row.mesh.set_verdict(fmt::format("skipped: it needs {:.1f} GiB, but only {:.1f} GiB are available",
+                                     last->bytes_with_check() * triangles / gibibyte, available / gibibyte));
     return row;
   }
   Task task = settings.task;
   task.triangles = static_cast<std::uint64_t>(triangles);
   task.goal.max_area = area_cap(task);
   const std::optional<Row> run = run_in_child<Row>([&] { return make_and_check(task, settings.threads); });
-  if (!run) row.mesh.say("the process died");
+  if (!run) row.mesh.set_verdict("the process died");
   return run.value_or(row);
 }
 
 void print_head(const Settings& settings) {
-  fmt::print("{}, angles from {}°, {} thread{}{}\n\n", settings.task.domain, settings.task.goal.min_angle_deg,
+  fmt::print("{}, angles of at least {}°, {} thread{}{}\n\n", settings.task.domain, settings.task.goal.min_angle_deg,
              settings.threads, settings.threads == 1 ? "" : "s",
              settings.task.check ? "; every triangle checked with exact arithmetic" : "");
-  fmt::print("| triangles | seconds | millions/s | ns/triangle | peak GiB | bytes/triangle | the checker's verdict | ");
-  fmt::print("its seconds | peak GiB with it | bytes/triangle |\n");
+  fmt::print(
+      "| triangles | seconds | millions/s | ns/triangle | peak GiB | bytes/triangle | verdict of the checker | ");
+  fmt::print("seconds of the check | peak GiB with the check | bytes/triangle with the check |\n");
   fmt::print("|---:|---:|---:|---:|---:|---:|:---|---:|---:|---:|\n");
 }
 
@@ -109,8 +111,10 @@ void print_extrapolation(const Row& last) {
              gibibytes(last.bytes_per_triangle()));
   fmt::print("{:.1f} GiB with the check, which takes {:.0f} s more.\n", with_check,
              last.check_seconds / last.triangles() * paper_triangles);
-  fmt::print("{:.1f} GiB are available: it {}. The paper, 2004: {:.1f} s on {} processors.\n", available / gibibyte,
-             with_check * gibibyte <= available ? "fits" : "does not fit", paper_seconds, paper_processors);
+  fmt::print(
+      "{:.1f} GiB are available: the mesh with its check {}. The paper (2004) reports {:.1f} s on {} processors.\n",
+      available / gibibyte, with_check * gibibyte <= available ? "fits" : "does not fit", paper_seconds,
+      paper_processors);
 }
 
 /// False if a mesh was not made or is not valid.

@@ -46,7 +46,7 @@ struct Run {
   std::uint64_t peak_rss_bytes = 0;  ///< of the whole process: with the domain, without the checker
   std::array<char, 80> verdict{};    ///< the checker's verdict, or the reason why there is none
 
-  void say(std::string_view text) {
+  void set_verdict(std::string_view text) {
     const std::size_t n = std::min(text.size(), verdict.size() - 1);
     std::memcpy(verdict.data(), text.data(), n);
     verdict[n] = '\0';

@@ -13,9 +13,9 @@
 namespace pardel::bench {
 
 /// The host of a virtual machine may provide memory only when it is first written, and take it back some seconds after
-/// it was freed. The first run to write the memory waits for it, the next one does not, so times vary by chance. This
-/// function writes and frees memory in its own process: `known_bytes`, the memory that such a run takes (0 if unknown),
-/// but at least 1 GiB and at most half of the available memory.
+/// it was freed. The first run that writes the memory waits for it, the next run does not, so times vary by chance. In
+/// a child process this function writes and frees `known_bytes` bytes (the memory that the measured run takes; 0 if
+/// unknown), but at least 1 GiB and at most half of the available memory.
 inline void warm_memory(std::uint64_t known_bytes) {
   constexpr std::size_t page = 4096;
   constexpr std::uint64_t least = std::uint64_t{1} << 30U;

@@ -23,8 +23,9 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
   setrlimit(resource, &both);
 }
 
-/// The child after the fork. It makes system calls only, because other threads may have held locks at the fork.
-[[noreturn]] void become(char* const* argv, const char* log, const Limits& limits) {
+/// Replaces the child process, after the fork, by the program argv[0]. Makes system calls only, because other threads
+/// may have held locks at the fork.
+[[noreturn]] void exec_in_child(char* const* argv, const char* log, const Limits& limits) {
   setpgid(0, 0);
   const int in = open("/dev/null", O_RDONLY);
   const int out = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
@@ -61,7 +62,7 @@ ChildRun run_child(const std::vector<std::string>& words, const std::filesystem:
 
   const pid_t child = fork();
   if (child < 0) return {Ending::not_started, errno};
-  if (child == 0) become(argv.data(), log.c_str(), limits);
+  if (child == 0) exec_in_child(argv.data(), log.c_str(), limits);
   setpgid(child, child);  // in parent and child, so the group exists before it is killed
   // glibc 2.36 declares pidfd_open() without extern "C".
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));

@@ -129,11 +129,11 @@ ExitCode guarded(int argc, char** argv) {
   try {
     Options options;
     switch (parse(argc, argv, options)) {
-      case Answer::was_answered:
+      case ParseResult::done:
         return ExitCode::done;
-      case Answer::misused:
+      case ParseResult::usage_error:
         return ExitCode::usage;
-      case Answer::run:
+      case ParseResult::run:
         break;
     }
     const Result<ExitCode> result = run(options);

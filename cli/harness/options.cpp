@@ -132,7 +132,7 @@ void add_outputs(CLI::App& app, Options& options) {
 
 }  // namespace
 
-Answer parse(int argc, char** argv, Options& options) {
+ParseResult parse(int argc, char** argv, Options& options) {
   CLI::App app(description, "pardel-harness");
   app.set_version_flag("--version", "pardel-harness " PARDEL_VERSION);
   app.footer(footer());
@@ -160,10 +160,10 @@ Answer parse(int argc, char** argv, Options& options) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {  // also thrown by --help and --version
-    return app.exit(stop) == 0 ? Answer::was_answered : Answer::misused;
+    return app.exit(stop) == 0 ? ParseResult::done : ParseResult::usage_error;
   }
   if (options.families.empty()) options.families = generators::all_families();
-  return Answer::run;
+  return ParseResult::run;
 }
 
 }  // namespace pardel::harness

@@ -14,8 +14,8 @@ namespace pardel::harness {
 
 enum class Verdict : std::uint8_t {
   valid,
-  missed,   ///< a correct mesh of the domain that misses a bound (angle, area), which not every mesher guarantees
-  wrong,    ///< no correct mesh of the domain, or no readable mesh
+  missed,   ///< a correct mesh of the domain that misses a bound on angle or area; not every mesher guarantees these
+  wrong,    ///< the output is not a correct mesh of the domain, or cannot be read
   crashed,  ///< ended by a signal
   hung,     ///< not finished within the time limit
   refused,  ///< the mesher exited with an error, or wrote no file

@@ -17,7 +17,7 @@ namespace pardel::harness {
 /// The smallest input found that fails in a given way.
 struct SmallestFailure {
   std::size_t points = 0, segments = 0, holes = 0;
-  bool shrunk_fully = false;   ///< no simpler input fails
+  bool shrunk_fully = false;   ///< the shrinker found no simpler input that fails in this way
   std::filesystem::path poly;  ///< the picture has the same name, with .svg
 };
 
@@ -26,7 +26,7 @@ struct FailureKind {
   std::string kind;
   std::uint64_t cases = 0;
   std::size_t first = 0;  ///< index of the first such case
-  std::string message;    ///< of that case
+  std::string message;    ///< the message of the first such case
   std::optional<SmallestFailure> smallest;
 };
 
@@ -42,7 +42,7 @@ struct ReportCard {
   std::string mesher;  ///< its command
   std::string goal;    ///< in words
   std::string limits;  ///< in words
-  std::string replay;  ///< the command that repeats a case, up to the case
+  std::string replay;  ///< the command that repeats a case, without "--replay CASE" at its end
   std::uint64_t seed = 1;
   std::vector<CaseId> cases;
   std::vector<Outcome> outcomes;  ///< in the order of the cases

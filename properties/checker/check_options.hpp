@@ -8,10 +8,11 @@ namespace pardel {
 struct CheckOptions {
   /// How many violations of each kind the certificate lists. All are counted.
   std::size_t max_violations = 1'000;
-  /// An upper bound on circumradii, in the unit of the coordinates; compared exactly. Not positive or infinite: none.
+  /// An upper bound on circumradii, in the unit of the coordinates; compared exactly. A value that is
+  /// zero, negative, NaN or infinite means: no bound.
   double max_circumradius = 0;
   /// The mesh comes from another program. Then input points are matched with vertices by equal coordinates instead of
-  /// equal index, and arrays that such a mesh lacks (origins, markers, regions, neighbours, constrained edges) may be
+  /// equal index, and arrays that such a mesh lacks (`origin`, markers, regions, neighbours, constrained edges) may be
   /// empty: the checker skips the rules about them.
   bool foreign = false;
 };

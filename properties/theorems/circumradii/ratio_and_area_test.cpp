@@ -1,5 +1,5 @@
-// T3 and T3-sharp: bounds on the ratio of circumradius to shortest edge and on the area give a bound on the
-// circumradius. Proofs: properties/THEORY.md, T3 and T3-sharp.
+// T3 and T3-sharp: bounds ρ̄ on the ratio of circumradius to shortest edge and Δ̄ on the area give a bound on the
+// circumradius r. Proofs: properties/THEORY.md, T3 and T3-sharp.
 //
 // All quantities are squared until no root is left. So numbers are rational and equality is exact: with s = ρ̄², T3
 // reads r⁴ ≤ 16 s³ Δ̄², and T3-sharp reads r⁴ ≤ 16 s⁴ Δ̄² / (4s - 1).
@@ -51,7 +51,7 @@ Number fourth_power(const Number& squared) { return squared * squared; }
 std::vector<Number> ratios() {
   std::vector<Number> grid;
   for (int k = 0; k <= 400; ++k) grid.push_back(Number(1) / 3 + Number(k * k * k) / 64'000);
-  grid.push_back(2);  // 20.7 degrees
+  grid.push_back(2);  // ρ̄ = sqrt 2: a smallest angle of 20.7 degrees
   return grid;
 }
 
@@ -120,7 +120,7 @@ LatticeTriangle some_triangle(Random& random, int /*size*/) {
   }
 }
 
-/// The triangle at half the size, and moved to the origin.
+/// Up to two simpler triangles, for shrinking: the triangle at half the size, and the triangle moved to the origin.
 std::vector<LatticeTriangle> simpler(const LatticeTriangle& triangle) {
   std::vector<LatticeTriangle> simpler;
   const ref::ExactPoint o = triangle.mesh.points[0];
@@ -135,7 +135,7 @@ std::vector<LatticeTriangle> simpler(const LatticeTriangle& triangle) {
   return simpler;
 }
 
-/// A triangle and bounds on its ρ² and A²; the triangle attains some of these bounds.
+/// A triangle and bounds on its ρ² and A²; the triangle may attain one bound, both or none.
 struct Bounded {
   Squares triangle;
   bool has_two_shortest_sides;
@@ -151,8 +151,8 @@ bool has_two_shortest_sides(const ref::PlainMesh& mesh) {
 
 Bounded some_bounded_triangle(Exhibit& exhibit) {
   const LatticeTriangle triangle = *generators::generator(some_triangle, simpler).as("triangle");
-  const int ratio_slack = *rc::gen::inRange(0, 4).as("sixteenths by which the bound on ρ² exceeds it");
-  const int area_slack = *rc::gen::inRange(0, 4).as("sixteenths by which the bound on A² exceeds it");
+  const int ratio_slack = *rc::gen::inRange(0, 4).as("excess of the bound on ρ² over ρ², in sixteenths of ρ²");
+  const int area_slack = *rc::gen::inRange(0, 4).as("excess of the bound on A² over A², in sixteenths of A²");
   Scene scene;
   for (const ref::ExactPoint& p : triangle.mesh.points) scene.points.push_back(ref::rounded(p));
   exhibit.show(scene);
@@ -275,7 +275,7 @@ PARDEL_FACT(T3Sharp, the_bound_grows_with_the_ratio_from_the_equilateral_triangl
   }
 }
 
-/// The largest ρ², A² and r² over the triangles of a mesh.
+/// The largest r² and A² over the triangles of a mesh; `shortest` is chosen such that ratio() is the largest ρ².
 Squares largest(const Mesh& mesh) {
   const ref::PlainMesh plain = ref::to_plain_mesh(mesh);
   Squares most{0, 1, 0};

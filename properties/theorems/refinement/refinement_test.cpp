@@ -1,5 +1,6 @@
 // The guarantees of refinement for every domain and goal: it ends; its mesh is certified; a triangle may miss the angle
-// bound only because of a small input angle; refining again changes nothing.
+// bound only because of a small input angle; refining again changes nothing. `exhibit` and `facts` are parameters that
+// the macros declare (framework/property.hpp).
 #include <algorithm>
 #include <cmath>
 #include <limits>
