@@ -1,4 +1,4 @@
-// pardel check: decides whether a mesh is right for a domain and a goal.
+// pardel check: checks whether a mesh is valid for a domain and meets a goal.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +38,7 @@ Result<ExitCode> run(const Arguments& arguments) {
   const Result<Goal> goal = make_goal(arguments.goal, *domain);
   if (!goal) return goal.error();
 
-  // Files of meshes do not contain the provenance of vertices.
+  // Mesh files do not contain the origin of each vertex.
   const CheckOptions options{.max_circumradius = arguments.max_circumradius, .foreign = true};
   const Certificate certificate = check(domain->pslg(), *mesh, *goal, options);
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}\n", to_text(certificate));

@@ -12,7 +12,7 @@
 
 namespace pardel::cli {
 
-/// Accepts the names of the enumerators, for an option of type Enum. CLI::CheckedTransformer is no alternative, because
+/// Accepts the names of the enumerators as values of an option of type Enum. CLI::CheckedTransformer cannot be used:
 /// its message shows an enumerator of one byte as a character.
 template <class Enum, std::size_t n>
 [[nodiscard]] CLI::Validator choice(const EnumNames<Enum, n>& names) {

@@ -1,4 +1,4 @@
-// The subcommands. Each one is a file NAME_command.cpp, which declares the options and holds the function to run.
+// The subcommands. Each has a file NAME_command.cpp with its options and with the function that runs it.
 #pragma once
 
 #include <CLI/App.hpp>

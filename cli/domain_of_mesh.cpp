@@ -17,7 +17,7 @@ struct EdgeSet {
 
   static bool before(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) < std::minmax(t.a, t.b); }
   static bool same(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) == std::minmax(t.a, t.b); }
-  /// Sorts the edges. Of edges with the same ends the first one stays.
+  /// Sorts the edges. If several edges have the same ends, only the first one stays.
   void finish() {
     std::stable_sort(edges.begin(), edges.end(), before);
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
@@ -32,7 +32,7 @@ struct Side {
 };
 Side side(const Triangle& t, int i) { return {t.v[(i + 1) % 3], t.v[(i + 2) % 3]}; }
 
-/// The edges that belong to one triangle, directed so that it lies to their left.
+/// The edges that belong to exactly one triangle. Each is directed so that this triangle lies to its left.
 std::vector<Segment> boundary(const Mesh& mesh) {
   std::vector<Segment> edges;
   for (const Triangle& t : mesh.triangles) {
@@ -43,8 +43,8 @@ std::vector<Segment> boundary(const Mesh& mesh) {
   return edges;
 }
 
-/// The number of the face of each triangle. Triangles are in one face where a path leads from one to the other without
-/// crossing an edge of `walls`.
+/// The face of each triangle, as a number. Two triangles are in the same face if a path connects them without crossing
+/// an edge of `walls`.
 std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
   std::vector<Index> face(mesh.triangles.size(), no_index);
   Index count = 0;
@@ -77,7 +77,7 @@ Point centroid(const Mesh& mesh, const Triangle& t) {
   return {a.x + ((b.x - a.x) + (c.x - a.x)) / 3, a.y + ((b.y - a.y) + (c.y - a.y)) / 3};
 }
 
-/// The largest triangle of every face. Its centroid is inside the face in spite of rounding.
+/// The largest triangle of every face. Even after rounding, its centroid lies inside the face.
 std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
   const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
   std::vector<Index> best(count, no_index);

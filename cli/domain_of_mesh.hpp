@@ -1,4 +1,4 @@
-// The domain that a mesh covers, for a mesh without a Pslg.
+// Reconstructs the domain of a mesh that was read without a Pslg.
 #pragma once
 
 #include "../core/mesh.hpp"
@@ -7,8 +7,8 @@
 
 namespace pardel::cli {
 
-/// A Pslg with the points of the mesh, its constrained edges and its boundary edges as segments, one point in each
-/// hole, and one region for each face whose triangles carry an attribute. O(n log n).
+/// Returns a Pslg with the points of the mesh, with its constrained edges and boundary edges as segments, with one
+/// point in each hole, and with one region for each face whose triangles have an attribute. Time O(n log n).
 [[nodiscard]] Result<Pslg> domain_of(const Mesh& mesh);
 
 }  // namespace pardel::cli

@@ -26,7 +26,7 @@ struct Arguments {
   fs::path report;  ///< with `by`
 };
 
-/// A .node file belongs to a mesh where there is a .ele file of the same name; otherwise it is a set of points.
+/// A .node file is part of a mesh if a .ele file of the same name exists; otherwise it is a set of points.
 bool is_domain(const fs::path& file) {
   std::error_code ignored;
   if (file.extension() == ".node") return !fs::exists(fs::path(file).replace_extension(".ele"), ignored);

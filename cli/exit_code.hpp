@@ -21,7 +21,7 @@ enum class ExitCode : int {
 /// Prints `pardel: message` on stderr and returns the exit code of the error.
 ExitCode report(const Error& error);
 
-/// Prints `pardel: message` on stderr. The program goes on.
+/// Prints `pardel: message` on stderr. The program continues.
 void warn(const std::string& message);
 
 }  // namespace pardel::cli

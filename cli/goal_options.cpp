@@ -17,7 +17,7 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// NaN where the text is not exactly one number.
+/// Converts text to a number; returns NaN if the text is not exactly one number.
 double number(const std::string& text) {
   double value = 0;
   const char* end = text.data() + text.size();
@@ -25,7 +25,7 @@ double number(const std::string& text) {
   return error == std::errc() && stop == end ? value : std::nan("");
 }
 
-/// The smallest angle, in degrees, of a triangle with the circumradius-to-shortest-edge ratio rho, and the reverse.
+/// The smallest angle, in degrees, of a triangle with circumradius = rho * shortest edge. rho_of() is the inverse.
 double angle_of(double rho) { return std::asin(1 / (2 * rho)) * degrees; }
 double rho_of(double angle_deg) { return 1 / (2 * std::sin(angle_deg / degrees)); }
 

@@ -1,4 +1,4 @@
-// The command line options that make a Goal: of `mesh`, which aims at it, and of `check`, which judges by it.
+// The command line options that define a Goal. The command `mesh` refines until the goal is met; `check` verifies it.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -23,7 +23,7 @@ struct GoalOptions {
   bool convex_hull = false;
 };
 
-/// No triangulation has a larger smallest angle, in degrees.
+/// In degrees. Every triangle has an angle of at most 60 degrees, so no mesh has a larger smallest angle.
 inline constexpr double largest_angle_to_check = 60;
 
 /// Adds the options to the command. --min-angle accepts 0 to largest_angle_deg degrees.
@@ -32,10 +32,10 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
 /// Accepts finite numbers greater than zero. `what` names the quantity in the message: "an area".
 [[nodiscard]] CLI::Validator positive_number(std::string what);
 
-/// The goal without the sizes.
+/// The goal without the size function.
 [[nodiscard]] Goal goal_without_sizes(const GoalOptions& options);
 
-/// The goal. Reads the file of sizes, if one is given: one size per point of `domain`.
+/// The complete goal. If a file of sizes is given, reads it: one size per point of `domain`.
 [[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const ValidPslg& domain);
 
 }  // namespace pardel::cli

@@ -15,7 +15,7 @@ namespace pardel::cli {
 namespace fs = std::filesystem;
 namespace {
 
-/// The first number of the next line that has one; `fallback` at the end of the file.
+/// The first number of the next line that starts with a number; `fallback` if there is no such line.
 long long first_number(std::istream& in, long long fallback) {
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
@@ -24,7 +24,7 @@ long long first_number(std::istream& in, long long fallback) {
   return fallback;
 }
 
-/// The domain of a mesh: the .poly of the same name where there is one with as many points, else domain_of(mesh).
+/// The domain of a mesh: the .poly of the same name if it exists and has as many points, otherwise domain_of(mesh).
 Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
   const fs::path poly = fs::path(file).replace_extension(".poly");
   const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";

@@ -3,7 +3,7 @@
 namespace pardel::cli {
 namespace {
 
-// The only type that a signal handler may write to.
+// A signal handler may write to no other type of variable.
 volatile std::sig_atomic_t received = 0;
 
 void handle(int /*signal*/) { received = 1; }

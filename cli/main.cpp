@@ -78,7 +78,7 @@ Result<ExitCode> run(int argc, char** argv) {
   return ExitCode::usage;
 }
 
-/// An error of standard output, such as a full disk, shows only when the buffer is flushed.
+/// An error of standard output, such as a full disk, becomes visible only when the buffer is flushed.
 ExitCode flushed(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   return report({ErrorKind::io, fmt::format("standard output: {}", std::strerror(errno))});

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
 
-/// The number after the name `wanted`, in a file with a name and a number in each line; `unknown` where it is missing.
+/// The number after the name `wanted` in a file of lines `NAME NUMBER`; `unknown` if the name is missing.
 std::uint64_t entry(const char* path, std::string_view wanted) {
   std::ifstream file(path);
   std::uint64_t value = 0;
@@ -23,7 +23,7 @@ std::uint64_t entry(const char* path, std::string_view wanted) {
   return unknown;
 }
 
-/// The number at the start of a file; `unknown` where there is none, such as in a file with "max" for no limit.
+/// The number at the start of a file; `unknown` if there is none, for example if the file contains "max" (no limit).
 std::uint64_t number_in(const char* path) {
   std::uint64_t value = 0;
   return std::ifstream(path) >> value ? value : unknown;
@@ -31,14 +31,14 @@ std::uint64_t number_in(const char* path) {
 
 std::uint64_t rest_of(std::uint64_t limit, std::uint64_t used) { return limit - std::min(limit, used); }
 
-/// The kernel's estimate of the memory available without swapping: proc(5).
+/// The kernel's estimate of the memory that is available without swapping: proc(5).
 std::uint64_t of_system() {
   const std::uint64_t kibibytes = entry("/proc/meminfo", "MemAvailable:");
   return kibibytes == unknown ? unknown : kibibytes * 1024;
 }
 
-/// The memory left in the control group that the process sees as its root: cgroups(7), version 2. Cached files count as
-/// used there; the kernel frees them on demand.
+/// The memory left in the control group that is the root for this process: cgroups(7), version 2. The used memory
+/// includes cached files, although the kernel frees them on demand.
 std::uint64_t of_control_group() {
   const std::uint64_t limit = number_in("/sys/fs/cgroup/memory.max");
   const std::uint64_t used = number_in("/sys/fs/cgroup/memory.current");

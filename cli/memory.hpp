@@ -5,8 +5,8 @@
 
 namespace pardel::cli {
 
-/// In bytes: the least of the memory that the system has available, that the control group allows and that RLIMIT_AS
-/// allows; 0 where none of them is known.
+/// In bytes: the minimum of the memory that the system has available, the memory that the control group allows, and the
+/// memory that RLIMIT_AS allows. 0 if all three are unknown.
 [[nodiscard]] std::uint64_t available_memory();
 
 }  // namespace pardel::cli

@@ -52,7 +52,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// A valid domain; with --refine a mesh.
+/// A valid domain or, with --refine, a mesh.
 using Input = std::variant<ValidPslg, CoarseMesh>;
 
 const Pslg& pslg_of(const Input& input) {
@@ -75,7 +75,7 @@ Result<ValidPslg> repair_domain(const Arguments& arguments, Domain domain) {
   return std::move(repaired->domain);
 }
 
-/// Reads the input, and validates a domain: the only validation of a run.
+/// Reads the input. Validates a domain; no later step of the run validates it again.
 Result<Input> read(const Arguments& arguments, Seconds& seconds) {
   Stopwatch watch;
   if (arguments.refine) {
@@ -94,7 +94,7 @@ Result<Input> read(const Arguments& arguments, Seconds& seconds) {
   return Input(std::move(*valid));
 }
 
-/// With --refine only --sizes needs a valid domain, because it triangulates the domain.
+/// Makes the goal. With --refine a valid domain is needed only for --sizes, which triangulates the domain.
 Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
   if (const auto* domain = std::get_if<ValidPslg>(&input)) return make_goal(arguments.goal, *domain);
   if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
@@ -103,7 +103,7 @@ Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
   return make_goal(arguments.goal, *domain);
 }
 
-/// A mesh that cannot be refined gives the problems of its domain, if there are any.
+/// The error for a mesh that cannot be refined: the problems of its domain if there are any, otherwise `error`.
 Error why_not_refined(const Arguments& arguments, const Domain& domain, const Error& error) {
   if (error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
     const std::vector<Problem> problems = find_problems(domain.pslg, how_to_validate(arguments));
@@ -124,11 +124,12 @@ Result<Meshed> make_mesh(const Arguments& arguments, const Input& input, const G
 }
 
 Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal) {
-  // A refined mesh numbers its regions as the coarse mesh does, not as the domain does.
+  // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
   return check(pslg_of(input), meshed.mesh, goal, {.foreign = arguments.refine});
 }
 
-/// Makes the mesher check the mesh after every sweep. `checked` counts the sweeps.
+/// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
+/// `checked` counts the sweeps.
 void watch_sweeps(const Arguments& arguments, const Pslg& pslg, const Goal& goal, std::uint64_t& checked,
                   Options& options) {
   const SweepCheck how{.convex_hull = goal.convex_hull, .foreign = arguments.refine};
@@ -149,7 +150,7 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
   return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;
 }
 
-/// Completes the options with what depends on several arguments.
+/// Sets the options whose values depend on several arguments.
 Status complete_options(Arguments& arguments) {
   Options& options = arguments.options;
   if (arguments.threads) {

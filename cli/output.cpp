@@ -20,7 +20,7 @@ Error io_error(const fs::path& file, int error) {
   return {ErrorKind::io, fmt::format("{}: {}", file.string(), std::strerror(error))};
 }
 
-/// True for devices, pipes and names like /dev/stdout, which cannot be replaced by a finished file.
+/// True for devices, for pipes and for names like /dev/stdout. These cannot be replaced by a finished file.
 bool written_in_place(const fs::path& file) {
   std::error_code ignored;
   const std::string name = file.lexically_normal().string();
@@ -28,7 +28,7 @@ bool written_in_place(const fs::path& file) {
          (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored));
 }
 
-/// The same for all files that are read or written together: Triangle's files with one stem.
+/// Returns the same path for all files that are read or written together, such as Triangle's files with one stem.
 fs::path family(const fs::path& file) {
   std::error_code ignored;
   fs::path full = fs::weakly_canonical(fs::absolute(file, ignored), ignored);

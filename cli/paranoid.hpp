@@ -1,4 +1,4 @@
-// --paranoid: the check of the mesh after every sweep of the refinement.
+// --paranoid: checks the mesh after every sweep of the refinement. A sweep is one pass over all cells of a lattice.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct SweepCheck {
 };
 
 /// Checks with exact arithmetic that the mesh after sweep `number` (counted from 1) conforms to the Pslg, is
-/// constrained Delaunay and has the right labels. Bounds, and the conforming Delaunay property, hold only at the end
-/// and are not checked. Violations give `internal`; the message names the first of them.
+/// constrained Delaunay and has the right labels. Does not check bounds or the conforming Delaunay property, because
+/// these hold only at the end. A violation gives an `internal` error; the message names the first violation.
 [[nodiscard]] Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, const Sweep& sweep,
                                  const SweepCheck& how);
 

@@ -16,7 +16,7 @@ constexpr int width = 32;
 constexpr auto delay = 1s;
 constexpr auto interval = 100ms;
 
-/// "3.21 of about 10.01 million"; without the estimate where it was too low.
+/// For example "3.21 of about 10.01 million". If the estimate was too low, it is omitted.
 std::string count(double triangles, double estimate) {
   const bool small = std::max(triangles, estimate) < 10'000;
   const auto number = [&](double n) { return small ? fmt::format("{:.0f}", n) : fmt::format("{:.2f}", n * 1e-6); };

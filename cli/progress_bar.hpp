@@ -9,7 +9,7 @@ namespace pardel::cli {
 
 enum class ShowProgress : std::uint8_t { automatic, always, never };
 
-/// The text of the bar. estimate: of the final number of triangles, 0 where unknown. Where the estimate was too low,
+/// The text of the bar. `estimate`: the estimated final number of triangles, 0 if unknown. If the estimate was too low,
 /// the bar stays at 99 %.
 [[nodiscard]] std::string progress_line(std::uint64_t triangles, double estimate, double seconds);
 
@@ -22,7 +22,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Redraws at most ten times a second, so it is cheap to call. estimate: 0 while unknown.
+  /// Redraws at most ten times a second, so frequent calls are cheap. `estimate`: as in progress_line().
   void update(std::uint64_t triangles, double estimate);
 
  private:

@@ -7,8 +7,8 @@
 namespace pardel::cli {
 namespace {
 
-/// Vertex `old` becomes vertex `number[old]`, or is removed where that is no_index. The numbers are distinct and below
-/// `count`. The caller fills the data of vertices that get no number.
+/// Vertex `old` becomes vertex `number[old]`; it is removed if `number[old]` is no_index. The new numbers are distinct
+/// and below `count`. The caller fills the data of new vertices that no old vertex becomes.
 void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
   const std::size_t width = mesh.attributes_per_point;
   Array<Point> points(count);

@@ -12,9 +12,9 @@ namespace pardel::cli {
 /// order. O(n).
 void remove_unused_vertices(Mesh& mesh);
 
-/// For a mesh of the domain that repair() made of `original`, with Repaired::point_map. Numbers the vertices as in the
-/// original: its points come first, in their order. Of points that repair() merged, the first one becomes the vertex;
-/// the others become vertices without a triangle. O(n).
+/// Numbers the vertices of a mesh as in the domain `original`. The mesh was made from the domain that repair() made of
+/// `original`; `point_map` is Repaired::point_map. The points of `original` come first, in their order. If repair()
+/// merged several points, the first one becomes the vertex; the others become vertices without a triangle. Time O(n).
 void restore_numbering(Mesh& mesh, const Pslg& original, std::span<const Index> point_map);
 
 }  // namespace pardel::cli

@@ -17,12 +17,13 @@ namespace {
 std::uint64_t peak_rss_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux gives the value in KiB
 }
 
 std::string plural(std::uint64_t n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
 
-/// The numbers of exemptions by reason, as "2 nestled, 1 seditious": the justified ones, or the others.
+/// The numbers of exempt triangles by reason, for example "2 nestled, 1 seditious": either those that are justified, or
+/// the others.
 std::string reasons(const Report& report, bool justified_ones) {
   std::string list;
   for (int i = 0; i < exempt_reasons; ++i) {
@@ -34,7 +35,7 @@ std::string reasons(const Report& report, bool justified_ones) {
 }
 
 nlohmann::ordered_json goal_json(const MeshRun& run) {
-  // The JSON library writes infinity, which stands for no cap, as null.
+  // The JSON library writes infinity (no cap) as null.
   return {{"min_angle_deg", run.goal.min_angle_deg},
           {"max_area", run.goal.max_area},
           {"max_edge", run.goal.max_edge},
@@ -61,7 +62,8 @@ nlohmann::ordered_json exemption_json(const Exemption& exemption) {
           {"input_angle_deg", angle}};
 }
 
-/// The lattice of tiles, the bounds on circumradii that the theory gives for it, and the triangles handed on.
+/// The lattice of tiles, its bounds on circumradii from the theory, and the number of triangles handed on (passed to
+/// another cell).
 nlohmann::ordered_json decomposition_json(const MeshRun& run) {
   const Tiling& tiling = run.report.tiling;
   Sweep sum;

@@ -41,12 +41,12 @@ struct MeshRun {
 };
 
 [[nodiscard]] std::string to_json(const MeshRun& run);
-/// A few lines.
+/// A summary of a few lines.
 [[nodiscard]] std::string to_text(const MeshRun& run);
 
-/// The triangles that miss the goal for a reason that no small input angle justifies: their number by reason, then the
-/// corners of the first `most` of them, then the number of the others. `all_in`, if not empty, is named as the place
-/// that lists all. Returns an empty text where there is no such triangle.
+/// Describes the triangles that miss the goal for a reason that no small input angle justifies: their number by reason,
+/// then the corners of the first `most` of them, then the number of the others. If `all_in` is not empty, the text
+/// names it as the place that lists all of them. Returns an empty text if there is no such triangle.
 [[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most,
                                         std::string_view all_in = {});
 

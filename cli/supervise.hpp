@@ -12,7 +12,7 @@ namespace pardel::cli {
 /// The error that an interrupted command returns.
 [[nodiscard]] Error interrupted();
 
-/// Returns work(options) with options.progress set: it draws the bar, and cancels the work at an interrupt.
+/// Returns work(options). Sets options.progress to a function that draws the bar and cancels the work at an interrupt.
 [[nodiscard]] Result<Meshed> supervise(const Interrupt& interrupt, ShowProgress show, Options options,
                                        const std::function<Result<Meshed>(const Options&)>& work);
 

@@ -16,7 +16,7 @@ Error unfit(const std::filesystem::path& report, const std::string& why) {
   return {ErrorKind::invalid_input, report.string() + ": " + why};
 }
 
-/// Throws nlohmann::json::exception where something is missing or of another type.
+/// Throws nlohmann::json::exception if a key is missing or a value has a wrong type.
 Result<Tiling> tiling_of(const nlohmann::json& json, const Mesh& mesh, const std::filesystem::path& report) {
   if (json.at("schema") != "pardel.report/1") return unfit(report, "the schema is not pardel.report/1");
   if (const auto triangles = json.at("mesh").at("triangles").get<std::size_t>(); triangles != mesh.triangles.size())

@@ -1,4 +1,5 @@
-// Colours for the triangles of a mesh by the tiles of the run of pardel mesh that made it.
+// Colours the triangles of a mesh by the tiles (cells of the finest lattice) of the `pardel mesh` run that made the
+// mesh.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +17,9 @@ enum class HueBy : std::uint8_t {
   thread,  ///< a hue for each thread, by the first that worked on the cell
 };
 
-/// For each triangle the hue, as write_svg() takes it, of the cell of the finest lattice that contains its centroid;
-/// no_hue where no thread worked on the cell. `report`: the report of the run, with the schema pardel.report/1. Any
-/// other file gives `invalid_input`.
+/// Returns a hue per triangle, as write_svg() takes it. The hue is that of the cell of the finest lattice that contains
+/// the centroid of the triangle; no_hue if no thread worked on the cell. `report`: the report of the run, with the
+/// schema pardel.report/1. Any other file is an `invalid_input` error.
 [[nodiscard]] Result<std::vector<std::uint16_t>> tile_hues(const Mesh& mesh, const std::filesystem::path& report,
                                                            HueBy by);
 

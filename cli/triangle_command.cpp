@@ -83,7 +83,7 @@ Goal goal_of(const TriangleSwitches& switches) {
   return goal;
 }
 
-/// Triangle goes on where points coincide or segments cross. So an invalid domain is repaired.
+/// Triangle accepts coinciding points and crossing segments. Therefore this function repairs an invalid domain.
 Result<Input> read_points(const TriangleSwitches& switches) {
   const fs::path file = switches.name + (switches.poly ? ".poly" : ".node");
   say(switches, fmt::format("Opening {}.", file.string()));
@@ -141,7 +141,7 @@ Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, c
   });
 }
 
-/// True where the goal is missed only because of limits that the switches set.
+/// True if the goal is missed only because of limits that the switches set.
 bool missed_by_request(const TriangleSwitches& switches, const Report& report) {
   return report.count(ExemptReason::precision) == 0 && report.count(ExemptReason::min_edge) == 0 &&
          (report.count(ExemptReason::budget) == 0 || switches.max_steiner_points) &&

@@ -32,7 +32,7 @@ bool begins_with_number(std::string_view rest) {
   return !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 || rest[0] == '.');
 }
 
-/// The purpose of a switch of Triangle that is not supported; null for any other letter.
+/// What a switch of Triangle does that pardel does not support; null for any other letter.
 const char* unsupported(char letter) {
   switch (letter) {
     case 'u':
@@ -136,7 +136,7 @@ Status take_switch(TriangleSwitches& s, std::string_view& rest) {
   }
 }
 
-/// The suffix of FILE acts as a switch.
+/// Sets the switch that the suffix of FILE implies.
 void take_suffix(TriangleSwitches& s) {
   constexpr std::array<std::string_view, 4> suffixes = {".node", ".poly", ".ele", ".area"};
   for (const std::string_view suffix : suffixes) {

@@ -42,7 +42,7 @@ struct TriangleSwitches {
   std::string name;                                      ///< FILE without its suffix .node, .poly, .ele or .area
 };
 
-/// All arguments together make up the switches. Error: `usage`; the message names the switch.
+/// Parses all arguments as one list of switches. Error: `usage`; the message names the switch.
 [[nodiscard]] Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>& arguments);
 
 }  // namespace pardel::cli

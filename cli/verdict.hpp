@@ -1,4 +1,4 @@
-// The evaluation of a certificate by the program.
+// How the program evaluates and prints a certificate.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace pardel::cli {
 
-/// At most so many triangles or violations are listed on stderr. The counts include all of them.
+/// The largest number of triangles or violations that are listed on stderr. The counts include all of them.
 inline constexpr std::size_t most_listed = 10;
 
-/// True for the kinds that a valid mesh has where it misses a bound of the goal.
+/// True for the kinds of violations that a valid mesh has if it misses a bound of the goal.
 [[nodiscard]] bool is_missed_bound(ViolationKind kind);
 
-/// True where is_missed_bound() holds for every violation.
+/// True if is_missed_bound() holds for every violation.
 [[nodiscard]] bool only_bounds_missed(const Certificate& certificate);
 
 /// The number of violations by kind, then the first `most` of them, one per line.

@@ -13,8 +13,8 @@
 
 namespace pardel {
 namespace detail {
-/// realloc for blocks of any size. Returns nullptr if there is not enough memory; the old block then remains valid.
-/// A large block is a mapping of its own. It grows without copying, and uses huge pages if the system has them.
+/// Like realloc, for blocks of any size. Returns nullptr if memory is short; the old block then remains valid. A large
+/// block has its own memory mapping: it grows without copying, and uses huge pages if the system has them.
 [[nodiscard]] void* grow_block(void* block, std::size_t old_bytes, std::size_t new_bytes);
 void free_block(void* block, std::size_t bytes);
 }  // namespace detail
@@ -69,7 +69,7 @@ class Array {
   [[nodiscard]] std::span<T> span() { return {data_, size_}; }
   [[nodiscard]] std::span<const T> span() const { return {data_, size_}; }
 
-  /// Reserves memory for n elements; growth up to n elements then moves nothing. Never shrinks. Throws std::bad_alloc.
+  /// Reserves memory for n elements, so growth up to n elements moves no element. Never shrinks. Throws std::bad_alloc.
   void reserve(std::size_t n) {
     if (n <= capacity_) return;
     if (n > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
@@ -95,8 +95,8 @@ class Array {
     for (std::size_t i = size_; i < n; ++i) data_[i] = copy;
     size_ = n;
   }
-  /// New elements are not initialised (in a large block that has not been used before they are zero bytes). Pages of a
-  /// large block that are never written take no memory.
+  /// New elements are not initialised. In a large block, memory that was never used before contains zero bytes. Pages
+  /// of a large block that are never written take no memory.
   void resize_uninitialised(std::size_t n) {
     if (n > capacity_) reserve(grown_capacity(n));
     size_ = n;

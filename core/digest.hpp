@@ -15,7 +15,7 @@ struct Digest {
 };
 
 /// The sum modulo 2^128 of one 128-bit hash per triangle and one per constrained edge. Each hash is computed from a
-/// sequence of 64-bit words; a coordinate or an attribute is a word with the bits of the double, and -0 counts as 0.
+/// sequence of 64-bit words. A coordinate or an attribute is one word, the bits of the double; -0 counts as 0.
 ///   triangle: x, y of its corners in their order (counter-clockwise in a valid mesh), starting at the
 ///             lexicographically least corner; then its region's attribute, 0 if it has no region. kind = 3.
 ///   edge:     x, y of its ends, the lexicographically least end first; then its marker as int64. kind = 2.

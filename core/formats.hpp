@@ -1,7 +1,7 @@
 // Readers and writers of files: Triangle's formats, VTU, Gmsh's MSH, OFF, SVG. Numbers are written with enough digits
-// to read back the same double. A writer never leaves a partial file under the final name: it writes `NAME.partial` in
-// the same folder and renames it on success. A target that is not a regular file, such as /dev/stdout, is written
-// directly. Every error message names the file; for text files it also names the line.
+// to read back the same double. A writer never leaves a partial file under the final name: it writes to `NAME.partial`
+// in the same folder and renames this file on success. A target that is not a regular file, such as /dev/stdout, is
+// written directly. Every error message names the file; for text files it also names the line.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace pardel {
 /// ignored. Coordinates and attributes must be finite. Text after the fields of a line, or after the last section, is
 /// ignored.
 [[nodiscard]] Result<Pslg> read_pslg(const std::filesystem::path& file);
-/// Reads a .poly from `text`; messages call the file `name`. A .poly whose points are in a .node is an error.
+/// Reads a .poly from `text`; messages use `name` as the file name. A .poly whose points are in a .node is an error.
 [[nodiscard]] Result<Pslg> parse_poly(std::string_view text, const std::string& name);
 
 /// base: the number of the first vertex in Triangle's files, 0 or 1.
@@ -45,8 +45,8 @@ namespace pardel {
 
 enum class MshEncoding : std::uint8_t { ascii, binary };
 
-/// Writes a mesh in the format of the suffix. .node or .ele writes .node, .ele and .poly, all of them or, on an error,
-/// none; .vtu; .msh in the encoding `msh`; .off; .svg.
+/// Writes a mesh; the suffix of `file` determines the format. Suffix .node or .ele: writes .node, .ele and .poly,
+/// either all of them or, after an error, none. Suffix .msh: uses the encoding `msh`. Other suffixes: .vtu, .off, .svg.
 /// Preconditions of this and all other writers of meshes: indices are in range, and arrays per point and per triangle
 /// have the right lengths; for .edge, .neigh and second order, Triangle::n is correct.
 [[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
@@ -70,17 +70,17 @@ struct TriangleFiles {
   bool holes = true;          ///< in the .poly
   bool second_order = false;  ///< .ele with six nodes per triangle; the middle nodes of edges end the .node
 };
-/// Writes stem.node, stem.ele and so on, as selected by `files`. If the mesh has no markers of points, a point gets the
-/// first non-zero marker of its constrained edges.
+/// Writes stem.node, stem.ele and so on, as selected by `files`. If the mesh has no point markers, the marker of a
+/// point is the first non-zero marker of the constrained edges at the point.
 [[nodiscard]] Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& stem,
                                           const TriangleFiles& files);
 
-/// Reads Triangle's .area file: one area cap per triangle. A value that is not positive means no cap, +infinity.
+/// Reads Triangle's .area file: one area cap per triangle. A value <= 0 means no cap and becomes +infinity.
 [[nodiscard]] Result<std::vector<double>> read_area(const std::filesystem::path& file);
 /// Writes an .area file. Cap i belongs to triangle base + i; +infinity is written as -1. Precondition: caps are
 /// positive.
 [[nodiscard]] Status write_area(const std::filesystem::path& file, std::span<const double> caps, int base = 1);
-/// Reads one positive number per input vertex, in the manner of Triangle's files: a line `n`, then n lines `i size`.
+/// Reads one positive number per input vertex. Format, as in Triangle's files: a line `n`, then n lines `i size`.
 [[nodiscard]] Result<std::vector<double>> read_sizes(const std::filesystem::path& file);
 
 /// Writes MSH 4.1. Each attribute of a region and each marker becomes a physical group named `region X` or `marker N`;
@@ -94,7 +94,7 @@ struct TriangleFiles {
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
 /// Draws the mesh. The colour of a triangle depends on its region.
 [[nodiscard]] Status write_svg(const Mesh& mesh, const std::filesystem::path& file);
-/// In place of a hue: the triangle is white.
+/// Used instead of a hue: the triangle is drawn in white.
 inline constexpr std::uint16_t no_hue = 360;
 /// Draws the mesh; triangle i has the hue hues[i], in degrees below 360, or no_hue. Precondition: one hue per triangle.
 [[nodiscard]] Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues,

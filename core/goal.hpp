@@ -17,15 +17,15 @@ struct Goal {
   double max_area = std::numeric_limits<double>::infinity();
   /// The longest edge, in units of the coordinates, > 0.
   double max_edge = std::numeric_limits<double>::infinity();
-  /// True: Region::max_area bounds the areas of a region's triangles. False: it is ignored.
+  /// True: the triangles of a region have at most the area Region::max_area. False: Region::max_area is ignored.
   bool region_caps = true;
-  /// Sizing: the longest edge allowed near a point, > 0. A triangle is too large when its longest edge exceeds
+  /// Sizing: returns the longest edge allowed near a point, > 0. A triangle is too large if its longest edge exceeds
   /// size(centroid). Empty: no such bound. The function must be pure and callable from several threads at once.
   std::function<double(Point)> size{};
   /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh
   /// must be constrained Delaunay.
   bool conforming = false;
-  /// True: the domain is the convex hull of the points. This is implied when the Pslg has no segments.
+  /// True: the domain is the convex hull of the points. A Pslg without segments always has this domain.
   bool convex_hull = false;
 };
 

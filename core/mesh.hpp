@@ -9,17 +9,17 @@
 
 namespace pardel {
 
-/// v: the corners, counter-clockwise. n: the neighbours; n[i] is the triangle beyond the edge opposite v[i], that is
-/// the edge from v[(i+1)%3] to v[(i+2)%3], or no_index if there is none.
+/// v: the corners, counter-clockwise. n: the neighbours. n[i] is the triangle on the other side of the edge opposite
+/// v[i], which joins v[(i+1)%3] and v[(i+2)%3], or no_index if there is no triangle.
 struct Triangle {
   std::array<Index, 3> v{no_index, no_index, no_index};
   std::array<Index, 3> n{no_index, no_index, no_index};
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
-/// An edge of the mesh that may not be flipped. It is a piece of an input segment, or an edge of the convex hull if the
-/// hull is the domain; then segment == no_index. The marker follows Triangle's rule: it is the segment's own marker if
-/// that is not zero, else 1 on the boundary of the domain, else 0.
+/// An edge of the mesh that may not be flipped: a piece of an input segment or, if the domain is the convex hull, an
+/// edge of the hull, which has segment == no_index. The marker follows Triangle's rule: it is the segment's own marker
+/// if that is not zero; otherwise it is 1 on the boundary of the domain and 0 elsewhere.
 struct ConstrainedEdge {
   Index a = 0;
   Index b = 0;
@@ -28,8 +28,9 @@ struct ConstrainedEdge {
   friend bool operator==(const ConstrainedEdge&, const ConstrainedEdge&) = default;
 };
 
-/// The origin of a vertex, in Mesh::origin: an input point, a point inserted inside a face, a point inserted on an edge
-/// of the convex hull that is no segment, or, any smaller value, the index of the segment on which it was inserted.
+/// Values of Mesh::origin. input_vertex: an input point. interior_vertex: a point inserted inside a face. hull_vertex:
+/// a point inserted on an edge of the convex hull that is not a segment. Any smaller value: the index of the segment on
+/// which the point was inserted.
 inline constexpr Index input_vertex = no_index;
 inline constexpr Index interior_vertex = no_index - 1;
 inline constexpr Index hull_vertex = no_index - 2;
@@ -42,9 +43,9 @@ struct Mesh {
   std::vector<double> region_attributes;
   std::vector<ConstrainedEdge> constrained_edges;
   std::size_t attributes_per_point = 0;
-  Array<double> point_attributes;  ///< row by row
+  Array<double> point_attributes;  ///< point by point: points.size() * attributes_per_point numbers
   Array<int> point_markers;        ///< empty, or one per point
-  FirstId first_id{};              ///< of the file that the mesh was read from
+  FirstId first_id{};              ///< the number of the first point in the file of the mesh
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

@@ -7,13 +7,13 @@
 
 namespace pardel {
 
-/// The largest number of triangles whose sides can be numbered by an Index.
+/// The largest number of triangles whose sides, three per triangle, can be numbered by an Index.
 inline constexpr std::size_t max_mesh_triangles = (no_index - 1) / 3;
 
-/// Computes Triangle::n of all triangles from Triangle::v; the orientation of the triangles does not matter. If more
-/// than two triangles share an edge, the two with the smallest indices are neighbours, and the others, called surplus,
-/// get no_index there. A triangle is never its own neighbour. Returns the number of surplus sides, which is 0 if the
-/// mesh is a manifold.
+/// Computes Triangle::n of all triangles from Triangle::v. The orientation of the triangles does not matter. If more
+/// than two triangles share an edge, the two triangles with the smallest indices become neighbours; the sides of the
+/// other triangles at this edge are called surplus and get no_index. A triangle is never its own neighbour. Returns the
+/// number of surplus sides, which is 0 if the mesh is a manifold.
 /// Time O(triangles + points); extra memory 12 bytes per triangle and 8 bytes per point.
 /// Preconditions: every corner < points, and triangles.size() <= max_mesh_triangles.
 std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points);

@@ -27,28 +27,28 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-/// A face of a Pslg with an attribute and an area cap for its triangles.
+/// A face of a Pslg, with an attribute and an area cap for the triangles in the face.
 struct Region {
   Point seed;  ///< a point inside the face
   double attribute = 0;
-  double max_area = std::numeric_limits<double>::infinity();  ///< > 0; files write no cap as a number <= 0
+  double max_area = std::numeric_limits<double>::infinity();  ///< > 0; in files, a number <= 0 means no cap
   friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// The number of the first point in the file that a Pslg or a Mesh was read from: 0 or 1. It serves messages, which
-/// number points, segments, holes and regions as the file does, and changes no result. Therefore any two are equal.
+/// The number of the first point, 0 or 1, in the file that a Pslg or a Mesh was read from. Only messages use it: they
+/// number points, segments, holes and regions as the file does. No result depends on it, so all values compare equal.
 struct FirstId {
   int value = 0;
   friend constexpr bool operator==(FirstId, FirstId) { return true; }
 };
 
-/// Triangle's model of a domain. Segments meet only at common end points. The parts of the plane that the exterior or
-/// a hole reaches without crossing a segment do not belong to the domain. A Pslg without segments stands for the
-/// convex hull of its points. A Pslg may hold anything; validate() in parallel/validate.hpp finds what is wrong.
+/// Triangle's model of a domain. Segments meet only at common end points. A place is outside the domain if infinity or
+/// a hole point can be reached from it without crossing a segment. A Pslg without segments stands for the convex hull
+/// of its points. A Pslg may contain invalid data; validate() in parallel/validate.hpp finds the problems.
 struct Pslg {
   std::vector<Point> points;
   std::size_t attributes_per_point = 0;
-  std::vector<double> point_attributes;  ///< row by row: points.size() * attributes_per_point numbers
+  std::vector<double> point_attributes;  ///< point by point: points.size() * attributes_per_point numbers
   std::vector<int> point_markers;        ///< empty, or one per point
   std::vector<Segment> segments;
   bool has_segment_markers = false;

@@ -1,5 +1,5 @@
-// Errors as values. A function that can fail because of its input returns Result<T>. It does not print, does not exit
-// and throws nothing except std::bad_alloc, which the outermost callers turn into an error of kind `resources`.
+// Errors as values. A function that can fail because of its input returns Result<T>. It does not print and does not
+// exit. It throws only std::bad_alloc, which the outermost callers turn into an error of kind `resources`.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ enum class ErrorKind : std::uint8_t {
   internal,       ///< a self-check of the program failed: the program is wrong, not the input
 };
 
-/// `message` is one complete sentence or several lines. It names the file and line, or the ids and coordinates.
+/// `message` is one complete sentence or several lines. It names the file and the line, or the ids and the coordinates.
 struct Error {
   ErrorKind kind = ErrorKind::invalid_input;
   std::string message;

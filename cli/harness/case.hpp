@@ -15,7 +15,7 @@ namespace pardel::harness {
 using generators::Family;
 using generators::LatticeDomain;
 
-/// The domain number `index` of a family, for a seed. Its text form is SEED:FAMILY:INDEX.
+/// Identifies the domain number `index` of a family for a seed. Its text form is SEED:FAMILY:INDEX.
 struct CaseId {
   std::uint64_t seed = 1;
   Family family = Family::general_position;
@@ -26,7 +26,7 @@ struct CaseId {
 [[nodiscard]] Result<CaseId> parse_case(const std::string& text);
 [[nodiscard]] Result<Family> parse_family(std::string_view text);
 
-/// Makes the domain. It depends on the id only, not on other cases and not on the list of families.
+/// Generates the domain. The result depends only on the id, not on other cases or on the list of families.
 [[nodiscard]] LatticeDomain make_case(const CaseId& id);
 
 /// Returns `count` cases that go through the families in turn. Precondition: `families` is not empty.

@@ -17,7 +17,7 @@ std::string file_name(std::string kind) {
   return kind;
 }
 
-/// Draws the domain, the mesh behind it if it can be read, and red dots at the places of the violations.
+/// Draws the mesh (if it can be read), the domain on top of it, and a red dot at the place of each violation.
 Status draw(const Pslg& pslg, const fs::path& mesh_file, const Outcome& outcome, const fs::path& svg) {
   drawing::Picture picture;
   if (const Result<Mesh> mesh = read_mesh(mesh_file)) {

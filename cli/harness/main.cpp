@@ -29,7 +29,7 @@ std::string quoted(const std::string& word) {
              : '\'' + replaced(word, "'", R"('\'')") + '\'';
 }
 
-/// The command line that repeats a case, without the case.
+/// The command line that repeats a case; the caller appends the case.
 std::string replay_line(const Options& options) {
   std::string line = "pardel-harness --mesher " + quoted(options.mesher);
   if (options.format != "ele") line += " --format " + options.format;
@@ -61,7 +61,7 @@ ReportCard blank_card(const Options& options, const Mesher& mesher) {
   return card;
 }
 
-/// Reports outputs that cannot be written before any case runs.
+/// Reports unwritable outputs before any case runs.
 Status check_outputs(const Options& options) {
   for (const auto& file : {options.report, options.json}) {
     if (Status fine = cli::check_folder(file); !fine) return fine;

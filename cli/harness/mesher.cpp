@@ -26,7 +26,7 @@ struct Adaptor {
 
 const std::vector<Adaptor>& adaptors() {
   static const std::vector<Adaptor> all = {
-      // Exit code 4 of pardel: it wrote a mesh that misses a bound. The checker decides about that mesh.
+      // Exit code 4 of pardel means: it wrote a mesh that misses a bound. The checker examines this mesh.
       {"pardel",
        "pardel mesh {poly} -o {out} --quiet --min-angle {min-angle}",
        " --max-area {max-area}",
@@ -58,7 +58,7 @@ bool is_program(const fs::path& file) {
   return access(file.c_str(), X_OK) == 0 && !fs::is_directory(file, ignored);
 }
 
-/// The program's path, or an empty path if it is not on the PATH.
+/// The path of a program that is on the PATH; empty if there is none.
 fs::path on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   const std::string folders = path != nullptr ? path : "";
@@ -71,7 +71,8 @@ fs::path on_path(const std::string& program) {
   return {};
 }
 
-/// The path of a program of this project: in the folder of this program, or, for the benchmarks', in ../bench.
+/// The path of a program of this project. It is in the folder of this program or, if it belongs to the benchmarks, in
+/// ../bench.
 fs::path beside_this_program(const std::string& program) {
   std::error_code ignored;
   const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();

@@ -17,16 +17,16 @@ struct Mesher {
   std::string title;                  ///< for the report: the command of the user or of the adaptor
 };
 
-/// `command` is the name of an adaptor ("pardel", "cgal", "gmsh", "triangle"), whose program must be in the folder of
-/// this program, or a command line that split_words() splits. `suffix`: the format that a command line writes; adaptors
-/// have their own. `with_area`: the goal has an area bound. Errors: `io` if the program does not exist, `usage` if the
-/// command line has no {poly}.
+/// Finds a mesher. `command` is either the name of an adaptor ("pardel", "cgal", "gmsh", "triangle"), whose program
+/// must be in the folder of this program, or a command line that split_words() splits. `suffix`: the format that a
+/// command line writes; an adaptor has its own. `with_area`: the goal has an area bound. Errors: `io` if the program
+/// does not exist, `usage` if the command line has no {poly}.
 [[nodiscard]] Result<Mesher> find_mesher(const std::string& command, const std::string& suffix, bool with_area);
 
-/// The adaptors with their commands, a line each.
+/// The adaptors with their commands, one per line.
 [[nodiscard]] std::string adaptors_text();
 
-/// The command for one case: replaces {poly}, {out}, {min-angle} and {max-area}. Numbers are exact, without exponents.
+/// The command for one case: replaces {poly}, {out}, {min-angle}, {max-area}. Numbers are exact and have no exponents.
 [[nodiscard]] std::vector<std::string> command(const Mesher& mesher, const std::filesystem::path& poly,
                                                const std::filesystem::path& out, const Goal& goal);
 

@@ -47,7 +47,7 @@ std::string list_of_families() {
   return text;
 }
 
-/// A callback of CLI11 that parses words into `values`. If a word is wrong, the message is that of parse_one.
+/// A callback of CLI11 that parses words into `values`. If a word is invalid, the error message comes from parse_one.
 template <class Value>
 CLI::callback_t into(std::vector<Value>& values, Result<Value> (*parse_one)(const std::string&)) {
   return [&values, parse_one](const CLI::results_t& words) {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t longest_cell = 140;
 
-/// The message as a cell of a table: without bars, which would end the cell, and shortened. The JSON has all of it.
+/// The message as a cell of a table: shortened, and without bars, which would end the cell. The JSON report has the
+/// full text.
 std::string cell(const FailureKind& kind) {
   std::string text = kind.message;
   if (text.starts_with(kind.kind + ": ")) text.erase(0, kind.kind.size() + 2);

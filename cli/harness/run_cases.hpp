@@ -15,8 +15,8 @@ namespace pardel::harness {
 [[nodiscard]] Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::size_t)>& work);
 
 /// Runs the mesher on every case and returns the outcomes in the order of the cases. Each case has its own folder below
-/// `work`, which is removed unless `keep`. After each case, `done` is called with the number of finished cases, from
-/// any thread.
+/// `work`; the folder is removed afterwards unless `keep` is true. After each case, one of the threads calls `done`
+/// with the number of finished cases.
 [[nodiscard]] Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int jobs,
                                                      const std::filesystem::path& work, bool keep,
                                                      const std::function<void(std::size_t)>& done);

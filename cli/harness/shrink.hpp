@@ -15,8 +15,8 @@ struct Shrunk {
   bool smallest = false;  ///< no simpler domain fails; false if the runs were used up
 };
 
-/// Replaces the domain by its first simpler domain that fails, until there is none, with at most max_runs calls of
-/// `fails`. If `fails` returns an error, so does shrink.
+/// Replaces the domain by the first of its simpler domains that fails, and repeats this until no simpler domain fails
+/// or `fails` was called max_runs times. If `fails` returns an error, shrink() returns this error.
 [[nodiscard]] Result<Shrunk> shrink(LatticeDomain domain, std::size_t max_runs,
                                     const std::function<Result<bool>(const LatticeDomain&)>& fails);
 

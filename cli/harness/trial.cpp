@@ -16,14 +16,14 @@ namespace pardel::harness {
 namespace fs = std::filesystem;
 namespace {
 
-/// A shell whose child was ended by a signal exits with this number plus the signal.
+/// If a signal ended the child of a shell, the shell exits with this number plus the number of the signal.
 constexpr int shell_signal_base = 128;
 
-/// Signals of a crash, as opposed to signals that stop a program from outside.
+/// Signals that mean a crash. Other signals stop a program from outside.
 constexpr int crash_signals[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGKILL};
 
-/// The first line of the mesher's output that contains "error", else the last line. Names of files are without the
-/// folder.
+/// The first line of the mesher's output that contains "error", otherwise the last line. File names are shown without
+/// their folder.
 std::string telling_line(const fs::path& log, const fs::path& folder) {
   std::ifstream in(log);
   std::string telling;

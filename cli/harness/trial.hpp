@@ -28,7 +28,7 @@ struct Trials {
 
 /// The input file in a trial's folder.
 [[nodiscard]] std::filesystem::path input_in(const std::filesystem::path& folder);
-/// domain.1.SUFFIX in the folder of domain.poly: the name that Triangle chooses itself.
+/// The output file: domain.1.SUFFIX in the folder of domain.poly. Triangle always chooses this name.
 [[nodiscard]] std::filesystem::path output_in(const std::filesystem::path& folder, const Mesher& mesher);
 
 /// Runs the mesher in `folder`, which is emptied first. An error (io, resources, cancelled) comes from the harness

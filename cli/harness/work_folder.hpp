@@ -7,7 +7,7 @@
 
 namespace pardel::harness {
 
-/// make() creates it in the system's folder for temporary files; the destructor removes it with its contents.
+/// make() creates the folder in the system's folder for temporary files. The destructor removes it with its contents.
 class WorkFolder {
  public:
   WorkFolder() = default;
@@ -22,7 +22,7 @@ class WorkFolder {
   std::filesystem::path path_;
 };
 
-/// Creates a folder if it does not exist. An error if files cannot be created in it.
+/// Creates the folder if it does not exist. Returns an error if no files can be created in it.
 [[nodiscard]] Status make_folder(const std::filesystem::path& folder);
 
 }  // namespace pardel::harness
