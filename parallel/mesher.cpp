@@ -27,15 +27,15 @@ Status check_valid(const Pslg& pslg, bool convex_hull, int threads) {
   return Error{ErrorKind::invalid_input, messages(problems, pslg.first_id.value)};
 }
 
-/// The shortest edge that double precision can hold: coordinates near 2^k are 2^(k-53) apart, and an edge 2^11 times as
-/// long has an angle with three correct digits.
+/// The shortest edge for which double precision suffices: coordinates near 2^k are 2^(k-53) apart. The direction of an
+/// edge 2^11 times as long has three correct digits.
 double least_min_edge(std::span<const Point> points) {
   double largest = 0;
   for (const Point p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   return largest * 0x1p-42;
 }
 
-/// The data of the input that the result carries, too.
+/// The data of the input that the result contains, too.
 struct InputData {
   std::vector<double> region_attributes;
   PointData points;
@@ -47,7 +47,7 @@ Mesh to_mesh(DomainTriangulation&& domain, InputData input, int threads) {
                      threads);
 }
 
-/// Passes each snapshot as a mesh to options.after_sweep.
+/// A watcher that converts each snapshot to a mesh and calls options.after_sweep with it.
 Watcher watcher(const DomainTriangulation& domain, const InputData& input, const Options& options) {
   if (!options.after_sweep) return {};
   return [&](Triangulation&& snapshot, const Sweep& sweep) {
@@ -74,7 +74,7 @@ Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, cons
   return Done{};
 }
 
-/// The mesh of a valid Pslg; its constrained Delaunay triangulation where `goal` is null.
+/// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
 Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options) {
   Stopwatch watch;
   Meshed result;

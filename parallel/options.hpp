@@ -12,7 +12,7 @@
 
 namespace pardel {
 
-/// Where the point goes that splits a bad triangle.
+/// The position of the point that splits a bad triangle.
 enum class Placement : std::uint8_t {
   circumcentre,
   /// On the line from the shortest edge to the circumcentre, no further from the edge than the bounds on angles or
@@ -30,7 +30,7 @@ enum class Decomposition : std::uint8_t {
 };
 
 struct Progress {
-  std::uint64_t triangles = 0;  ///< so far, approximately: an insertion counts as two triangles; never decreases
+  std::uint64_t triangles = 0;  ///< current number, approximately: an insertion counts as two; it never decreases
   double estimate = 0;          ///< estimated final number of triangles; 0 while unknown
 };
 
@@ -42,14 +42,14 @@ struct Options {
   /// four tiles. By default the triangles of a box, with their vertices, fill a second-level cache of 1 MiB. Another
   /// number gives another mesh.
   std::uint32_t triangles_per_tile = 8'000;
-  /// Columns and rows of the finest lattice of tiles; 0: chosen by work. With Decomposition::paper there may be fewer,
-  /// because r̄ limits their number. Another number gives another mesh.
+  /// Columns and rows of the finest lattice of tiles; 0: the expected work determines them. With Decomposition::paper
+  /// there may be fewer, because r̄ limits their number. Another number gives another mesh.
   std::array<Index, 2> cells{0, 0};
-  /// No vertex is inserted once the mesh has so many; 0: no limit.
+  /// As soon as the mesh has this number of vertices, no vertex is inserted any more; 0: no limit.
   std::uint64_t max_vertices = 0;
-  /// In bytes, at 80 bytes per vertex with its two triangles; 0: no limit. ErrorKind::resources is returned at the
-  /// start where the mesh that the area and size bounds require cannot fit, and later as soon as the mesh exceeds the
-  /// limit.
+  /// A limit on memory in bytes; 0: no limit. A vertex with its two triangles counts as 80 bytes. The mesher returns
+  /// ErrorKind::resources at the start if the mesh that the area and size bounds require cannot fit, and later as soon
+  /// as the mesh exceeds the limit.
   std::uint64_t max_memory = 0;
   /// No point is inserted that would make an edge shorter than this, or shorter than 2^-42 times the largest
   /// coordinate, the limit of double precision. A length >= 0.

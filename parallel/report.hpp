@@ -11,14 +11,15 @@ namespace pardel {
 /// One pass over the cells of a lattice. Cells have four colours; the cells of one colour are refined in parallel, one
 /// task per cell.
 struct Sweep {
-  Index columns = 1, rows = 1;  ///< of the lattice
-  std::uint64_t inserted = 0;   ///< number of vertices
-  /// Bad triangles that tasks handed on: a task left them to a later task. By reason:
+  Index columns = 1, rows = 1;  ///< size of the lattice
+  std::uint64_t inserted = 0;   ///< number of vertices inserted
+  /// The numbers of bad triangles that were handed on, by reason. A task hands a triangle on if it leaves the triangle
+  /// to a later task.
   std::uint64_t to_other_cells = 0;  ///< the split point lies in another cell
   std::uint64_t beyond_box = 0;      ///< the cavity of the split point leaves the box of its cell
   std::uint64_t out_of_numbers = 0;  ///< the task had no indices left for new vertices or triangles
-  /// Those of beyond_box, with Decomposition::paper, that contradict theorem T1 (THEORY.md). Always 0, because one such
-  /// triangle ends the refinement with ErrorKind::internal.
+  /// With Decomposition::paper: the number of triangles of beyond_box that contradict theorem T1 (THEORY.md). Always 0,
+  /// because one such triangle ends the refinement with ErrorKind::internal.
   std::uint64_t against_promise = 0;
   double seconds = 0;
 
@@ -28,7 +29,7 @@ struct Sweep {
 /// Why a triangle that does not satisfy the goal was not split.
 enum class ExemptReason : std::uint8_t {
   nestled,       ///< its smallest angle lies between two input segments
-  seditious,     ///< its shortest edge joins two points at the same distance from an apex with an angle below 60°
+  seditious,     ///< its shortest edge joins two segments at equal distances from their common end; angle below 60°
   budget,        ///< Options::max_vertices was reached
   min_edge,      ///< a split would make an edge shorter than Options::min_edge
   precision,     ///< no point that double precision can represent splits it validly
@@ -37,7 +38,7 @@ enum class ExemptReason : std::uint8_t {
 inline constexpr int exempt_reasons = 6;  ///< number of enumerators
 /// The enumerator as text: "nestled".
 [[nodiscard]] const char* name(ExemptReason reason);
-/// True for the reasons that a small input angle makes unavoidable: nestled and seditious.
+/// True for the reasons that result from a small input angle and are unavoidable: nestled and seditious.
 [[nodiscard]] constexpr bool justified(ExemptReason reason) {
   return reason == ExemptReason::nestled || reason == ExemptReason::seditious;
 }
@@ -54,14 +55,14 @@ struct Tiling {
   Index columns = 1, rows = 1;  ///< of the finest lattice
   double cell_width = 0, cell_height = 0;
   Point low, high;  ///< corners of the rectangle that the lattice divides
-  /// For each cell of the finest lattice the first thread, from 0, that worked on it; -1: none. Row by row from the
-  /// lowest. Apart from times, only this may differ from run to run.
+  /// For each cell of the finest lattice the first thread, from 0, that worked on it; -1: none. The lowest row comes
+  /// first. Only this list and the times may differ from run to run.
   std::vector<std::int16_t> thread_of_cell;
   std::uint64_t vertices_before = 0;  ///< number of vertices inserted on coarser lattices
   double largest_radius = 0;          ///< r̄, the largest circumradius when work on the finest lattice began
   double radius_by_t3 = 0;        ///< the bound on r̄ by T3 (THEORY.md), from the largest ratio and area at that time
   double radius_by_t3_sharp = 0;  ///< the bound by T3-sharp
-  std::vector<Sweep> sweeps;      ///< in order, those of coarser lattices included
+  std::vector<Sweep> sweeps;      ///< in order, including the sweeps on coarser lattices
 
   /// The cell of the finest lattice that contains the point, or the nearest cell. Cells are numbered row by row from
   /// the lowest.
@@ -77,9 +78,9 @@ struct Report {
   std::uint64_t refused = 0;
   std::vector<Exemption> exempt;  ///< the triangles that do not satisfy the goal, in ascending order
   Tiling tiling;
-  double validate_seconds = 0;     ///< 0 where the mesher was given a ValidPslg
+  double validate_seconds = 0;     ///< 0 if the input was a ValidPslg
   double triangulate_seconds = 0;  ///< for the constrained Delaunay triangulation of the input
-  double refine_seconds = 0;       ///< for the refinement and for making the Mesh
+  double refine_seconds = 0;       ///< for the refinement and the conversion to a Mesh
 
   /// The number of exemptions with this reason.
   [[nodiscard]] std::uint64_t count(ExemptReason reason) const;

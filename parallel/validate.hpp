@@ -16,21 +16,21 @@ enum class ProblemKind : std::uint8_t {
   non_finite_coordinate,
   coordinate_out_of_range,  ///< magnitude above 2^200, or below 2^-140 and not zero
   wrong_count,              ///< the number of attributes or markers does not fit the number of points
-  index_out_of_range,       ///< an end of a segment is no point
+  index_out_of_range,       ///< an end of a segment is not the index of a point
   duplicate_points,
   zero_length_segment,
   duplicate_segments,
-  crossing_segments,     ///< in a point that is interior to both; `where` is that point, rounded
-  overlapping_segments,  ///< collinear, with more than one common point
-  point_on_segment,      ///< a point in the interior of a segment
+  crossing_segments,     ///< two segments cross at a point interior to both; `where` is this point, rounded
+  overlapping_segments,  ///< two segments are collinear and have more than one common point
+  point_on_segment,      ///< a point lies in the interior of a segment
   all_points_collinear,  ///< also reported for fewer than three points
   unclosed_outline,      ///< no segments enclose a face, so there is no domain
   no_domain,             ///< every face contains a hole
-  hole_outside,          ///< in no bounded face, or at a coordinate that exact arithmetic cannot use
+  hole_outside,          ///< the hole is in no bounded face, or exact arithmetic cannot use its coordinates
   hole_on_segment,
-  region_outside,  ///< in no face of the domain, or at a coordinate that exact arithmetic cannot use
+  region_outside,  ///< the seed is in no face of the domain, or exact arithmetic cannot use its coordinates
   region_on_segment,
-  regions_share_face,  ///< two regions with seeds in one face
+  regions_share_face,  ///< two regions have their seeds in the same face
   bad_region_cap,      ///< an area cap that is zero, negative or NaN
 };
 /// The enumerator as text: "duplicate_points".
@@ -53,18 +53,18 @@ struct Problem {
 
 struct ValidateOptions {
   /// The domain is the convex hull of the points. An unclosed outline is then no problem. A Pslg without segments
-  /// always stands for the convex hull.
+  /// always describes the convex hull.
   bool convex_hull = false;
-  /// At most so many problems of each kind are returned. The number of crossings can be quadratic, so the search for
-  /// crossing_segments, overlapping_segments and point_on_segment ends when it has found so many of one of them.
+  /// The largest number of problems of each kind that is returned. The number of crossings can be quadratic. Therefore
+  /// the search for crossing_segments, overlapping_segments and point_on_segment ends when one kind has this number.
   std::size_t max_problems = 10'000;
-  int threads = 1;  ///< at most so many threads; the result does not depend on it
+  int threads = 1;  ///< the largest number of threads; the result does not depend on it
 };
 
 /// Finds every problem, sorted by kind, then by ids. A Pslg without problems can be meshed. Exact: there is no
-/// tolerance. Faces are examined (unclosed_outline, no_domain, holes, regions) only where no problem of points or
-/// segments was found. O((n + p) log n) on typical input, with n points and segments and p problems; quadratic where
-/// the bounding boxes of many segments overlap.
+/// tolerance. Faces (unclosed_outline, no_domain, holes, regions) are examined only if points and segments have no
+/// problem. Time: O((n + p) log n) on typical input for n points and segments and p problems; quadratic if the bounding
+/// boxes of many segments overlap.
 [[nodiscard]] std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options = {});
 
 /// A Pslg that has no problems. Only validate() makes one, so a function that takes a ValidPslg need not check it.
@@ -84,14 +84,14 @@ class ValidPslg {
   bool convex_hull_;
 };
 
-/// Returns the Pslg as a ValidPslg, or its problems as find_problems() lists them. `pslg` is moved from where it is
-/// valid and left as it is where it is not. Same time as find_problems().
+/// Returns the Pslg as a ValidPslg, or its problems as find_problems() lists them. A valid `pslg` is moved from; an
+/// invalid one is not changed. Takes the same time as find_problems().
 ///
 ///     Result<ValidPslg, std::vector<Problem>> domain = validate(std::move(pslg));
 ///     if (!domain) std::cerr << messages(domain.error(), pslg.first_id.value) << '\n';
 ///     else use(mesh(*domain, goal));
 [[nodiscard]] Result<ValidPslg, std::vector<Problem>> validate(Pslg&& pslg, const ValidateOptions& options = {});
-/// The same for a Pslg that the caller keeps. A valid one is copied.
+/// The same for a Pslg that the caller keeps. A valid Pslg is copied.
 [[nodiscard]] Result<ValidPslg, std::vector<Problem>> validate(const Pslg& pslg, const ValidateOptions& options = {});
 
 }  // namespace pardel

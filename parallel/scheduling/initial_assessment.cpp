@@ -9,7 +9,7 @@
 namespace pardel::engine {
 namespace {
 
-/// The least number of triangles that quality makes of one triangle of the input.
+/// The least number of triangles by which the bound on angles replaces one triangle of the input.
 constexpr double triangles_per_input_triangle = 1.7;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The first look at all triangles, before anything is refined.
+// The assessment of all triangles before the refinement begins.
 #pragma once
 
 #include "../../core/array.hpp"
@@ -8,7 +8,7 @@ namespace pardel::engine {
 
 /// Estimates of the number of triangles of the final mesh.
 struct TriangleEstimates {
-  double without_angle_bound = 0;  ///< whatever the bound on angles; the size of the tiles follows from it
+  double without_angle_bound = 0;  ///< ignores the bound on angles; determines the size of the tiles
   double with_angle_bound = 0;     ///< the best estimate
   double lower_bound = 0;          ///< no mesh with fewer triangles keeps the bounds on area
 };

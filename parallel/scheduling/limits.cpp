@@ -10,9 +10,9 @@
 namespace pardel::engine {
 namespace {
 
-/// The bytes of the mesh itself for one triangle and half a vertex, markers included. The process needs more.
+/// The bytes that the mesh takes for one triangle and half a vertex, with markers. The process needs more.
 constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index) + sizeof(int));
-/// The bytes of the process at its peak for one vertex and two triangles, measured with large meshes.
+/// The bytes that the process takes at its peak for one vertex and two triangles, measured with large meshes.
 constexpr double peak_bytes_per_vertex = 2 * 40;
 
 double allowed_memory(const Options& options) { return static_cast<double>(options.max_memory); }

@@ -1,4 +1,4 @@
-// The limits on the size of a mesh: indices for its triangles, and memory for all of it.
+// The limits on the size of a mesh: the number of triangle indices, and the memory.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace pardel::engine {
 
-/// Fails with `resources` where a mesh of at least `needed` triangles cannot fit. The caller then learns it at once,
+/// Fails with `resources` if a mesh of at least `needed` triangles cannot fit. The caller then gets the error at once,
 /// not after an hour of refinement.
 [[nodiscard]] Status check_size(double needed, const Options& options);
 
-/// True where a mesh of so many vertices takes more memory, at its peak, than options.max_memory.
+/// True if a mesh with this number of vertices takes more memory, at its peak, than options.max_memory.
 [[nodiscard]] bool outgrows_memory(std::uint64_t vertices, const Options& options);
 
 [[nodiscard]] Error too_many_triangles();

@@ -43,7 +43,7 @@ SeedsByCell PendingTriangles::take_needing_larger_box_by_cell(const Lattice& lat
 
 SeedsByCell PendingTriangles::by_cell(const Lattice& lattice, std::span<const QueuedTriangle> triangles,
                                       const Deferral& later) {
-  Array<Index> cell;  // no_index: nothing has to be done about the triangle on this lattice
+  Array<Index> cell;  // no_index: the triangle needs no work on this lattice
   cell.resize_uninitialised(triangles.size());
   std::vector<std::vector<Deferred>> deferred(block_count(triangles.size()));
   parallel_blocks(threads_, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t block) {

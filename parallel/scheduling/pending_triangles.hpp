@@ -11,8 +11,8 @@
 
 namespace pardel::engine {
 
-/// Holds two lists: triangles that were deferred, for a finer lattice or the next round, and triangles whose cavities
-/// need a larger box, for a coarser lattice. Entries may be stale.
+/// Holds two lists: deferred triangles, which a finer lattice or the next round processes, and triangles whose cavities
+/// need a larger box, which a coarser lattice processes. Entries may be stale (refinement/queued_triangle.hpp).
 class PendingTriangles {
  public:
   PendingTriangles(const Triangulation& t, const Assessor& assessor, int threads)
@@ -26,18 +26,18 @@ class PendingTriangles {
   }
   [[nodiscard]] bool any_needs_larger_box() const { return !needs_larger_box_.empty(); }
 
-  /// Sets all triangles aside that `later` defers by their keys, until bring_back(). The passes in between then need
-  /// not look at them.
+  /// Takes all triangles that `later` defers by their keys out of the list, until bring_back(). The passes in between
+  /// then do not examine them.
   void set_aside(const Deferral& later);
   void bring_back();
 
   /// The median of the keys of the deferred triangles, stale ones included.
   [[nodiscard]] unsigned median_key() const;
 
-  /// Takes the deferred triangles that are due and distributes them to cells, each to the cell of the point that has to
-  /// be inserted. A triangle that `later` defers is deferred again.
+  /// Takes the deferred triangles that are due. Puts each into the list of the cell in which its split point lies.
+  /// Defers a triangle again if `later` says so.
   [[nodiscard]] SeedsByCell take_due_by_cell(const Lattice& lattice, const Deferral& later);
-  /// The same for the triangles that need a larger box. None is deferred.
+  /// The same for the triangles that need a larger box. No triangle is deferred.
   [[nodiscard]] SeedsByCell take_needing_larger_box_by_cell(const Lattice& lattice);
 
  private:

@@ -10,7 +10,7 @@
 namespace pardel::engine {
 namespace {
 
-/// One vertex makes two triangles; a fifth is added for safety.
+/// One vertex makes two triangles; a fifth is added as a reserve.
 constexpr double insertions_per_triangle = 0.6;
 
 Index most_vertices(const Triangulation& t, const Options& options) {
@@ -20,9 +20,9 @@ Index most_vertices(const Triangulation& t, const Options& options) {
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_engine_triangles)));
 }
 
-/// About the largest number of points that an area takes for triangles that are not deferred. Their circumradii are at
-/// least `apart`, and so are the distances between their circumcentres. Disks of half that radius around the
-/// circumcentres are therefore disjoint.
+/// Estimates the largest number of points that can be inserted into an area to split the triangles that are not
+/// deferred. Their circumradii are at least `apart`, and so are the distances between their circumcentres. Disks around
+/// the circumcentres with half that radius are therefore disjoint.
 double most_insertions(const Deferral& later, double area) {
   const double squared_apart = std::max(later.longest_squared / 4, later.squared_radius);
   return 4 / std::numbers::pi * area / squared_apart;
@@ -61,7 +61,7 @@ std::vector<PlannedTask> PhaseRunner::plan(const Lattice& lattice, unsigned colo
   return tasks;
 }
 
-/// Per cell, the number of triangles by which the bounds on size replace the cell's seeds.
+/// For each cell, the estimated number of triangles by which the bounds on size replace the seeds of the cell.
 std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) const {
   std::vector<double> wanted(seeds.size(), 0);
   if (!criteria_.has_size()) return wanted;
@@ -100,8 +100,8 @@ void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, c
   triangles_.settle();
 }
 
-/// Task::violates_t1 for a triangle that does not lie in the box of its cell. By T1 it lies there if its split point
-/// lies in a face and in the cell, and its circumradius is small enough.
+/// The test of Task::violates_t1 for a triangle that does not lie in the box of its cell. By theorem T1 the triangle
+/// lies in the box if its split point lies in a face and in the cell, and its circumradius is small enough.
 bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Lattice& lattice) const {
   const double fits = lattice.radius_that_fits();
   if (options_.decomposition != Decomposition::paper || Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits)
@@ -128,10 +128,10 @@ void PhaseRunner::select_seeds(PlannedTask& task, const Lattice& lattice) const 
   });
 }
 
-/// Each task first gets indices for the expected number of insertions and a quarter more. Then, above the first indices
-/// of all tasks, each gets more, up to twice the expected number in total. The second part takes memory only where a
-/// task uses it, but then a huge page of each array. Unused indices come back; the next phase uses them up before it
-/// touches new memory.
+/// Each task first gets indices for the expected number of insertions and a quarter more. Each task then gets a second
+/// part, above the first parts of all tasks, up to twice the expected number in total. The second part takes memory
+/// only if a task uses it, but then it takes a huge page of each array. Unused indices are returned, and the next phase
+/// uses them before it touches new memory.
 void PhaseRunner::assign_indices(std::vector<PlannedTask>& tasks) {
   std::vector<std::vector<IndexRange>> vertices(tasks.size()), triangles(tasks.size());
   for (const bool first : {true, false})

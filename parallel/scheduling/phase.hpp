@@ -14,19 +14,19 @@ namespace pardel::engine {
 /// A task of a phase. Before the phase: the cell and the triangles with which the task starts. Afterwards: its result.
 struct PlannedTask {
   Index cell = 0;
-  double insertions = 0;  ///< the expected number
+  double insertions = 0;  ///< the expected number of insertions
   std::vector<QueuedTriangle> seeds;
-  std::vector<QueuedTriangle> outside_box;  ///< seeds that the task did not get: their corners do not lie in the box
-  std::uint64_t t1_violations = 0;          ///< how many of outside_box lie in the box by T1
+  std::vector<QueuedTriangle> outside_box;  ///< seeds that the task did not get, because not all corners lie in the box
+  std::uint64_t t1_violations = 0;          ///< how many of outside_box should lie in the box by theorem T1
   FreeIndices free;
   TaskResult result;
   int thread = 0;  ///< the thread that ran the task
 };
 
-/// Per cell of a lattice, the triangles with which the cell's next task starts.
+/// For each cell of a lattice, the triangles with which the cell's next task starts (seeds).
 using SeedsByCell = std::vector<std::vector<QueuedTriangle>>;
 
-/// Called now and then while tasks run: go_on(thread, n), where n is the number of vertices that the thread has
+/// go_on(thread, n) is called from time to time while tasks run; n is the number of vertices that the thread has
 /// inserted since its last call. Returns false to end the tasks early.
 using GoOn = std::function<bool(int, std::uint64_t)>;
 
@@ -36,7 +36,7 @@ class PhaseRunner {
   PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
               const Schedule& schedule);
 
-  /// One task for each cell of the colour that has seeds. Takes the seeds.
+  /// Plans one task for each cell of the colour that has seeds. Moves the seeds into the tasks.
   [[nodiscard]] std::vector<PlannedTask> plan(const Lattice& lattice, unsigned colour, SeedsByCell& seeds) const;
 
   /// Runs the tasks. Precondition: their cells have one colour, so that their boxes are disjoint.

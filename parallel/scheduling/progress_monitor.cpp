@@ -22,8 +22,8 @@ void ProgressMonitor::phase_ended(std::uint64_t vertices, std::uint64_t triangle
 
 bool ProgressMonitor::report(int thread, std::uint64_t vertices_made) {
   made_ += 2 * vertices_made;
-  // The number of vertices never decreases, and tasks never report more of them than there are. Whether a mesh outgrows
-  // its memory therefore depends on the mesh alone, although the moment of the reports depends on the threads.
+  // The number of vertices never decreases, and tasks never report more vertices than exist. The mesh alone therefore
+  // determines if this limit is exceeded, although the times of the reports depend on the threads.
   if (outgrows_memory(vertices_ + made_.load() / 2, options_)) cancel();
   if (cancelled()) return false;
   if (thread == 0 && options_.progress) {

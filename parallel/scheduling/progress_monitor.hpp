@@ -19,8 +19,8 @@ class ProgressMonitor {
   /// Replaces the counts of the running tasks by the exact numbers after a phase, and reports to the caller.
   void phase_ended(std::uint64_t vertices, std::uint64_t triangles);
 
-  /// Called by tasks: `thread` has inserted `vertices_made` vertices since its last call. Returns false where tasks
-  /// have to end. Thread-safe. The caller of the refinement is called on its own thread, 0, only.
+  /// Tasks call this: `thread` has inserted `vertices_made` vertices since its last call. Returns false if the tasks
+  /// have to end. Thread-safe. options.progress is called on thread 0 only, the thread that called the mesher.
   bool report(int thread, std::uint64_t vertices_made);
 
   void cancel() { cancelled_ = true; }

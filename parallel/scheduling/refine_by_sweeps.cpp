@@ -20,8 +20,8 @@
 namespace pardel::engine {
 namespace {
 
-/// A level splits triangles that are longer than this part of a cell of the next finer level. The cavities of shorter
-/// triangles fit that level's boxes.
+/// A level splits triangles whose longest side exceeds this fraction of the side of a cell of the next finer level. The
+/// cavities of shorter triangles fit the boxes of the finer level.
 constexpr double long_in_finer_cells = 0.25;
 
 Error t1_violated(const Sweep& sweep) {
@@ -61,7 +61,7 @@ class Refinement {
     refine_on_finest(levels.back());
     go_up(levels);
     compact(t_, runner_.vertices(), runner_.triangles(), threads_);
-    // A triangle is left over where its split point lies in no triangle, or where the refinement ended early.
+    // A triangle is left over if its split point lies in no triangle, or if the refinement ended early.
     counts_.left_alone = counts_.left_alone || pending_.any_needs_larger_box();
     counts_.tiling = std::move(record_).take();
     if (failure_) return *failure_;
@@ -81,10 +81,10 @@ class Refinement {
     return {.longest_squared = longest * longest};
   }
 
-  /// Splits, on each level, the triangles that are too long for the next finer level. Triangles that become short
-  /// enough wait for a finer level. Most triangles of a fine input are short from the start. They are set aside first,
-  /// and the coarse levels need not look at them. (The paper's levels compare circumradii, not lengths, and set none
-  /// aside.)
+  /// Splits, on each level, the triangles that are too long for the next finer level. Triangles that are short enough
+  /// wait for a finer level. Most triangles of a fine input are short from the start. They are taken out first, so that
+  /// the coarse levels do not examine them. (With the paper's decomposition, levels compare circumradii instead of
+  /// lengths, and no triangle is taken out.)
   void go_down(const std::vector<Lattice>& levels) {
     pending_.set_aside(short_enough_for(levels.back()));
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
@@ -101,16 +101,16 @@ class Refinement {
     record_.set_finest(levels.back(), bounds, largest, counts_.inserted + counts_.segment_splits);
   }
 
-  /// Splits the shorter half of the triangles first, everywhere, then the longer half. The points that short triangles
-  /// need split many of the long ones too. In the opposite order, the points for long triangles would come in addition.
-  /// Tiles that finish one after the other do not have this order by themselves. One queue over everything does not
-  /// have it either, and makes larger meshes.
+  /// Splits the shorter half of the triangles first, in all cells, then the longer half. The points that split short
+  /// triangles also split many long ones. In the opposite order, the points for long triangles would be additional.
+  /// Tiles that finish one after the other do not produce this order by themselves. A single queue for all triangles
+  /// does not produce it either, and makes larger meshes.
   void refine_on_finest(const Lattice& finest) {
     refine_due(finest, {.last_key = pending_.median_key()});
     refine_due(finest, {});
   }
 
-  /// Splits the triangles whose cavities fit no box of a level in the larger boxes of the coarser levels.
+  /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels.
   void go_up(const std::vector<Lattice>& levels) {
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], pending_.take_needing_larger_box_by_cell(levels[level]), {});
@@ -126,8 +126,8 @@ class Refinement {
     const auto waiting = [&] {
       return std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); });
     };
-    // A triangle may need a point in one cell, then a point in another cell, and be handed on between the two for ever.
-    // After two sweeps without an insertion, all tasks involved have tried. The triangle then needs a larger box.
+    // A triangle may need a point in one cell, then a point in another cell. Two tasks could hand it on to each other
+    // for ever. After two sweeps without an insertion both have tried, and the triangle needs a larger box.
     for (int idle = 0; idle < 2 && waiting() && go_on();) idle = sweep(lattice, seeds, later) > 0 ? 0 : idle + 1;
     for (const std::vector<QueuedTriangle>& of_cell : seeds) pending_.add_needing_larger_box(of_cell);
   }

@@ -1,4 +1,4 @@
-// The order in which the tasks of a phase run, under the control of a test.
+// Lets a test control the order in which the tasks of a phase run.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace pardel::engine {
 
-/// Hooks into the execution of a phase. The mesh does not depend on them: tests use them to prove that. All hooks are
-/// optional.
+/// Hooks into the execution of a phase. Tests use them to show that the mesh does not depend on the order. All hooks
+/// are optional.
 struct Schedule {
   /// Permutes the order in which the tasks are started. By default, the largest task comes first.
   std::function<void(std::vector<std::size_t>&)> order{};

@@ -11,8 +11,8 @@
 
 namespace pardel::engine {
 
-/// Removes the entries that `later` may not defer any more (Deferral::defers_by_keys), and returns converted(entry) for
-/// each. Both lists keep their order, whatever the number of threads.
+/// Removes the entries that `later` does not certainly defer (Deferral::defers_by_keys), and returns converted(entry)
+/// for each of them. Both lists keep their order. The number of threads does not change the result.
 template <class Converted>
 [[nodiscard]] auto take_due(int threads, Array<Deferred>& deferred, const Deferral& later, const Converted& converted) {
   const std::size_t n = deferred.size();
@@ -34,7 +34,7 @@ template <class Converted>
         due[found++] = converted(deferred[i]);
     }
   });
-  // The entries that stay are now at the front of each block. They move together.
+  // The entries that stay are now at the front of each block. Move them together.
   std::size_t kept = 0;
   for (std::size_t block = 0, first = 0; first < n; ++block, first += items_in_block) {
     const std::size_t stay = std::min(items_in_block, n - first) - (due_before[block + 1] - due_before[block]);

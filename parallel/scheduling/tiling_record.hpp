@@ -9,12 +9,12 @@ namespace pardel::engine {
 
 class TilingRecord {
  public:
-  /// Records the finest lattice, which covers `bounds`. `largest`: the measured values of the mesh now.
+  /// Records the finest lattice, which covers `bounds`. `largest`: the values measured on the present mesh.
   /// `vertices_before`: the number of vertices inserted on coarser lattices. `finest` has to outlive the record.
   void set_finest(const Lattice& finest, const Box& bounds, const Radii& largest, std::uint64_t vertices_before);
 
-  /// Records the thread that ran the task of a cell. Ignored where the lattice is not the finest one, or the cell has a
-  /// thread already.
+  /// Records the thread that ran the task of a cell. Does nothing if the lattice is not the finest one, or if the cell
+  /// has a thread already.
   void add_task(const Lattice& lattice, Index cell, int thread);
   void add_sweep(const Sweep& sweep) { tiling_.sweeps.push_back(sweep); }
 
