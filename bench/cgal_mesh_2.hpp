@@ -1,5 +1,5 @@
-// CGAL's Mesh_2 on plain values. This part of CGAL is under the GPL, and so is every program compiled from a source
-// that includes this file. Nothing that is installed contains it. SPDX-License-Identifier: GPL-3.0-or-later
+// Calls CGAL's Mesh_2 with plain data types. This part of CGAL is under the GPL, and so is every program compiled from
+// a source that includes this file. Nothing that is installed contains it. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -26,8 +26,8 @@ using MeshStructure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_v
                                                            CGAL::Delaunay_mesh_face_base_2<Kernel>>;
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, MeshStructure>;
 
-/// CGAL::Delaunay_mesh_size_criteria_2 with the area instead of the longest edge, so all tools have the same goal.
-/// Triangles that are too large come first, by decreasing size; then those that are too thin, by increasing angle.
+/// CGAL::Delaunay_mesh_size_criteria_2, but with a bound on areas instead of edges, so that all tools have the same
+/// goal. Triangles that are too large are split first, in decreasing size; then thin triangles, in increasing angle.
 class ShapeAndArea {
  public:
   struct Quality {
@@ -71,7 +71,7 @@ class ShapeAndArea {
   double area_bound_;
 };
 
-/// Triangles and their vertices as plain values, of the faces for which `takes` returns true.
+/// The faces for which `takes` returns true and their vertices, as plain data.
 template <class Cgal, class Takes>
 [[nodiscard]] Mesh plain(const Cgal& triangulation, const Takes& takes) {
   Mesh mesh;
@@ -111,8 +111,8 @@ inline void constrain_hull(Constrained& cdt) {
   return sine * sine;
 }
 
-/// The refined constrained Delaunay triangulation of a Pslg. The holes are CGAL's seeds. The domain of a Pslg without
-/// segments is its convex hull.
+/// The refined constrained Delaunay triangulation of a Pslg. The hole points are passed to CGAL as seeds. If the Pslg
+/// has no segments, the domain is its convex hull.
 template <class Criteria>
 [[nodiscard]] Constrained refined(const Pslg& pslg, const Criteria& criteria) {
   const auto points = cgal_points(pslg);

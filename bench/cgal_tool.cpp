@@ -18,7 +18,7 @@ using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
 /// The squared bound on edges divided by the resulting mean area, measured on the pipe with a million triangles.
 constexpr double squared_edge_per_mean_area = 5.0;
 
-/// CGAL's own criteria. They bound the longest edge, not the area; this bound makes about as many triangles.
+/// CGAL's own criteria bound the longest edge, not the area. The bound used here makes about as many triangles.
 CGAL::Delaunay_mesh_size_criteria_2<Constrained> size_criteria(const Task& task) {
   const double mean_area = task.goal.max_area / triangles_per_cap;
   const double edge = std::isfinite(mean_area) ? std::sqrt(mean_area * squared_edge_per_mean_area) : 0;  // 0: no bound

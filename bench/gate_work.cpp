@@ -1,5 +1,5 @@
-// The work whose instructions bench/gate counts: the pipe with about 22,000 triangles, then 3,000 random points with a
-// minimum angle of 30 degrees.
+// The program whose instructions bench/gate counts. It meshes the pipe with about 22,000 triangles, then 3,000 random
+// points with a minimum angle of 30 degrees.
 #include <cstdio>
 
 #include "../parallel/mesher.hpp"

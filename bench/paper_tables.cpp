@@ -1,6 +1,6 @@
-// paper_tables: repeats the workload of Tables 1 and 2 of [CC] on this machine. The area bound is inversely
-// proportional to the number of threads. So every thread has the same work, and ideal scaling keeps the time constant.
-// See --help.
+// paper_tables: repeats the workload of Tables 1 and 2 of [CC] (Chernikov and Chrisochoides 2004) on this machine. The
+// area bound is inversely proportional to the number of threads. So every thread has the same amount of work, and with
+// ideal scaling the time is constant. See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -57,7 +57,7 @@ std::optional<Timed> run(const Table& table, const Settings& settings, int threa
   });
 }
 
-/// The run with the median time; nothing if a run failed.
+/// Returns the run with the median time; nothing if a run failed.
 std::optional<Timed> median_run(const Table& table, const Settings& settings, int threads) {
   std::vector<Timed> all;
   for (int i = 0; i < settings.runs; ++i) {

@@ -25,7 +25,7 @@ struct Settings {
   std::string json_file;
 };
 
-/// A row of the table: medians over the runs of one tool.
+/// A row of the table: the medians of the runs of one tool.
 struct Row {
   std::string tool;
   double seconds = 0;
@@ -57,7 +57,7 @@ Row summarise(const std::string& tool, const std::vector<Run>& runs) {
     if (run.verdict != runs.front().verdict) row.verdict = "differs from run to run";
   }
   row.seconds = median(row.all_seconds);
-  row.triangles = *std::min_element(triangles.begin(), triangles.end());  // if a run failed, the row has failed
+  row.triangles = *std::min_element(triangles.begin(), triangles.end());  // 0 if a run failed
   if (!bytes.empty()) row.bytes_per_triangle = median(bytes);
   if (row.failed() && row.verdict.empty()) row.verdict = "the process died";
   return row;

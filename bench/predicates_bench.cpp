@@ -1,4 +1,5 @@
-// The cost of a predicate: on points where the filter decides, on lattices, and where only exact arithmetic decides.
+// The time of a predicate: for points where the filter can decide, for lattices, and where only exact arithmetic can
+// decide.
 #include <benchmark/benchmark.h>
 
 #include <array>

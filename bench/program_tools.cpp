@@ -1,5 +1,5 @@
-// Tools that are programs: Gmsh and Triangle. The times are those that the programs print, so start-up and files do not
-// count. Files are written, read and checked in separate processes.
+// Tools that are separate programs: Gmsh and Triangle. The times are those that the programs print; they do not include
+// start-up or file access. Separate processes write, read and check the files.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path of `program` on the PATH; empty if it is not there.
+/// The path of a program that is on the PATH; empty if there is none.
 fs::path on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string folders = path != nullptr ? path : "";
@@ -69,7 +69,7 @@ Run failed(const ProgramRun& program) {
   return run;
 }
 
-/// The Pslg as a Gmsh geometry: closed chains of lines become loops of one plane surface.
+/// Writes the Pslg as a Gmsh geometry: closed chains of lines become loops of one plane surface.
 bool write_geo(const Task& task, const fs::path& file, double edge) {
   const Pslg pslg = make_domain(task);
   std::ofstream out(file);

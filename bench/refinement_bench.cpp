@@ -1,4 +1,5 @@
-// Refinement with an area cap, where the order of insertions has little effect, and for angles only, where it has much.
+// Refinement with an area cap, where the order of insertions has little effect; and with only an angle bound, where it
+// has much.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

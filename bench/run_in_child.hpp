@@ -1,4 +1,4 @@
-// Runs one measurement in its own process. So its peak memory is measured alone, and a crash does not end the program.
+// Runs one measurement in a child process, to measure only its peak memory and to survive a crash of the measurement.
 #pragma once
 
 #include <sys/resource.h>
@@ -22,8 +22,8 @@ namespace pardel::bench {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Work in a forked process; the constructor starts it. On Linux the child's peak memory includes the parent's memory
-/// at the fork, so the parent must stay small: make inputs inside `work`.
+/// Runs `work` in a forked process, which the constructor starts. On Linux the child's peak memory includes the
+/// parent's memory at the fork, so the parent must stay small: create inputs inside `work`.
 template <class T>
 class Child {
   static_assert(std::is_trivially_copyable_v<T>, "the result travels through a pipe as bytes");

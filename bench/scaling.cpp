@@ -68,8 +68,8 @@ Timed timed_run(const Task& task, Decomposition decomposition, int threads) {
           .digest = digest(meshed->mesh)};
 }
 
-/// One run, or several processes at the same time, which count as one run with all their triangles and the sum of their
-/// rates. Nothing if a process failed, or if they made different meshes.
+/// Makes one run, or several processes at the same time. Several processes count as one run that has all their
+/// triangles and the sum of their rates. Returns nothing if a process failed or if they made different meshes.
 std::optional<Timed> run(const Task& task, const Row& row) {
   std::vector<Child<Timed>> children;
   for (int i = 0; i < row.processes; ++i)
@@ -92,8 +92,8 @@ std::optional<Timed> run(const Task& task, const Row& row) {
   return all;
 }
 
-/// Runs the rows in turn. The first run of a row does not count: it shows how much memory warm_memory() must prepare.
-/// Prints a message and returns false if a run failed or made another mesh.
+/// Runs the rows in turn. The first run of a row is not counted; it measures the memory that warm_memory() must
+/// prepare. If a run fails or makes another mesh, prints a message and returns false.
 bool measure(const Settings& settings, std::vector<Row>& rows) {
   std::optional<Digest> one_mesh;
   for (int i = 0; i <= settings.runs; ++i)
@@ -120,7 +120,7 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
 /// Triangles per second of the median run.
 double rate(const Row& row) { return static_cast<double>(row.median().triangles) / row.median().seconds; }
 
-/// The rate of `row` divided by that of the row called `name`; empty if there is no such row.
+/// The rate of `row` divided by the rate of the row with the name `name`; empty if there is no such row.
 std::string times(const Row& row, const std::vector<Row>& rows, std::string_view name) {
   const auto base = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name() == name; });
   return base == rows.end() ? "" : fmt::format("{:.2f}", rate(row) / rate(*base));

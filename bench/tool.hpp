@@ -1,4 +1,5 @@
-// A tool of the comparison: a program or library that meshes a Pslg, and the result of a run.
+// A tool of the comparison is a program or library that meshes a Pslg. This file defines tools, their tasks and
+// results.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 
 namespace pardel::bench {
 
-/// The number of triangles after refinement is about this, times the area of the domain divided by the area cap.
+/// Refinement makes about (area of the domain / area cap) times this number of triangles.
 inline constexpr double triangles_per_cap = 1.37;
 
-/// The work of a run. Every child process makes the domain again from its name.
+/// The input of a run. Every child process creates the domain from its name.
 struct Task {
   std::string domain = "square";  ///< a name of properties/domains/domains.hpp
   std::uint64_t points = 0;       ///< number of points of the domain `points`
@@ -35,7 +36,7 @@ struct Task {
 [[nodiscard]] bool is_point_set(const Task& task);
 /// The area of the task's domain without its holes, by the shoelace formula.
 [[nodiscard]] double domain_area(const Task& task);
-/// The area cap that makes about task.triangles triangles; infinity if that is 0.
+/// The area cap that gives about task.triangles triangles; infinity if task.triangles is 0.
 [[nodiscard]] double area_cap(const Task& task);
 
 /// The result of one run. Trivially copyable, because a child process sends it through a pipe.
@@ -53,14 +54,14 @@ struct Run {
   }
 };
 
-/// "valid", or the kinds of violations with their numbers. `foreign`: a mesh of another program, with points and
-/// triangles only.
+/// Returns "valid", or the kinds of violations with their numbers. `foreign`: another program made the mesh, which has
+/// only points and triangles.
 [[nodiscard]] std::string verdict(const Task& task, const Mesh& mesh, bool foreign);
 
 struct Tool {
   std::string name;
   bool (*applies)(const Task&);
-  /// Starts its own processes. `scratch`: a folder for temporary files.
+  /// Runs the tool in child processes. `scratch`: a folder for temporary files.
   Run (*run)(const Task&, const std::filesystem::path& scratch);
 };
 

@@ -1,4 +1,4 @@
-// Delaunay triangulation only: random points, and the two slowest arrangements.
+// Delaunay triangulation without refinement: random points, and the two slowest kinds of input.
 #include <benchmark/benchmark.h>
 
 #include "../parallel/mesher.hpp"

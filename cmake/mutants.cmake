@@ -1,16 +1,16 @@
-# The mutated twin of a target is built from a copy of the same sources that contains all mutants
-# (properties/mutants/patch.hpp). A mutant is off unless the environment variable PARDEL_MUTANT names it. A twin is
-# linked to the mutated twins of the project's libraries.
+# A mutant is a known mistake that can be switched on. The mutated twin of a target is built from a copy of the same
+# sources that contains all mutants (properties/mutants/patch.hpp). A mutant is off unless the environment variable
+# PARDEL_MUTANT names it. A twin is linked to the mutated twins of the project's libraries.
 
-# Where the copy is, and the folders of the sources that it contains.
+# The folder of this copy, and the folders of the sources that it contains.
 set(PARDEL_MUTATED_SOURCES ${PROJECT_BINARY_DIR}/mutated_sources)
 set(PARDEL_MUTATED_FOLDERS core parallel properties ref tests)
 
 # The libraries that have a mutated twin.
 set(PARDEL_MUTATED "core|parallel|checker|domains|defects|generators|ref|framework|samples")
 
-# Defines the target mutated_sources, which makes the copy. It runs again when a source, a patch or the registry
-# changes. It writes only the files that change, so the build compiles nothing else again.
+# Defines the target mutated_sources, which makes the copy. The target runs again when a source, a patch or the registry
+# changes. It writes only the files that differ, so the build recompiles nothing else.
 function(pardel_copy_sources_with_mutants)
   set(mutants ${PROJECT_SOURCE_DIR}/properties/mutants)
   set(patterns)
@@ -49,7 +49,7 @@ function(pardel_mutated_twin target)
     add_library(${target}_mutated STATIC ${copies})
   endif()
   add_dependencies(${target}_mutated mutated_sources)
-  # Mutants cause warnings that do not matter. Full optimisation would take longer than it saves when the programs run.
+  # Mutants cause harmless warnings. Full optimisation would take longer than it saves when the programs run.
   set(switches ${PROJECT_SOURCE_DIR}/properties/mutants/mutated.hpp)
   target_compile_options(${target}_mutated PRIVATE -w -O1 "SHELL:-include ${switches}")
   foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS LINK_LIBRARIES INTERFACE_LINK_LIBRARIES

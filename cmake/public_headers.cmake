@@ -1,6 +1,6 @@
-# The public headers, for an installation and for the build tree. A folder's public headers are those that lie directly
-# in it; headers in the folders below are private. They keep their places under include/pardel, because they include
-# each other by relative paths. parallel/pardel.hpp, which includes all of the mesher, becomes <pardel/pardel.hpp>.
+# Finds the public headers, for an installation and for the build tree. The headers directly in a folder are public; the
+# headers in its subfolders are private. Public headers keep their paths below include/pardel, because they include each
+# other by relative paths. parallel/pardel.hpp includes the whole mesher; it becomes <pardel/pardel.hpp>.
 set(PARDEL_MESHER_FOLDERS core parallel)
 set(PARDEL_CHECKER_FOLDERS properties/checker properties/domains properties/domains/generators)
 
@@ -11,7 +11,8 @@ function(pardel_public_headers folder out)
   set(${out} ${headers} PARENT_SCOPE)
 endfunction()
 
-# The folder for #include <pardel/...> in the build tree: a link to every public header, and nothing else.
+# Makes the folder for #include <pardel/...> in the build tree. It contains a link to every public header and nothing
+# else.
 function(pardel_link_public_headers include)
   file(REMOVE_RECURSE ${include}/pardel)
   foreach(folder ${PARDEL_MESHER_FOLDERS} ${PARDEL_CHECKER_FOLDERS})

@@ -2,14 +2,14 @@
 # rounding (-ffp-contract=off), and it must not relax floating-point arithmetic (no -ffast-math).
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 
-# Public headers are included as <pardel/core/pslg.hpp>, from the build tree as from an installation.
+# Public headers are included as <pardel/core/pslg.hpp>, both from the build tree and from an installation.
 include(cmake/public_headers.cmake)
 pardel_link_public_headers(${PROJECT_BINARY_DIR}/include)
 
 add_library(pardel_settings INTERFACE)
 set_target_properties(pardel_settings PROPERTIES EXPORT_NAME settings)
 target_compile_features(pardel_settings INTERFACE cxx_std_20)
-# The same rounding for all code that is linked with the mesher, on processors that have fused multiply-add too.
+# All code that is linked with the mesher must round in the same way, also on processors with fused multiply-add.
 target_compile_options(pardel_settings INTERFACE -ffp-contract=off)
 target_include_directories(pardel_settings SYSTEM INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

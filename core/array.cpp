@@ -12,9 +12,9 @@ namespace pardel::detail {
 
 namespace {
 
-/// The length of a mapping is a multiple of this. The system then aligns it, and no part of it needs small pages.
+/// The length of a mapping is a multiple of this. The system then aligns the mapping and needs no small pages for it.
 constexpr std::size_t huge_page = std::size_t{2} << 20U;
-/// A block of this size or more is a mapping of its own.
+/// A block of this size or more has its own memory mapping.
 constexpr std::size_t large = std::size_t{1} << 20U;
 
 std::size_t whole_pages(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
@@ -23,7 +23,7 @@ void* map(std::size_t bytes) {
   void* block =
       mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (block == MAP_FAILED) return nullptr;
-  // Huge pages cause fewer page faults and fewer TLB misses. If the system refuses, small pages work too.
+  // Huge pages cause fewer page faults and fewer TLB misses. If the system does not provide them, small pages are used.
   (void)madvise(block, whole_pages(bytes), MADV_HUGEPAGE);
   return block;
 }

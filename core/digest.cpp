@@ -17,7 +17,7 @@ Digest operator+(Digest a, const Digest& b) {
   return a;
 }
 
-/// Two lanes of 64 bits, each a chain of mixes from its own start, fed with different multiples of each word.
+/// Two chains (lanes) of 64-bit mixes. They start from different values and multiply each word by different constants.
 class Hash {
  public:
   explicit Hash(std::uint64_t kind) : high_(mixed(kind)), low_(mixed(~kind)) {}

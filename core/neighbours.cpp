@@ -29,7 +29,7 @@ std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
   Array<Index> by_low_end(sides, 0);
   for (Index s = sides; s-- > 0;) by_low_end[--start[ends_of(triangles, s).low]] = s;
 
-  Array<Index> open(points, no_index);  // by higher end: the one side of this edge so far, or `closed`
+  Array<Index> open(points, no_index);  // indexed by the higher end: the first side of this edge, or `closed`
   constexpr Index closed = no_index - 1;
   std::size_t surplus = 0;
   for (std::size_t p = 0; p < points; ++p) {

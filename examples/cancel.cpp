@@ -1,4 +1,5 @@
-// Stops the mesher from outside: the callback says how far it is, and ends the work by returning false.
+// Stops the mesher from outside: the mesher calls a function with its progress, and the function returns false to stop
+// it.
 #include <cstdio>
 #include <pardel/pardel.hpp>
 
@@ -7,7 +8,7 @@ int main() {
   square.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   square.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 
-  // A window with a Cancel button would look at the button here. This example gives up at 10,000 triangles.
+  // A window with a Cancel button would test the button here. This example stops the mesher at 10,000 triangles.
   pardel::Options options;
   options.progress = [](const pardel::Progress& progress) {
     std::printf("about %llu triangles\n", static_cast<unsigned long long>(progress.triangles));

@@ -1,4 +1,4 @@
-// Checks a mesh that another program made, and prints what is wrong with it.
+// Checks a mesh that another program made, and prints its violations.
 #include <cstdio>
 #include <pardel/pardel.hpp>
 #include <pardel/properties/checker/check.hpp>
@@ -18,7 +18,7 @@ int main() {
   }
   pardel::rebuild_neighbours(foreign.triangles, foreign.points.size());
 
-  // foreign: what the mesh does not carry is not judged, and input points are found by their coordinates.
+  // foreign: data that the mesh does not have are not checked, and input points are found by their coordinates.
   const pardel::Certificate certificate = pardel::check(square, foreign, {.min_angle_deg = 0}, {.foreign = true});
   std::printf("valid: %s\n", certificate.valid ? "yes" : "no");
   for (const pardel::Violation& violation : certificate.violations) std::printf("%s\n", violation.message().c_str());

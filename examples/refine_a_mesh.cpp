@@ -1,4 +1,4 @@
-// Refines a mesh where a solver wants smaller triangles. All vertices of the old mesh stay, with their indices.
+// Refines a mesh in places where a solver needs smaller triangles. All vertices of the old mesh keep their indices.
 #include <cstdio>
 #include <limits>
 #include <pardel/pardel.hpp>
@@ -11,7 +11,7 @@ int main() {
   const auto coarse = pardel::mesh(square, {.min_angle_deg = 25, .max_area = 0.02});
   if (!coarse) return 1;
 
-  // One area cap per triangle of the old mesh. Infinity: this triangle need not become smaller.
+  // One area cap per triangle of the old mesh. Infinity means that the triangle need not become smaller.
   const pardel::Mesh& old = coarse->mesh;
   std::vector<double> caps(old.triangles.size(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < caps.size(); ++t) {

@@ -1,4 +1,4 @@
-// Two materials with a common boundary: each region has its own largest area, and its triangles carry its attribute.
+// Two materials with a common boundary. Each region has its own largest area, and its triangles have its attribute.
 #include <cstdio>
 #include <pardel/pardel.hpp>
 
@@ -7,7 +7,7 @@ int main() {
   pardel::Pslg plate;
   plate.points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
   plate.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}};
-  // One seed inside each face. The attribute is any number; here it names the material.
+  // One seed point inside each face. The attribute is any number; here it identifies the material.
   plate.regions = {{.seed = {0.5, 0.5}, .attribute = 7, .max_area = 0.001},
                    {.seed = {1.5, 0.5}, .attribute = 9, .max_area = 0.02}};
 

@@ -1,11 +1,11 @@
-// A mesh that is fine near one corner and coarse elsewhere: the sizes come from a function.
+// A mesh that is fine near one corner and coarse elsewhere. A function gives the sizes.
 #include <cmath>
 #include <cstdio>
 #include <pardel/pardel.hpp>
 
 namespace {
 
-/// The longest edge wanted at a place: 0.01 at the origin, growing by a quarter of the distance from it.
+/// The longest edge allowed near p: 0.01 at the origin, plus a quarter of the distance from the origin.
 double wanted_size(pardel::Point p) { return 0.01 + 0.25 * std::hypot(p.x, p.y); }
 
 double length(pardel::Point a, pardel::Point b) { return std::hypot(b.x - a.x, b.y - a.y); }

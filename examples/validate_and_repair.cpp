@@ -1,4 +1,5 @@
-// Lists the problems of an invalid domain, with ids and places, and repairs it. Then it can be meshed.
+// Lists the problems of an invalid domain, with ids and places, and repairs the domain. The repaired domain can be
+// meshed.
 #include <cstdio>
 #include <pardel/pardel.hpp>
 
@@ -8,7 +9,7 @@ int main() {
   sketch.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {-1, 1}, {3, 1}, {1, 2}};
   sketch.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}};
 
-  // Validation is exact. Only a domain without problems becomes a ValidPslg, which the mesher takes.
+  // Validation is exact. Only a domain without problems becomes a ValidPslg, and the mesher accepts only a ValidPslg.
   const auto domain = pardel::validate(sketch);
   if (domain) return 1;
   for (const pardel::Problem& problem : domain.error()) {

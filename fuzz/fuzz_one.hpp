@@ -1,5 +1,5 @@
-// Every fuzz target defines fuzz_one(). libFuzzer calls it (preset fuzz), and so does the replay program on the
-// committed corpus, which ctest runs in every build.
+// Every fuzz target defines fuzz_one(). libFuzzer calls it (preset fuzz). The replay program also calls it, on the
+// committed corpus; ctest runs this in every build.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace pardel::fuzz {
 
-/// Checks the property on one input. Returns 0 where it holds, and -1 where the input is not worth keeping in a corpus.
-/// Where the property fails, calls fail().
+/// Tests the property on one input. If the property fails, calls fail(). Returns 0 if it holds, and -1 if the input is
+/// not useful in a corpus.
 int fuzz_one(std::span<const std::uint8_t> bytes);
 
 /// Prints the explanation to stderr and aborts, which a fuzzer counts as a finding.

@@ -1,5 +1,5 @@
-// Meshes the case that the bytes decode to, and checks the result exactly. Every mesh must be valid. Bounds may be
-// missed only where the limit on vertices was reached and the report says so.
+// Decodes the bytes to a case, meshes it and checks the result exactly. Every mesh must be valid. A bound may be missed
+// only if the limit on vertices was reached and the report lists this.
 #include <algorithm>
 #include <string>
 
@@ -19,9 +19,9 @@ bool is_bound(ViolationKind kind) {
 
 bool ran_out(const Report& report) { return report.count(ExemptReason::budget) > 0; }
 
-/// True where the violation is allowed. Where the limit on vertices was reached, bounds may be missed anywhere. Above
-/// 30 degrees, which no proof covers, refinement may also stop at the lower bound on edge lengths, but only in
-/// triangles that it reports.
+/// True if the violation is allowed. If the limit on vertices was reached, any triangle may miss a bound. For angles
+/// above 30 degrees, for which there is no proof, refinement may also stop at the lower bound on edge lengths, but only
+/// in triangles that the report lists.
 bool is_allowed(const Violation& violation, const Goal& goal, const Report& report) {
   if (!is_bound(violation.kind)) return false;
   if (ran_out(report)) return true;
@@ -42,7 +42,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
 
   const Result<Meshed> meshed = mesh(prepared.pslg, drawn.goal, drawn.options);
   if (!meshed) fail("a valid Pslg was rejected: " + meshed.error().message);
-  // Then constrained edges may also be left that a conforming goal would have split.
+  // In this case some constrained edges may be left that a conforming goal would have split.
   Goal goal = drawn.goal;
   if (ran_out(meshed->report)) goal.conforming = false;
   const Certificate certificate = check(prepared.pslg, meshed->mesh, goal, {.max_violations = 100'000});

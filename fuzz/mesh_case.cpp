@@ -10,7 +10,7 @@
 namespace pardel::fuzz {
 namespace {
 
-/// Small numbers from the bytes; zeros after the last byte.
+/// Supplies small numbers from the bytes, and zeros after the last byte.
 class Supply {
  public:
   explicit Supply(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -49,7 +49,7 @@ class Drawing {
     const double w = 1 + supply_.below(4), h = 1 + supply_.below(4);
     const double right = clamped(corner.x + w), top = clamped(corner.y + h);
     polygon({corner, {right, corner.y}, {right, top}, {corner.x, top}}, is_hole ? 10 : 20);
-    // Away from the lines and diagonals of the lattice, so the seed rarely lies on a segment.
+    // The seed is not on lines or diagonals of the lattice, so it rarely lies on a segment.
     const Point seed{corner.x + (right - corner.x) * 19 / 64, corner.y + (top - corner.y) * 27 / 64};
     if (is_hole) {
       pslg_.holes.push_back(seed);

@@ -1,7 +1,7 @@
-// Decodes bytes to a meshing problem. Every sequence of bytes gives an outline, with segments, holes and regions as the
-// bytes select them. Coordinates lie on a small integer lattice, so crossings, overlaps, touching holes, cocircular
-// points and small angles are frequent. repair() splits segments where they cross; nothing is discarded to make a case
-// valid.
+// Decodes bytes to a meshing problem. Every sequence of bytes gives an outline. The bytes select further segments,
+// holes and regions. Coordinates lie on a small integer lattice, so crossings, overlaps, touching holes, cocircular
+// points and small angles are frequent. repair() splits segments where they cross; no case is discarded because it is
+// invalid.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct MeshCase {
 /// Deterministic. Every sequence of bytes gives a case, and so does every prefix.
 [[nodiscard]] MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes);
 
-/// The repaired Pslg of a case. Where its holes leave no domain, its holes and regions are removed first.
+/// The repaired Pslg of a case. If the holes cover the whole domain, all holes and regions are removed first.
 struct Prepared {
   Pslg pslg;
   bool usable = false;   ///< false: the segments alone could not be repaired

@@ -1,5 +1,5 @@
-// Reads the bytes as a .poly file. The reader must accept or reject them without a crash. An accepted Pslg must be the
-// same after it is written and read again.
+// Reads the bytes as a .poly file. The reader must accept or reject them without a crash. If an accepted Pslg is
+// written and read again, it must be the same.
 #include <unistd.h>
 
 #include <cstring>
@@ -27,7 +27,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
   return true;
 }
 
-/// Equality in which NaN equals NaN. The reader accepts every number; validate() checks the ranges.
+/// Compares two Pslgs; NaN equals NaN. The reader accepts every number; validate() checks the ranges.
 bool same(const Pslg& a, const Pslg& b) {
   return same(a.points, b.points) && a.attributes_per_point == b.attributes_per_point &&
          same(a.point_attributes, b.point_attributes) && same(a.point_markers, b.point_markers) &&

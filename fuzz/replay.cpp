@@ -1,5 +1,5 @@
 // replay FILE|FOLDER...: runs a fuzz target on stored inputs, without a fuzzer. Prints the path of each input before it
-// runs, so the last path printed is the input that crashed. Fails where there are no inputs.
+// runs, so after a crash the last path is the input that crashed. Fails if there are no inputs.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// One reader of meshes per format, and a function that they share. A reader gets the whole file as text; messages call
-// the file `name`.
+// One reader of meshes per format, and a function that all readers share. A reader takes the whole file as text.
+// Messages use `name` as the file name.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-// Reads Gmsh's MSH: version 4.1 in ASCII and binary, version 2.x in ASCII. Triangles become the mesh, lines its
+// Reads Gmsh's MSH: version 4.1 in ASCII and binary, version 2.x in ASCII. Triangles become the mesh, lines become its
 // constrained edges. A physical group named `region X` or `marker N` gives the attribute X or the marker N; a group
-// `domain` means no region; any other group gives its tag. Vertices are ordered by their tags; z is ignored.
+// `domain` means no region; any other group gives its tag. Vertices are in the order of their tags; z is ignored.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double no_region = std::numeric_limits<double>::quiet_NaN();
 
-/// The number of corners of an element type; 0 for types that a mesh of triangles in the plane cannot contain.
+/// The number of corners of an element type; 0 for types that a plane mesh of triangles cannot contain.
 std::size_t corners_of(std::int64_t type) {
   constexpr int line = 1, triangle = 2, point = 15;
   return type == line ? 2 : type == triangle ? 3 : type == point ? 1 : 0;
@@ -84,7 +84,7 @@ class MshReader {
     }
   }
 
-  /// Lines of text in either encoding: `dimension tag "name"`.
+  /// Reads `dimension tag "name"` per line. These lines are text in ASCII and in binary files.
   void read_names() {
     in_.expect_line("the number of physical names");
     const std::size_t n = in_.count("the number of physical names");
@@ -98,7 +98,7 @@ class MshReader {
     expect_end("$EndPhysicalNames");
   }
 
-  /// The attribute of a region, or the marker of an edge, that a physical group gives.
+  /// The attribute of a region or the marker of an edge that is in the physical group.
   static double value_of(std::int64_t dimension, std::int64_t tag, std::string_view name) {
     if (dimension == 2 && name == "domain") return no_region;
     const std::string_view prefix = dimension == 2 ? "region " : "marker ";
@@ -115,7 +115,7 @@ class MshReader {
     return v >= static_cast<double>(any_marker_low) && v <= static_cast<double>(any_marker_high) && v == std::floor(v);
   }
 
-  /// Per entity: its tag, a point or a box, its physical tags and, except for points, the entities that bound it.
+  /// Per entity: its tag, a point or a box, its physical tags and, except for points, the entities on its boundary.
   void read_entities() {
     source_.open_section();
     source_.row("the numbers of entities");
@@ -129,7 +129,7 @@ class MshReader {
         const std::size_t physicals = source_.size("the number of physical tags");
         for (std::size_t k = 0; k < physicals && !in_.failed(); ++k) {
           const std::int64_t physical = source_.integer("a physical tag", -any_marker_high, any_marker_high);
-          if (k == 0) physical_[{dimension, tag}] = std::abs(physical);  // negative: reversed in the group
+          if (k == 0) physical_[{dimension, tag}] = std::abs(physical);  // a negative tag means: reversed in the group
         }
         if (dimension == 0) continue;
         const std::size_t bounds = source_.size("the number of bounding entities");

@@ -1,4 +1,4 @@
-// The parts of MSH files: values in ASCII or binary, and vertices by their tags.
+// Reads parts of MSH files: values in ASCII or binary, and vertices that are identified by tags.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace pardel::files {
 
-/// Reads values: rows of text in ASCII, consecutive bytes in binary.
+/// Reads values. In ASCII they are in rows of text; in binary they are consecutive bytes.
 class MshSource {
  public:
   explicit MshSource(TextReader& in) : in_(in) {}
   void set_binary() { binary_ = true; }
   [[nodiscard]] bool binary() const { return binary_; }
 
-  /// Call after the line that opens a section, before its data.
+  /// Call this after the line that opens a section and before the data of the section.
   void open_section() {
     if (binary_) in_.end_line();
   }
@@ -65,7 +65,7 @@ class MshSource {
   bool binary_ = false;
 };
 
-/// Vertices by the tags of the file, which need not be consecutive.
+/// Finds vertices by their tags in the file. The tags need not be consecutive.
 class MshNodes {
  public:
   void add(std::size_t tag, const Point& p) { nodes_.push_back({tag, p}); }
@@ -74,7 +74,7 @@ class MshNodes {
   }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }
-  /// A tag that occurs twice, or 0, which is no valid tag. Precondition: sort() was called last.
+  /// A tag that occurs twice; 0 (not a valid tag) if there is none. Precondition: sort() was called last.
   [[nodiscard]] std::size_t repeated() const {
     const auto same =
         std::adjacent_find(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag == b.tag; });

@@ -26,7 +26,7 @@ struct Group {
   }
 };
 
-/// One group per value. The values are ascending and distinct; a NaN at the end means "no region".
+/// Makes one group per value. The values are ascending and distinct; a NaN at the end means "no region".
 std::vector<Group> groups_of(const std::vector<double>& values, const std::string& prefix) {
   const auto is_tag = [](double v) { return v >= 1 && v <= std::numeric_limits<int>::max() && v == std::floor(v); };
   std::set<int> taken;
@@ -49,7 +49,7 @@ std::vector<Group> groups_of(const std::vector<double>& values, const std::strin
   return groups;
 }
 
-/// The numbers 0 .. n-1 by group: the members of group g are members[start[g]] .. members[start[g + 1] - 1], ascending.
+/// The numbers 0 .. n-1 by group. Group g has members[start[g]] .. members[start[g + 1] - 1], in ascending order.
 struct Gathered {
   std::vector<std::size_t> start;
   Array<Index> members;
@@ -73,7 +73,7 @@ Gathered gather(std::size_t n, std::size_t groups, const GroupOf& group_of) {
   return gathered;
 }
 
-/// The mesh in Gmsh's terms: everything belongs to an entity; curves are numbered before surfaces.
+/// The mesh in Gmsh's terms: everything belongs to an entity. The numbers of curves come before those of surfaces.
 struct Model {
   std::vector<Group> curves;
   std::vector<Group> surfaces;
@@ -117,7 +117,7 @@ Model model_of(const Mesh& mesh) {
     return region == no_index ? attributes.size() - 1 : region;
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) used[region_of(t)] = 1;
-  if (mesh.triangles.empty()) used.back() = 1;  // points need an entity
+  if (mesh.triangles.empty()) used.back() = 1;  // each point needs an entity
   std::vector<double> values;
   for (std::size_t r = 0; r < attributes.size(); ++r) {
     if (used[r] != 0) values.push_back(attributes[r]);
@@ -150,7 +150,7 @@ Model model_of(const Mesh& mesh) {
   return model;
 }
 
-/// Writes numbers in the encoding of the file: rows of text in ASCII, consecutive bytes in binary.
+/// Writes numbers in the encoding of the file. In ASCII they are rows of text; in binary they are consecutive bytes.
 class MshWriter {
  public:
   MshWriter(OutputFile& out, MshEncoding encoding) : out_(out), binary_(encoding == MshEncoding::binary) {}
@@ -165,7 +165,7 @@ class MshWriter {
   }
 
  private:
-  /// The format has the types int, std::size_t and double; each argument must have the right one.
+  /// The format distinguishes int, std::size_t and double. Each argument must have the type that the format prescribes.
   template <class... Numbers>
   void row(Bytes& to, Numbers... numbers) const {
     if (binary_) {

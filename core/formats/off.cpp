@@ -1,5 +1,5 @@
-// OFF: "OFF", the numbers of vertices, faces and edges, then "x y z" per vertex and "3 a b c" per face. Further numbers
-// in a record are colours and are ignored. z is written as 0 and ignored when read.
+// The OFF format: "OFF", then the numbers of vertices, faces and edges, then "x y z" per vertex and "3 a b c" per face.
+// Further numbers of a record are colours and are ignored. z is written as 0 and ignored by the reader.
 #include "../formats.hpp"
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"

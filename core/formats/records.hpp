@@ -1,5 +1,5 @@
-// Writing many records fast: formatted into a buffer, written in blocks. One thread formats some 400 MB/s of
-// text; several, keeping their blocks in order, were slower wherever the machine had other work.
+// Writes many records fast: they are formatted into a buffer, which is written in blocks. One thread formats about 400
+// MB/s of text. Several threads that keep their blocks in order were slower on machines with other load.
 #pragma once
 
 #include <charconv>
@@ -11,7 +11,7 @@
 
 namespace pardel::files {
 
-/// Bytes under construction. Numbers take the fewest digits that read back to the same value.
+/// A growing sequence of bytes. Numbers are written with the fewest digits that read back to the same value.
 class Bytes {
  public:
   template <class Number>
@@ -30,7 +30,7 @@ class Bytes {
     bytes_ += text;
     return *this;
   }
-  /// The value's own bytes, as the machine holds them.
+  /// Appends the bytes of the value as they are in memory.
   template <class Value>
   Bytes& raw(const Value& value) {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -43,7 +43,7 @@ class Bytes {
   std::string bytes_;
 };
 
-/// Writes what format(bytes, i) appends for i = 0 .. n-1; stops early after a failure.
+/// Calls format(bytes, i) for i = 0 .. n-1 and writes what it appends. Stops early after a failure.
 template <class Format>
 void write_records(OutputFile& out, std::size_t n, const Format& format) {
   constexpr std::size_t block = std::size_t{1} << 18;

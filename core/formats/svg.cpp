@@ -1,4 +1,4 @@
-// SVG drawings of a mesh and of a Pslg. y points up, as in the data.
+// SVG drawings of a mesh and of a Pslg. The y axis points up.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -40,7 +40,7 @@ class Canvas {
     return number(to, (high_.y - p.y) * scale_ + margin + dy);
   }
 
-  /// Three decimals: a thousandth of a unit is not visible.
+  /// Writes three decimals, because a thousandth of a unit is not visible.
   static Bytes& number(Bytes& to, double value) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, 3);
@@ -55,7 +55,7 @@ class Canvas {
   double scale_ = 1;
 };
 
-/// Hues of consecutive regions differ by the golden angle, so they are easy to distinguish. 0 stands for no region.
+/// Hues of consecutive regions differ by the golden angle, so they are easy to distinguish. Argument 0 means no region.
 std::uint16_t hue_of_region(std::size_t region) { return static_cast<std::uint16_t>((210 + region * 137) % 360); }
 
 void put_fill(Bytes& to, std::size_t hue) {

@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// Removes a leading '+', which std::from_chars does not accept. A second sign must not follow.
+/// Removes a leading '+', which std::from_chars does not accept. Another sign after the '+' is not allowed.
 std::string_view without_plus(std::string_view token) {
   if (token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   return token;
@@ -175,7 +175,7 @@ std::size_t TextReader::count(std::string_view what) {
 
 bool TextReader::room_for(std::size_t n, std::size_t bytes_each, std::string_view what) {
   if (failed_) return false;
-  // One byte more than the text has, because the last record may lack its newline.
+  // The text counts as one byte longer, because the newline of the last record may be missing.
   if (n <= (rest().size() + 1) / bytes_each) return true;
   fail("announces " + std::to_string(n) + " " + std::string(what) + ", more than the " + std::to_string(rest().size()) +
        " bytes that follow can hold");

@@ -11,10 +11,10 @@
 
 namespace pardel::files {
 
-/// The bytes of a file. If it cannot be opened or read, an `io` error that names the file.
+/// Returns the bytes of a file, or an `io` error that names the file if it cannot be opened or read.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file);
 
-/// `token` in quotation marks, for messages: at most 40 bytes of it, and bytes that cannot be printed as \xNN.
+/// `token` in quotation marks, for messages: its first 40 bytes at most. Bytes that cannot be printed appear as \xNN.
 [[nodiscard]] std::string in_quotes(std::string_view token);
 
 /// Reads a text of lines. A line consists of fields separated by blanks (spaces, tabs, the CR of CR LF). Blank lines
@@ -29,20 +29,20 @@ class TextReader {
   /// `text` must outlive the reader.
   TextReader(std::string_view text, std::string name);
 
-  /// Goes to the next line that has a field. False at the end of the text or after a failure.
+  /// Goes to the next line that has a field. Returns false at the end of the text or after a failure.
   bool next_line();
   /// Like next_line(), but the end of the text is a failure: `expected WHAT, found the end of the file`.
   bool expect_line(std::string_view what);
-  /// Like expect_line(), for record i of n, counted from 0: `expected triangle 5 of 9, ...` if `what` is "triangle".
+  /// Like expect_line(), for record i of n, counted from 0. If `what` is "triangle": `expected triangle 5 of 9, ...`.
   bool expect_record(std::string_view what, std::size_t i, std::size_t n);
   /// True if the line has another field.
   [[nodiscard]] bool has_field();
-  /// Goes to the next field, on this line or a later one. False at the end of the text.
+  /// Goes to the next field, on this line or a later one. Returns false at the end of the text.
   bool next_field();
 
-  /// The next field of the line; empty if there is none.
+  /// Returns the next field of the line; empty if there is none.
   std::string_view word();
-  /// The rest of the line, comments included.
+  /// Returns the rest of the line, including comments.
   std::string_view rest_of_line();
   /// Reads a finite number that a double can represent.
   double number(std::string_view what);
@@ -56,7 +56,7 @@ class TextReader {
   /// allocated for n records: a wrong count then cannot cost more memory than a small multiple of the file's size.
   bool room_for(std::size_t n, std::size_t bytes_each, std::string_view what);
 
-  /// Goes behind the end of the current line, where binary data begin.
+  /// Goes to the first byte after the end of the current line, where binary data begin.
   void end_line();
   /// Reads the next n bytes as binary data. If there are fewer, fails and returns an empty text.
   std::string_view bytes(std::size_t n, std::string_view what);
@@ -66,9 +66,9 @@ class TextReader {
   [[nodiscard]] Error error() const { return {ErrorKind::invalid_input, message_}; }
   /// Stores the failure `NAME:LINE: message`, unless there was a failure before.
   void fail(const std::string& message);
-  /// The text from the next unread byte on.
+  /// The part of the text that has not been read.
   [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
-  /// Skips n bytes; the lines among them are counted.
+  /// Skips n bytes. Line ends among them count for the line number.
   void skip(std::size_t n);
 
  private:
@@ -87,7 +87,7 @@ class TextReader {
   std::string message_;
 };
 
-/// The least number of bytes of a record of `fields` fields: a digit and a separator each.
+/// The least number of bytes of a record of `fields` fields: each has at least one digit and one separator.
 constexpr std::size_t text_bytes(std::size_t fields) { return 2 * fields; }
 
 }  // namespace pardel::files

@@ -1,4 +1,4 @@
-// Reads Triangle's input files .poly, .node and .area, and files with a size per vertex, which look like them.
+// Reads Triangle's input files .poly, .node and .area, and the similar files with one size per vertex.
 #include <limits>
 
 #include "../formats.hpp"
@@ -52,7 +52,7 @@ Status read_node(const fs::path& node, Pslg& pslg) {
   return Done{};
 }
 
-/// `node`: the file with the points if the point section is empty; null if the points must be in the text.
+/// `node`: the file that has the points if the point section is empty; null if the text itself must have the points.
 Result<Pslg> read_poly(TextReader& in, const fs::path* node) {
   Pslg pslg;
   const PointHeader header = read_point_header(in);

@@ -15,8 +15,8 @@ struct ReadMesh {
   int base = 1;
 };
 
-/// `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
-/// Of six nodes the first three, the corners, are kept. The first attribute is that of the region.
+/// Format: `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
+/// Of six nodes, only the first three (the corners) are kept. The first attribute is the attribute of the region.
 void read_elements(TextReader& in, ReadMesh& read) {
   Mesh& mesh = read.mesh;
   in.expect_line("the number of triangles");
@@ -47,8 +47,8 @@ void read_elements(TextReader& in, ReadMesh& read) {
   if (attributes > 0) set_regions(mesh, region.span());
 }
 
-/// Reads the segments of the .poly that was written with the mesh. Returns false for a .poly that has points: it is the
-/// input of the mesh.
+/// Reads the segments of the .poly that was written with the mesh. Returns false if the .poly has points: then it is
+/// the input from which the mesh was made.
 bool read_own_segments(TextReader& in, ReadMesh& read) {
   const PointHeader header = read_point_header(in);
   if (header.points > 0) return false;

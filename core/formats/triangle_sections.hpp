@@ -34,8 +34,8 @@ inline void read_number(TextReader& in, std::string_view what, std::size_t i, in
   }
 }
 
-/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base, that
-/// is the number of the first point: 0 or 1, and 1 if there is no point.
+/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base: the
+/// number of the first point, 0 or 1. Returns 1 if there is no point.
 template <class PointSet>
 int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
   const std::size_t n = header.points;

@@ -53,7 +53,7 @@ void write_holes(OutputFile& out, std::span<const Point> holes, int base) {
   out.write(to.view());
 }
 
-/// Writes nothing if there are no regions. A region without an area cap has the area -1.
+/// Writes the regions, if there are any. The area -1 means that a region has no area cap.
 void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
   if (regions.empty()) return;
   Bytes to;
@@ -66,8 +66,8 @@ void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
   out.write(to.view());
 }
 
-/// Writes the .node. For second order, the middles of all edges follow; the attributes of a middle are the means of
-/// those of the edge's ends.
+/// Writes the .node. If the mesh is written in second order, the midpoints of all edges follow the vertices. The
+/// attributes of a midpoint are the means of the attributes of the edge's ends.
 void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const std::size_t n = mesh.points.size();
   const std::size_t middles = files.second_order ? table.edges.size() : 0;
@@ -87,8 +87,9 @@ void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const
   });
 }
 
-/// Writes the .ele. If the mesh has regions, each triangle has one attribute, that of its region. Node 4 of a
-/// second-order triangle is the middle of the edge opposite corner 1, and so on.
+/// Writes the .ele. If the mesh has regions, each triangle has one attribute, that of its region. In a second-order
+/// triangle, node 4 is the midpoint of the edge opposite corner 1, node 5 that opposite corner 2, and node 6 that
+/// opposite corner 3.
 void write_ele(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const bool regions = !mesh.region.empty();
   Bytes header;

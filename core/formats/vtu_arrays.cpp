@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// An XML start tag at text[at] == '<'. XML entities are not decoded, because no attribute read here needs one.
+/// An XML start tag; text[at] is its '<'. XML entities are not decoded, because no attribute that is read here needs
+/// this.
 struct Tag {
   std::string_view name;
   std::string_view attributes;
@@ -44,7 +45,7 @@ Tag tag_at(std::string_view text, std::size_t at) {
   return tag;
 }
 
-/// The number in the text; -1 if the text is no number, `otherwise` if it is empty.
+/// The integer in the text; -1 if the text is not an integer; `otherwise` if the text is empty.
 std::int64_t whole(std::string_view text, std::int64_t otherwise) {
   if (text.empty()) return otherwise;
   std::int64_t value = 0;
@@ -59,8 +60,8 @@ int base64_digit(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Decodes base64 up to `most` bytes, or up to the first character that is not base64. Padding ends a group of four
-/// characters, but not the text: some writers encode the length and the data separately, each with its padding.
+/// Decodes base64 until there are `most` bytes or a character is not base64. Padding ends a group of four characters,
+/// but not the text: some writers encode the length and the data separately, and pad both.
 std::string decode_base64(std::string_view text, std::size_t most) {
   std::string bytes;
   std::uint32_t group = 0;
@@ -69,7 +70,7 @@ std::string decode_base64(std::string_view text, std::size_t most) {
     if (bytes.size() >= most) break;
     if (blanks.find(c) != std::string_view::npos) continue;
     if (c == '=') {
-      // A group of two digits holds one byte, one of three digits two.
+      // A group of two digits holds one byte; a group of three digits holds two bytes.
       if (digits == 2) bytes += static_cast<char>(group >> 4);
       if (digits == 3) bytes += {static_cast<char>(group >> 10), static_cast<char>(group >> 2)};
       digits = 0;
@@ -99,7 +100,7 @@ Array<Value> converted(std::string_view bytes) {
   return values;
 }
 
-/// Converts the values from the type with this VTK name. False if the type is unknown or a value does not fit a Value.
+/// Converts values of the type with this VTK name. Returns false if the type is unknown or a Value cannot hold a value.
 template <class Value>
 bool convert(std::string_view bytes, std::string_view type, Array<Value>& to) {
   if (type == "Int8") return to = converted<std::int8_t, Value>(bytes), true;

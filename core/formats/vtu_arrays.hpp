@@ -1,4 +1,4 @@
-// The arrays of a VTU file, in all places and encodings that the format allows without compression.
+// Reads the arrays of a VTU file in every place and encoding that the format allows, except compressed ones.
 #pragma once
 
 #include <string>
@@ -32,7 +32,8 @@ class VtuFile {
 
   [[nodiscard]] std::size_t points() const { return points_; }
   [[nodiscard]] std::size_t cells() const { return cells_; }
-  /// The array with this section and name; an empty name means the first array of the section. Null if there is none.
+  /// Returns the array with this section and name, or the first array of the section if `name` is empty; null if none
+  /// exists.
   [[nodiscard]] const VtuArray* find(std::string_view section, std::string_view name) const;
 
   /// All values of an array, converted from the type in the file. `Value` is double or int64_t. A number with a

@@ -1,5 +1,5 @@
-// Reads VTU: triangles become the mesh, lines its constrained edges, vertices are ignored. The arrays of write_vtu()
-// (region, marker, attributes, constrained_edges) are read if they are present. z is ignored.
+// Reads VTU: triangles become triangles of the mesh, lines become its constrained edges, vertices are ignored. The
+// arrays of write_vtu() (region, marker, attributes, constrained_edges) are read if they are present. z is ignored.
 #include <optional>
 #include <string>
 
@@ -41,7 +41,8 @@ class VtuMesh {
     return array;
   }
 
-  /// The values of an array, which must have n values if n is given. Empty if the array is missing or wrong.
+  /// Returns the values of an array. If n is given, the array must have n values. Empty if the array is missing or
+  /// invalid.
   template <class Value>
   Array<Value> values(const VtuArray* array, std::optional<std::size_t> n = std::nullopt) {
     if (error_ || array == nullptr) return {};

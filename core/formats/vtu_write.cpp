@@ -40,7 +40,7 @@ AppendedArray array_of(std::string name, std::size_t components, std::size_t n, 
           [n, format = std::move(format)](OutputFile& out) { write_records(out, n, format); }};
 }
 
-/// The smallest angle in degrees: that opposite the shortest edge. 0 if the triangle is flat.
+/// The smallest angle in degrees, which lies opposite the shortest edge; 0 if the triangle is flat.
 double smallest_angle(const std::array<Point, 3>& p) {
   const auto squared_length = [&](std::size_t i) {  // of the edge opposite corner i
     const Point& a = p[(i + 1) % 3];
@@ -57,7 +57,7 @@ double smallest_angle(const std::array<Point, 3>& p) {
 
 using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
-/// Corners and offsets as integers of type Id. With 32 bits, if they suffice, files are half as large.
+/// Corners and offsets as integers of type Id. If 32 bits suffice, the file is half as large as with 64 bits.
 template <class Id>
 Section cells(const Mesh& mesh) {
   const std::size_t n = mesh.triangles.size();
@@ -101,7 +101,7 @@ Section point_data(const Mesh& mesh, const Array<int>& markers) {
   return section;
 }
 
-/// The constrained edges, which are values neither per point nor per cell. Viewers ignore them; read_mesh() reads them.
+/// The constrained edges. They are neither point data nor cell data. Viewers ignore them; read_mesh() reads them.
 Section field_data(const Mesh& mesh) {
   const auto& edges = mesh.constrained_edges;
   Section section{"FieldData", {}};
@@ -115,7 +115,7 @@ Section field_data(const Mesh& mesh) {
   return section;
 }
 
-/// Appends the elements of a section. `offset`: where its first array begins; on return, where its last array ends.
+/// Appends the elements of a section. `offset` is the start of its first array and becomes the end of its last array.
 void put_section(Bytes& to, const Section& section, std::size_t& offset) {
   const auto& [name, arrays] = section;
   to << "<" << name << ">\n";

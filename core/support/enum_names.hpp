@@ -1,4 +1,4 @@
-// Tables of names of enumerators. A table that misses an enumerator, or has another order, does not compile.
+// Tables of the names of enumerators. The compiler rejects a table that lacks an enumerator or has another order.
 //
 //   constexpr auto colour_names = enum_names<Colour>({{Colour::red, "red"}, {Colour::green, "green"}});
 //   colour_names[Colour::red]      // "red"
@@ -12,8 +12,8 @@
 namespace pardel {
 namespace detail {
 
-/// False where `value` is a number that no enumerator of its type has. g++ and clang print an enumerator by its name,
-/// and any other value as a cast: "(Colour)2".
+/// False if `value` equals no enumerator of its type. The test uses that g++ and clang print an enumerator by its name,
+/// but any other value as a cast: "(Colour)2".
 template <auto value>
 [[nodiscard]] consteval bool is_enumerator() {
   const std::string_view text = __PRETTY_FUNCTION__;
@@ -31,14 +31,14 @@ struct EnumNames {
 
   [[nodiscard]] static constexpr std::size_t size() { return n; }
 
-  /// "unknown" where `value` is no enumerator.
+  /// Returns the name; "unknown" if `value` is not an enumerator.
   [[nodiscard]] constexpr const char* operator[](Enum value) const {
     const auto i = static_cast<std::size_t>(value);
     return i < n ? names[i] : "unknown";
   }
 };
 
-/// `entries`: every enumerator with its name, in the order of their values.
+/// Makes a table. `entries`: every enumerator with its name, in the order of the enumerators' values.
 template <class Enum, std::size_t n>
 [[nodiscard]] consteval EnumNames<Enum, n> enum_names(const std::pair<Enum, const char*> (&entries)[n]) {
   static_assert(detail::is_enumerator<static_cast<Enum>(n - 1)>(), "the table has more entries than enumerators");

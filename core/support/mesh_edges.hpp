@@ -1,4 +1,4 @@
-// The edges of a mesh, each once, with its marker; and the constrained edges by their ends.
+// Lists each edge of a mesh once, with its marker, and finds constrained edges by their ends.
 #pragma once
 
 #include "../mesh.hpp"
@@ -10,8 +10,8 @@ namespace pardel {
 class ConstrainedEdgeIndex {
  public:
   explicit ConstrainedEdgeIndex(const Mesh& mesh);
-  /// The constrained edge with the ends a and b, in either order; null if there is none. If several have these ends,
-  /// the last of them.
+  /// Returns the constrained edge with the ends a and b, in either order; null if there is none. If several edges have
+  /// these ends, returns the last one.
   [[nodiscard]] const ConstrainedEdge* find(Index a, Index b) const;
 
  private:
@@ -30,7 +30,7 @@ struct MarkedEdge {
   int marker = 0;
 };
 
-/// The edges of a mesh, and the edge of every side. Side 3t + i lies opposite corner i of triangle t.
+/// The edges of a mesh, and the edge of every side. Side 3t + i is opposite corner i of triangle t.
 struct EdgeTable {
   Array<MarkedEdge> edges;    ///< in the order of the triangles
   Array<Index> edge_of_side;  ///< triangles.size() * 3

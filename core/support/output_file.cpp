@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// True if `file` must be written directly: it exists and is not a regular file, or its name refers to an open file
-/// (/dev/stdout, /proc/self/fd/1), which a renamed file would not reach.
+/// (/dev/stdout, /proc/self/fd/1), which a rename does not replace.
 bool is_special(const fs::path& file) {
   std::error_code missing;
   const fs::file_status status = fs::status(file, missing);

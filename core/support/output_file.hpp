@@ -27,7 +27,7 @@ class OutputFile {
   void write(std::string_view bytes);
   /// Flushes and closes the file. Every failure to write is reported here at the latest, as an `io` error.
   Status close();
-  /// Calls close(), then gives the file its name.
+  /// Calls close(), then renames the file to its final name.
   Status commit();
 
  private:
@@ -40,8 +40,8 @@ class OutputFile {
   std::string failure_;
 };
 
-/// Closes all files; if that succeeded for all, commits each of them. So either all files get their names, or none
-/// does, unless a renaming fails.
+/// Closes all files; if every close() succeeds, commits each file. So either all files get their final names or none
+/// does, unless a rename fails.
 Status commit_all(std::deque<OutputFile>& files);
 
 }  // namespace pardel

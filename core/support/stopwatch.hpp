@@ -1,17 +1,17 @@
-// Elapsed time on a clock that never goes back.
+// Measures elapsed time with a clock that never goes back.
 #pragma once
 
 #include <chrono>
 
 namespace pardel {
 
-/// Starts when it is made.
+/// The constructor starts the stopwatch.
 class Stopwatch {
  public:
   /// Seconds since the start, or since the last lap().
   [[nodiscard]] double seconds() const { return between(start_, Clock::now()); }
 
-  /// The same, and starts anew.
+  /// Returns seconds() and starts again from zero.
   double lap() {
     const Clock::time_point last = start_;
     start_ = Clock::now();
