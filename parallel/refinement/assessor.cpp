@@ -13,7 +13,7 @@ bool Assessor::below_floor(EdgeRef e) const {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) < 4 * squared_floor_;
 }
 
-/// The first constrained side that has to be split and may be split. 3 where there is none.
+/// The first constrained side that has to be split and may be split; 3 if there is no such side.
 unsigned Assessor::encroached_side(TriangleId id, const Slot& slot, const Measure& m) const {
   unsigned side = 0;
   for (; side < 3; ++side) {

@@ -1,4 +1,4 @@
-// The decisions of the refinement: does a triangle have to be split, and where?
+// Determines for a triangle if and where it has to be split.
 #pragma once
 
 #include <cassert>
@@ -12,7 +12,7 @@
 
 namespace pardel::engine {
 
-/// What has to be done about a triangle.
+/// The result of the assessment of a triangle: the split that it needs.
 struct Assessment {
   enum class Need : std::uint8_t { nothing, split_edge, split_triangle };
   Need need = Need::nothing;
@@ -32,7 +32,7 @@ class Assessor {
         options_(options),
         squared_floor_(options.min_edge * options.min_edge) {}
 
-  /// The entry for a queue: the triangle as it is now, with the side of its assessment.
+  /// The queue entry for the triangle that the slot `id` holds now, with the side from its assessment.
   [[nodiscard]] QueuedTriangle entry(TriangleId id, const Assessment& a) const {
     return QueuedTriangle::now(t_, EdgeRef(id, a.side));
   }
@@ -52,13 +52,13 @@ class Assessor {
             false};
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
-  /// True where the triangle breaks the criteria, even where an exemption justifies it.
+  /// True if the triangle breaks the criteria, even if an exemption justifies this.
   [[nodiscard]] bool breaks_goal(TriangleId id) const;
-  /// For a conforming goal: a constrained side that is not Delaunay. 3 where there is none, and for other goals.
+  /// For a conforming goal: a constrained side that is not Delaunay, or 3 if there is none. For other goals: 3.
   [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
-  /// True where the options forbid to split the edge.
+  /// True if the options do not allow to split the edge.
   [[nodiscard]] bool forbidden(EdgeRef e) const;
-  /// True where the halves of the edge would be shorter than options.min_edge.
+  /// True if the halves of the edge would be shorter than options.min_edge (the floor).
   [[nodiscard]] bool below_floor(EdgeRef e) const;
   [[nodiscard]] bool too_large(TriangleId id) const { return too_large(id, Shape(t_, t_.slots[id])); }
   /// The point that has to be inserted. Precondition: the assessment's need is not `nothing`.
@@ -75,7 +75,7 @@ class Assessor {
   }
   /// The input segment on which the constrained edge e lies.
   [[nodiscard]] Index segment_of(EdgeRef e) const;
-  /// The region of a triangle; no_index where the domain has one region only.
+  /// The region of a triangle; no_index if the domain has only one region.
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:

@@ -17,8 +17,8 @@ class BucketQueue {
  public:
   BucketQueue() { head_.fill(no_index); }
 
-  /// The key of a squared length: its exponent and the two leading bits of its mantissa. Two squared lengths with one
-  /// key differ by less than a quarter of an octave.
+  /// The key of a squared length: its exponent and the two leading bits of its mantissa. Two squared lengths with the
+  /// same key differ by less than a quarter of a power of two.
   [[nodiscard]] static unsigned key(double squared_length) {
     return static_cast<unsigned>(std::bit_cast<std::uint64_t>(squared_length) >> 50U) & last;
   }
@@ -49,7 +49,7 @@ class BucketQueue {
   /// Precondition: not empty.
   QueuedTriangle pop() {
     const Index node = head_[lowest_];
-    // Field by field: a load of the whole entry waits where its fields have just been stored one by one.
+    // Copy field by field: a load of the whole entry would wait if its fields have just been stored one by one.
     const QueuedTriangle triangle{nodes_[node].triangle.side, nodes_[node].triangle.first_corner};
     const Index next = nodes_[node].next;
     head_[lowest_] = next;
@@ -74,8 +74,8 @@ class BucketQueue {
         const unsigned w = s * 64 + static_cast<unsigned>(std::countr_zero(summary_[s]));
         lowest_ = w * 64 + static_cast<unsigned>(std::countr_zero(words_[w]));
       }
-    // The order of the free nodes is that of the pops, which is bad for the cache. An empty queue starts again with
-    // consecutive nodes.
+    // The list of free nodes has the order of the pops, which uses the cache badly. Therefore an empty queue starts
+    // again with consecutive nodes.
     if (lowest_ == none) {
       nodes_.clear();
       free_ = no_index;
@@ -85,8 +85,8 @@ class BucketQueue {
   static constexpr unsigned buckets = last + 1;
   static constexpr unsigned none = buckets;
   std::array<Index, buckets> head_;                      ///< the first node of each bucket, or no_index
-  std::array<std::uint64_t, buckets / 64> words_{};      ///< one bit per bucket: it is not empty
-  std::array<std::uint64_t, buckets / 4096> summary_{};  ///< one bit per word: it is not zero
+  std::array<std::uint64_t, buckets / 64> words_{};      ///< one bit per bucket, 1 if it is not empty
+  std::array<std::uint64_t, buckets / 4096> summary_{};  ///< one bit per word, 1 if it is not zero
   std::vector<Node> nodes_;
   Index free_ = no_index;   ///< the first free node, or no_index
   unsigned lowest_ = none;  ///< the key of the next entry, or none

@@ -10,7 +10,7 @@ namespace pardel::engine {
 namespace {
 
 constexpr double stricter = 1 - 0x1p-40;
-constexpr double proven_angle_deg = 20.7;  // the diametral lens is never narrower than with this bound on angles
+constexpr double proven_angle_deg = 20.7;  // the diametral lens is never narrower than for this bound on angles
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 double squared(double x) { return x * x; }
@@ -25,7 +25,7 @@ double sine(double x) {
 }
 double cosine(double x) { return 1 - 2 * squared(sine(x / 2)); }
 
-/// A fit to 200,000 random triangles, refined at 5 to 33 degrees with off-centres. The error is below a tenth.
+/// A function fitted to 200,000 random triangles, refined at 5 to 33 degrees with off-centres. Its error is below 10 %.
 double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / (22 * (53.5 - min_angle_deg)); }
 
 }  // namespace
@@ -47,13 +47,13 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   for (double& cap : twice_region_cap_) cap *= 2 * stricter;
   if (placement == Placement::circumcentre) return;
   fills_ = has_size();
-  // Measured: above 31 degrees, filled areas make the mesh larger. Filled lengths never do.
+  // Measured: above 31 degrees, size points for bounds on area make the mesh larger; those for lengths never do.
   fills_areas_ = goal.min_angle_deg <= 31;
   // Measured at 0 to 31 degrees on squares and pipes, and reduced slightly.
   if (fills_areas_) fill_ = 0.71 - 0.005 * std::max(0.0, goal.min_angle_deg - 20);
   if (goal.min_angle_deg > 0) {
     const double c = cosine(radians(goal.min_angle_deg));
-    // The reduction covers rounding. It is no larger because points nearer to the side make the mesh larger.
+    // The reduction covers rounding. It is not larger, because points nearer to the side make the mesh larger.
     constexpr double to_spare = 0.999;
     off_centre_height_ = to_spare * 0.5 * std::sqrt((1 + c) / (1 - c));
   }
@@ -78,9 +78,9 @@ Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index regi
 }
 
 double Criteria::filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const {
-  // A triangle that is much too large is halved by its circumcentre. Otherwise it would be filled row by row from its
-  // shortest side, and each new point would be connected to corners far away. A larger factor makes smaller meshes and
-  // takes longer.
+  // A triangle that is much too large is split at its circumcentre. Otherwise it would be filled with points row by row
+  // from its shortest side, and each new point would be connected to distant corners. A larger factor gives smaller
+  // meshes and takes longer.
   constexpr double much_too_large = 6;
   // A lower point would lie in the diametral circle of the side.
   constexpr double least = 0.5;

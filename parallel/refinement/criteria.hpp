@@ -31,35 +31,35 @@ class Criteria {
   [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {
     return m.twice_area > twice_max_area_;
   }
-  /// True where there is a bound on area or on edges.
+  /// True if the goal has a bound on area or on edges.
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
-  /// True where there are bounds on edges, or bounds that depend on the place. too_large() does not cover them.
+  /// True if the goal has bounds on edges, or bounds that depend on the place. too_large() does not test these bounds.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
-  /// True where the triangle exceeds one of these bounds. `region`: the triangle's region, or no_index.
+  /// True if the triangle exceeds one of these local bounds. `region`: the triangle's region, or no_index.
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
   /// True where the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
   /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
-  /// `dot`: Measure::dot_at the corner. The other two are the squared lengths of the sides that meet there.
+  /// `dot`: Measure::dot_at the corner. The other parameters: the squared lengths of the two sides at this corner.
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 
-  /// The average number of triangles into which the bound on angles divides a triangle of a Delaunay triangulation of
+  /// The average number of triangles by which the bound on angles replaces a triangle of a Delaunay triangulation of
   /// random points.
   [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
 
   [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
 
-  /// The point that splits the bad triangle with the shortest side qr and the apex a, counter-clockwise: the candidate
-  /// that is nearest to the side qr. The candidates are:
+  /// The point that splits the bad triangle with the shortest side qr and the opposite corner a, counter-clockwise. It
+  /// is the nearest to the side qr of these candidates:
   /// - the circumcentre;
-  /// - the off-centre: with qr it makes a triangle that just keeps the bound on angles (Üngör, "Off-centers: a new type
+  /// - the off-centre: with qr it forms a triangle that just keeps the bound on angles (Üngör, "Off-centers: a new type
   ///   of Steiner points", 2004);
-  /// - the point that with qr makes a triangle that just fills the bounds on size, but no nearer to qr than half its
-  ///   length (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved surfaces", 2016).
-  ///   It is not used for triangles that are much too large. Bounds on area are not filled above 31 degrees.
-  /// Placement::circumcentre leaves the circumcentre only.
+  /// - the size point: with qr it forms a triangle as large as the bounds on size allow, but is no nearer to qr than
+  ///   half the length of qr (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved
+  ///   surfaces", 2016). Not used for triangles that are much too large; bounds on area only up to 31 degrees.
+  /// With Placement::circumcentre, the circumcentre is the only candidate.
   [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region) const;
   [[nodiscard]] Point split_point(const Shape& s, Index region) const {
     const unsigned apex = s.shortest_side();
@@ -77,8 +77,8 @@ class Criteria {
     double twice_area, squared_edge;
   };
   [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region) const;
-  /// The height, in lengths of the shortest side, of the triangle that just fills the bounds. Infinity for a triangle
-  /// that is much too large.
+  /// The height, as a multiple of the shortest side, of the triangle that is as large as the bounds allow. Infinity for
+  /// a triangle that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
 
   double squared_sine_;  ///< of the smallest angle allowed
@@ -86,10 +86,10 @@ class Criteria {
   double twice_max_area_;
   double squared_max_edge_;
   double triangles_by_shape_;
-  double off_centre_height_ = INFINITY;  ///< height of the off-centre, in lengths of the shortest side
-  bool fills_ = false;                   ///< split points may fill bounds on size
-  bool fills_areas_ = false;             ///< bounds on area are filled too
-  double fill_ = 0.62;                   ///< the part of its cap that a triangle fills on average
+  double off_centre_height_ = INFINITY;  ///< height of the off-centre, as a multiple of the shortest side
+  bool fills_ = false;                   ///< the size point is a candidate (split_point)
+  bool fills_areas_ = false;             ///< the size point uses bounds on area, too
+  double fill_ = 0.62;                   ///< the average area of a triangle, as a fraction of its cap
   std::vector<double> twice_region_cap_;
   std::function<double(Point)> size_, area_cap_;
   bool has_local_size_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto no_triangle = [](EdgeRef) { return false; };
 constexpr auto any_vertex = [](VertexId) { return true; };
-/// Loads each corner relative to p.
+/// Returns a function that loads a vertex relative to p.
 auto corners_around(const Triangulation& t, Point p) {
   return [&t, p](VertexId v) { return corner_around(Pair{p.x, p.y}, t.points[v]); };
 }
@@ -29,7 +29,7 @@ bool Insertion::measure_fan(Point p) {
   Pair closest{INFINITY, INFINITY};
   bool visible = true;
   std::size_t breaking = 0;
-  // Two edges at a time: from a to b, and from c to d. Where their number is odd, the last edge is measured twice.
+  // Two edges at a time: from a to b, and from c to d. If the number of edges is odd, the last one is measured twice.
   for (std::size_t i = 0; i < n; i += 2) {
     const std::size_t j = std::min(i + 1, n - 1);
     const Corner a = cavity_.corner(i), b = cavity_.corner(i + 1), c = cavity_.corner(j), d = cavity_.corner(j + 1);
@@ -80,7 +80,7 @@ EdgeRef Insertion::longest_encroached() const {
       wide = edge.inner;
     }
   }
-  // Where a constrained edge is not Delaunay, the point may not see all triangles of its cavity.
+  // Near a constrained edge that is not Delaunay, the cavity may not be star-shaped. Then `wide` has to be split.
   return found.none() && !is_star_ ? wide : found;
 }
 
@@ -127,10 +127,10 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
         if (!box.contains_half_open(t_.points[v])) return Outcome::leaves_box;
   const Walk walk = cavity_.find_on_edge(t_, e, PairedDiskQuery{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::foreign) return Outcome::leaves_box;
-  // The walk does not test the triangles at the edge. Rounding may have put p outside the disk of one of them. Then the
-  // fan need not be Delaunay, and the walk may reach that triangle a second time, around a vertex that is closer to the
-  // edge than p is. If p lies in all disks of the cavity and sees all of its boundary, the fan is Delaunay wherever
-  // rounding put p: on the paraboloid, the lifted p lies below every lifted triangle of the cavity.
+  // The walk does not test the two triangles at the edge. Rounding may have moved p out of the disk of one of them.
+  // Then the fan may be not Delaunay, and the walk may reach this triangle a second time, around a vertex that is
+  // closer to the edge than p is. If p lies in all disks of the cavity and sees all of its boundary, the fan is
+  // Delaunay in spite of the rounding: on the paraboloid, the lifted p lies below every lifted triangle of the cavity.
   const bool is_cavity = walk == Walk::complete && in_circumdisk(t_, t_.slot(e), p) &&
                          (other.none() || in_circumdisk(t_, t_.slot(other), p));
   is_star_ = measure_fan(p) && is_cavity;
@@ -153,7 +153,7 @@ void Insertion::commit(Point p, Index origin) {
   is_measured_ = true;
 }
 
-/// The cavity is not star-shaped. Splits the triangle that contains p, then flips edges.
+/// Used if the cavity is not star-shaped. Splits the triangle that contains p, then flips edges.
 Outcome Insertion::face_by_flips(Point p) {
   const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
   for (const TriangleId id : candidates) {

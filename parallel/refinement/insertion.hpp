@@ -1,4 +1,4 @@
-// The insertion of one point: finds the point's cavity, decides whether it may be retriangulated, and does so.
+// The insertion of one point: finds the point's cavity, tests if the insertion is allowed, and performs it.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ namespace pardel::engine {
 enum class Outcome : std::uint8_t {
   inserted,
   encroaches,  ///< the constrained edge blocker() has to be split instead
-  leaves_box,  ///< the cavity needs a larger or another box; where flips are needed, the whole plane
+  leaves_box,  ///< the insertion needs a larger or another box; if flips are needed, the whole plane
   too_close,   ///< an edge shorter than min_edge would result
   refused,     ///< no valid triangulation would result in double precision
 };
@@ -24,7 +24,7 @@ enum class Outcome : std::uint8_t {
 /// The indices that a task may give to new vertices and triangles.
 struct FreeIndices {
   IndexPool vertices, triangles;
-  /// Enough for one more insertion.
+  /// True if there are enough indices for one more insertion.
   [[nodiscard]] bool suffice() const { return vertices.left() >= 1 && triangles.left() >= 2; }
 };
 
@@ -36,51 +36,51 @@ class Insertion {
   Insertion(Triangulation& t, const Criteria& criteria, double min_edge)
       : t_(t), criteria_(criteria), squared_floor_(min_edge * min_edge) {}
 
-  /// Later insertions take their indices from `free`, which has to suffice for each of them.
+  /// Later insertions take their indices from `free`. Before each insertion, free.suffice() has to be true.
   void start(FreeIndices& free) {
     free_ = &free;
     has_flipped_ = false;
   }
 
-  /// Inserts p, unless it encroaches on a constrained edge of its cavity or lies beyond such an edge. Refused where p
-  /// does not lie in the open circumdisk of `first`. Precondition: all corners of `first` lie in the box.
+  /// Inserts p, unless p encroaches on a constrained edge of its cavity or lies beyond such an edge. The outcome is
+  /// `refused` if p is not in the open circumdisk of `first`. Precondition: all corners of `first` lie in the box.
   Outcome insert_in_face(Point p, TriangleId first, const Box& box);
 
-  /// The outcome of insert_in_face(), without a change (`inserted`: p can be inserted).
+  /// The outcome that insert_in_face() would have; changes nothing (`inserted`: p can be inserted).
   Outcome try_in_face(Point p, TriangleId first, const Box& box);
 
-  /// Splits the constrained edge e, a piece of `segment`, at p.
+  /// Splits the constrained edge e, which is a part of `segment`, at p.
   Outcome split_edge(Point p, EdgeRef e, Index segment, const Box& box);
 
-  /// The outcome of split_edge(), without a change (`inserted`: e can be split at p).
+  /// The outcome that split_edge() would have; changes nothing (`inserted`: e can be split at p).
   Outcome try_on_edge(Point p, EdgeRef e, const Box& box);
 
   /// After `inserted`: the triangles that are new or changed.
   [[nodiscard]] std::span<const TriangleId> changed() const { return changed_; }
-  /// After `inserted`: the measures of changed(), in the same order. Empty where flips were needed.
+  /// After `inserted`: the measures of changed(), in the same order. Empty if flips were needed.
   [[nodiscard]] std::span<const Measure> measures() const {
     return {measures_.data(), is_measured_ ? changed_.size() : 0};
   }
-  /// After `inserted`, where measures() is not empty: the positions in changed() of the triangles that break the bound
-  /// on angles or the bound on areas that holds everywhere.
+  /// After `inserted`, if measures() is not empty: the positions in changed() of the triangles that break the bound on
+  /// angles or the bound on areas that holds everywhere.
   [[nodiscard]] std::span<const std::size_t> breaking() const { return {breaking_.data(), breaking_count_}; }
-  /// After `inserted`: false where no triangle of changed() has a constrained side.
+  /// After `inserted`: if false, no triangle of changed() has a constrained side.
   [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
-  /// True where an insertion since start() needed flips (see QueuedTriangle).
+  /// True if an insertion since start() needed flips (see QueuedTriangle).
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
   /// After `encroaches`: the longest encroached edge, seen from inside the cavity.
   [[nodiscard]] EdgeRef blocker() const { return blocker_; }
-  /// After `leaves_box` in a face: true where some triangle of p's cavity that does not lie in the box has at most this
-  /// circumradius. Precondition: p lies in the box.
+  /// After insert_in_face() returned `leaves_box`: true if some triangle of p's cavity that does not lie in the box has
+  /// at most this circumradius. Precondition: p lies in the box.
   [[nodiscard]] bool left_box_for(Point p, const Box& box, double squared_circumradius) const;
 
  private:
-  /// Measures the fan of triangles from p to the boundary of the cavity. Returns true where every one of them is
-  /// positively oriented.
+  /// Measures the triangles that would join p to the edges of the cavity's boundary (the fan). Returns true if all of
+  /// them are positively oriented.
   bool measure_fan(Point p);
   /// The exact orientation of a boundary edge and p.
   [[nodiscard]] double orientation_of(std::size_t edge, Point p) const;
-  /// The longest constrained edge of the boundary on which the point encroaches or beyond which it lies; none() where
+  /// The longest constrained edge of the boundary on which the point encroaches or beyond which it lies; none() if
   /// there is no such edge.
   [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
@@ -95,12 +95,12 @@ class Insertion {
   FreeIndices* free_ = nullptr;
   Cavity cavity_;
   bool is_star_ = false;        ///< after try_in_face and try_on_edge: the cavity is star-shaped around the point
-  double squared_closest_ = 0;  ///< after measure_fan: from the point to the nearest corner of the boundary
+  double squared_closest_ = 0;  ///< after measure_fan: distance to the nearest corner of the boundary
   bool has_flipped_ = false;
   std::span<const TriangleId> changed_;  ///< the cavity's triangles, or flipped_
   std::vector<TriangleId> flipped_;
   bool is_measured_ = false;
-  // Scratch memory. The number of boundary edges and breaking_count_ tell how much of it is in use.
+  // Scratch memory. The number of boundary edges and breaking_count_ determine how much of it is in use.
   std::vector<Measure> measures_;
   std::vector<std::size_t> breaking_;
   std::size_t breaking_count_ = 0;

@@ -18,8 +18,8 @@ namespace pardel::engine {
 }
 
 /// A CavityQuery for the point p within a box. The cavity consists of triangles with all corners in the box.
-/// The answers are exact, like those of in_circumdisk(). Floating point decides almost always. It then uses the corners
-/// that the walk passes along, so no coordinate is loaded twice.
+/// The answers are exact, like those of in_circumdisk(). A floating-point filter almost always suffices. It uses the
+/// corners that the walk passes to the query, so no coordinate is loaded twice.
 struct PairedDiskQuery {
   const Triangulation& t;
   Pair p;

@@ -17,7 +17,7 @@ double distance(Point a, Point b) {
 }
 double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
-/// The power of two in [length/3, 2 length/3] that is nearest to the middle (Triangle's choice).
+/// The power of two in [length/3, 2 length/3] that is nearest to the middle, as in Triangle.
 double shell(double length) {
   double radius = std::ldexp(1.0, std::ilogb(length));
   while (length > 3 * radius) radius *= 2;
@@ -25,9 +25,9 @@ double shell(double length) {
   return radius;
 }
 
-/// The foot of p on the line through a and b, rounded once. Without it, the rounding errors of repeated splits would
-/// add up. Precondition: p lies on the line up to rounding. The leading products then nearly cancel, and their
-/// difference is exact.
+/// The orthogonal projection of p onto the line through a and b, rounded once. Without the projection, the rounding
+/// errors of repeated splits would add up. Precondition: p lies on the line up to rounding. The leading products then
+/// nearly cancel, and their difference is exact.
 Point projected(Point p, Point a, Point b) {
   using namespace exact;
   const Two dx = two_difference(b.x, a.x), dy = two_difference(b.y, a.y);
@@ -39,7 +39,7 @@ Point projected(Point p, Point a, Point b) {
   return {p.x - off * dy.head, p.y + off * dx.head};
 }
 
-/// True where u and v have the same distance from the apex, up to the rounding of coordinates.
+/// True if u and v have the same distance from the apex, up to the rounding of coordinates.
 bool same_shell(Point apex, Point u, Point v) {
   const double du = distance(apex, u), dv = distance(apex, v);
   const double largest = std::max({std::abs(apex.x), std::abs(apex.y), std::abs(u.x), std::abs(u.y)});

@@ -1,4 +1,4 @@
-// The rules near small input angles, which make refinement end on every input: concentric shells (Ruppert 1995) and the
+// Rules for small input angles. They make the refinement end on every input: concentric shells (Ruppert 1995) and the
 // two exemptions of Miller, Pav and Walkington ("When and why Ruppert's algorithm works", 2003).
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace pardel::engine {
 
-/// The point that splits the constrained edge a-b, a piece of `segment`. The midpoint, with one exception: where
-/// exactly one of a and b is an end of the segment at which another segment leaves at an acute angle (the apex), the
-/// point lies at a distance from that end that is a power of two and cuts the edge between 1/3 and 2/3. The pieces
-/// around one apex then end on shared circles (shells), and the vertices of one segment do not encroach on another. The
-/// point lies on the segment to within the rounding of its coordinates.
+/// The point that splits the constrained edge a-b, a part of `segment`. It is the midpoint, with one exception. An end
+/// of a segment is an apex if another segment leaves there at an acute angle. If exactly one of a and b is an apex of
+/// the segment, the distance of the point from the apex is a power of two, between 1/3 and 2/3 of the edge. The edges
+/// around one apex then end on common circles (shells), and the vertices of one segment do not encroach on another. The
+/// point lies on the segment up to the rounding of its coordinates.
 [[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b);
 
 /// The small input angle that exempts a triangle.
@@ -24,9 +24,9 @@ struct SmallAngle {
   double angle_deg;
 };
 
-/// Tells whether a triangle that is bad by its shape alone is left alone, because splitting it would not end. Such a
-/// triangle is nestled (its smallest angle lies between two segments) or seditious (its shortest edge joins points of
-/// one shell on two segments that meet at less than 60 degrees).
+/// The exemption of a triangle that breaks only the bound on angles, or nothing if it has to be split. A triangle is
+/// exempt if splitting it would never end. It is nestled (its smallest angle lies between two segments) or seditious
+/// (its shortest edge joins points of one shell on two segments that meet at less than 60 degrees).
 [[nodiscard]] std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments,
                                                     const Slot& slot, const Measure& measure);
 

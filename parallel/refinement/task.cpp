@@ -19,7 +19,7 @@ void Task::start(const Lattice& lattice, Index cell, std::span<const QueuedTrian
 bool Task::step() {
   while (!queue_.empty()) {
     const QueuedTriangle next = queue_.pop();
-    if (!next.is_current(t_)) continue;  // if the triangle that replaced it is bad, it was queued too
+    if (!next.is_current(t_)) continue;  // stale; the new triangle was queued, too, if it is bad
     if (free_->suffice())
       process(next);
     else

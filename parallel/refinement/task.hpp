@@ -1,4 +1,4 @@
-// A task: refines the part of the mesh in one box, until nothing can be done there any more.
+// A task: refines the part of the mesh in one box, until it cannot split any further triangle there.
 #pragma once
 
 #include <functional>
@@ -19,32 +19,32 @@ struct HandedOn {
   Index cell;
 };
 
-/// The work of a task, and the triangles that it leaves to others. Each list has a fixed order.
+/// The counts of a task, and the triangles that it leaves to other tasks. The order of each list is deterministic.
 struct TaskResult {
-  std::vector<HandedOn> handed_on;               ///< to other cells, or to its own where its indices were used up
+  std::vector<HandedOn> handed_on;               ///< to other cells, or to its own if its indices were used up
   std::vector<QueuedTriangle> needs_larger_box;  ///< the point lies in the cell, but the cavity leaves the cell's box
   std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
-  std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box have a cavity that fits the box by T1
-  bool left_alone = false;           ///< a triangle that breaks the goal was not split; it may be gone by now
+  std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box should fit the box by T1
+  bool left_alone = false;           ///< a triangle that breaks the goal was not split; it may not exist any more
 };
 
-/// Works on one cell at a time. Each thread has a Task of its own. A run leaves nothing to the next run except
-/// allocated memory.
+/// Works on one cell at a time. Each thread has a Task of its own. A run keeps only allocated memory for the next run,
+/// no data.
 class Task {
  public:
-  /// own_cell_only: a point in another cell is handed on even where its cavity fits the box.
+  /// own_cell_only: a triangle whose point lies in another cell is handed on even if the cavity fits the box.
   Task(Triangulation& t, const Assessor& assessor, const Criteria& criteria, double min_edge, bool own_cell_only)
       : t_(t), assessor_(assessor), insertion_(t, criteria, min_edge), own_cell_only_(own_cell_only) {}
 
-  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. Calls go_on(n) now and
-  /// then, where n is the number of vertices inserted since the last call. The run ends early where go_on returns
+  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. Calls go_on(n) from
+  /// time to time, where n is the number of vertices inserted since the last call. The run ends early if go_on returns
   /// false.
   TaskResult run(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
                  FreeIndices& free, const std::function<bool(std::uint64_t)>& go_on);
 
-  /// The same in single insertions: start(), then step() until it returns false, then finish().
+  /// run() in single steps: call start(), then step() until it returns false, then finish().
   void start(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
              FreeIndices& free);
   [[nodiscard]] bool step();
@@ -66,8 +66,8 @@ class Task {
       queue_.push(assessor_.entry(id, a), a.key);
   }
   void process(QueuedTriangle triangle);
-  /// Splits an encroached side of the triangle. Where there is none that can be split, returns the triangle's shortest
-  /// side if the triangle itself has to be split. Otherwise returns none().
+  /// Splits an encroached side of the triangle. If no such side can be split, and the triangle itself has to be split,
+  /// returns the triangle's shortest side. Otherwise returns none().
   [[nodiscard]] EdgeRef split_encroached_side(QueuedTriangle triangle);
   /// Splits the edge on which the triangle's split point encroaches.
   void split_blocker(QueuedTriangle triangle);
@@ -75,10 +75,10 @@ class Task {
   void hand_on_to_own_cell(QueuedTriangle triangle);
   void count_refused();
   [[nodiscard]] Outcome split_edge(EdgeRef e);
-  /// Hands the triangle on to the cell of p, the point that this task could not insert. Where that is the task's own
+  /// Hands the triangle on to the cell of p, the point that this task could not insert. If p lies in the task's own
   /// cell, the triangle needs a larger box.
   void hand_on(QueuedTriangle triangle, Point p);
-  /// True where the point p in a face left the box although its cavity fits by T1 (Lattice::radius_that_fits).
+  /// True if p, inserted in a face, left the box although its cavity fits by T1 (Lattice::radius_that_fits).
   [[nodiscard]] bool violates_t1(Point p) const;
 
   Triangulation& t_;

@@ -1,10 +1,10 @@
-// Insertion in two steps: Cavity finds the triangles that an insertion destroys and changes nothing; retriangulate()
-// replaces them and decides nothing.
+// Insertion in two steps. Cavity finds the triangles that an insertion destroys, and does not change them.
+// retriangulate() replaces them without any test.
 //
 // The cavity of a point p is the set of triangles whose open circumdisk contains p and that are reached from a first
 // such triangle without crossing a constrained edge (Bowyer 1981, Watson 1981; the paper's C_M(p)). Its dual graph is a
-// tree, because an insertion into a Delaunay triangulation leaves no vertex inside the cavity. The walk therefore needs
-// no marks on triangles. It goes counter-clockwise, and yields the boundary in order.
+// tree, because no vertex lies inside the cavity of a point in a Delaunay triangulation. The walk over the cavity
+// therefore needs no marks on triangles. It goes counter-clockwise and lists the boundary edges in order.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace pardel::engine {
 
 /// An edge of the cavity's boundary. It runs from `from` to the next edge's `from`.
 struct CavityEdge {
-  Pair at;  ///< with `square`, the corner of `from`, as the query returned it
+  Pair at;  ///< `at` and `square`: the Corner of `from` that the query returned
   double square;
   VertexId from;
   EdgeRef inner;  ///< the edge as a side of the triangle inside the cavity
@@ -28,8 +28,8 @@ struct CavityEdge {
   bool crossed;  ///< used by the walk: the triangle outside belongs to the cavity too
 
   [[nodiscard]] Corner corner() const { return {at, square}; }
-  // Field by field: a copy of the whole object loads several fields at once, and that load waits where they have just
-  // been stored one by one.
+  // Field by field: a copy of the whole object would load several fields at once. This load would wait if the fields
+  // have just been stored one by one.
   void set(const Corner& start, VertexId v, EdgeRef from_inside, EdgeRef from_outside, bool goes_on) {
     at = start.at;
     square = start.square;
@@ -45,16 +45,16 @@ enum class Walk : std::uint8_t {
   complete,
   elsewhere,  ///< the point does not lie in the disk of the first triangle
   foreign,    ///< a triangle of the cavity may not be changed
-  tangled,    ///< the walk met itself: where a constrained edge is not Delaunay, it can run around the edge's ends
+  tangled,    ///< the walk met itself: it can run around the ends of a constrained edge that is not Delaunay
 };
 
-/// The cavity of a point. An object can be used again for other points; it keeps its memory.
+/// The cavity of a point. An object can be used for many points, one after the other; it keeps its memory.
 class Cavity {
  public:
   Cavity() { enlarge(64); }
 
   [[nodiscard]] std::span<const TriangleId> triangles() const { return {triangles_.data(), triangle_count_}; }
-  /// As many triangles as the boundary has edges: those of the cavity, then new ones from `allocate`.
+  /// One triangle index per boundary edge: first those of the cavity, then new ones from `allocate`.
   template <class Allocate>
   [[nodiscard]] std::span<const TriangleId> triangles_with(const Allocate& allocate) {
     for (std::size_t i = triangle_count_; i < boundary_count_; ++i) triangles_[i] = allocate();
@@ -63,19 +63,19 @@ class Cavity {
   [[nodiscard]] std::span<const CavityEdge> boundary() const { return {boundary_.data(), boundary_count_}; }
   /// The vertex where boundary edge i ends.
   [[nodiscard]] VertexId to(std::size_t i) const { return boundary_[i + 1].from; }
-  /// The corner where boundary edge i starts. Where i is the number of edges, the corner where the last one ends.
+  /// The corner where boundary edge i starts. If i is the number of edges, the corner where the last edge ends.
   [[nodiscard]] Corner corner(std::size_t i) const { return boundary_[i].corner(); }
-  /// True where a boundary edge is constrained.
+  /// True if a boundary edge is constrained.
   [[nodiscard]] bool touches_constraint() const { return touches_constraint_; }
-  /// True where a constrained edge is split. The boundary then starts at the end of that edge, and reaches the start of
-  /// that edge after left_count() edges.
+  /// True if the point splits a constrained edge. The boundary then starts at the end of this edge, and reaches the
+  /// start of this edge after left_count() edges.
   [[nodiscard]] bool splits_edge() const { return splits_edge_; }
   [[nodiscard]] std::size_t left_count() const { return left_count_; }
-  /// True where the edge that is split has no triangle on its right. The boundary is then a chain, not a cycle.
+  /// True if the split edge has no triangle on its right. The boundary is then a chain, not a cycle.
   [[nodiscard]] bool open() const { return open_; }
 
-  /// Finds the cavity of the query's point, starting from the triangle `first`. The cavity is as described only where
-  /// the result is Walk::complete. Linear in the number of its triangles, up to a logarithm in a cavity of 64 or more.
+  /// Finds the cavity of the query's point, starting from the triangle `first`. The object holds the cavity only if the
+  /// result is Walk::complete. Time: linear in the number of its triangles, times a logarithm if there are 64 or more.
   template <CavityQuery Query>
   [[nodiscard]] Walk find(const Triangulation& t, TriangleId first, const Query& query) {
     clear();
@@ -90,7 +90,7 @@ class Cavity {
     return grow(t, third, c[1], c[2], 2, query);
   }
 
-  /// The same for a point on the constrained edge e. The triangles at e belong to the cavity without a query.
+  /// The same for a point on the constrained edge e. The triangles at e belong to the cavity without a test.
   template <CavityQuery Query>
   [[nodiscard]] Walk find_on_edge(const Triangulation& t, EdgeRef e, const Query& query) {
     clear();
@@ -118,7 +118,7 @@ class Cavity {
   /// The walk does not cross constrained edges.
   [[nodiscard]] static bool is_wall(EdgeRef outer) { return outer.constrained(); }
 
-  /// Asks about the triangles behind two sides of a triangle: from u to its far corner w, and from w to v.
+  /// Queries the triangles behind two sides of a triangle: from u to its far corner w, and from w to v.
   template <CavityQuery Query>
   [[nodiscard]] DisksAndCorners query_both(Corner u, Corner w, Corner v, const Slot& slot, EdgeRef right, EdgeRef left,
                                            const Query& query) {
@@ -152,7 +152,8 @@ class Cavity {
       const TriangleId id = entry.triangle();
       const Slot& slot = t.slots[id];
       if (!query.is_own(slot.apex(entry.side()))) return ended(Walk::foreign, count, edges);
-      // With its end, the boundary has at most three entries more than the cavity has triangles, the stack two.
+      // With its end, the boundary has at most three entries more than the cavity has triangles; the stack has two
+      // more.
       if (count + 4 > capacity_) [[unlikely]]
         enlarge(2 * capacity_);
       triangles_[count++] = id;
@@ -196,7 +197,7 @@ class Cavity {
     return how;
   }
 
-  /// False where a triangle occurs twice. A walk that meets itself would never end. It is detected here: the walk asks
+  /// False if a triangle occurs twice. A walk that meets itself would never end. Therefore the walk calls this function
   /// whenever the number of triangles is a power of two from 64 on.
   [[nodiscard]] bool is_tree() const {
     std::vector<TriangleId> sorted(triangles().begin(), triangles().end());
@@ -204,17 +205,17 @@ class Cavity {
     return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
   }
 
-  // Scratch memory of one common length. The counts tell how much of it is in use.
+  // Scratch memory: arrays of one common length. The counts determine how much of them is in use.
   std::vector<TriangleId> triangles_;
   std::vector<CavityEdge> boundary_, stack_;
   std::size_t capacity_ = 0, triangle_count_ = 0, boundary_count_ = 0, left_count_ = 0;
   bool splits_edge_ = false, open_ = false, touches_constraint_ = false;
 };
 
-/// Replaces the cavity by a fan of triangles around the new vertex p: one per boundary edge, in their order, with the
-/// corners p, from, to. Returns their ids: all slots of the cavity, then new ones from `allocate`. Thus every slot of
-/// the cavity is reused at once, and gets the new vertex as its first corner. The queues of the refinement rely on
-/// this guarantee: see QueuedTriangle (refinement/queued_triangle.hpp).
+/// Replaces the cavity by a fan of triangles around the new vertex p: one triangle per boundary edge, in the order of
+/// the edges, with the corners p, from, to. Returns the ids of the fan: all slots of the cavity, then new ones from
+/// `allocate`. Thus every slot of the cavity is reused at once, and gets the new vertex as its first corner. The queues
+/// of the refinement rely on this guarantee: see QueuedTriangle (refinement/queued_triangle.hpp).
 template <class Allocate>
 std::span<const TriangleId> retriangulate(Triangulation& t, Cavity& cavity, VertexId p, const Allocate& allocate) {
   const auto boundary = cavity.boundary();

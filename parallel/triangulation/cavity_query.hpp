@@ -15,8 +15,8 @@ struct Corner {
   double square = 0;  ///< squared distance from p
 };
 
-/// Tells for two triangles whether p lies in their disks. Both answers are bits of one number, which stays in a
-/// register: a branch on it does not wait for memory.
+/// States for two triangles if p lies in their circumdisks. Both answers are bits of one number. The number stays in a
+/// register, so a branch on it does not wait for memory.
 struct InDisks {
   unsigned bits = 0;
 
@@ -27,7 +27,7 @@ struct InDisks {
   [[nodiscard]] bool second() const { return (bits & 2) != 0; }
 };
 
-/// The answers for the triangles behind two edges: whether p lies in their disks, and the far corner of each.
+/// The answers for the triangles behind two edges: if p lies in their disks, and the far corner of each triangle.
 struct DisksAndCorners {
   InDisks in_disk;
   std::array<Corner, 2> corner;
@@ -38,16 +38,17 @@ struct DisksAndCorners {
 /// - is_own(v): true where a triangle with the far corner v may be changed. The far corner of a triangle is the one
 ///   opposite the edge through which the walk enters it.
 /// - corner(v): the vertex v relative to p.
-/// - first_and_behind(slot, corners, e): whether p lies in the disk of the walk's first triangle and in that of the
-///   triangle of e. `slot` is the slot of the first triangle, `corners` are its corners relative to p. The edge e is
-///   shared by both triangles and joins the corners 0 and 1 of the first one.
+/// - first_and_behind(slot, corners, e): two answers: if p lies in the disk of the walk's first triangle, and if p lies
+///   in the disk of the triangle of e. `slot` is the slot of the first triangle, `corners` are its corners relative to
+///   p. The edge e is common to both triangles and joins the corners 0 and 1 of the first one.
 /// - both(u, w, v, right, left): the answers for the triangles of `right` and `left`. The edge `right` runs from u to
-/// w,
-///   the edge `left` from w to v.
+/// w.
+///   The edge `left` runs from w to v.
 ///
-/// All edges are passed as sides of the triangle that is asked about. Where the walk cannot cross an edge, it passes
-/// the side of the near triangle instead and ignores the answer: so queries need no branch for missing triangles. The
-/// corners that a query returns are passed back to it later and are stored with the boundary (CavityEdge).
+/// The walk passes each edge as a side of the triangle to be tested. If the walk cannot cross an edge, it passes the
+/// side of the near triangle instead and ignores the answer, so queries need no branch for missing triangles.
+/// The walk stores the corners that a query returns with the boundary (CavityEdge), and passes them to later queries.
+///
 template <class Query>
 concept CavityQuery = requires(const Query& query, VertexId v, const Slot& slot, const std::array<Corner, 3>& corners,
                                const Corner& corner, EdgeRef e) {
@@ -57,8 +58,8 @@ concept CavityQuery = requires(const Query& query, VertexId v, const Slot& slot,
   { query.both(corner, corner, corner, e, e) } -> std::same_as<DisksAndCorners>;
 };
 
-/// A query made of three functions that deal with one triangle at a time: in_disk(EdgeRef) -> bool,
-/// corner_of(VertexId) -> Corner, and is_own(VertexId) -> bool. The walk's first triangle is not tested: it has to
+/// A query made of three functions, each for one triangle or vertex: in_disk(EdgeRef) -> bool,
+/// corner_of(VertexId) -> Corner, and is_own(VertexId) -> bool. The walk's first triangle is not tested; it has to
 /// belong to the cavity. The functions have to outlive the query.
 template <class InDisk, class CornerOf, class IsOwn>
 class SingleTriangleQuery {

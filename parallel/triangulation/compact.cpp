@@ -7,7 +7,7 @@
 namespace pardel::engine {
 namespace {
 
-/// The moves into unused indices, and the new index of everything that has moved.
+/// The moves into unused indices, and the new index of each element that has moved.
 class Moves {
  public:
   explicit Moves(const IndexAllocator& indices) : moves_(moves_into_holes(indices)), in_use_(indices.in_use()) {
@@ -39,8 +39,8 @@ void compact_triangles(Triangulation& t, const IndexAllocator& indices, int thre
     t.slots[to] = t.slots[from];
     if (!t.region.empty()) t.region[to] = t.region[from];
   });
-  // Where two neighbours have moved, each looks up the new index of the other. Where only one has moved, it writes its
-  // index into the other. So every side has one writer, and no side is read that another thread writes.
+  // If two neighbours have moved, each looks up the new index of the other. If only one has moved, it writes its new
+  // index into the other. So each side is written once, and no thread reads a side that another thread writes.
   moves.for_each(threads, [&](TriangleId, TriangleId to) {
     for (unsigned side = 0; side < 3; ++side) {
       EdgeRef& out = t.slots[to].n[side];

@@ -1,4 +1,4 @@
-// Compaction of a triangulation: afterwards no index below the number of vertices or triangles is unused.
+// Compaction of a triangulation. Afterwards every index below the number of vertices or triangles is in use.
 #pragma once
 
 #include "../concurrency/index_allocator.hpp"
@@ -6,8 +6,8 @@
 
 namespace pardel::engine {
 
-/// Moves the last vertices and triangles into the unused indices, shortens the arrays accordingly, and gives the rest
-/// of their memory back. Precondition: both allocators are settled. Linear in the number of triangles.
+/// Moves the last vertices and triangles into the unused indices, shortens the arrays, and releases the memory that
+/// they no longer need. Precondition: both allocators are settled. Time: linear in the number of triangles.
 void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, int threads);
 
 /// A copy of the triangulation, compacted. Precondition and time as for compact().

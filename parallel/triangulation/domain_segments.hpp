@@ -10,9 +10,9 @@
 namespace pardel::engine {
 
 /// A segment of the domain: a segment of the input or, if the domain is the convex hull of its points, an edge of the
-/// hull. Refinement splits it into subsegments, which are not stored: every vertex on the segment has its index as
-/// origin, so the ends of a subsegment determine the segment. a < b holds, and vertices are numbered by coordinates, so
-/// the direction of the segment in the input does not influence how points on it are rounded.
+/// hull. Refinement splits it into subsegments. They are not stored: every vertex inside the segment has the segment's
+/// index as its origin, so the ends of a subsegment determine the segment. a < b holds, and vertices are numbered by
+/// coordinates. So the direction of the segment in the input does not influence how points on it are rounded.
 struct DomainSegment {
   VertexId a, b;
   bool acute_at_a = false;  ///< another segment makes an angle below 90 degrees with this one at a
@@ -28,8 +28,8 @@ class DomainSegments {
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
 
-  /// The segment of which the constrained edge u-v is a subsegment. no_index if there is none, which does not happen in
-  /// a correct triangulation.
+  /// The segment that contains the constrained edge u-v as a subsegment. no_index if there is no such segment; this
+  /// does not happen in a correct triangulation.
   [[nodiscard]] Index segment_of(const Triangulation& t, VertexId u, VertexId v) const;
   /// The common end of two different segments, or no_index.
   [[nodiscard]] VertexId shared_end(Index first, Index second) const;

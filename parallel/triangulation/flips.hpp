@@ -1,5 +1,5 @@
-// Edge flips. They insert constraints into a Delaunay triangulation (insert_constraints.hpp) and complete those
-// insertions of points that cannot be done by replacing a cavity (refinement/insertion.hpp).
+// Edge flips. They insert constraints into a Delaunay triangulation (construction/insert_constraints.hpp). They also
+// complete insertions of points whose cavity cannot be replaced by a fan (refinement/insertion.hpp).
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ void flip(Triangulation& t, EdgeRef e);
 /// Precondition: there is a triangle across.
 [[nodiscard]] bool delaunay_across(const Triangulation& t, EdgeRef e);
 
-/// Flips edges until every unconstrained edge that flips can reach from `suspects` is locally Delaunay (Lawson 1977).
+/// Flips `suspects`, and the edges around each flip, until all unconstrained ones are locally Delaunay (Lawson 1977).
 /// Appends every triangle that a flip changed to `changed`, possibly several times.
 void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed);
 

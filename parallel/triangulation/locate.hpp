@@ -17,7 +17,7 @@ template <class MayEnter>
 [[nodiscard]] TriangleId locate(const Triangulation& t, Point p, TriangleId start, const MayEnter& may_enter) {
   EdgeRef entered;  // the side of `at` that the walk crossed last
   TriangleId at = start;
-  // With a fixed order of the sides the walk could cycle where constraints suspend the Delaunay property.
+  // With a fixed order of the sides the walk could cycle near constrained edges that are not Delaunay.
   std::uint32_t random = 1;
   for (;;) {
     const Slot& slot = t.slots[at];

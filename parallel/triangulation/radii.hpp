@@ -6,17 +6,17 @@
 
 namespace pardel::engine {
 
-/// A bound on the circumradius by theorem T3 (THEORY). `ratio` bounds circumradius over shortest edge, `area` bounds
-/// the area.
+/// A bound on the circumradius by theorem T3 (THEORY). `ratio` is a bound on circumradius / shortest edge, and `area` a
+/// bound on the area.
 [[nodiscard]] double radius_bound(double ratio, double area);
 /// The least such bound (THEORY, T3-sharp). Precondition: ratio > 1/2, as in every triangle.
 [[nodiscard]] double sharp_radius_bound(double ratio, double area);
 
-/// The largest circumradius, ratio and area of a set of triangles, up to rounding. Each may belong to another triangle.
+/// The largest circumradius, ratio and area of a set of triangles, up to rounding. They may be of different triangles.
 struct Radii {
   double radius = 0, ratio = 0, area = 0;
 };
-/// The largest values of the triangles whose indices are in use. Precondition: the allocator is settled. O(n).
+/// The largest values over the triangles whose indices are in use. Precondition: the allocator is settled. O(n).
 [[nodiscard]] Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, int threads);
 
 }  // namespace pardel::engine

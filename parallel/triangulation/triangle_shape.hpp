@@ -9,7 +9,7 @@
 
 namespace pardel::engine {
 
-/// The lengths and the area from which the quality of a triangle follows. T is double, or Pair for two triangles at
+/// The lengths and the area that determine the quality of a triangle. T is double, or Pair for two triangles at
 /// once.
 template <class T>
 struct MeasureOf {
@@ -49,8 +49,8 @@ struct Shape : Measure {
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
   /// All lengths are computed from the differences to the first corner. An insertion computes them in the same way
-  /// (Insertion::measures), so both get the same bits. The same is true of the area where floating point decides its
-  /// sign.
+  /// (Insertion::measures), so both results have the same bits. The areas are also the same if the floating-point
+  /// filter determines their sign.
   Shape(Point a, Point b, Point c) : p{a, b, c} {
     const double abx = b.x - a.x, aby = b.y - a.y;
     const double acx = c.x - a.x, acy = c.y - a.y;
