@@ -1,5 +1,5 @@
-// Constrained Delaunay triangulation by flips: first make every segment an edge, then flip every edge that is not
-// locally Delaunay.
+// Constrained Delaunay triangulation by flips: first every segment is made an edge, then every unconstrained edge that
+// is not locally Delaunay is flipped.
 //
 // Sources: C. L. Lawson, "Software for C1 surface interpolation", 1977 (flips end in the Delaunay triangulation);
 // S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993 (forcing an edge).

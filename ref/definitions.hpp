@@ -1,8 +1,8 @@
-// The terms of the theory (properties/THEORY.md, Conventions) as functions. Each follows its definition literally:
-// a quantifier is a loop, and numbers are exact. Nothing here is fast.
+// The terms of the theory (properties/THEORY.md, Conventions) as functions. Each function follows its definition
+// literally: "for all" and "there is" are loops, and numbers are exact. The functions are slow.
 //
-// [CC] marks definitions of A. N. Chernikov and N. P. Chrisochoides, "Parallel Guaranteed Quality Planar Delaunay Mesh
-// Generation by Concurrent Point Insertion", 2004, in our own words.
+// [CC] marks definitions from A. N. Chernikov and N. P. Chrisochoides, "Parallel Guaranteed Quality Planar Delaunay
+// Mesh Generation by Concurrent Point Insertion", 2004. They are not quoted verbatim.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -66,7 +66,7 @@ struct PlainMesh {
 [[nodiscard]] std::vector<Index> cavity(const PlainMesh& mesh, const ExactPoint& p);
 
 /// The closure of a set of triangles is the set of these triangles with their edges and vertices. In a conformal mesh
-/// two closures are disjoint if and only if the triangles share no vertex. So this returns the vertices only.
+/// two closures are disjoint if and only if the triangles share no vertex. So the function returns only the vertices.
 [[nodiscard]] std::set<Index> closure(const PlainMesh& mesh, const std::vector<Index>& triangles);
 
 /// Does p encroach upon the edge ab? That is, does p lie inside or on the circle with diameter ab [CC], and is p

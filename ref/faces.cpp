@@ -20,7 +20,8 @@ bool contains(const PlainMesh& mesh, const Corners& t, const ExactPoint& p) {
   return !triangle.has_on_unbounded_side(p);
 }
 
-/// Triangle's rule: the marker of the segment if it is not 0; otherwise 1 on the boundary and 0 elsewhere.
+/// The rule of the program Triangle: the marker of the segment if it is not 0; otherwise 1 on the boundary and 0
+/// elsewhere.
 int edge_marker(const Segment& segment, bool on_boundary) {
   return segment.marker != 0 ? segment.marker : static_cast<int>(on_boundary);
 }

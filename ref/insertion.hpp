@@ -9,8 +9,8 @@
 
 namespace pardel::ref {
 
-/// The boundary of a set of triangles: the edges that belong to exactly one of them. Each is a directed pair with the
-/// set on its left.
+/// The boundary of a set of triangles: the edges that belong to exactly one triangle of the set. Each edge is directed,
+/// with the set on its left.
 [[nodiscard]] std::vector<Edge> boundary(const PlainMesh& mesh, const std::vector<Index>& triangles);
 
 /// The fan of p: one triangle (a, b, p) for each edge ab of the boundary of the cavity. `vertex` is the index of p. An
@@ -29,11 +29,11 @@ void split_constraint(PlainMesh& mesh, const Edge& e, Index vertex);
 Index insert(PlainMesh& mesh, const ExactPoint& p);
 
 /// The Delaunay triangulation of the points and of the corners (±half_width, ±half_width) of a box that contains them,
-/// by inserting one point after the other. The corners are the last four points of the mesh. Precondition: the points
-/// are distinct.
+/// built by inserting one point after the other. The corners are the last four points of the mesh. Precondition: the
+/// points are distinct.
 [[nodiscard]] PlainMesh delaunay_in_box(const std::vector<Point>& points, double half_width);
 
-/// The same for a box whose corners lie outside the diametral circle of every two points.
+/// As delaunay_in_box(), with a box so large that its corners lie outside the diametral circle of every two points.
 [[nodiscard]] PlainMesh delaunay_in_far_box(const std::vector<Point>& points);
 
 }  // namespace pardel::ref

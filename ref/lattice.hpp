@@ -28,10 +28,10 @@ struct Lattice {
 
 /// The lattice of [CC] for this mesh. Its corner is the lower left corner of the mesh's bounding box. Its side is 4 r̄,
 /// rounded up to a double, where r̄ is the largest circumradius of the mesh: this is the least side for which points in
-/// two cells that are not neighbours are at least 4 r̄ apart. Precondition: the mesh has triangles.
+/// two cells that are not neighbours have distance at least 4 r̄. Precondition: the mesh has triangles.
 [[nodiscard]] Lattice lattice_over(const PlainMesh& mesh);
 
-/// May the lattice be used for a mesh with this largest squared circumradius r̄²? That is, is its side at least 4 r̄?
+/// May the lattice be used for a mesh whose largest squared circumradius is r̄²? That is, is its side at least 4 r̄?
 [[nodiscard]] bool allows(const Lattice& lattice, const Number& squared_circumradius);
 
 [[nodiscard]] Cell cell_of(const Lattice& lattice, const ExactPoint& p);

@@ -16,7 +16,7 @@ struct Work {
   const Lattice& lattice;
 };
 
-/// Only cells of the phase's colour work [CC].
+/// In a phase, only cells of its colour insert points [CC].
 bool is_at_work(const Cell& cell, const Phase& phase) { return colour_of(cell) == phase.colour; }
 
 /// Records the triangles and vertices that inserting p uses; returns the cavity of p.
@@ -32,8 +32,8 @@ std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoi
   return hole;
 }
 
-/// Requests a split of the subsegment e, which the cell `from` made necessary. The cell that contains the midpoint does
-/// it.
+/// Requests a split of the subsegment e, because the cell `from` found that e must be split. The cell that contains the
+/// midpoint inserts it. If this is another cell, the subsegment is handed on to that cell.
 void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
   if (work.state.waiting.contains(e)) return;
   request_split(work.state, e);
@@ -44,7 +44,7 @@ void hand_on(const Work& work, Phase& phase, const Cell& from, const Edge& e) {
 }
 
 /// The next point to insert for each working cell that has one: the midpoint of a subsegment that waits for its split,
-/// or else the circumcentre of a bad triangle, if it encroaches upon no subsegment. All are found in the same mesh.
+/// or else the circumcentre of a bad triangle, if it encroaches upon no subsegment. All points are found in one mesh.
 std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
   const PlainMesh& mesh = work.state.mesh;
   std::map<Cell, ExactPoint> found;
@@ -60,8 +60,8 @@ std::map<Cell, ExactPoint> candidates(const Work& work, Phase& phase) {
     // A bad triangle is split in the phase of the cell that contains its circumcentre.
     const Cell cell = cell_of(work.lattice, *centre);
     if (!is_at_work(cell, phase) || found.contains(cell)) continue;
-    // If a subsegment hides the circumcentre from its triangle, some subsegment is encroached and waits already
-    // (THEORY.md, Lemma 7).
+    // If a subsegment hides the circumcentre from its triangle, some subsegment is encroached and already waits for its
+    // split (THEORY.md, Lemma 7).
     if (!circumdisk_contains(mesh, t, *centre) || !sees(mesh, *centre, t)) continue;
     const std::vector<Edge> upon = encroached_by(mesh, *centre);
     if (upon.empty()) {

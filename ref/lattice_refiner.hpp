@@ -3,10 +3,10 @@
 // round are found in the same mesh, and the points are inserted independently (independent.hpp).
 //
 // Details that the paper leaves open:
-// - A point belongs to the cell that contains the inserted point, wherever its triangle lies. If a circumcentre
-// encroaches
-//   upon subsegments, they are handed on: their midpoints belong to the cells that contain them.
-// - Four phases are a sweep. Sweeps are repeated until one inserts nothing. Their number is measured.
+// - A point is inserted by the cell that contains it, wherever the bad triangle lies. If a circumcentre encroaches upon
+//   subsegments, these are handed on: the cells that contain their midpoints insert the midpoints.
+// - Four phases, one for each colour, form a sweep. Sweeps are repeated until a sweep inserts nothing. The number of
+//   sweeps is measured.
 // - Splitting a subsegment at a corner of less than 90 degrees may raise r̄. Then a new lattice is computed.
 #pragma once
 
@@ -21,9 +21,9 @@
 namespace pardel::ref {
 
 /// The vertices and triangles that one cell used, over all points that it inserted and all circumcentres that it
-/// rejected because they encroached.
+/// rejected because they encroached upon a subsegment.
 struct Touched {
-  std::set<Index> vertices;     ///< of the closures of the cavities
+  std::set<Index> vertices;     ///< the vertices of the closures of the cavities
   std::set<Corners> triangles;  ///< read or written: the cavities and the triangles across their boundaries
 };
 
@@ -32,7 +32,7 @@ struct Insertion {
   ExactPoint point;
 };
 
-/// A subsegment that the cell `from` found to need a split, at a point that lies in another cell.
+/// A subsegment that must be split, found by the cell `from`. The split point lies in another cell, `to`.
 struct HandedOn {
   Cell from;
   Cell to;
@@ -58,9 +58,9 @@ struct LatticeRefinement {
   std::vector<Sweep> sweeps;  ///< the last one inserts nothing
 };
 
-/// A mesh that meets the goal, with the same preconditions and errors as ruppert(), and a record of all sweeps. The
-/// preprocessing runs Ruppert's algorithm with the goal `coarse`, which must meet the same preconditions. A finer
-/// preprocessed mesh gives more cells.
+/// Makes a mesh that meets the goal, and a record of all sweeps. Preconditions and errors are those of ruppert(). The
+/// preprocessing runs Ruppert's algorithm with the goal `coarse`, for which the same preconditions hold. A finer
+/// preprocessed mesh has more cells.
 [[nodiscard]] Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse);
 
 }  // namespace pardel::ref

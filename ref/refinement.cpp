@@ -16,7 +16,7 @@ bool below_sixty_degrees(const ExactPoint& apex, const ExactPoint& p, const Exac
   return dot > 0 && 4 * dot * dot > u.squared_length() * v.squared_length();
 }
 
-/// Removes the four vertices from `first` on. Precondition: no triangle uses them.
+/// Removes the four vertices `first` to `first` + 3. Precondition: no triangle uses them.
 void drop_four_vertices(Refinement& state, Index first) {
   const auto renumbered = [&](Index v) { return v < first ? v : v - 4; };
   const auto drop = [&](auto& values) { values.erase(values.begin() + first, values.begin() + first + 4); };
@@ -63,7 +63,7 @@ Refinement conforming_delaunay(const Pslg& pslg) {
   }
   split_waiting(state);
 
-  // Now the subsegments bound the domain. Remove the far box, the exterior and the holes.
+  // Now the subsegments form the border of the domain. Remove the far box, the exterior and the holes.
   for (const auto& [e, segment] : state.provenance.segment_of_edge) state.mesh.constraints.insert(e);
   carve(state.mesh, state.mesh.points[inputs], pslg.holes);
   drop_four_vertices(state, inputs);

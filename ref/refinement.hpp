@@ -25,8 +25,9 @@ struct Refinement {
 };
 
 /// Returns an Error of kind `usage` if Ruppert's proof does not cover the input: it has no segments, two segments meet
-/// at less than 60 degrees, or the angle bound is above arcsin(1 / (2 sqrt 2)) = 20.7 degrees. The same for features
-/// that the reference does not support: point attributes, and convex hulls as domains. Otherwise returns nothing.
+/// at less than 60 degrees, or the angle bound is above arcsin(1 / (2 sqrt 2)) = 20.7 degrees. Returns the same kind of
+/// Error for features that the reference does not support: point attributes, and convex hulls as domains. Otherwise
+/// returns nothing.
 [[nodiscard]] std::optional<Error> unsupported(const Pslg& pslg, const Goal& goal);
 
 /// The start of refinement: a Delaunay mesh of the domain in which every subsegment is an edge and none is encroached.
@@ -37,14 +38,14 @@ struct Refinement {
 /// midpoint is not representable in doubles.
 void request_split(Refinement& state, const Edge& e);
 
-/// Splits waiting subsegments one after the other, and those that become encroached, until none waits.
+/// Splits waiting subsegments one after the other, also those that become encroached, until no subsegment waits.
 void split_waiting(Refinement& state);
 
 /// Records the origin of a vertex that was just inserted. If `split` is given, the vertex splits this subsegment.
 void record_origin(Refinement& state, Index vertex, const std::optional<Edge>& split);
 
 /// The subsegments that became encroached when `vertex` was inserted: subsegments upon which the vertex encroaches, and
-/// halves of the subsegment that it split, upon which any vertex encroaches.
+/// the halves of the subsegment that it split, if any vertex encroaches upon them.
 [[nodiscard]] std::vector<Edge> newly_encroached(const Refinement& state, Index vertex);
 
 /// Tests triangles against the bounds of a goal and the area caps of regions.

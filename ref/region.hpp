@@ -1,5 +1,5 @@
-// The triangles that a task may use while other tasks work elsewhere (THEORY.md, T-region): the triangles that
-// insertions in a region can reach, and the triangles that the owner of a box may change.
+// The triangles that a task may use while other tasks run (THEORY.md, T-region): the triangles that insertions in a
+// region can reach, and the triangles that a task may change if it owns a box.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,17 @@ struct Box {
 
 [[nodiscard]] bool contains(const Box& box, const ExactPoint& p);
 
-/// The triangles whose open circumdisk meets the region, whether or not they are seen from there; ascending indices.
-/// This contains K(L), where L is the region.
+/// The triangles whose open circumdisk meets the region, whether or not a point of the region sees them; ascending
+/// indices. If L is the region, this set contains K(L), which in_reach_and_sight_of() returns.
 [[nodiscard]] std::vector<Index> in_reach_of(const PlainMesh& mesh, const Box& region);
 
 /// K(L), where L is the region: the triangles t such that some point of the region lies in the open circumdisk of t and
-/// sees t; ascending indices. This is the union of the cavities of all points of the region. Precondition: the mesh is
-/// constrained Delaunay. Then only constraints that cross the whole disk hide a part of it (THEORY.md, T-region, the
-/// visible part of a disk).
+/// sees t; ascending indices. K(L) is the union of the cavities of all points of the region. Precondition: the mesh is
+/// constrained Delaunay. Then a constraint hides a part of a disk only if it crosses the whole disk (THEORY.md,
+/// T-region, the visible part of a disk).
 [[nodiscard]] std::vector<Index> in_reach_and_sight_of(const PlainMesh& mesh, const Box& region);
 
-/// The unconstrained edges of the triangles.
+/// The unconstrained edges of these triangles.
 [[nodiscard]] std::set<Edge> free_edges(const PlainMesh& mesh, const std::vector<Index>& triangles);
 
 /// May a task that owns the box change these triangles? That is, do all corners of all triangles lie in the box?

@@ -9,9 +9,9 @@
 
 namespace pardel::ref {
 
-/// A Delaunay mesh of the Pslg that meets the goal without any exempt triangle. Precondition: the Pslg is valid.
-/// Errors: those of unsupported(), of kind `usage`; and `invalid_input` if the midpoint of a subsegment is not
-/// representable in doubles, because this refiner moves no segment. Time: at worst cubic in the size of the mesh;
+/// A Delaunay mesh of the Pslg in which every triangle meets the goal. Precondition: the Pslg is valid. Errors: those
+/// of unsupported(), of kind `usage`; and `invalid_input` if the midpoint of a subsegment is not representable in
+/// doubles, because this refiner does not round points on segments. Time: at worst cubic in the size of the mesh;
 /// intended for a few thousand triangles.
 [[nodiscard]] Result<Mesh> ruppert(const Pslg& pslg, const Goal& goal = {});
 

@@ -110,7 +110,7 @@ Json to_json(const Extreme& extreme) {
 }
 
 Json to_json(const Goal& goal) {
-  // An infinite bound means that there is none: null.
+  // An infinite bound means that there is no bound; JSON has null for it.
   const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"min_angle_deg", goal.min_angle_deg}, {"max_area", bound(goal.max_area)}, {"max_edge", bound(goal.max_edge)},
           {"region_caps", goal.region_caps},     {"sizing", bool(goal.size)},        {"conforming", goal.conforming},

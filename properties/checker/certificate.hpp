@@ -1,4 +1,4 @@
-// The certificate: the verdict of the checker, with everything that supports it.
+// The certificate: the verdict of the checker, with the violations and measurements that it found.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,17 @@
 
 namespace pardel {
 
-/// An extreme value over all triangles, and where it is attained. Of equal values the first triangle is kept.
+/// An extreme value over all triangles, and the place where it is attained. If several triangles attain the value, the
+/// first of them is kept.
 struct Extreme {
   double value = 0;
   Index triangle = no_index;  ///< no_index: the mesh has no triangles, or they could not be measured
   Point where;                ///< the corner of an angle, the midpoint of an edge, else the centroid
 };
 
-/// A triangle with an angle below the bound that the checker accepts, because a small input angle forces it. The
-/// checker decides this from the coordinates alone (Miller, Pav, Walkington 2003: nestled or seditious triangles).
+/// A triangle that the checker accepts although it has an angle below the bound, because a small input angle makes such
+/// triangles unavoidable. The checker uses only coordinates for this decision (Miller, Pav, Walkington 2003: nestled or
+/// seditious triangles).
 struct Justified {
   Index triangle = no_index;
   Index apex = no_index;       ///< the input point at which two segments meet at the small angle
@@ -27,19 +29,20 @@ struct Justified {
   double angle_deg = 0;        ///< the smallest angle of the triangle, in degrees
 };
 
-/// Lengths and radii are in the unit of the coordinates, areas in its square, angles in degrees. Measured values are
-/// computed in doubles, except that `area` is the exact sum, rounded once; no verdict depends on any of them.
+/// Lengths and radii are in the unit of the coordinates, areas in the square of this unit, angles in degrees. Measured
+/// values are computed in doubles, except that `area` is the exact sum, rounded once. The verdict does not depend on
+/// measured values.
 struct Certificate {
   Goal goal;                                    ///< the goal that the mesh was checked against
-  bool valid = false;                           ///< no violation was found
-  std::vector<Violation> violations;            ///< by kind; within a kind in the order of discovery
-  std::vector<std::uint64_t> violation_counts;  ///< violation_kinds entries: how many of each kind
-  std::vector<Justified> justified;             ///< by triangle
+  bool valid = false;                           ///< true if no violation was found
+  std::vector<Violation> violations;            ///< sorted by kind; violations of one kind in the order of discovery
+  std::vector<std::uint64_t> violation_counts;  ///< the number of violations of each kind; violation_kinds entries
+  std::vector<Justified> justified;             ///< sorted by triangle
   std::uint64_t vertices = 0, triangles = 0, constrained_edges = 0;
   Extreme min_angle_deg, max_angle_deg, max_area, max_edge, min_edge, max_circumradius, max_radius_edge_ratio;
   double area = 0;
   std::vector<std::uint64_t> angle_histogram;  ///< 18 bins of 10 degrees over all angles
-  Digest digest;                               ///< of the mesh; all zero where its arrays are unusable
+  Digest digest;                               ///< of the mesh; all zero if the arrays of the mesh are unusable
 };
 
 /// Plain text for people, several lines.

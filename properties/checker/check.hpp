@@ -1,7 +1,7 @@
-// The independent checker: is this mesh a correct answer to this Pslg and Goal?
+// The independent checker: decides whether a mesh is a correct mesh of a Pslg and meets a Goal.
 //
-// The checker shares no code with the mesher. It sees plain values only (core/), and it trusts nothing that the mesh
-// claims about itself.
+// The checker shares no code with the mesher. Both use only the plain data types of core/. The checker does
+// not rely on anything that the mesh states about itself.
 //
 //     const pardel::Certificate certificate = pardel::check(pslg, mesh, goal);
 //     if (!certificate.valid) std::cerr << to_text(certificate);
@@ -19,23 +19,22 @@ namespace pardel {
 
 /// Checks every rule of ViolationKind and returns the certificate.
 ///
-/// Any values are safe: indices out of range, coordinates that are not finite and arrays of the wrong length are
-/// reported, and then rules that cannot be checked are skipped. A Pslg that is not valid (see validate()) gives some
-/// certificate, but its meaning is undefined. goal.size must be pure, must not throw and is called from several
-/// threads.
+/// A mesh may have any content: indices out of range, coordinates that are not finite and arrays of the wrong length
+/// are reported, and rules that can then not be checked are skipped. For a Pslg that is not valid (see validate()) the
+/// function is safe, but the certificate has no meaning. goal.size must be pure and must not throw; it is called from
+/// several threads.
 ///
 /// Predicates on coordinates and comparisons with bounds are exact: CGAL's filtered predicates, or intervals and then
-/// rational numbers. The exceptions, in which a verdict depends on rounded values:
+/// rational numbers. There are four exceptions, in which a verdict depends on rounded values:
 /// - goal.size is compared in doubles, with size_tolerance;
 /// - shells around a small input angle are compared in doubles, with shell_tolerance and shell_ulps;
 /// - goal.min_angle_deg stands for the double angle_cosine_bound(min_angle_deg), which is then compared exactly;
-/// - a vertex on a segment may lie off the segment by chain_ulps, and a hole's seed that lies within that distance of
-/// an
-///   edge of the triangle around it is not reported.
+/// - a vertex on a segment may lie off the segment by chain_ulps, and the seed of a hole is not reported if it lies
+///   within this distance of an edge of the triangle that contains it.
 ///
-/// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on their number. Exact
-/// arithmetic is used only where floating-point filters do not decide. Memory in addition to the mesh: 8 bytes per
-/// triangle of a valid mesh without regions, 72 where the neighbours have to be found again.
+/// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on the number of threads. Exact
+/// arithmetic is used only if a floating-point filter cannot determine the sign. Memory in addition to the mesh: 8
+/// bytes per triangle of a valid mesh without regions, 72 bytes if the neighbours have to be recomputed.
 [[nodiscard]] Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options = {});
 
 }  // namespace pardel

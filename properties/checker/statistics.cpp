@@ -25,7 +25,8 @@ double angle_deg(double cotangent) { return std::atan2(1.0, cotangent) * degrees
 MeshStatistics statistics(const Mesh& mesh) {
   MeshStatistics result{.vertices = mesh.points.size(), .triangles = mesh.triangles.size()};
   if (mesh.triangles.empty()) return result;
-  // The cotangent decreases as the angle grows. It needs no trigonometric function: dot / cross at each corner.
+  // Cotangents are compared instead of angles: the cotangent decreases as the angle grows, and it is dot / cross at
+  // each corner, without a trigonometric function.
   double largest_cotangent = -std::numeric_limits<double>::infinity();
   double smallest_cotangent = std::numeric_limits<double>::infinity();
   double largest_squared_radius = 0;

@@ -1,5 +1,5 @@
-// Statistics of a mesh in one pass of floating-point arithmetic, for reports. The checker's certificate has the same
-// extremes with the triangles that attain them.
+// Statistics of a mesh for reports, computed in floating-point arithmetic in one pass over the triangles. The checker's
+// certificate has the same extreme values, and for each the triangle that attains it.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct MeshStatistics {
   double area = 0;  ///< the sum of the areas of all triangles
 };
 
-/// Angles are as accurate as the rounded coordinate differences of the corners. Angles, circumradius and area are 0 for
-/// a mesh without triangles. Precondition: corners are in range, triangles are counter-clockwise. Linear time, one
-/// thread, no memory.
+/// Angles are computed from rounded differences of coordinates, which limit their accuracy. Angles, circumradius and
+/// area are 0 for a mesh without triangles. Preconditions: corners are in range, triangles are counter-clockwise.
+/// Linear time, one thread; allocates no memory.
 [[nodiscard]] MeshStatistics statistics(const Mesh& mesh);
 
 }  // namespace pardel

@@ -1,4 +1,4 @@
-// Violations: the rules that a mesh can break, and how one broken rule is reported.
+// Violations: the rules that a mesh can break, and the report of one broken rule.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace pardel {
 
-/// The rules, one kind of violation for each. Their order is the order of the lists in a certificate.
+/// There is one kind of violation for each rule. The lists in a certificate have the order of this enumeration.
 enum class ViolationKind : std::uint8_t {
   index_out_of_range,  ///< a triangle, edge or region refers to something that does not exist
   non_finite_coordinate,
@@ -29,34 +29,34 @@ enum class ViolationKind : std::uint8_t {
   unused_vertex,             ///< a vertex has no triangle and is not an input point outside the domain
   broken_segment,            ///< no chain of mesh edges joins the ends of an input segment
   chain_off_segment,         ///< a vertex of a chain lies further than chain_ulps from its segment
-  wrong_constrained_edge,    ///< listed as constrained, but not a mesh edge or not a part of that segment
-  missing_constrained_edge,  ///< a part of a segment or of the hull, but not listed as constrained
+  wrong_constrained_edge,    ///< an edge is listed as constrained, but is no mesh edge or no part of its segment
+  missing_constrained_edge,  ///< an edge is a part of a segment or of the hull, but is not listed as constrained
   wrong_edge_marker,
   wrong_vertex_marker,
   wrong_region,
   wrong_origin,
   not_delaunay,  ///< an unconstrained edge (for a conforming goal: any edge) is not locally Delaunay
-  small_angle,   ///< an angle below the bound that no small input angle justifies
+  small_angle,   ///< an angle is below the bound, and no small input angle justifies it (see Justified)
   large_area,
-  region_area,  ///< an area above the cap of the triangle's region
+  region_area,  ///< the area of a triangle exceeds the cap of its region
   long_edge,
-  size_exceeded,  ///< an edge longer than the sizing function allows at the triangle's centroid
+  size_exceeded,  ///< an edge is longer than the sizing function allows at the triangle's centroid
   large_circumradius,
   wrong_attribute,  ///< an input vertex does not carry its input attributes
 };
 
-/// The number of kinds. Kinds count from 0 to violation_kinds - 1.
+/// The number of kinds. The enumerators have the values 0 to violation_kinds - 1.
 inline constexpr std::size_t violation_kinds = static_cast<std::size_t>(ViolationKind::wrong_attribute) + 1;
 
-/// The identifier of a kind as it appears in certificates: "wrong_neighbour". "unknown" for any other value.
+/// The name of a kind in certificates, for example "wrong_neighbour". "unknown" if the value is not an enumerator.
 [[nodiscard]] const char* name(ViolationKind kind);
 
 /// One broken rule, with its place and an exact witness.
 struct Violation {
   ViolationKind kind;
-  std::vector<Index> ids;    ///< vertices, triangles, edges or segments, from 0; the witness names them
+  std::vector<Index> ids;    ///< of vertices, triangles, edges or segments, from 0; the witness says which
   std::vector<Point> where;  ///< places in the mesh or in the input
-  std::string witness;       ///< in words: "in-circle determinant +3/8192", "area 0.31 > 0.25"
+  std::string witness;       ///< the proof as text: "in-circle determinant +3/8192", "area 0.31 > 0.25"
 
   /// One line: the kind, the witness, the ids and the places.
   [[nodiscard]] std::string message() const;

@@ -16,7 +16,7 @@ namespace pardel::defects {
 [[nodiscard]] std::span<const Defect> defects_of_goals();
 
 /// Calls attempt(place) for the places 0 to n - 1, starting at one that the seed chooses, until an attempt returns
-/// true. False where none does.
+/// true. False if none does.
 template <class Attempt>
 bool at_some(std::size_t n, std::uint64_t seed, const Attempt& attempt) {
   const std::uint64_t start = seed * 0x9e3779b97f4a7c15 >> 20;

@@ -48,7 +48,7 @@ std::map<Index, Index> outside_paths(const Mesh& mesh) {
   return next;
 }
 
-/// True where a, b, c are counter-clockwise and none of the other vertices lies in the triangle or on its border.
+/// True if a, b, c are counter-clockwise and none of the other vertices lies in the triangle or on its border.
 bool is_ear(const Mesh& mesh, Index a, Index b, Index c, const std::vector<Index>& others) {
   if (edit::orientation(mesh, a, b, c) <= 0) return false;
   return std::ranges::none_of(others, [&](Index v) {
@@ -57,7 +57,7 @@ bool is_ear(const Mesh& mesh, Index a, Index b, Index c, const std::vector<Index
   });
 }
 
-/// Triangulates a simple counter-clockwise polygon by cutting ears. False where there is no ear.
+/// Triangulates a simple counter-clockwise polygon by cutting ears. False if there is no ear.
 bool fill(Mesh& mesh, std::vector<Index> polygon) {
   std::vector<std::array<Index, 3>> ears;
   while (polygon.size() > 2) {
@@ -76,7 +76,7 @@ bool fill(Mesh& mesh, std::vector<Index> polygon) {
   return true;
 }
 
-/// The loop of outside_paths() from v; empty where the path does not return to v.
+/// The loop of outside_paths() from v; empty if the path does not return to v.
 std::vector<Index> loop_from(const std::map<Index, Index>& next, Index v) {
   std::vector<Index> loop = {v};
   for (auto at = next.find(v); at != next.end(); at = next.find(at->second)) {

@@ -27,7 +27,7 @@ bool all_positive(const Mesh& mesh, const std::vector<Index>& ids) {
   });
 }
 
-/// True where an unconstrained side of these triangles is not locally Delaunay.
+/// True if an unconstrained side of these triangles is not locally Delaunay.
 bool some_not_delaunay(const Mesh& mesh, const std::vector<Index>& ids) {
   const auto walls = edit::constrained(mesh);
   return std::ranges::any_of(ids, [&](Index t) {
@@ -57,7 +57,7 @@ double chain_step(const Mesh& mesh, Index v) {
 }
 
 /// Moves a vertex of a segment's chain at right angles to the segment, by `share` of the shortest constrained edge at
-/// it, to a side where all triangles stay counter-clockwise. False where there is no such side.
+/// it, to a side where all triangles stay counter-clockwise. False if there is no such side.
 bool move_off_segment(const Pslg& pslg, Mesh& mesh, Index v, double share) {
   if (!is_on_segment(pslg, mesh, v)) return false;
   const Segment& segment = pslg.segments[mesh.origin[v]];

@@ -42,7 +42,7 @@ double just_too_small_a_cap(const Mesh& mesh, Index t) {
 }
 
 /// Deletes an interior vertex (of the region, or of the mesh where `region` is no_index) so that a triangle becomes
-/// larger than the largest one was. Returns an area cap that held before and does not hold now; 0 where there is no
+/// larger than the largest one was. Returns an area cap that held before and does not hold now; 0 if there is no
 /// such vertex.
 double delete_vertex_against_cap(Mesh& mesh, Index region, std::uint64_t seed) {
   const Index worst = largest(mesh, region);
@@ -69,12 +69,12 @@ double longest_edge(const Mesh& mesh, Index t) {
   return std::max({edit::length(mesh, v[0], v[1]), edit::length(mesh, v[1], v[2]), edit::length(mesh, v[2], v[0])});
 }
 
-/// True where all corners are interior vertices. Then no small input angle can justify the triangle.
+/// True if all corners are interior vertices. Then no small input angle can justify the triangle.
 bool is_far_from_input(const Mesh& mesh, Index t) {
   return std::ranges::all_of(mesh.triangles[t].v, [&](Index v) { return is_interior(mesh, v); });
 }
 
-/// Sets the angle bound `more` degrees above the smallest angle of the triangles far from the input. False where there
+/// Sets the angle bound `more` degrees above the smallest angle of the triangles far from the input. False if there
 /// is no such triangle.
 bool demand_more(const Mesh& mesh, Goal& goal, double more) {
   double worst = 180;

@@ -25,7 +25,7 @@ bool on_boundary(const Mesh& mesh, const ConstrainedEdge& e) {
   return false;
 }
 
-/// True where a segment between these input points would cross no segment and pass through no point.
+/// True if a segment between these input points would cross no segment and pass through no point.
 bool free_of_others(const Pslg& pslg, Index a, Index b) {
   const auto turn = [&](Index p, Index q, Index r) {
     return checker::exactly::orientation(pslg.points[p], pslg.points[q], pslg.points[r]);
@@ -37,7 +37,7 @@ bool free_of_others(const Pslg& pslg, Index a, Index b) {
   });
 }
 
-/// True where an edge of the mesh crosses ab and both its ends are further from the line ab than rounding explains.
+/// True if an edge of the mesh crosses ab and both its ends are further from the line ab than rounding explains.
 bool some_edge_crosses(const Mesh& mesh, Index a, Index b) {
   const auto is_clear = [&](Index v) {
     return checker::exactly::line_distance_exceeds(mesh.points[v], mesh.points[a], mesh.points[b],

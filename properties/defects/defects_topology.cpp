@@ -10,7 +10,7 @@ namespace {
 using edit::Side;
 using enum ViolationKind;
 
-/// True where no edge joins a corner of t to a corner of u, and they share no corner.
+/// True if no edge joins a corner of t to a corner of u, and they share no corner.
 bool far_apart(const Mesh& mesh, Index t, Index u) {
   return std::ranges::none_of(mesh.triangles[t].v, [&](Index v) {
     const auto around = edit::star(mesh, v);

@@ -23,7 +23,7 @@ struct Side {
 /// The same edge seen from the neighbour, which must exist.
 [[nodiscard]] Side opposite(const Mesh& mesh, Side s);
 
-/// +1 where a, b, c turn left, -1 where they turn right, 0 where they are collinear. Exact.
+/// +1 if a, b, c turn left, -1 if they turn right, 0 if they are collinear. Exact.
 [[nodiscard]] int orientation(const Mesh& mesh, Index a, Index b, Index c);
 [[nodiscard]] double area(const Mesh& mesh, Index t);
 [[nodiscard]] double length(const Mesh& mesh, Index a, Index b);

@@ -231,7 +231,7 @@ namespace {
 /// A name of generate() and the domain that it stands for.
 struct Entry {
   std::string_view name;
-  std::uint64_t default_n;  ///< 0 where the domain has no size
+  std::uint64_t default_n;  ///< 0 if the domain has no size
   std::uint64_t min_n;
   std::uint64_t max_n;
   std::function<Pslg(int n, std::uint64_t seed)> make;

@@ -1,7 +1,7 @@
 // Named domains: inputs that demos, tests, benchmarks and fuzzing share. All are valid Pslgs.
 //
 // Every function returns the same Pslg on every platform. Random numbers come from SplitMix64 (generators/random.hpp).
-// Computed coordinates are rounded to multiples of 2^-30, so that the last bit of a platform's sine does not matter.
+// Computed coordinates are rounded to multiples of 2^-30, because the last bit of a sine differs between platforms.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,13 @@ namespace pardel::domains {
 /// The unit square, 4 segments.
 [[nodiscard]] Pslg square();
 
-/// The cross-section of a pipe, after the paper: an outer circle of radius 1 (200 segments), a central hole of radius
-/// 0.35 and six holes of radius 0.12 at distance 0.67 from the centre (60 segments each). Markers 1, 2 and 3.
+/// The cross-section of a pipe, as in the paper (Chernikov and Chrisochoides 2004): an outer circle of radius 1 (200
+/// segments), a central hole of radius 0.35 and six holes of radius 0.12 at distance 0.67 from the centre (60 segments
+/// each). Markers 1, 2 and 3.
 [[nodiscard]] Pslg pipe();
 
-/// A door key, in the spirit of the paper's Figure 2: a bow with a ring hole, a shaft, teeth and arcs. At least 150
-/// segments. Markers 1 (outline), 2 (ring hole) and 3 (hole in the bit). Lengths are in centimetres.
+/// A door key, similar to Figure 2 of the paper: a bow with a ring hole, a shaft, teeth and arcs. At least 150
+/// segments. Markers: 1 (outline), 2 (ring hole) and 3 (hole in the bit). Lengths are in centimetres.
 [[nodiscard]] Pslg key();
 
 /// n points, uniform in the unit square, without segments. Coordinates are multiples of 2^-40. Linear time.
@@ -32,25 +33,25 @@ namespace pardel::domains {
 /// 180.
 [[nodiscard]] Pslg star(int spikes, double spike_degrees);
 
-/// A bar of length 1 and height 1/4 with `teeth` >= 1 thin channels of width `gap` upon it, up to height 1.
+/// A bar of length 1 and height 1/4. On top of it stand `teeth` >= 1 thin channels of width `gap`, up to height 1.
 /// Precondition: 0 < gap < 1 / teeth.
 [[nodiscard]] Pslg comb(int teeth, double gap);
 
-/// `segments` >= 1 segments of length 1 from the origin, `degrees_apart` degrees from each other, in a box with sides
-/// of length 4. The ends of the first half are joined by further segments. Precondition: segments * degrees_apart <=
-/// 360.
+/// `segments` >= 1 segments of length 1 from the origin, with angles of `degrees_apart` degrees between them, in a box
+/// with sides of length 4. Further segments join the ends of the first half of them. Precondition:
+/// segments * degrees_apart <= 360.
 [[nodiscard]] Pslg wedge(int segments, double degrees_apart);
 
 /// (n + 1)^2 points of the unit lattice. All lattice edges and one diagonal of each cell are segments.
 [[nodiscard]] Pslg grid(int n);
 
-/// The same points without segments: every cell has four cocircular corners.
+/// The points of grid(n) without segments: the four corners of every cell lie on a circle.
 [[nodiscard]] Pslg grid_points(int n);
 
-/// Two square holes that touch in a corner, and a third that touches a corner of the outline.
+/// Two square holes that touch in a corner, and a third hole that touches a corner of the outline.
 [[nodiscard]] Pslg touching_holes();
 
-/// Dangling segments, free segments and isolated points in a square with sides of length 4.
+/// Segments with one or two free ends and isolated points in a square with sides of length 4.
 [[nodiscard]] Pslg cracks();
 
 /// A rectangle of 3 by 1 in three regions with attributes 10, 20, 30 and area caps 2^-6, 2^-9, 2^-5.
@@ -61,9 +62,9 @@ namespace pardel::domains {
 /// points apart.
 [[nodiscard]] Pslg moved(Pslg pslg, double dx, double dy, double scale = 1);
 
-/// The domain that `pardel generate NAME` writes. Arguments: a name from names(), a size n and a seed, where the domain
-/// has these; n = 0 means the default size. ErrorKind::usage for an unknown name or a size out of range; the message
-/// lists the names or the range.
+/// The domain that `pardel generate NAME` writes. Arguments: a name from names(), and a size n and a seed for domains
+/// that have them; n = 0 means the default size. ErrorKind::usage for an unknown name or a size out of range; the
+/// message lists the names or the range.
 [[nodiscard]] Result<Pslg> generate(std::string_view name, std::uint64_t n, std::uint64_t seed);
 
 /// The names that generate() accepts.

@@ -91,7 +91,7 @@ bool cosine_exceeds(Point corner, Point a, Point b, double bound) {
     const auto product = dot(corner, a, corner, b, number);
     const auto c = number(bound);
     const auto limit = c * c * squared_length(corner, a, number) * squared_length(corner, b, number);
-    // With both sides positive squares may be compared; product * |product| keeps the sign of an obtuse angle.
+    // Both sides are squared. The left side is product * |product|, which stays negative for an obtuse angle.
     return product * CGAL::abs(product) > limit;
   });
 }
@@ -109,7 +109,7 @@ int compare_lengths(Point a, Point b, Point c, Point d) {
 }
 
 bool circumradius_exceeds(Point a, Point b, Point c, double bound) {
-  // R = |ab| |bc| |ca| / (2 D), D twice the area.
+  // R = |ab| |bc| |ca| / (2 D), where D is twice the area.
   return decide([=](auto number) {
     const auto product = squared_length(a, b, number) * squared_length(b, c, number) * squared_length(c, a, number);
     const auto limit = number(2) * number(bound) * doubled_area(a, b, c, number);

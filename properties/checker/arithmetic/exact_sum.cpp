@@ -92,7 +92,8 @@ double ExactSum::rounded() const {
     magnitude += *this;
   else
     magnitude -= *this;
-  // From the leading limb down. Limbs after the first few are below the last digit of the result.
+  // Add the limbs from the leading limb down. After the first few limbs the others are below the last digit of the
+  // result.
   double value = 0;
   for (std::size_t i = magnitude.limb_.size(); i-- > 0;)
     value += std::ldexp(static_cast<double>(magnitude.limb_[i]), static_cast<int>(i) * bits_per_limb + lowest_exponent);

@@ -1,6 +1,6 @@
-// ExactSum: a sum of products of doubles without rounding. The checker compares the areas of whole meshes for equality
-// with it. It is a fixed-point number that is wide enough for every finite product of two doubles (Kulisch's long
-// accumulator).
+// ExactSum: a sum of products of doubles without rounding. The checker uses it to test whether the areas of
+// all triangles sum to the area within the boundary. It is a fixed-point number that is wide enough for every finite
+// product of two doubles (Kulisch's long accumulator).
 #pragma once
 
 #include <array>

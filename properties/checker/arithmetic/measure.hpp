@@ -1,5 +1,5 @@
-// Points in floating-point arithmetic: midpoints, lengths, areas, angles. Only goal.size and shells (see
-// tolerances.hpp) let a verdict depend on these values.
+// Midpoints, lengths, areas and angles in floating-point arithmetic. A verdict depends on these values only in the
+// comparisons with goal.size and in the comparison of shells (see tolerances.hpp).
 #pragma once
 
 #include <cmath>

@@ -8,7 +8,7 @@
 
 namespace pardel::checker {
 
-/// The shortest text that reads back to the same value. A point becomes "(x, y)".
+/// The shortest decimal text from which the same value can be read back. A point becomes "(x, y)".
 [[nodiscard]] std::string to_text(long long value);
 [[nodiscard]] std::string to_text(unsigned long long value);
 [[nodiscard]] std::string to_text(double value);

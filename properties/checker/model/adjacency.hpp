@@ -15,7 +15,7 @@ namespace pardel::checker {
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 
-/// The number of the corner that is this vertex. Precondition: one corner is.
+/// The corner (0 to 2) at which the triangle has this vertex. Precondition: the vertex is a corner of the triangle.
 inline int corner_at(const Triangle& triangle, Index vertex) {
   return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
 }
@@ -35,17 +35,17 @@ struct BoundaryEdge {
 /// An edge with more than one triangle on the same side.
 struct NonManifoldEdge {
   Index a, b;
-  std::vector<Index> triangles;  ///< on both sides
+  std::vector<Index> triangles;  ///< all triangles at the edge, on both sides
 };
 
-/// Sets every neighbour from the corners alone. Where an edge has more than one triangle on a side, one pair of
-/// triangles become neighbours, the others get no neighbour there, and the edge is appended to `non_manifold`.
-/// O(n log n).
+/// Sets every neighbour; uses only the corners of the triangles. If an edge has more than one triangle on a side, one
+/// pair of triangles become neighbours, the others get no neighbour at this edge, and the edge is appended to
+/// `non_manifold`. O(n log n).
 void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold);
 
 class Adjacency {
  public:
-  /// `rebuilt`: the mesh's triangles with corrected neighbours; empty where the mesh's own neighbours are correct.
+  /// `rebuilt`: the mesh's triangles with corrected neighbours; empty if the neighbours in the mesh are correct.
   /// Preconditions: corners are distinct and in range, neighbours are reciprocal, the mesh outlives this object.
   /// Linear time, plus O(b log b) for b boundary edges.
   Adjacency(Array<Triangle> rebuilt, const Mesh& mesh);
@@ -57,11 +57,11 @@ class Adjacency {
   [[nodiscard]] bool on_boundary(Index vertex) const { return on_boundary_[vertex] != 0; }
   /// The number of triangles at this vertex.
   [[nodiscard]] Index corners(Index vertex) const { return corners_[vertex]; }
-  [[nodiscard]] std::span<const Index> corners() const { return corners_.span(); }  ///< for all vertices
+  [[nodiscard]] std::span<const Index> corners() const { return corners_.span(); }  ///< one number for each vertex
 
-  /// Calls visit(triangle, corner) for the triangles around a vertex, fan by fan, counter-clockwise, and returns the
-  /// number of fans. It finds every open fan, or one closed fan where there is no open one. A vertex with further fans
-  /// is irregular, see index_irregular_vertices().
+  /// Calls visit(triangle, corner) for the triangles around a vertex and returns the number of fans. (A fan is a
+  /// sequence of triangles, counter-clockwise, each the neighbour of the one before it.) It visits every open fan, or
+  /// one closed fan if no fan is open. A vertex with more fans is irregular, see index_irregular_vertices().
   template <class Visit>
   int visit_fans(Index vertex, const Visit& visit) const {
     if (start_[vertex] == no_index) return 0;

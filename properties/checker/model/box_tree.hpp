@@ -36,8 +36,8 @@ class BoxTree {
   /// boxes[i] is the bounding box of item i. O(n log n).
   explicit BoxTree(std::vector<BoundingBox> boxes);
 
-  /// Calls visit_item(item) for every item whose box passes filter(BoundingBox). Precondition: a box that contains a
-  /// passing box passes as well.
+  /// Calls visit_item(item) for every item whose box passes filter(BoundingBox). Precondition: if a box passes, every
+  /// box that contains it passes as well.
   template <class Filter, class Visit>
   void visit(const Filter& filter, const Visit& visit_item) const {
     if (!nodes_.empty()) descend(0, filter, visit_item);

@@ -30,7 +30,7 @@ class Walk {
 
   std::vector<ChainEdge> run() {
     if (first_ == no_index || last_ == no_index || first_ == last_) return {};
-    // Start at the end with fewer triangles: where many segments meet in one point, no walk searches its triangles.
+    // Start at the end with fewer triangles. If many segments meet in one point, no walk searches the triangles there.
     const bool backward = adjacency_.corners(last_) < adjacency_.corners(first_);
     if (backward) std::swap(first_, last_);
     a_ = mesh_.points[first_];
@@ -52,7 +52,7 @@ class Walk {
  private:
   bool has_this_origin(Index vertex) const { return vertex < mesh_.origin.size() && mesh_.origin[vertex] == segment_; }
 
-  /// True where the chain may go from `at` to `to`.
+  /// True if the chain may go from `at` to `to`.
   bool is_allowed(Index at, Index to) const {
     const Point from = mesh_.points[at];
     const Point p = mesh_.points[to];
@@ -70,9 +70,9 @@ class Walk {
     return exactly::progress(from, p, a_, b_) > 0 && exactly::progress(p, b_, a_, b_) > 0;
   }
 
-  /// True where the edge to `to` is preferred to the edge to `than`. Rounding leaves slivers along a segment, and the
-  /// long side of a sliver passes over a vertex of the chain. A vertex whose origin is this segment is preferred, and
-  /// of two such vertices the nearer one, so that no vertex is passed over.
+  /// True if the edge to `to` is preferred to the edge to `than`. Rounding makes slivers along a segment, and the long
+  /// side of a sliver skips a vertex of the chain. A vertex whose origin is this segment is preferred; if both have
+  /// this origin, the nearer vertex is preferred, so that no vertex is skipped.
   bool is_better(Index at, Index to, Index than) const {
     if (than == no_index) return true;
     if (strictness_ == Strictness::exact && (has_this_origin(to) || has_this_origin(than))) {
@@ -89,7 +89,7 @@ class Walk {
     ChainEdge best{at, no_index, segment_, {}, {}};
     adjacency_.visit_fans(at, [&](Index t, int corner) {
       const Triangle& triangle = adjacency_.triangles()[t];
-      const Index right = triangle.v[next(corner)];     // t lies on the left of the edge to `right`
+      const Index right = triangle.v[next(corner)];     // t lies on the left of the edge to `right`,
       const Index left = triangle.v[previous(corner)];  // and on the right of the edge to `left`
       for (const Index to : {right, left}) {
         if (to == best.to || !is_better(at, to, best.to) || !is_allowed(at, to)) continue;

@@ -1,4 +1,4 @@
-// Chains: for each segment of the domain the sequence of mesh edges that it became.
+// Chains: a chain is the sequence of mesh edges into which a segment of the domain is divided.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ChainEdge {
 };
 
 struct Chains {
-  std::vector<ChainEdge> edges;  ///< by segment, and in order along each segment
+  std::vector<ChainEdge> edges;  ///< sorted by segment, and in order along each segment
   Array<Index> segment_of;       ///< per vertex: the segment whose interior contains it, or no_index
   Array<std::uint8_t> on_chain;  ///< per triangle: bit i is set where edge i belongs to a chain
   std::vector<Index> broken;     ///< segments of the domain without a chain
@@ -27,18 +27,18 @@ struct Chains {
   [[nodiscard]] bool has(Index triangle, int edge) const { return (on_chain[triangle] >> edge & 1) != 0; }
 };
 
-/// The distance from the segment that a vertex of its chain may have.
+/// How far a vertex of a chain may lie from the segment.
 enum class Strictness : std::uint8_t {
-  exact,  ///< Domain::tolerance(), compared exactly
-  /// A millionth of the segment's length, or any distance for a vertex whose origin is the segment. Used to tell a
-  /// chain that leaves its segment from a chain that does not exist.
+  exact,  ///< up to Domain::tolerance(), compared exactly
+  /// Up to a millionth of the segment's length; any distance if the segment is the vertex's origin. Used to distinguish
+  /// a chain that leaves its segment from a chain that does not exist.
   loose,
 };
 
-/// Walks from one end of a segment to the other along mesh edges, always forward and never through another input
-/// vertex. The edges run from the segment's end a to its end b. Empty where there is no such walk. With
-/// Strictness::exact the origins of vertices do not decide which edges are allowed; they only choose between allowed
-/// edges.
+/// Walks along mesh edges from end a of a segment to end b, always forward and never through another input vertex.
+/// Returns the edges of the walk, each in the direction from a to b; empty if there is no such walk. With
+/// Strictness::exact the origins of vertices have no influence on which edges are allowed; they only select one of
+/// several allowed edges.
 [[nodiscard]] std::vector<ChainEdge> walk_chain(Index segment, const Domain& domain, const Mesh& mesh,
                                                 const Adjacency& adjacency, const InputVertices& inputs,
                                                 Strictness strictness);

@@ -1,6 +1,6 @@
-// Domain: the part of the plane that a Pslg asks to be meshed, by Triangle's definition. A face of the Pslg belongs to
-// the domain unless it is the exterior or contains the seed of a hole. Where the convex hull is the outline, the hull
-// edges that are not input segments ("hull pieces") are appended to the segments first.
+// Domain: the part of the plane that has to be meshed, as the program Triangle defines it. A face of the Pslg belongs
+// to the domain unless it is the exterior or contains the seed of a hole. If the convex hull is the outline, the hull
+// edges that are not input segments ("hull pieces") are first appended to the segments.
 #pragma once
 
 #include <span>
@@ -24,25 +24,26 @@ class Domain {
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
   [[nodiscard]] bool is_hull_piece(Index segment) const { return segment >= pslg_.segments.size(); }
 
+  /// True if the face belongs to the domain.
   [[nodiscard]] bool inside(Index face) const { return face != no_index && inside_[face] != 0; }
-  /// True where the face on this side of the segment belongs to the domain.
+  /// True if the face on this side of the segment belongs to the domain.
   [[nodiscard]] bool inside(Index segment, Side side) const { return inside(faces_.face(segment, side)); }
-  /// True where the domain lies on at least one side of the segment. Other segments are not part of the mesh.
+  /// True if the domain lies on at least one side of the segment. Other segments are not part of the mesh.
   [[nodiscard]] bool has(Index segment) const { return inside(segment, Side::left) || inside(segment, Side::right); }
   [[nodiscard]] bool on_boundary(Index segment) const {
     return inside(segment, Side::left) != inside(segment, Side::right);
   }
-  /// True where the closed domain contains this input point.
+  /// True if the closed domain contains this input point.
   [[nodiscard]] bool has_point(Index point) const;
 
   [[nodiscard]] const PlanarFaces& faces() const { return faces_; }
-  /// The regions whose seeds lie in this face, as pairs (face, region). More than one only in an invalid Pslg.
+  /// The regions whose seeds lie in this face, as pairs (face, region). There is more than one only in an invalid Pslg.
   [[nodiscard]] std::span<const std::pair<Index, Index>> regions_in(Index face) const;
 
-  /// The largest distance of a vertex from its segment: chain_ulps units in the last place of the largest absolute
-  /// coordinate of the Pslg.
+  /// The largest allowed distance of a vertex from its segment: chain_ulps units in the last place of the largest
+  /// absolute coordinate of the Pslg.
   [[nodiscard]] double tolerance() const { return tolerance_; }
-  /// One unit in the last place of that coordinate.
+  /// One unit in the last place of the largest absolute coordinate of the Pslg.
   [[nodiscard]] double ulp() const { return ulp_; }
 
  private:

@@ -1,4 +1,4 @@
-// InputVertices: the vertex of the mesh for each input point, and the other way round.
+// InputVertices: the vertex of the mesh for each input point, and the input point for each vertex.
 #pragma once
 
 #include <span>
@@ -11,14 +11,14 @@ class InputVertices {
  public:
   /// Input point i is vertex i.
   [[nodiscard]] static InputVertices by_index(std::size_t inputs, std::size_t vertices);
-  /// Input points and vertices with equal coordinates correspond. Of several vertices at one place the first one that
-  /// has a triangle is taken. O(n log n).
+  /// Input points and vertices with equal coordinates correspond. If several vertices are at one place, the first
+  /// vertex that has a triangle is taken. O(n log n).
   [[nodiscard]] static InputVertices by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
                                                     std::span<const Index> corners_of_vertex);
 
-  /// no_index where the input point is not a vertex.
+  /// no_index if the input point is not a vertex.
   [[nodiscard]] Index vertex(Index input) const { return vertex_[input]; }
-  /// no_index where the vertex is not an input point.
+  /// no_index if the vertex is not an input point.
   [[nodiscard]] Index input(Index vertex) const {
     if (input_.empty()) return vertex < vertex_.size() ? vertex : no_index;
     return input_[vertex];

@@ -101,8 +101,8 @@ void PlanarFaces::nest_components() {
   for (const Index v : leftmost) {
     if (v == no_index) continue;
     const auto around = incident(v);
-    // All segments leave the leftmost vertex to the right or vertically. The outside lies on the left of the steepest:
-    // the last one with a direction in [0, 180) degrees, or the last of all where every segment goes down.
+    // All segments leave the leftmost vertex to the right or vertically. The outside lies on the left of the steepest
+    // segment: the last with a direction in [0, 180) degrees, or the last of all segments if every segment goes down.
     std::size_t last = around.size() - 1;
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Segment& s = segments_[around[i]];

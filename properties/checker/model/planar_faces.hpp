@@ -1,5 +1,5 @@
-// PlanarFaces: the faces of a plane straight-line graph. Half-edges are sorted around every vertex, the cycles of
-// half-edges around faces are walked, and a connected component is placed in the face directly below its leftmost
+// PlanarFaces: the faces of a planar straight-line graph. The constructor sorts half-edges around every vertex, walks
+// the cycles of half-edges around faces, and places every connected component in the face directly below its leftmost
 // vertex.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace pardel::checker {
 
 enum class Side : std::uint8_t { left, right };
 
-/// Segments should meet at common end points only. Where they do not, the faces are meaningless, but every function is
+/// Segments should meet at common end points only. If they do not, the faces are meaningless, but every function is
 /// still safe to call.
 class PlanarFaces {
  public:
@@ -29,7 +29,7 @@ class PlanarFaces {
   [[nodiscard]] Index face(Index segment, Side side) const {
     return face_[2 * std::size_t{segment} + static_cast<std::size_t>(side)];
   }
-  /// The face that contains p, or no_index where p lies on a segment. O(log n) time on typical input.
+  /// The face that contains p, or no_index if p lies on a segment. O(log n) time on typical input.
   [[nodiscard]] Index face_at(Point p) const;
   /// The segments at a vertex, counter-clockwise.
   [[nodiscard]] std::span<const Index> incident(Index vertex) const {

@@ -29,8 +29,8 @@ SegmentsBelow::Ends SegmentsBelow::ends(Index segment) const {
 }
 
 bool SegmentsBelow::is_above(Index s, Index t) const {
-  // Some vertical line meets both segments, and they do not cross. The left end that lies further right is compared
-  // with the other segment. Where it lies on that segment, the right end of its own segment decides.
+  // Some vertical line meets both segments, and they do not cross. Of the two left ends, the one further right is
+  // compared with the other segment. If it lies on the other segment, the right end of its own segment is compared.
   const Ends upper = ends(s);
   const Ends lower = ends(t);
   if (upper.left.x < lower.left.x) {
@@ -45,7 +45,8 @@ bool SegmentsBelow::is_above(Index s, Index t) const {
 
 Index SegmentsBelow::directly_below(Point p) const {
   Index best = no_index;
-  double floor = -std::numeric_limits<double>::infinity();  // segments that end below this are below the best
+  double floor =
+      -std::numeric_limits<double>::infinity();  // segments whose box ends below this value lie below the best
   const auto spans = [&](const BoundingBox& box) {
     return box.min_x < p.x && p.x <= box.max_x && box.min_y < p.y && box.max_y >= floor;
   };

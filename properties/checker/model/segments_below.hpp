@@ -1,4 +1,4 @@
-// SegmentsBelow: finds the segment of a plane straight-line graph directly below a point.
+// SegmentsBelow: finds the segment of a planar straight-line graph that lies directly below a point.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ class SegmentsBelow {
   /// Both spans must outlive this object. O(n log n).
   SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments);
 
-  /// The first segment that a ray straight down from p meets, or no_index. The ray starts at an x-coordinate just left
-  /// of p's, so end points and vertical segments are not special cases; only segments strictly below p count.
+  /// The first segment that a vertical ray downwards from p meets, or no_index. The ray starts just left of p, so end
+  /// points and vertical segments are not special cases. Only segments strictly below p count.
   /// Precondition: segments do not cross. Exact; O(log n) time on typical input.
   [[nodiscard]] Index directly_below(Point p) const;
 

@@ -1,11 +1,12 @@
-// Checks that the triangles cover the domain once, and nothing else.
+// Checks that the triangles cover the domain exactly once, and cover nothing else.
 //
-// The boundaries of counter-clockwise triangles that are paired edge to edge sum to the edges without a partner, the
-// boundary edges. So the number of triangles that cover a point is the winding number of the boundary edges around it.
-// Suppose that the boundary edges are exactly the chain edges between the domain and the rest, with the domain on their
-// left. Take a point that is further from the segments than the chains are. The chains can be moved onto the segments
-// without passing over this point, so it is covered once if it lies in the domain, and never otherwise. For the points
-// between chains and segments the winding number of every face of the boundary is computed; it must be 0 or 1.
+// Triangles are counter-clockwise. In the sum of their boundaries, the two directions of a common edge cancel; the
+// edges without a neighbour, the boundary edges, remain. So the number of triangles that cover a point is the winding
+// number of the boundary edges around it. Suppose that the boundary edges are exactly the chain edges between the
+// domain and the rest, with the domain on their left. Take a point that is further from the segments than the chains
+// are. The chains can be moved onto the segments without passing over this point, so it is covered once if it lies in
+// the domain, and never otherwise. For the points between chains and segments the winding number of every face of the
+// boundary is computed; it must be 0 or 1.
 #include <algorithm>
 
 #include "../arithmetic/exact.hpp"
@@ -18,7 +19,7 @@
 namespace pardel::checker {
 namespace {
 
-/// A chain edge must have a triangle on each side that belongs to the domain, and on no other side.
+/// A chain edge must have a triangle on each side that belongs to the domain, and none on the other sides.
 void check_sides(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   for (const ChainEdge& edge : chains.edges) {
     for (const Side side : {Side::left, Side::right}) {
@@ -59,8 +60,8 @@ void check_faces(const Subject& subject, const Domain& domain, const Chains& cha
   }
 }
 
-/// Reports an overlap where two boundary edges share more than an end. vertex[i] is the vertex of the mesh at
-/// points[i].
+/// Reports an overlap if two boundary edges have more than an end in common. vertex[i] is the vertex of the mesh
+/// at points[i].
 void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> vertex,
                   Findings& found) {
   std::vector<BoundingBox> boxes(edges.size());
@@ -135,7 +136,7 @@ std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
 /// Reports boundary edges that are not part of a chain, and faces that are covered more than once.
 void check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                     Findings& found) {
-  // The boundary as a plane graph on its own vertices.
+  // Build a planar graph of the boundary edges and their vertices.
   const auto boundary = adjacency.boundary();
   std::vector<Point> points;
   std::vector<Index> vertex;  // vertices of the mesh, ascending
@@ -182,13 +183,13 @@ void check_boundary(const Subject& subject, const Domain& domain, const Adjacenc
   }
 }
 
-/// True where p is so near to an edge of the triangle that rounding of a chain may have moved the edge past p.
+/// True if p is so near to an edge of the triangle that the rounding of a chain may have moved the edge across p.
 bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
   return !exactly::line_distance_exceeds(p, a, b, tolerance) || !exactly::line_distance_exceeds(p, b, c, tolerance) ||
          !exactly::line_distance_exceeds(p, c, a, tolerance);
 }
 
-/// Reports triangles that contain the seed of a hole. Seeds within the rounding distance of an edge are left out.
+/// Reports triangles that contain the seed of a hole, unless the seed is so near to an edge of the triangle.
 void check_holes(const Subject& subject, const Domain& domain, Findings& found) {
   const auto& holes = subject.pslg.holes;
   std::vector<Index> by_x;

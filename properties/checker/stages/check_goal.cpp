@@ -1,4 +1,4 @@
-// Checks the bounds of the goal. All are compared exactly, except sizes.
+// Checks the bounds of the goal. All comparisons are exact, except those with the sizing function.
 #include <algorithm>
 #include <cmath>
 
@@ -90,7 +90,7 @@ class GoalCheck {
     if (!std::isfinite(cap)) return;
     for (int k = 0; k < 3; ++k) {
       const Index across = adjacency_.triangles()[t].n[k];
-      if (across < t) continue;  // checked from that triangle
+      if (across < t) continue;  // the other triangle checks this edge
       const Point a = p[next(k)], b = p[previous(k)];
       if (!exactly::length_exceeds(a, b, std::max(cap, 0.0)) || !found.admit(ViolationKind::long_edge)) continue;
       const Triangle& triangle = adjacency_.triangles()[t];
@@ -103,7 +103,7 @@ class GoalCheck {
     }
   }
 
-  /// The centroid and the lengths are rounded, hence size_tolerance.
+  /// The comparison uses size_tolerance, because the centroid and the lengths are rounded.
   void check_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
     if (!subject_.goal.size) return;
     const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
@@ -152,7 +152,7 @@ void check_goal(const Subject& subject, const Domain& domain, const Adjacency& a
                 std::vector<Justified>& justified) {
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
   const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, trust_orientation);
-  // Each thread takes one run of consecutive triangles, so the joined list is ascending.
+  // Each thread takes a range of consecutive triangles, so the joined list is ascending.
   std::vector<std::vector<Justified>> parts(static_cast<std::size_t>(omp_get_max_threads()));
   check_each(adjacency.triangles().size(), found, [&](std::size_t t, Findings& mine) {
     goal.check_triangle(t, mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);

@@ -7,13 +7,13 @@
 namespace pardel::checker {
 namespace {
 
-/// Triangle's rule: the segment's own non-zero marker, else 1 on the boundary of the domain, else 0.
+/// The rule of the program Triangle: the segment's own non-zero marker, else 1 on the boundary of the domain, else 0.
 int expected_marker(const Domain& domain, Index segment) {
   const int own = domain.segments()[segment].marker;
   return own != 0 ? own : domain.on_boundary(segment) ? 1 : 0;
 }
 
-/// Compares the mesh's list of constrained edges with the chains that were found by walking.
+/// Compares the mesh's list of constrained edges with the chains that check_segments() found.
 class ConstrainedEdges {
  public:
   ConstrainedEdges(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found)
@@ -93,7 +93,7 @@ void check_constrained_edges(const Subject& subject, const Domain& domain, const
 }
 
 /// The marker of a vertex is its own non-zero marker from the input, else a non-zero marker of one of the constrained
-/// edges at it, else 0. (Edges on the boundary have marker 1 or their own.) In a foreign mesh the markers of segments
+/// edges at it, else 0. (Edges on the boundary have their own marker, or 1.) In a foreign mesh the markers of segments
 /// outside the domain are accepted as well.
 void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
                           const Adjacency& adjacency, const InputVertices& inputs, Findings& found) {

@@ -72,7 +72,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
   chains.on_chain.resize(subject.mesh.triangles.size(), 0);
   const std::size_t segments = domain.segments().size();
 
-  // Chains are walked in blocks, each block on all threads. Only the chains of one block are stored twice.
+  // Chains are found in blocks of segments, each block on all threads. Only the chains of one block are stored twice.
   constexpr std::size_t block = 4096;
   std::vector<std::vector<ChainEdge>> walked(std::min(block, segments));
   for (std::size_t first = 0; first < segments; first += block) {

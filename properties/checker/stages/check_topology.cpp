@@ -1,4 +1,4 @@
-// Checks that the triangles are counter-clockwise and joined edge to edge, without regard to the domain.
+// Checks that the triangles are counter-clockwise and joined edge to edge. These checks do not use the domain.
 #include <algorithm>
 
 #include "../arithmetic/exact.hpp"
@@ -22,7 +22,7 @@ void check_orientation(const Subject& subject, Findings& found) {
   });
 }
 
-/// True where `other` has an edge from `to` to `from` and its neighbour there is t.
+/// True if `other` has an edge from `to` to `from` and its neighbour there is t.
 bool is_reciprocal(const Triangle& other, Index t, Index from, Index to) {
   for (int j = 0; j < 3; ++j)
     if (other.v[next(j)] == to && other.v[previous(j)] == from) return other.n[j] == t;
@@ -47,7 +47,7 @@ void check_reciprocity(const Mesh& mesh, Findings& found) {
   });
 }
 
-/// Reports edges with a triangle on both sides where both triangles list no neighbour.
+/// Reports edges that have a triangle on both sides although neither triangle lists a neighbour there.
 void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Findings& found) {
   const auto boundary = adjacency.boundary();
   for (const BoundaryEdge& edge : boundary) {
@@ -69,7 +69,7 @@ bool names_no_neighbour_at_all(const Mesh& mesh) {
   });
 }
 
-/// Reports a vertex where going around it does not reach all its triangles, or where an edge has two triangles on one
+/// Reports a vertex if a walk around it does not reach all its triangles, or if an edge at it has two triangles on one
 /// side. The second case is possible only at vertices with several fans.
 void check_vertices(const Subject& subject, const Adjacency& adjacency, Findings& found) {
   const Mesh& mesh = subject.mesh;
@@ -119,7 +119,7 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
               "triangles " + to_text(s) + " and " + to_text(t) + " have the same corners");
 }
 
-/// Visits the triangles component by component. Memory: a byte per triangle, and the front of the visit.
+/// Visits the triangles component by component. Memory: one byte per triangle, and the list of triangles to visit next.
 class Surface {
  public:
   explicit Surface(const Adjacency& adjacency)
@@ -132,7 +132,7 @@ class Surface {
 
   struct Component {
     std::int64_t characteristic = 0;  ///< V - E + F, where a vertex counts once for each of its fans
-    std::int64_t loops = 0;           ///< of its boundary
+    std::int64_t loops = 0;           ///< the number of boundary loops
   };
 
   /// Visits the component of a triangle that was not reached before. Afterwards the whole component is reached.
@@ -167,19 +167,19 @@ class Surface {
   }
 
  private:
-  static constexpr std::uint8_t reached_bit = 8;  // bits 0 to 2 are the corners
+  static constexpr std::uint8_t reached_bit = 8;  // bits 0 to 2 mark the corners
 
   [[nodiscard]] bool passed_corner(Index t, int corner) const { return (passed_[t] >> corner & 1) != 0; }
 
-  /// Marks the corners of the fan that contains this corner. Every fan is found in this way, also where a vertex has
-  /// more fans than it should.
+  /// Marks the corners of the fan that contains this corner. In this way every fan is found, even if a vertex has more
+  /// fans than a valid mesh allows.
   void pass_fan(Index t, int corner) {
     if (closes(t, corner, /*counter_clockwise=*/true)) return;
     const Index before = triangles_[t].n[previous(corner)];
     if (before != no_index) closes(before, corner_at(triangles_[before], triangles_[t].v[corner]), false);
   }
 
-  /// Marks the corners around the vertex in one direction. True where this leads back to a marked corner, false where
+  /// Marks the corners around the vertex in one direction. True if this leads back to a marked corner, false if
   /// the fan ends at a boundary edge.
   bool closes(Index t, int corner, bool counter_clockwise) {
     const Index vertex = triangles_[t].v[corner];
@@ -192,7 +192,7 @@ class Surface {
     }
   }
 
-  /// Walks the boundary loop of an edge without a neighbour. False where the loop was walked before.
+  /// Walks the boundary loop of an edge without a neighbour. False if the loop was walked before.
   bool pass_loop(TriangleEdge edge) {
     if (on_loop_[position(edge)] != 0) return false;
     for (std::size_t at = position(edge); on_loop_[at] == 0; at = position(edge)) {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
-
 namespace pardel::checker {
 
 void Findings::append(Findings other) {
   for (Violation& violation : other.kept_) {
-    // Kept where fewer than limit_ violations of its kind come before it.
+    // A violation is kept if fewer than limit_ violations of its kind come before it.
     const std::size_t kind = index(violation.kind);
     if (counts_[kind] >= limit_) continue;
     ++counts_[kind];

@@ -18,11 +18,11 @@ class Findings {
   /// Keeps at most `limit` violations of each kind.
   explicit Findings(std::size_t limit) : limit_(limit) {}
 
-  /// Counts a violation. True where there is still room for it; then the caller describes it and calls keep().
+  /// Counts a violation. True if the list still has room for it; then the caller describes it and calls keep().
   [[nodiscard]] bool admit(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
   void keep(Violation violation) { kept_.push_back(std::move(violation)); }
 
-  /// Counts a violation and keeps it where there is room. For descriptions that are cheap or rare.
+  /// Counts a violation and keeps it if the list has room. Use it if the description is cheap or rarely needed.
   void add(ViolationKind kind, std::vector<Index> ids, std::vector<Point> where, std::string witness) {
     if (admit(kind)) keep({kind, std::move(ids), std::move(where), std::move(witness)});
   }
@@ -35,7 +35,7 @@ class Findings {
   [[nodiscard]] std::vector<std::uint64_t> counts() const;
   [[nodiscard]] std::size_t limit() const { return limit_; }
 
-  /// The violations kept, by kind, and within a kind in the order of discovery.
+  /// The violations that were kept, sorted by kind; violations of one kind are in the order of discovery.
   [[nodiscard]] std::vector<Violation> sorted() &&;
 
  private:
@@ -46,7 +46,7 @@ class Findings {
   std::vector<Violation> kept_;
 };
 
-/// Shorter loops run on one thread, because waking the others takes longer.
+/// Loops with fewer iterations run on one thread, because waking the other threads takes longer than the loop.
 inline constexpr std::size_t parallel_loop_size = 1 << 13;
 
 /// Calls check(i, findings) for all i < n on all threads. Each thread takes one run of consecutive indices, and the

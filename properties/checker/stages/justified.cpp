@@ -24,16 +24,16 @@ class Justification {
         chains_(chains),
         inputs_(inputs) {}
 
-  /// The justification where corner k is an input vertex and both edges at it are pieces of segments.
+  /// The justification if corner k is an input vertex and both edges at this corner are pieces of segments.
   [[nodiscard]] std::optional<Justified> nestled(int k) const {
     const Index apex = inputs_.input(triangle_.v[k]);
     const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
     if (apex == no_index || !between_segments) return std::nullopt;
-    // The edges along corner k: edge previous(k) runs to v[next(k)], edge next(k) to v[previous(k)].
+    // The edges at corner k: edge previous(k) runs to v[next(k)], edge next(k) to v[previous(k)].
     return justified(apex, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
   }
 
-  /// The justification where edge k joins two vertices of one shell.
+  /// The justification if edge k joins two vertices of one shell.
   [[nodiscard]] std::optional<Justified> seditious(int k) const {
     const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
     for (const Index s : segments_at(p)) {
@@ -56,8 +56,8 @@ class Justification {
     return segment == no_index ? std::span<const Index>{} : std::span<const Index>(&segment, 1);
   }
 
-  /// The justification where segment s of vertex p and segment r of vertex q share an apex at the same distance from p
-  /// and from q.
+  /// The justification if segment s of vertex p and segment r of vertex q share an apex that has the same distance from
+  /// p and from q.
   [[nodiscard]] std::optional<Justified> shell(Index p, Index s, Index q, Index r) const {
     const Segment& first = domain_.segments()[s];
     const Segment& second = domain_.segments()[r];
@@ -98,8 +98,8 @@ class Justification {
 std::optional<Justified> justification(Index t, const Subject& subject, const Domain& domain,
                                        const Adjacency& adjacency, const Chains& chains, const InputVertices& inputs) {
   const Justification candidate(t, subject, domain, adjacency, chains, inputs);
-  // Edge k is opposite corner k, and the smallest angle is opposite the shortest edge. Where several edges are equally
-  // short, one of them is enough.
+  // Edge k is opposite corner k, and the smallest angle is opposite the shortest edge. If several edges are equally
+  // short, a justification by one of them is enough.
   for (int k = 0; k < 3; ++k) {
     const Point from = candidate.corner(next(k)), to = candidate.corner(previous(k)), apex = candidate.corner(k);
     if (exactly::compare_lengths(from, to, to, apex) > 0 || exactly::compare_lengths(from, to, apex, from) > 0)

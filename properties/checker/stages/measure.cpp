@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t histogram_bins = 18;
 
-/// Extremes over a run of triangles. Of equal values the first is kept.
+/// Extremes over a range of triangles. If several triangles attain a value, the first is kept.
 struct Measures {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   Extreme min_angle{infinity, no_index, {}}, min_edge{infinity, no_index, {}};
@@ -42,7 +42,7 @@ struct Measures {
     raise(max_ratio, radius / *std::min_element(length.begin(), length.end()), t, centroid);
   }
 
-  /// Adds the measures of a later run.
+  /// Adds the measures of a later range.
   void append(const Measures& later) {
     for (const auto extreme : {&Measures::min_angle, &Measures::min_edge})
       if ((later.*extreme).value < (this->*extreme).value) this->*extreme = later.*extreme;

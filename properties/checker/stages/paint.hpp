@@ -9,8 +9,8 @@
 
 namespace pardel::checker {
 
-/// The face of the Pslg for each triangle. The face is known for triangles at chains and spreads across all other
-/// edges. no_index where no chain bounds the triangle's part of the mesh. Linear time.
+/// The face of the Pslg for each triangle. A triangle at a chain has the face on its side of the chain; from there the
+/// face spreads across edges that belong to no chain. no_index for triangles that it does not reach. Linear time.
 [[nodiscard]] std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains);
 
 }  // namespace pardel::checker

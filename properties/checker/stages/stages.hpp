@@ -30,32 +30,32 @@ struct Sanity {
   bool neighbours = true;  ///< neighbour ids
   bool labels = true;      ///< constrained edges, regions, origins, markers and attributes
 };
-/// Ids in range, arrays of the right length, finite coordinates.
+/// Checks that ids are in range, that arrays have the right length, and that coordinates are finite.
 [[nodiscard]] Sanity check_sanity(const Subject& subject, Findings& found);
 
-/// Orientation, neighbours, manifold edges and vertices, duplicates, Euler characteristic.
+/// Checks orientation, neighbours, manifold edges and vertices, duplicates and the Euler characteristic.
 [[nodiscard]] Adjacency check_topology(const Subject& subject, bool neighbours_usable, Findings& found);
 
-/// Every input point of the domain is a vertex, and every vertex is used.
+/// Checks that every input point of the domain is a vertex, and that every vertex is used.
 [[nodiscard]] InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
                                                  const Adjacency& adjacency, Findings& found);
 
-/// Every segment of the domain is a chain of mesh edges.
+/// Checks that every segment of the domain is a chain of mesh edges.
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                     const InputVertices& inputs, Findings& found);
 
-/// The triangles cover the domain once, and nothing else.
+/// Checks that the triangles cover the domain exactly once, and cover nothing else.
 void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                     Findings& found);
 
-/// The data that the mesh lists: constrained edges, markers, origins, regions, attributes.
+/// Checks the data that the mesh lists: constrained edges, markers, origins, regions, attributes.
 void check_labels(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                   const InputVertices& inputs, std::span<const Index> faces, Findings& found);
 
-/// Every unconstrained edge (every edge, for a conforming goal) is locally Delaunay.
+/// Checks that every unconstrained edge (for a conforming goal: every edge) is locally Delaunay.
 void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, Findings& found);
 
-/// The bounds on angles, areas, edges, sizes and circumradii. Appends the justified triangles to `justified`.
+/// Checks the bounds on angles, areas, edges, sizes and circumradii. Appends the justified triangles to `justified`.
 void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                 const InputVertices& inputs, std::span<const Index> faces, Findings& found,
                 std::vector<Justified>& justified);

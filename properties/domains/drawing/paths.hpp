@@ -1,4 +1,4 @@
-// Paths: polygonal paths with arcs, on a fine dyadic lattice, that become segments of a Pslg.
+// Paths: polygonal paths with arcs, from which the segments of a Pslg are made. Coordinates are multiples of 2^-30.
 #pragma once
 
 #include <vector>
@@ -7,23 +7,23 @@
 
 namespace pardel::drawing {
 
-/// Rounds to multiples of 2^-30, the lattice of all computed coordinates. It is too fine to be visible, and so coarse
-/// that platforms whose sines differ in the last bit make the same domain.
+/// Rounds to multiples of 2^-30, as all computed coordinates are. This spacing is too small to be visible, but large
+/// enough that platforms whose sines differ in the last bit make the same domain.
 [[nodiscard]] Point snapped(double x, double y);
-/// Snapped; 0 degrees lies to the right of the centre.
+/// The snapped point on a circle at an angle; 0 degrees lies to the right of the centre.
 [[nodiscard]] Point on_circle(Point centre, double radius, double degrees);
 /// The corners of an inscribed regular polygon, counter-clockwise from the right of the centre.
 [[nodiscard]] std::vector<Point> circle(Point centre, double radius, int pieces);
-/// Counter-clockwise from the lower left corner.
+/// The corners of a rectangle, counter-clockwise from the lower left corner.
 [[nodiscard]] std::vector<Point> rectangle(double left, double bottom, double right, double top);
 
 /// A polygonal path. Each function appends to it and returns it.
 struct Path {
   std::vector<Point> points;
 
-  /// A straight line to the snapped point; nothing where the path ends there.
+  /// Appends a straight line to the snapped point; nothing if the path already ends there.
   Path& to(double x, double y);
-  /// An arc as `pieces` chords, joined to the end of the path by a straight line. Turns left where to_deg > from_deg.
+  /// Appends an arc of `pieces` chords; a straight line joins it to the path. The arc turns left if to_deg > from_deg.
   Path& arc(Point centre, double radius, double from_deg, double to_deg, int pieces);
 };
 

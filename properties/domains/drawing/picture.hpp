@@ -1,5 +1,5 @@
-// Pictures: small SVG files with polygons, lines, circles and dots. The y-axis points up. The window fits all shapes
-// except circles.
+// Pictures: small SVG files with polygons, lines, circles and dots. The y-axis points up. The visible window contains
+// all shapes except circles, which may lie partly outside.
 #pragma once
 
 #include <filesystem>
@@ -34,8 +34,8 @@ class Picture {
 
  private:
   struct Shape {
-    std::vector<Point> corners;  ///< a single one for a dot or for the centre of a circle
-    double radius;               ///< 0 where the shape is not a circle
+    std::vector<Point> corners;  ///< one point for a dot; the centre of a circle
+    double radius;               ///< 0 if the shape is not a circle
     std::string fill;
     Ink ink;
   };

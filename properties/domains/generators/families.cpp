@@ -43,7 +43,7 @@ void join_some_points(Drawing& d, int segments) {
   }
 }
 
-/// True where p is on no circle through three of the points and not nearly collinear with two of them. (The number of
+/// True if p is on no circle through three of the points and not nearly collinear with two of them. (The number of
 /// triangles that a sliver needs grows with its thinness.)
 bool is_in_general_position(const Contour& points, LatticePoint p) {
   constexpr std::int64_t least_height = 4;

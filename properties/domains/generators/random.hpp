@@ -19,22 +19,22 @@ class Random {
     z = (z ^ (z >> 27U)) * 0x94d049bb133111eb;
     return z ^ (z >> 31U);
   }
-  /// In [0, n). Precondition: n > 0. (Larger values are rarer by a factor of up to 1 - n / 2^64.)
+  /// An integer in [0, n). Precondition: n > 0. (Larger values are rarer by a factor of up to 1 - n / 2^64.)
   std::size_t below(std::size_t n) { return next() % n; }
-  /// In [low, high]. Precondition: low <= high.
+  /// An integer in [low, high]. Precondition: low <= high.
   int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1)); }
   /// True with probability 1 / one_in. Precondition: one_in > 0.
   bool chance(int one_in) { return below(static_cast<std::size_t>(one_in)) == 0; }
-  /// In [0, 1), a multiple of 2^-53.
+  /// A number in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
-  /// In [low, high), up to rounding.
+  /// A number in [low, high), up to rounding.
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// A reference into `values`. Precondition: not empty.
+  /// A random element of `values`. Precondition: `values` is not empty.
   template <class T>
   const T& one_of(const std::vector<T>& values) {
     return values[below(values.size())];
   }
-  /// Every order is equally likely, up to the bias of below().
+  /// Puts the values into random order. Every order is equally likely, up to the bias of below().
   template <class T>
   void shuffle(std::vector<T>& values) {
     for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);

@@ -114,7 +114,7 @@ class Shrinker {
     if (plain != domain_) simpler_.push_back(plain);
   }
 
-  /// True where the segment lies between this face and one that is not the exterior.
+  /// True if the segment lies between this face and one that is not the exterior.
   [[nodiscard]] bool borders_inside(Index segment, Index face) const {
     const Index left = faces_.left_of(2 * segment), right = faces_.left_of(2 * segment + 1);
     return (left == face || right == face) && is_inside(segment);
@@ -158,7 +158,7 @@ class Shrinker {
   }
 
   /// Gives every seed a place in the image of its face: the face on the left of the image of one of the half-edges of
-  /// the old face. A seed without such a half-edge disappears. False where holes would remove every face.
+  /// the old face. A seed without such a half-edge disappears. False if holes would remove every face.
   template <class ImageOf>
   bool put_seeds(const Image& image, const ImageOf& image_of, LatticeDomain& result) const {
     if (domain_.holes.empty() && domain_.regions.empty()) return true;

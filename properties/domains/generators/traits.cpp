@@ -75,7 +75,7 @@ bool has_small_angle(const Points& points, const LatticeFaces& faces) {
   return false;
 }
 
-/// True where ab and cd are antiparallel, each on the left of the other, near to each other for at least half of their
+/// True if ab and cd are antiparallel, each on the left of the other, near to each other for at least half of their
 /// length.
 bool make_a_channel(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   const LatticePoint u = b - a, v = d - c;
@@ -106,7 +106,7 @@ bool has_island(const LatticeFaces& faces) {
   });
 }
 
-/// True where the domain and two different other faces alternate around some point.
+/// True if the domain and two different other faces alternate around some point.
 bool has_touching_holes(const Points& points, const LatticeFaces& faces) {
   for (Index p = 0; p < points.size(); ++p) {
     std::set<Index> entered;  // faces outside the domain that follow the domain counter-clockwise

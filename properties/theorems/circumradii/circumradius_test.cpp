@@ -129,8 +129,8 @@ PARDEL_PROPERTY(T2,
   the_bound_is_kept(exhibit, true);
 }
 
-/// Searches for a random scene in which inserting a point raises r̄, where the point encroaches upon walls (if `walls`)
-/// or upon unconstrained hull edges only. Returns the factor.
+/// Searches for a random scene in which inserting a point raises r̄. The point encroaches upon walls (if `walls` is
+/// true) or only upon unconstrained hull edges. Returns the factor by which r̄ grows.
 std::optional<double> growth_by_encroaching(bool walls, Facts& facts) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);

@@ -1,4 +1,4 @@
-// T2-corner: if a split point encroaches upon another segment, circumradii grow. These properties test by how much.
+// T2-corner: if a split point encroaches upon another segment, circumradii grow. These properties test the factor.
 // Proof: properties/THEORY.md, T2-corner. Notation: segments ab and ax meet at a at the angle θ < 90°, c = cos θ, and m
 // is the midpoint of ab.
 #include <cmath>
@@ -46,8 +46,8 @@ struct Best {
   double growth = 0;  ///< factor of the circumradius
 };
 
-/// Searches along the ray at this angle for the apex x for which splitting ab raises the circumradius most, among those
-/// for which neither segment is encroached.
+/// Searches the ray at this angle for the apex x for which splitting ab raises the circumradius most. Only positions of
+/// x are searched for which neither segment is encroached.
 Best worst_corner(double degrees, Facts& facts) {
   constexpr double ab = 0x1p30;
   const double angle = degrees * std::acos(-1.0) / 180;
@@ -107,7 +107,7 @@ Scene some_corner(Random& random, int size) {
     scene = {{{0, 0}, b, x}, {{0, 1}, {0, 2}}, {u}};
     break;
   }
-  // A frame. Its edges are so short that the insertion does not encroach upon them.
+  // The points of a frame. Its edges are so short that the insertion does not encroach upon them.
   for (int k = -2; k < 2; ++k)
     for (const Point& p : {Point{16.0 * k, -32}, Point{32, 16.0 * k}, Point{-16.0 * k, 32}, Point{-32, -16.0 * k}})
       scene.points.push_back(p);

@@ -30,8 +30,8 @@ std::string test_name() {
   return std::string(test->test_suite_name()) + "." + test->name();
 }
 
-/// The settings in RC_PARAMS. Settings that it leaves open get fixed values, in place of RapidCheck's own defaults (100
-/// cases and a new seed in each run).
+/// The settings in RC_PARAMS. Settings that are not in RC_PARAMS get fixed values instead of RapidCheck's own defaults
+/// (100 cases and a new seed in each run).
 rc::detail::Configuration configuration() {
   rc::detail::Configuration usual;
   usual.testParams.maxSuccess = usual_cases;

@@ -1,5 +1,5 @@
-// A property of the theory as a test: RapidCheck runs inside GoogleTest. Each property carries its entry for the
-// catalogue, and a failure produces a picture of the smallest case that breaks it.
+// Macros that turn a property of the theory into a test: RapidCheck runs inside GoogleTest. Each property has an entry
+// for the catalogue. After a failure, the test writes a picture of the smallest case that violates the property.
 //
 //   PARDEL_PROPERTY(T1, at_four_circumradii_the_closures_of_the_cavities_are_disjoint,
 //                   {.statement = "If |pq| >= 4 r̄, the closures of C(p) and C(q) are disjoint.",
@@ -13,7 +13,7 @@
 // A property runs 2,000 cases from a fixed seed. The environment variable RC_PARAMS overrides this, for example
 // RC_PARAMS="max_success=100000 seed=7". A failure prints the seed and a command line that replays it. It writes the
 // shrunk case as SUITE.NAME.poly and SUITE.NAME.svg to the folder PARDEL_FAILURES (default: property-failures). If
-// PARDEL_RECORDS names a folder, every property writes SUITE.NAME.json there; the catalogue is made of these files.
+// PARDEL_RECORDS names a folder, every property writes SUITE.NAME.json there; the catalogue is made from these files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,11 +35,11 @@ namespace pardel::properties {
 struct Statement {
   const char* statement;      ///< the claim with its hypotheses, in one or two sentences
   const char* source;         ///< paper and theorem, or the section of properties/THEORY.md
-  const char* families = "";  ///< the kinds of inputs that it was tried on
+  const char* families = "";  ///< the kinds of inputs with which it is tested
 };
 
-/// The input of the current case, for the report of a failure. A case calls show() as soon as it has its input; the
-/// last call counts.
+/// The input of the current case, for the report of a failure. The body of a property calls show() as soon as it has
+/// the input of the case; the last call counts.
 class Exhibit {
  public:
   void show(Scene scene) { shown_ = std::move(scene); }
@@ -56,8 +56,8 @@ class Exhibit {
 
 /// The results of a search or of a sweep over a grid, for the catalogue.
 struct Facts {
-  std::uint64_t cases = 0;         ///< number of cases tried
-  std::vector<std::string> notes;  ///< figures found, one sentence each
+  std::uint64_t cases = 0;         ///< number of cases tested
+  std::vector<std::string> notes;  ///< the values that were found, one sentence each
 };
 
 void check_property(const Statement& statement, void (*body)(Exhibit&));
@@ -65,7 +65,7 @@ void check_fact(const Statement& statement, void (*body)(Facts&));
 
 }  // namespace pardel::properties
 
-/// A property that is tried on random cases. The body may use the variable `exhibit` (Exhibit&).
+/// A property that is tested on random cases. The body may use the variable `exhibit` (Exhibit&).
 #define PARDEL_PROPERTY(Suite, name, ...)                                                                      \
   static void Suite##_##name##_case(::pardel::properties::Exhibit& exhibit);                                   \
   TEST(Suite, name) {                                                                                          \
@@ -73,8 +73,8 @@ void check_fact(const Statement& statement, void (*body)(Facts&));
   }                                                                                                            \
   static void Suite##_##name##_case([[maybe_unused]] ::pardel::properties::Exhibit& exhibit)
 
-/// A statement that a search, a grid or a stored witness decides, with GoogleTest's assertions. The body may use the
-/// variable `facts` (Facts&).
+/// A statement that a search, a grid or a stored witness proves or refutes, with GoogleTest's assertions. The body may
+/// use the variable `facts` (Facts&).
 #define PARDEL_FACT(Suite, name, ...)                                                                      \
   static void Suite##_##name##_fact(::pardel::properties::Facts& facts);                                   \
   TEST(Suite, name) {                                                                                      \

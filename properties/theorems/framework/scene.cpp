@@ -86,7 +86,7 @@ Status draw(const Scene& scene, const std::filesystem::path& file) {
       for (const Index v : closures[i])
         if (closures[j].contains(v)) picture.dot(ref::rounded(mesh.points[v]), "red");
 
-  // Independent insertion of all points: right under the hypotheses of the theorems, wrong without them.
+  // The independent insertion of all points. It is correct under the hypotheses of the theorems only.
   const ref::PlainMesh result = ref::insert_independently(mesh, insertions);
   for (const ref::Corners& t : result.triangles)
     if (*std::max_element(t.begin(), t.end()) >= scene.points.size()) {

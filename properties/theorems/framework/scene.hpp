@@ -1,6 +1,6 @@
 // A scene is the input of a theorem about insertion: points and walls, which define a (constrained) Delaunay mesh, and
-// further points to insert into this mesh. Its file is a .poly. The point with marker k > 0 is the k-th insertion,
-// points with marker 0 are vertices of the mesh, and segments are walls.
+// further points to insert into this mesh. A wall is a constrained edge. Scenes are stored as .poly files: the point
+// with marker k > 0 is the k-th insertion, points with marker 0 are vertices of the mesh, and segments are walls.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene);
 [[nodiscard]] Scene to_scene(const Pslg& pslg);
 
 /// Writes an SVG picture. It shows the mesh, each insertion with its cavity, the triangles that independent insertion
-/// makes (dashed), and in red what is wrong: vertices that two cavities share, and circumcircles of new triangles that
+/// makes (dashed), and in red the violations: vertices that two cavities share, and circumcircles of new triangles that
 /// are not empty.
 [[nodiscard]] Status draw(const Scene& scene, const std::filesystem::path& file);
 

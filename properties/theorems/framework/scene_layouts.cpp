@@ -105,7 +105,7 @@ struct Layout {
   Scene (*make)(Random&, int lines);
 };
 
-/// "scattered" is the last one.
+/// "scattered" is the last family.
 constexpr std::array<Layout, 7> layouts = {{{"points: jittered grid", jittered_grid},
                                             {"points: exact grid", exact_grid},
                                             {"points: collinear runs", collinear_runs},

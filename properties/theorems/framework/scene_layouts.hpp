@@ -5,13 +5,13 @@
 
 namespace pardel::properties {
 
-/// The spacing of the points, in units of the lattice. The circumcircle of a square of side 10 contains lattice points
-/// at (±1, ±7), (±7, ±1) and (±5, ±5) from its centre. So there are lattice positions that are cocircular with the
-/// square.
+/// The spacing of the points, in units of the lattice. Relative to its centre, the circumcircle of a square of side 10
+/// passes through the lattice points (±1, ±7), (±7, ±1) and (±5, ±5). So there are lattice positions that are
+/// cocircular with the corners of the square.
 inline constexpr int spacing = 10;
 
-/// About lines × lines points, in a layout of a random family, which is appended to `families`. The family "scattered"
-/// has large circumradii; it is chosen only if `scattered` is true.
+/// About lines × lines points, in a layout of a random family. The name of the family is appended to `families`. The
+/// family "scattered" has large circumradii; it is chosen only if `scattered` is true.
 [[nodiscard]] Scene random_points(generators::Random& random, int lines, bool scattered, Families& families);
 
 /// Adds up to three groups of walls: cracks (open chains of short walls), closed loops, or long walls that are no edges

@@ -1,4 +1,4 @@
-// Simpler scenes, for shrinking.
+// Makes simpler scenes, for shrinking.
 #include <algorithm>
 #include <cmath>
 

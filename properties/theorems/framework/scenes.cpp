@@ -16,7 +16,7 @@ using generators::Random;
 
 Point on_halves(double x, double y) { return {std::round(2 * x) / 2, std::round(2 * y) / 2}; }
 
-/// Kinds of positions of an insertion.
+/// The kinds of positions at which a point is inserted.
 enum class Kind : std::uint8_t {
   anywhere,
   on_an_edge,
@@ -120,14 +120,15 @@ class Positions {
     return {from.x + dx, from.y + dy};
   }
 
-  /// p and an edge of the boundary of its cavity. A point inside the circle through them is not independent of p.
+  /// p and the ends of an edge of the boundary of its cavity. A point inside the circle through them is not independent
+  /// of p.
   Three facing(Point p) {
     const auto edges = ref::boundary(scene_.mesh, ref::cavity(scene_.mesh, ref::exact(p)));
     const ref::Edge e = random_.one_of(edges);
     return {p, points_[e[0]], points_[e[1]]};
   }
 
-  /// A position exactly on the circle through three points; one of the three if there is no other.
+  /// A position exactly on the circle through three points; one of the three points if there is no other position.
   Point on_a_circle(const Three& t) {
     const double bx = t[1].x - t[0].x, by = t[1].y - t[0].y, cx = t[2].x - t[0].x, cy = t[2].y - t[0].y;
     const double twice = bx * cy - by * cx;
@@ -191,14 +192,14 @@ MeshedScene random_mesh(Random& random, const SceneSpec& spec) {
   return meshed(std::move(layout), std::move(families));
 }
 
-/// Is the mesh wide enough for the specified separation? Long walls make r̄ large.
+/// Is the mesh wide enough for the specified separation? (Long walls make r̄ large, so some meshes are too narrow.)
 bool is_large_enough(const MeshedScene& meshed, const SceneSpec& spec) {
   const std::vector<Point>& points = meshed.scene.points;
   const auto [low, high] = std::ranges::minmax(points, {}, [](Point p) { return p.x + p.y; });
   return squared_distance(low, high) >= spec.least * spec.least * meshed.squared_bound;
 }
 
-/// Adds an insertion that satisfies the specification, if one is found.
+/// Adds an insertion that satisfies the specification, if such a position is found.
 bool add_insertion(Random& random, MeshedScene& meshed, const SceneSpec& spec, Positions& positions) {
   std::vector<Point>& insertions = meshed.scene.insertions;
   constexpr int trials = 40;

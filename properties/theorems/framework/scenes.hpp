@@ -1,6 +1,6 @@
-// Random scenes in named families, with their meshes and their shrinker. Points lie on an integer lattice, about ten
-// units apart, so that a scene is several circumradii wide. Coordinates of insertions are multiples of 1/2, so that
-// degenerate positions are frequent.
+// Random scenes in named families, with their meshes, and a shrinker for scenes. Points lie on an integer lattice,
+// about ten units apart, so that a scene is several circumradii wide. Coordinates of insertions are multiples of 1/2,
+// because degenerate positions are then frequent.
 #pragma once
 
 #include <rapidcheck.h>
@@ -20,21 +20,21 @@ namespace pardel::properties {
 struct SceneSpec {
   bool walls = false;
   int insertions = 2;                                     ///< number of insertions
-  int more = 0;                                           ///< up to this many additional insertions, if there is space
+  int more = 0;                                           ///< largest number of additional insertions, if space allows
   double least = 0;                                       ///< |pq| ≥ least · r̄ for every two insertions
-  double most = std::numeric_limits<double>::infinity();  ///< |pq| < most · r̄ for each insertion and an earlier one
+  double most = std::numeric_limits<double>::infinity();  ///< |pq| < most · r̄ for each insertion p and an earlier q
   bool on_walls = false;                                  ///< may an insertion lie on a wall, which it splits?
   bool encroaching = true;  ///< may an insertion encroach upon a wall on the boundary of its cavity?
 };
 
-/// Names of families: exactly one "points: …", any number of "walls: …", and one "inserted: …" for every insertion.
+/// Names of families: exactly one "points: …", any number of "walls: …", and one "inserted: …" for each insertion.
 using Families = std::vector<std::string>;
 
 struct MeshedScene {
   Scene scene;
-  ref::PlainMesh mesh;        ///< mesh_of(scene): without the insertions
-  ref::Number squared_bound;  ///< r̄² of that mesh
-  Families families;          ///< the families of its parts
+  ref::PlainMesh mesh;        ///< mesh_of(scene), the mesh without the insertions
+  ref::Number squared_bound;  ///< r̄² of `mesh`
+  Families families;          ///< the families of the points, walls and insertions of the scene
 };
 std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed);
 
@@ -55,11 +55,11 @@ std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed);
 /// Are all insertions in the mesh, and not at vertices?
 [[nodiscard]] bool satisfies(const MeshedScene& meshed, const SceneSpec& spec);
 
-/// Valid simpler scenes, the simplest first: with fewer insertions (but at least two), fewer walls, fewer points, at
-/// the origin, or on a coarser lattice.
+/// Simpler valid scenes, the simplest first. They have fewer insertions (but at least two), fewer walls or fewer
+/// points, lie at the origin, or lie on a coarser lattice.
 [[nodiscard]] std::vector<Scene> simpler(const Scene& scene);
 
-/// Tags the current case with its families, for the catalogue.
+/// Tags the current case with the families of the scene, for the catalogue.
 void tag_families(const MeshedScene& meshed);
 
 }  // namespace pardel::properties

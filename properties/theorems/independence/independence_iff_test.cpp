@@ -35,7 +35,8 @@ CGAL::Bounded_side side(const ref::PlainMesh& mesh, const ref::ExactPoint& p, co
   return CGAL::side_of_bounded_circle(q, mesh.points[mn[0]], mesh.points[mn[1]], p);
 }
 
-/// Tags the case by how the cavities meet. The shares show that all sides of the equivalence are tested.
+/// Tags the case with the way in which the cavities meet. The shares of the tags in the catalogue show that both
+/// directions of the equivalence are tested.
 void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::ExactPoint& q) {
   const Contact meet = contact(scene.mesh, p, q);
   RC_TAG(name(meet));

@@ -1,5 +1,5 @@
-// T1-sharp: two points whose distance is at least twice the largest circumradius are independent. No smaller factor
-// suffices.
+// T1-sharp: two points whose distance is at least twice the largest circumradius are independent. This is false for
+// every smaller factor.
 #include <algorithm>
 #include <iomanip>
 #include <sstream>

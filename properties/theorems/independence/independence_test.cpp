@@ -1,5 +1,5 @@
-// T1: two points whose distance is at least four times the largest circumradius are independent. T1-closures: so are
-// two points whose cavities have disjoint closures.
+// T1: two points whose distance is at least four times the largest circumradius are independent. T1-closures: two
+// points whose cavities have disjoint closures are independent, too.
 #include "../../../ref/independent.hpp"
 #include "../framework/property.hpp"
 #include "pairs.hpp"

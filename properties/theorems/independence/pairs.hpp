@@ -10,7 +10,7 @@ namespace pardel::properties {
 
 [[nodiscard]] std::vector<ref::ExactPoint> insertions_of(const Scene& scene);
 
-/// The largest common part of the cavities of two points, in the mesh before either is inserted.
+/// The largest common part of the cavities of two points. Both cavities are in the mesh before the insertions.
 enum class Contact : std::uint8_t { none, vertex, edge, triangle };
 
 [[nodiscard]] Contact contact(const ref::PlainMesh& mesh, const ref::ExactPoint& p, const ref::ExactPoint& q);
@@ -19,10 +19,10 @@ enum class Contact : std::uint8_t { none, vertex, edge, triangle };
 /// |pq| / r̄ of a scene's first two insertions.
 [[nodiscard]] double separation(const MeshedScene& meshed);
 
-/// Is the mesh conformal and constrained Delaunay, by definition, tested on all triangles?
+/// Is the mesh conformal and constrained Delaunay? The definitions are tested on all triangles.
 [[nodiscard]] bool is_conformal_and_delaunay(const ref::PlainMesh& mesh);
 
-/// The meshes that independent insertion and sequential insertion in two orders make.
+/// The results of independent insertion, and of sequential insertion in two orders.
 struct Outcomes {
   ref::PlainMesh at_once;               ///< independent insertion
   ref::PlainMesh in_order, in_reverse;  ///< sequential insertion

@@ -18,7 +18,8 @@ double squared_distance(const Pair& pair) {
   return dx * dx + dy * dy;
 }
 
-/// All pairs of a lattice position within two units of p and one within two units of q, the most distant pairs first.
+/// All pairs of a lattice position within two units of p and a lattice position within two units of q. The most distant
+/// pairs come first.
 std::vector<Pair> pairs_around(Point p, Point q) {
   constexpr int reach = 2;
   const auto around = [](Point at) {

@@ -1,4 +1,4 @@
-// The generators of random domains and their shrinkers. All other suites rely on these properties.
+// Tests the generators of random domains and their shrinkers. All other suites rely on these properties.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* every_family = "all families, equally likely";
 
-/// A generator without shrinking: tests of the shrinkers must not use them on their own failures.
+/// A generator without shrinking, because a test of a shrinker must not use the shrinker when the test fails.
 auto unshrunk(auto make) {
   return generator(make, [](const auto& value) { return std::vector<std::decay_t<decltype(value)>>(); });
 }

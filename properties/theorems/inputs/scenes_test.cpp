@@ -1,4 +1,5 @@
-// The generator of random scenes. The theorem suites rely on it: every family of scenes must occur often enough.
+// Tests the generator of random scenes. The theorem suites need scenes of every family, so each must be frequent
+// enough.
 #include "../framework/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Channels: domains for the lattice refiner. They are so long and narrow that a mesh of few triangles has many cells.
-// Coordinates are integers. No two segments meet at less than 60 degrees, because Ruppert's proof covers no smaller
-// angle.
+// Channels: domains for the lattice refiner. They are so long and narrow that even a small mesh covers many cells.
+// Coordinates are integers. No two segments meet at less than 60 degrees, because Ruppert's proof does not cover
+// smaller angles.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ inline const char* name(Shape shape) {
 struct Channel {
   Shape shape = Shape::bar;
   int width = 6;                  ///< lattice units, even, at least 6
-  int length = 12;                ///< of a bar, of an arm of a bend or of a side of a ring, in widths
+  int length = 12;                ///< the length of a bar, an arm of a bend or a side of a ring, in multiples of width
   std::array<Point, 8> nudges{};  ///< added to the corners; each coordinate is -1, 0 or 1
   bool has_wall = false;          ///< a wall across a bar; the area bound is halved on its right
   bool has_crack = false;         ///< a segment of one width along the middle that touches no other segment

@@ -9,8 +9,8 @@
 
 namespace pardel::properties {
 
-/// Do two triangles with a common unconstrained edge have the same circumcircle? If not, no other triangulation is
-/// Delaunay.
+/// Do two triangles with a common unconstrained edge have the same circumcircle? If not, the Delaunay triangulation is
+/// unique.
 [[nodiscard]] inline bool has_cocircular_neighbours(const ref::PlainMesh& mesh) {
   std::map<ref::Edge, std::vector<Index>> apexes;
   for (const ref::Corners& t : mesh.triangles)

@@ -1,5 +1,5 @@
-// The engine compared with the executable specification. If only one mesh is right, both make it. If the result depends
-// on the order of insertions, both meshes have the same guarantees and similar sizes.
+// Compares the engine with the executable specification. If only one mesh is correct, both make this mesh. If the
+// result depends on the order of insertions, both meshes have the same guarantees and similar sizes.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,8 +29,8 @@ using generators::LatticeDomain;
 using generators::Random;
 
 /// The triangulation of a domain by definition: the constrained Delaunay triangulation of the domain in a larger box,
-/// without the faces of the exterior and of the holes. The outline of the domain separates the corners of the box from
-/// it.
+/// without the faces of the exterior and of the holes. The outline of the domain separates the domain from the corners
+/// of the box.
 ref::PlainMesh triangulation_by_definition(const Pslg& pslg) {
   std::vector<ref::Edge> walls;
   for (const Segment& s : pslg.segments) walls.push_back(ref::edge(s.a, s.b));

@@ -1,4 +1,5 @@
-// Lattice: the decomposition of [CC] and refinement with it. The tests run the reference, which uses no threads.
+// Lattice: the decomposition of [CC] and refinement with this decomposition. The tests run the reference refiner, which
+// uses no threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +60,7 @@ std::size_t insertions_of(const ref::Sweep& sweep) {
   return count;
 }
 
-/// A point of the cell: on its lower sides, in its middle, or just below its upper sides.
+/// A point of the cell; each coordinate is on the lower side, in the middle, or just below the upper side.
 ExactPoint random_point_of(const ref::Cell& cell, const ref::Lattice& lattice, Random& random) {
   const auto fraction = [&] { return random.one_of<double>({0, 0x1p-40, 0.5, 1 - 0x1p-40}); };
   return lattice.corner + Kernel::Vector_2((static_cast<double>(cell.i) + fraction()) * lattice.side,

@@ -46,8 +46,8 @@ inline void require_valid(const Certificate& certificate) {
   if (!certificate.valid) RC_FAIL(to_text(certificate));
 }
 
-/// Random options: the placement of points, the decomposition of the plane, and the number of triangles per tile. A
-/// small number gives small domains many tiles and several levels of lattices.
+/// Random options: the placement of points, the decomposition of the plane, and the number of triangles per tile. With
+/// a small number, even small domains have many tiles and several levels of lattices.
 inline Options some_options() {
   constexpr auto tiny = 4U;
   Options options;

@@ -1,10 +1,10 @@
 // Metamorphic: how the mesh changes when the input changes. The laws and their reasons are in properties/THEORY.md,
 // Metamorphic.
 //
-// There are no exact laws for isometries of refined meshes: new points are rounded, which a translation changes, and a
-// turn or a reflection changes the space-filling curve and with it the order of insertions. The guarantees stay, and
-// the size stays similar. The size nearly always changes by less than a tenth. But if rounding decides whether a
-// segment at a small angle is split, the whole segment may be split, shell by shell.
+// There are no exact laws for isometries of refined meshes. New points are rounded, and a translation changes how they
+// are rounded. A turn or a reflection changes the space-filling curve and with it the order of insertions. The
+// guarantees stay the same, and the size nearly always changes by less than a tenth. The change can be larger if
+// rounding decides whether a segment at a small angle is split: then the whole segment may be split, shell by shell.
 #include <algorithm>
 #include <array>
 #include <cmath>

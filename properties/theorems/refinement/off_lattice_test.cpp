@@ -32,7 +32,7 @@ Pslg turned(const generators::LatticeDomain& domain, double angle, Point to) {
 
 constexpr const char* turned_families = "lattice domains of every family, turned and far from the origin";
 
-/// A turned domain that is valid. Rounding can make a domain invalid; such cases are discarded.
+/// A valid domain that was turned. Rounding can make a turned domain invalid; such cases are discarded.
 Problem some_turned_problem(Exhibit& exhibit) {
   const generators::Case c = some_case(exhibit);
   const Point to{*rc::gen::element(0.0, 654321.0), *rc::gen::element(0.0, 4987654.0)};

@@ -1,6 +1,6 @@
-// T-region: two tasks whose regions reach no common vertex give the same mesh however their steps interleave; and the
-// practical form of this theorem, in which each task owns a box. Definitions and proofs: properties/THEORY.md,
-// T-region.
+// T-region: if the regions of two tasks reach no common vertex, the tasks make the same mesh in every order of their
+// steps. Tests also the practical form of this theorem, in which each task owns a box. Definitions and proofs:
+// properties/THEORY.md, T-region.
 //
 // K(L) is the set of triangles that insertions in the region L can reach, and V(L) is the set of their vertices.
 #include "../../../ref/region.hpp"
@@ -89,7 +89,7 @@ std::optional<Regions> regions_apart(Random& random, const MeshedScene& given, A
   return std::nullopt;
 }
 
-/// The input of a case: a scene, and random numbers for all other choices.
+/// The input of a case: a scene, and a seed of the random numbers for all other choices.
 struct Given {
   MeshedScene meshed;
   Random random;

@@ -1,4 +1,5 @@
-// Two tasks that work in one mesh, step by step, in any order; and the hypotheses of T-region (properties/THEORY.md).
+// Two tasks that insert points into one mesh, step by step, in any order; and the hypotheses of T-region
+// (properties/THEORY.md).
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 
 namespace pardel::properties {
 
-/// A task inserts its points in order. Each insertion has two steps: the first finds the cavity, the second replaces it
-/// by the fan of the point.
+/// A task inserts its points in order. Each insertion has two steps: the first step finds the cavity, the second step
+/// replaces the cavity by the fan of the point.
 class Task {
  public:
   /// If a box is given, the task hands on every point whose insertion would change a triangle that is not in the box:
@@ -27,7 +28,7 @@ class Task {
   /// Takes the next step. Precondition: !is_done().
   void step(ref::PlainMesh& mesh);
 
-  /// For each point so far: was it handed on?
+  /// One entry for each point that was processed so far: true if the point was handed on.
   [[nodiscard]] const std::vector<bool>& handed_on() const { return handed_on_; }
   /// The corners of all triangles that the task removed or made.
   [[nodiscard]] const std::set<Index>& touched() const { return touched_; }
@@ -56,9 +57,9 @@ struct Outcome {
 /// or 1.
 [[nodiscard]] Outcome outcome(ref::PlainMesh mesh, Tasks& tasks, const std::function<int()>& turn);
 [[nodiscard]] Outcome one_after_the_other(const ref::PlainMesh& mesh, Tasks tasks, int first);
-/// The tasks alternate. If each has one point, both find their cavities before either replaces its own.
+/// Runs both tasks, with alternating steps. If each task has one point, both cavities are found before one is replaced.
 [[nodiscard]] Outcome in_turns(const ref::PlainMesh& mesh, Tasks tasks);
-/// In a random order.
+/// Runs both tasks, with their steps in random order.
 [[nodiscard]] Outcome interleaved(const ref::PlainMesh& mesh, Tasks& tasks, generators::Random& random);
 
 /// Two tasks insert one point each. Do alternating steps and both sequential orders give one mesh?
@@ -81,7 +82,7 @@ enum class Apart : std::uint8_t {
 /// Do K(L) = k and K(L') = l satisfy the hypothesis?
 [[nodiscard]] bool are_apart(const ref::PlainMesh& mesh, const std::vector<Index>& k, const std::vector<Index>& l,
                              Apart how);
-/// The same for two regions that are single points.
+/// Do two regions that are single points satisfy the hypothesis?
 [[nodiscard]] bool are_apart(const ref::PlainMesh& mesh, Point p, Point q, Apart how);
 /// Do the cavities of p and q have a common triangle?
 [[nodiscard]] bool cavities_meet(const ref::PlainMesh& mesh, Point p, Point q);

@@ -1,4 +1,4 @@
-// The stored witnesses: scenes which show that a hypothesis of a theorem is needed, that its bound is tight, or that a
+// The stored witnesses: scenes which show that a theorem needs a hypothesis, that a bound is tight, or that a
 // similar statement is false. The witness NAME has the files NAME.poly and NAME.svg (its picture) in tests/witnesses.
 //
 // To add a witness: write its .poly file (the point with marker k is the k-th insertion; see framework/scene.hpp), add

@@ -12,7 +12,7 @@ testing::AssertionResult verdict(bool holds) {
   return holds ? testing::AssertionSuccess() : testing::AssertionFailure();
 }
 
-/// Does the one insertion raise the largest circumradius by a factor above `least`?
+/// The scene has one insertion. Does it raise the largest circumradius by a factor above `least`?
 testing::AssertionResult grows(const MeshedScene& given, double least) {
   ref::PlainMesh mesh = given.mesh;
   ref::insert(mesh, ref::exact(given.scene.insertions.at(0)));

@@ -1,4 +1,4 @@
-// Witnesses on whole refinements. Their scenes are domains without insertions.
+// Witnesses of statements about whole refinements. Their scenes are domains without insertions.
 #include "../refinement/thirty_degrees.hpp"
 #include "witness.hpp"
 

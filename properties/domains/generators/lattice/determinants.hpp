@@ -1,5 +1,5 @@
-// Vectors and determinants of lattice points. turn() is exact in 64 bits for coordinates up to 2^28 in magnitude; the
-// seeds of holes and regions, in quarters of the lattice unit, reach that bound.
+// Vectors and determinants of lattice points. turn() is exact in 64 bits for coordinates up to 2^28 in magnitude. The
+// coordinates of the seeds of holes and regions, in quarters of the lattice unit, can be that large.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace pardel::generators {
 [[nodiscard]] constexpr std::int64_t dot(LatticePoint p, LatticePoint q) { return p.x * q.x + p.y * q.y; }
 [[nodiscard]] constexpr std::int64_t cross(LatticePoint p, LatticePoint q) { return p.x * q.y - p.y * q.x; }
 
-/// Twice the signed area of a, b, c: positive where they turn left, zero where they are collinear.
+/// Twice the signed area of a, b, c: positive if they turn left, zero if they are collinear.
 [[nodiscard]] constexpr std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
   return cross(b - a, c - a);
 }
-/// True where p lies on ab and is not an end.
+/// True if p lies on ab and is not an end.
 [[nodiscard]] constexpr bool lies_inside(LatticePoint p, LatticePoint a, LatticePoint b) {
   return turn(a, b, p) == 0 && dot(a - p, b - p) < 0;
 }
-/// True where the segments ab and cd cross in a point that is interior to both.
+/// True if the segments ab and cd cross in a point that is interior to both.
 [[nodiscard]] constexpr bool cross_each_other(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   const auto opposite = [](std::int64_t s, std::int64_t t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
   return opposite(turn(a, b, c), turn(a, b, d)) && opposite(turn(c, d, a), turn(c, d, b));
@@ -30,7 +30,7 @@ namespace pardel::generators {
 
 __extension__ using Wide = __int128;
 
-/// Positive where d lies inside the circle through a, b, c, zero on it. Precondition: a, b, c are counter-clockwise.
+/// Positive if d lies inside the circle through a, b, c, zero on it. Precondition: a, b, c are counter-clockwise.
 [[nodiscard]] constexpr Wide in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   const LatticePoint u = a - d, v = b - d, w = c - d;
   return Wide{dot(u, u)} * cross(v, w) + Wide{dot(v, v)} * cross(w, u) + Wide{dot(w, w)} * cross(u, v);

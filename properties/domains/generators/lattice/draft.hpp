@@ -15,23 +15,23 @@ class Draft {
  public:
   [[nodiscard]] const std::vector<LatticePoint>& points() const { return points_; }
 
-  /// The point at this place, added if necessary. A segment that passes through it is split there.
+  /// Returns the point at this place; adds it if necessary. A segment that passes through the place is split there.
   Index point(LatticePoint place);
-  /// Adds a point where there is neither a point nor a segment. False where there is one.
+  /// Adds a point. Does nothing and returns false if a point or segment is at this place.
   bool free_point(LatticePoint place);
-  /// Adds a segment, in pieces where it passes through points. False, and nothing is added, where it would cross
-  /// another segment or where a == b.
+  /// Adds a segment; points on the segment divide it into several segments. Does nothing and returns false if it would
+  /// cross another segment or if a == b.
   bool segment(LatticePoint a, LatticePoint b);
   /// Adds the sides of an open path as segments.
   void path(std::span<const LatticePoint> contour);
   /// Adds the sides of a closed polygon as segments.
   void polygon(std::vector<LatticePoint> contour);
-  /// Adds a polygon where its closed bounding box contains no point and meets no segment. False where it does.
+  /// Adds a polygon. Does nothing and returns false if its closed bounding box contains a point or meets a segment.
   bool free_polygon(const std::vector<LatticePoint>& contour);
-  /// Adds segments around the convex hull as an outline.
+  /// Adds the sides of the convex hull as segments, so that they form an outline.
   void hull();
 
-  /// Makes a hole of the face on the left of the segment that leaves a towards b, unless it is the last face of the
+  /// Makes the face on the left of the segment from a towards b a hole, unless it is the last face of the
   /// domain.
   void hole_left_of(LatticePoint a, LatticePoint b) { holes_.push_back({a, b}); }
 

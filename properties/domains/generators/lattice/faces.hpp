@@ -1,5 +1,5 @@
-// LatticeFaces: the faces into which segments cut the plane, in exact integers. Written independently of the checker's
-// PlanarFaces, which works on doubles.
+// LatticeFaces: the faces into which segments divide the plane, computed in exact integers. It is independent of the
+// checker's PlanarFaces, which works on doubles.
 #pragma once
 
 #include <span>
@@ -17,16 +17,16 @@ struct HalfEdge {
   friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// Half-edge 2s runs along segment s from its a to its b, half-edge 2s + 1 from b to a. Where there are no segments,
-/// the sides of the convex hull take their place.
+/// Half-edge 2s runs along segment s from its end a to its end b, half-edge 2s + 1 from b to a. If there are no
+/// segments, the sides of the convex hull are used as segments.
 class LatticeFaces {
  public:
   static constexpr Index exterior = 0;
 
-  /// No face is a hole. Preconditions: points are distinct and not all collinear; segments meet in common ends only and
-  /// pass through no point. O(points * segments).
+  /// The faces without holes. Preconditions: points are distinct and not all collinear; segments meet in common ends
+  /// only and pass through no point. O(points * segments).
   LatticeFaces(const std::vector<LatticePoint>& points, const std::vector<Segment>& segments);
-  /// With the holes of the domain. Precondition: no hole lies on a segment.
+  /// The faces with the holes of the domain. Precondition: no seed of a hole lies on a segment.
   explicit LatticeFaces(const LatticeDomain& domain);
 
   [[nodiscard]] Index count() const { return count_; }
@@ -34,7 +34,7 @@ class LatticeFaces {
   [[nodiscard]] HalfEdge ends(Index half_edge) const { return ends_[half_edge]; }
   [[nodiscard]] static Index twin(Index half_edge) { return half_edge ^ 1U; }
   [[nodiscard]] Index left_of(Index half_edge) const { return face_of_[contour_of_[half_edge]]; }
-  /// True where the contour of a half-edge is the outer contour of its face, false where it surrounds something inside.
+  /// True if the half-edge is on the outer contour of its face, false if it is on a contour inside the face.
   [[nodiscard]] bool on_outer_contour(Index half_edge) const { return is_outer_[contour_of_[half_edge]]; }
   /// The half-edges that start at a point, counter-clockwise.
   [[nodiscard]] std::span<const Index> around(Index point) const {
@@ -45,8 +45,8 @@ class LatticeFaces {
   [[nodiscard]] bool on_a_segment(LatticePoint seed) const;
   /// Precondition: !on_a_segment(seed).
   [[nodiscard]] Index containing(LatticePoint seed) const;
-  /// A seed of the bounded face on the left of a half-edge. It lies in a triangle at the half-edge that no segment
-  /// crosses.
+  /// A seed of the bounded face on the left of a half-edge. The seed lies in a triangle that has the half-edge as a
+  /// side and that no segment crosses.
   [[nodiscard]] LatticePoint seed_left_of(Index half_edge) const;
 
   void make_hole(Index face) { is_domain_[face] = false; }

@@ -1,4 +1,4 @@
-// Contours from which the families are drawn. All are counter-clockwise.
+// Contours (closed polygons) from which the generators of the families build domains. All are counter-clockwise.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace pardel::generators {
 
 using Contour = std::vector<LatticePoint>;
 
-/// Both coordinates are in [low, high].
+/// A random point; both coordinates are in [low, high].
 [[nodiscard]] LatticePoint anywhere(Random& random, int low, int high);
 
 [[nodiscard]] Contour box(LatticePoint corner, std::int64_t width, std::int64_t height);
@@ -21,10 +21,10 @@ using Contour = std::vector<LatticePoint>;
 /// A polygon in [0, 2 radius]^2 with 4 to `corners` corners, star-shaped about (radius, radius), which is strictly
 /// inside.
 [[nodiscard]] Contour star(Random& random, int radius, int corners);
-/// One of the above, or a triangle, in [0, side]^2. Precondition: side >= 8.
+/// A box, a cut box, an angle iron, a star or a triangle, in [0, side]^2. Precondition: side >= 8.
 [[nodiscard]] Contour any_outline(Random& random, int side, int corners);
-/// A triangle, box or diamond. `corner` is the lower left corner of its bounding box, whose sides have length 2 to
-/// `most`.
+/// A triangle, box or diamond. `corner` is the lower left corner of its bounding box. The sides of the bounding box
+/// have lengths from 2 to `most`.
 [[nodiscard]] Contour small_ring(Random& random, LatticePoint corner, int most);
 
 }  // namespace pardel::generators
