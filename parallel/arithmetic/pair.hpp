@@ -25,7 +25,7 @@ using PairBits __attribute__((vector_size(2 * sizeof(std::int64_t)))) = std::int
 [[nodiscard]] inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
 [[nodiscard]] inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3); }
 
-/// The result for the first half in bit 0, and for the second in bit 1.
+/// Bit 0 is the result for the first half, bit 1 the result for the second half.
 [[nodiscard]] inline unsigned bits(PairBits mask) {
 #ifdef __SSE2__
   return static_cast<unsigned>(_mm_movemask_pd(std::bit_cast<Pair>(mask)));

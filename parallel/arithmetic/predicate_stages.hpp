@@ -1,6 +1,6 @@
-// The exact part of the predicates, used when the inline filter cannot decide. It consists of stages of increasing
-// cost. Each stage either determines the sign with certainty or leaves the decision to the next. The result names the
-// stage that decided, so that tests can examine each stage separately.
+// The exact part of the predicates, used if the inline filter cannot determine the sign. It consists of stages of
+// increasing cost. Each stage either determines the sign with certainty or calls the next stage. The result names the
+// stage that determined the sign, so tests can examine each stage separately.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ enum class Stage : std::uint8_t {
   lattice,              ///< the differences are small multiples of one unit, so double arithmetic is exact
   exact_differences,    ///< the differences of coordinates are doubles; their determinant is computed exactly
   rounded_differences,  ///< the exact determinant of the rounded differences is far enough from zero
-  corrected,            ///< the same after a first-order correction for the rounding of the differences
+  corrected,            ///< as before, after a first-order correction for the rounding of the differences
   expansions,           ///< the whole determinant is computed exactly
 };
 

@@ -26,12 +26,12 @@ struct Difference {
   [[nodiscard]] double square() const { return x.head * x.head + y.head * y.head; }
 };
 
-/// p.x * q.y - p.y * q.x of the heads, exactly.
+/// p.x * q.y - p.y * q.x, computed exactly from the heads.
 Expansion<4> cross_of_heads(const Difference& p, const Difference& q) {
   return Expansion<2>(two_product(p.x.head, q.y.head)) - Expansion<2>(two_product(p.y.head, q.x.head));
 }
 
-/// p.x * q.y - p.y * q.x of the heads, rounded.
+/// p.x * q.y - p.y * q.x, computed from the heads with rounding.
 double rounded_cross(const Difference& p, const Difference& q) { return p.x.head * q.y.head - p.y.head * q.x.head; }
 double magnitude_of_cross(const Difference& p, const Difference& q) {
   return std::abs(p.x.head * q.y.head) + std::abs(p.y.head * q.x.head);
@@ -49,7 +49,7 @@ Expansion<16> square(const Difference& p) {
   return x * x + y * y;
 }
 
-/// x^2 e + y^2 e for the heads. Scaling twice by each coordinate is cheaper than a product of expansions.
+/// x^2 e + y^2 e with the heads x, y of p. Scaling e twice by each coordinate is cheaper than a product of expansions.
 Expansion<32> lifted_by_heads(const Expansion<4>& e, const Difference& p) {
   return e * p.x.head * p.x.head + e * p.y.head * p.y.head;
 }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int levels = 16;  // bits per coordinate of a key
 
-// One level of the curve. The state is one of four orientations of the U. For each state and quadrant (x bit, y bit)
-// the table has the position of the quadrant along the curve and the state inside it.
+// One level of the curve. The state is one of the four orientations of the curve's U shape. For each state and quadrant
+// (x bit, y bit), the table has the position of the quadrant along the curve and the state inside the quadrant.
 struct Step {
   std::uint8_t position, state;
 };

@@ -1,5 +1,5 @@
 // Allocation of indices to concurrent tasks. Vertices and triangles are elements of arrays. Before a phase starts, each
-// of its tasks gets its own ranges of indices for the elements that it may create. The tasks therefore share no
+// task of the phase gets its own ranges of indices for the elements that it may create. The tasks therefore share no
 // counter, and the index of a vertex does not depend on the speed of the threads.
 #pragma once
 
@@ -52,7 +52,7 @@ class IndexAllocator {
   [[nodiscard]] Index in_use() const { return end_ - static_cast<Index>(free_count_); }
   [[nodiscard]] std::size_t available() const { return limit_ - in_use(); }
 
-  /// Appends ranges with `count` indices to `ranges`, or with all that are available if those are fewer.
+  /// Appends ranges with `count` indices to `ranges`. If fewer indices are available, appends all of them.
   void allocate(std::size_t count, std::vector<IndexRange>& ranges);
   /// Frees the unused indices of a pool. Call settle() after the last pool of a phase.
   void release(const IndexPool& pool);
@@ -73,8 +73,8 @@ struct IndexMove {
   Index from, to;
 };
 
-/// The moves after which the elements in use have the indices [0, in_use()): every hole in that range receives an
-/// element from above it. Both `from` and `to` ascend. Precondition: the allocator is settled.
+/// The moves after which the elements in use have the indices [0, in_use()): every free index in this range (hole) gets
+/// an element from above the range. Both `from` and `to` ascend. Precondition: the allocator is settled.
 [[nodiscard]] std::vector<IndexMove> moves_into_holes(const IndexAllocator& allocator);
 
 }  // namespace pardel::engine

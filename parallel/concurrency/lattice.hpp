@@ -25,7 +25,7 @@ class Lattice {
         rows_(rows),
         width_((bounds.max_x - bounds.min_x) / columns),
         height_((bounds.max_y - bounds.min_y) / rows) {}
-  /// A lattice of nearly square cells, with `along` of them in the direction in which the bounds are longer.
+  /// A lattice of nearly square cells. `along`: the number of cells in the direction in which the bounds are longer.
   static Lattice over(Box bounds, Index along) {
     const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
     const double side = std::max(width, height) / along;
@@ -38,18 +38,18 @@ class Lattice {
   [[nodiscard]] Index rows() const { return rows_; }
   [[nodiscard]] double width() const { return width_; }    ///< of one cell
   [[nodiscard]] double height() const { return height_; }  ///< of one cell
-  /// The shorter side of a cell. The width of a single column and the height of a single row do not count, because no
-  /// neighbour follows in that direction. INFINITY for a lattice of one cell.
+  /// The shorter side of a cell. If there is only one column, its width is ignored; if there is only one row, its
+  /// height is ignored, because there is no neighbour in this direction. INFINITY for a lattice of one cell.
   [[nodiscard]] double side() const {
     return std::min(columns_ > 1 ? width_ : INFINITY, rows_ > 1 ? height_ : INFINITY);
   }
   /// The cavity of a point in a cell lies in the box of the cell if no circumradius exceeds this value (T1; THEORY,
-  /// Lattice). This holds for each triangle separately: a point in its circumdisk lies within two radii, that is half a
-  /// side, of its corners. The value is one hundredth below the theorem's, so rounding cannot cause a false alarm, not
+  /// Lattice). This holds for each triangle separately: a point in its circumdisk is at most two radii, that is half a
+  /// side, away from its corners. The value is 1 % smaller than in the theorem, so rounding cannot cause a false error,
   /// even far from the origin.
   [[nodiscard]] double radius_that_fits() const { return 0.99 * side() / radii_per_side; }
-  /// The cell of a point. A point beyond the bounds belongs to the nearest cell. A NaN coordinate, which can be the
-  /// circumcentre of a needle, counts as the lowest.
+  /// The cell of a point. A point beyond the bounds belongs to the nearest cell. A NaN coordinate is treated as the
+  /// lowest value; the circumcentre of a very thin triangle can have such coordinates.
   [[nodiscard]] Index cell_of(Point p) const {
     return clamped((p.y - bounds_.min_y) / height_, rows_) * columns_ +
            clamped((p.x - bounds_.min_x) / width_, columns_);
@@ -69,8 +69,8 @@ class Lattice {
     return box;
   }
 
-  /// The amount of a quantity, given per cell, that lies in the box of a cell: the cell counts fully, each of the four
-  /// edge neighbours by a half, each of the four corner neighbours by a quarter.
+  /// The sum of a quantity over the box of a cell, given its values per cell. The value of the cell counts fully, the
+  /// values of the four edge neighbours by one half, and the values of the four corner neighbours by one quarter.
   [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     double sum = 0;

@@ -8,12 +8,12 @@
 
 namespace pardel::engine {
 
-/// The finest lattice: the one that options.cells demands, or else one whose tiles have about
-/// options.triangles_per_tile triangles each, where the mesh has `triangles` triangles.
+/// The finest lattice: as options.cells demands, or else such that a tile has about options.triangles_per_tile
+/// triangles if the whole mesh has `triangles` triangles.
 [[nodiscard]] Lattice finest_lattice(const Box& bounds, double triangles, const Options& options);
 
-/// A lattice as fine as `wanted`, except that the sides of its cells are at least `side`. A side does not count where
-/// there is only one column or row (Lattice::side).
+/// A lattice as fine as `wanted`, except that the sides of its cells are at least `side`. The side of a single column
+/// or row is ignored (Lattice::side).
 [[nodiscard]] Lattice with_cells_at_least(double side, const Box& bounds, const Lattice& wanted);
 
 /// The levels in ascending order of fineness: first one cell, last `finest`.

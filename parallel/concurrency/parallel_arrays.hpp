@@ -11,7 +11,7 @@
 
 namespace pardel::engine {
 
-/// Appends the blocks, which are lists or spans of T, to `all` in their order.
+/// Appends the blocks, which are lists or spans of T, to `all`, in the order of the blocks.
 template <class Block, class T>
 void append_blocks(int threads, const std::vector<Block>& blocks, Array<T>& all) {
   std::vector<std::size_t> start(blocks.size() + 1, all.size());
@@ -58,7 +58,7 @@ void visit_by_cell(int threads, std::span<const Index> cell_of, std::size_t cell
   });
 }
 
-/// The same for i < n with a function cell_of(i), which is called once for each i.
+/// The same for all i < n, with a function cell_of(i) instead of an array. It is called once for each i.
 template <class CellOf, class Visit>
 void visit_by_cell(int threads, std::size_t n, std::size_t cells, const CellOf& cell_of, const Visit& visit) {
   const Array<Index> cell = make_array(threads, n, cell_of);

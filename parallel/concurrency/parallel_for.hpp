@@ -10,7 +10,7 @@
 
 namespace pardel::engine {
 
-/// Calls body(i, thread) exactly once for each i in [0, n), on up to `threads` threads. Thread 0 is the caller's. Free
+/// Calls body(i, thread) exactly once for each i in [0, n), on up to `threads` threads. Thread 0 is the caller's. Idle
 /// threads take the items one at a time, in ascending order. If a body throws std::bad_alloc, the remaining items are
 /// skipped and std::bad_alloc is thrown.
 template <class Body>

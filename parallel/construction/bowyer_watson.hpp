@@ -16,8 +16,8 @@ enum class Inserted : std::uint8_t {
 };
 
 /// Inserts vertices into a Delaunay triangulation with ghosts. It changes only triangles whose three corners lie in the
-/// half-open box, and reads only these and their neighbours. So several threads, each with an object of its own, can
-/// work on disjoint boxes at the same time. The vertex at infinity lies in no box except the whole plane.
+/// half-open box, and reads only these triangles and their neighbours. Several threads can therefore work on disjoint
+/// boxes at the same time, each with its own object. Only the whole plane as a box contains the vertex at infinity.
 class BowyerWatson {
  public:
   explicit BowyerWatson(Triangulation& t) : t_(t) {}
@@ -30,8 +30,8 @@ class BowyerWatson {
     near_ = near;
   }
 
-  /// Inserts vertex v. Its coordinates are already in Triangulation::points. An insertion adds two triangles, which get
-  /// the ids `fresh` and fresh + 1.
+  /// Inserts vertex v. Precondition: its coordinates are in Triangulation::points. An insertion adds two triangles,
+  /// with the ids `fresh` and fresh + 1.
   [[nodiscard]] Inserted insert(VertexId v, TriangleId fresh);
 
  private:

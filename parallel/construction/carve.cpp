@@ -8,7 +8,7 @@
 namespace pardel::engine {
 namespace {
 
-/// Labels all triangles that can be reached from those on the stack without crossing a constrained edge.
+/// Labels all triangles that can be reached from the triangles on the stack without crossing a constrained edge.
 void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>& label, Index value) {
   while (!stack.empty()) {
     const TriangleId id = stack.back();
@@ -33,8 +33,8 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
   return fresh;
 }
 
-/// Removes the triangles with the label `removed`. The last remaining triangles move into their slots. The others keep
-/// their order, which follows a space-filling curve.
+/// Removes the triangles with the label `removed`, and moves the last remaining triangles into the free slots. All
+/// other triangles keep their order, which follows a space-filling curve.
 void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, int threads) {
   const Array<TriangleId> holes =
       indices_where(threads, t.slots.size(), [&](std::size_t id) { return label[id] == removed; });

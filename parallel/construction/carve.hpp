@@ -8,8 +8,8 @@
 
 namespace pardel::engine {
 
-/// Determines which triangles belong to the domain: all that cannot be reached from the exterior or from a hole without
-/// crossing a constraint.
+/// Defines which triangles belong to the domain: a triangle belongs to it unless a path that crosses no constraint
+/// leads from the exterior or from a hole to the triangle.
 struct DomainRules {
   bool convex_hull = false;  ///< the edges of the convex hull become constraints, so the exterior ends there
   std::vector<Point> holes;  ///< one point in each hole
@@ -18,8 +18,8 @@ struct DomainRules {
 
 /// Removes the ghosts, the exterior and the holes, and renumbers the remaining triangles from 0. If there are seeds,
 /// sets Triangulation::region of each triangle to the index of the last seed from which it can be reached without
-/// crossing a constraint, or to no_index. With convex_hull, returns the hull edges that were no constraints before. The
-/// number of threads does not change the result.
+/// crossing a constraint, or to no_index. With convex_hull, returns the hull edges that became constraints. The number
+/// of threads does not change the result.
 [[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads = 1);
 
 }  // namespace pardel::engine

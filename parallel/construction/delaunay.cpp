@@ -19,8 +19,8 @@
 namespace pardel::engine {
 namespace {
 
-/// A bijection whose output bits serve as random bits. It is not `mixed` of core/support/hash.hpp, because the order of
-/// insertion, and so the numbering of every mesh, depends on it.
+/// A bijection whose output bits serve as random bits. Do not replace it by `mixed` (core/support/hash.hpp): it
+/// determines the order of insertion, and therefore the numbering of every mesh.
 std::uint64_t random_bits(std::uint64_t h) {
   h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
   h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
@@ -38,7 +38,7 @@ struct Rounds {
 /// sixteenth of the next one. A hash of the point's position on the Hilbert curve selects the round, so neither the
 /// order nor the scale of the input matters.
 Rounds biased_random_order(std::size_t n, int threads) {
-  // First the number of points of each round in each block, then the position for the next of them.
+  // First the number of points of each round in each block, then the position of the next of these points.
   std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
   const auto for_each_point = [&](const auto& visit) {
     parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
@@ -112,14 +112,14 @@ class RoundInserter {
 
  private:
   struct Tile {
-    std::vector<Index> positions;   ///< of the points to insert; afterwards, of those whose insertion leaves the box
+    std::vector<Index> positions;   ///< before: the points to insert; after: those whose insertion leaves the box
     TriangleId near = no_index;     ///< the triangle at which point location starts
     double near_centre = INFINITY;  ///< squared distance of the first corner of `near` from the centre of the cell
     std::optional<Error> error{};
   };
 
-  /// The number of tiles. A small number of points is divided into several tiles of each colour, unless that puts too
-  /// many of them near the borders of tiles.
+  /// The number of tiles. Even few points are divided into several tiles of each colour, unless too many points would
+  /// then lie near the borders of tiles.
   [[nodiscard]] double tiles_for(std::size_t points) const {
     constexpr double enough = 36, smallest_fraction = 0.125;
     const double full = static_cast<double>(points) / static_cast<double>(per_tile_);
@@ -135,7 +135,8 @@ class RoundInserter {
         [&](Index cell, std::size_t i) { tiles[cell].positions.push_back(static_cast<Index>(first + i)); });
     find_starts(lattice, tiles, triangle_count(first));
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
-      // Check here that each tile's start is still in its box: while tasks run, another one may be changing it.
+      // Check before the tasks start that each tile's start is still in its box: while they run, another task may
+      // change it.
       std::vector<Index> cells;
       for (Index cell = 0; cell < lattice.cells(); ++cell)
         if (lattice.colour_of(cell) == colour && starts_inside(tiles[cell], lattice.box_of(cell)))
@@ -154,8 +155,8 @@ class RoundInserter {
     return Done{};
   }
 
-  /// Finds for each tile a triangle in its box, near the centre of its cell. The slot of such a triangle very likely
-  /// still holds one of the box when tasks of other cells have run.
+  /// Finds for each tile a triangle in its box, near the centre of its cell. Even after tasks of other cells have run,
+  /// the slot of this triangle very likely holds a triangle in the box.
   void find_starts(const Lattice& lattice, std::vector<Tile>& tiles, TriangleId triangles) const {
     const auto cell_of = [&](std::size_t id) {
       const Slot& slot = t_.slots[id];

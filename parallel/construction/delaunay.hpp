@@ -15,7 +15,7 @@ struct Delaunay {
   Array<Index> input_of_vertex;  ///< the index of the input point of each vertex
 };
 
-/// About the number of points that fit into a core's second-level cache together with their triangles.
+/// Approximately the number of points that fit, with their triangles, into the second-level cache of a core.
 inline constexpr std::size_t points_per_tile = 8'000;
 
 /// Triangulates points by incremental insertion in biased randomized order (Amenta, Choi and Rote, "Incremental
@@ -24,8 +24,8 @@ inline constexpr std::size_t points_per_tile = 8'000;
 ///
 /// The order consists of rounds. The points of a round are inserted tile by tile, where a tile is a cell of a lattice
 /// (concurrency/lattice.hpp) with about `per_tile` points. The tiles of one colour are processed concurrently, on up to
-/// `threads` threads. A point whose insertion would leave the box of its tile is inserted after all tiles. If the
-/// lattice would have fewer than 36 tiles, tiles are made smaller, down to an eighth of `per_tile`.
+/// `threads` threads. A point whose insertion would leave the box of its tile is inserted after all tiles are done. If
+/// the lattice would have fewer than 36 tiles, the tiles are made smaller, down to `per_tile` / 8 points.
 ///
 /// The number of threads does not change the result; `per_tile` can change it if points are cocircular. Precondition:
 /// the coordinates are in the range of the predicates. Errors: invalid_input for two equal points and for points that

@@ -37,7 +37,7 @@ class ConstraintInserter {
  private:
   using VertexPair = std::pair<VertexId, VertexId>;
 
-  /// Records a triangle at its corners.
+  /// Records the triangle in triangle_of_ for each of its corners.
   void remember(TriangleId id) {
     for (const VertexId v : t_.slots[id].v)
       if (v != ghost) triangle_of_[v] = id;
@@ -66,8 +66,8 @@ class ConstraintInserter {
     return found;
   }
 
-  /// The side opposite c.a that the constraint crosses first. If the constraint is an edge already, marks that edge and
-  /// returns none().
+  /// The side opposite c.a that the constraint crosses first. If the constraint is an edge already, marks this edge as
+  /// constrained and returns none().
   Result<EdgeRef> first_crossing(Constraint c) {
     EdgeRef out;
     VertexId passed = no_index;
@@ -106,7 +106,7 @@ class ConstraintInserter {
                                           shortest(t_.points[v])};
   }
 
-  /// Lists the edges that the constraint crosses, in their order along it. e is the first of them.
+  /// Lists the edges that the constraint crosses, in the order along the constraint. e is the first of them.
   Status collect_crossings(Constraint c, EdgeRef e) {
     const Point a = t_.points[c.a], b = t_.points[c.b];
     for (;;) {
@@ -158,7 +158,7 @@ class ConstraintInserter {
   Triangulation& t_;
   std::vector<TriangleId> triangle_of_;  ///< for each vertex, one of its triangles
   std::deque<VertexPair> crossing_;      ///< the edges that cross the constraint
-  std::vector<VertexPair> fresh_;        ///< the edges made by flips that do not cross it
+  std::vector<VertexPair> fresh_;        ///< edges that flips made and that do not cross the constraint
   std::vector<EdgeRef> suspects_;
   std::vector<TriangleId> changed_;
 };
@@ -167,7 +167,7 @@ class ConstraintInserter {
 
 Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints) {
   if (constraints.empty()) return Done{};
-  // Sorted by vertices, which are numbered by coordinates. So the result does not depend on the order of the input.
+  // Sort by vertices, which are numbered by coordinates. The result then does not depend on the order of the input.
   std::vector<std::pair<VertexId, VertexId>> ordered;
   ordered.reserve(constraints.size());
   for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));

@@ -25,10 +25,10 @@ class Background {
   /// O(n log n).
   Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles);
 
-  /// The triangle that contains p, and the weights of p in it. If no triangle contains p, which happens close to a
-  /// boundary because of rounding, a nearest triangle with the weights of its nearest point. O(log n) typical.
+  /// The triangle that contains p, and the weights of p in it. Close to a boundary, no triangle may contain p because
+  /// of rounding: then a nearest triangle, and the weights of its point nearest to p. O(log n) on typical input.
   [[nodiscard]] Located locate(Point p) const;
-  /// The linear interpolation of the values at the points. O(log n) typical.
+  /// The linear interpolation of the values at the points. O(log n) on typical input.
   [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point) const;
 
  private:

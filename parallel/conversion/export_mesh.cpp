@@ -8,7 +8,7 @@
 namespace pardel::engine {
 namespace {
 
-/// The number of a vertex in the mesh.
+/// The index of a vertex in the mesh.
 Index mesh_vertex(const DomainTriangulation& domain, VertexId v) {
   return v < domain.input_of_vertex.size() ? domain.input_of_vertex[v] : v;
 }
@@ -53,7 +53,7 @@ void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points,
   });
 }
 
-/// Replaces the domain segment of each vertex that lies on one by the input segment, or by hull_vertex.
+/// For each vertex inside a domain segment, replaces the index of this segment by the input segment or hull_vertex.
 void export_origins(DomainTriangulation& domain, Mesh& mesh, int threads) {
   Array<Index>& origin = domain.triangulation.origin;
   parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
@@ -66,8 +66,8 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, int threads) {
   mesh.origin = std::move(origin);
 }
 
-/// The marker of a vertex is the one that the input gives it. If that is 0 or missing, it is the marker of a segment on
-/// which the vertex lies; else 1 on the boundary and 0 elsewhere.
+/// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of a segment on which
+/// the vertex lies. If there is none, it is 1 on the boundary and 0 elsewhere.
 void mark_vertices(Mesh& mesh, const PointData& data, int threads) {
   mesh.point_markers = make_array(threads, mesh.points.size(), [](std::size_t) { return 0; });
   for (const ConstrainedEdge& e : mesh.constrained_edges)

@@ -19,7 +19,7 @@ struct PointData {
 
 /// Converts a triangulation in place, without a second copy of its triangles. The input points come first, in the
 /// order of the input; the new vertices follow in the order of their insertion. Attributes are interpolated on the
-/// triangles with the corners `background`, given in input numbers, which may be empty if there are no attributes.
+/// triangles `background` (corners as indices of input points); it may be empty if there are no attributes.
 [[nodiscard]] Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes,
                                const PointData& data, std::vector<std::array<Index, 3>> background, int threads = 1);
 

@@ -31,7 +31,7 @@ class Joiner {
       else if (!is_inside_segment(subsegments_[s].b))
         follow(s, subsegments_[s].b);
     }
-    // A closed ring is not a segment, even if the origins of its vertices claim it.
+    // A closed ring of subsegments is not a segment, even if all its vertices have the same segment as origin.
     for (Index s = 0; s < subsegments_.size(); ++s)
       if (!done_[s]) add({subsegments_[s].a, subsegments_[s].b}, s);
     return std::move(result_);

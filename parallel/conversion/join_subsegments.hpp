@@ -1,5 +1,5 @@
-// Recovers the segments of a domain from the constrained edges of a mesh. A refinement of the mesh then continues like
-// the one that made it, because shells around an apex and exemptions belong to whole segments, not to subsegments.
+// Recovers the segments of a domain from the constrained edges of a mesh (subsegments). A new refinement then continues
+// like the one that made the mesh, because shells around an apex and exemptions belong to segments, not to subsegments.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace pardel::engine {
 
 struct JoinedSegments {
   std::vector<Constraint> segments;
-  std::vector<Index> input_segment;  ///< of each segment: ConstrainedEdge::segment of its subsegments
+  std::vector<Index> input_segment;  ///< for each segment, ConstrainedEdge::segment of its subsegments
   std::vector<int> segment_marker;
   /// Per vertex of the mesh: the segment in whose interior it lies, else interior_vertex or input_vertex.
   Array<Index> origin;

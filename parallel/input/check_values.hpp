@@ -1,4 +1,4 @@
-// Problems of single values: coordinates, counts, indices, caps. No repair removes them.
+// Problems of single values: coordinates, counts, indices, area caps. repair() cannot remove these problems.
 #pragma once
 
 #include "../../core/pslg.hpp"
@@ -9,7 +9,7 @@ namespace pardel::engine {
 /// Adds non_finite_coordinate, coordinate_out_of_range, wrong_count and index_out_of_range. O(n).
 void check_values(const Pslg& pslg, int threads, Findings& found);
 
-/// Adds bad_region_cap. Apart from check_values() because a bad cap does not keep faces from being examined.
+/// Adds bad_region_cap. Separate from check_values(), because faces can be examined in spite of a bad cap.
 void check_region_caps(const Pslg& pslg, Findings& found);
 
 }  // namespace pardel::engine

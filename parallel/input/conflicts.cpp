@@ -46,7 +46,7 @@ class Search {
   Search(std::span<const Point> points, std::span<const Segment> segments, std::size_t most)
       : points_(points), segments_(segments), most_(most) {}
 
-  /// Adds the conflicts of s and t. Returns false where the search must end.
+  /// Adds the conflicts of s and t. Returns false if the search has to end.
   bool compare(Index s, Index t) {
     const auto [a, b, s_marker] = segments_[s];
     const auto [c, d, t_marker] = segments_[t];
@@ -73,7 +73,7 @@ class Search {
   /// The same for a segment and a point that is no end of a segment.
   bool compare_point(Index p, Index s) { return side(segments_[s].a, segments_[s].b, p) != 0 || add_if_between(p, s); }
 
-  /// Without duplicates: an end of several segments that lies on another segment is found several times.
+  /// Removes duplicates: an end of several segments that lies on another segment is found several times.
   std::vector<Conflict> sorted() && {
     std::ranges::sort(conflicts_);
     conflicts_.erase(std::unique(conflicts_.begin(), conflicts_.end()), conflicts_.end());
@@ -81,7 +81,7 @@ class Search {
   }
 
  private:
-  /// The sign of orient2d(a, b, p); 0 without any arithmetic where p is a or b.
+  /// The sign of orient2d(a, b, p); 0 without any arithmetic if p is a or b.
   [[nodiscard]] int side(Index a, Index b, Index p) const {
     if (p == a || p == b) return 0;
     const double det = orient2d(points_[a], points_[b], points_[p]);

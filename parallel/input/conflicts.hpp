@@ -1,4 +1,4 @@
-// Conflicts: places other than common ends where segments, or a segment and a point, meet.
+// Conflicts: places, other than common ends, at which two segments, or a segment and a point, meet.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ enum class ConflictKind : std::uint8_t {
   point_on_segment,  ///< a point is interior to a segment
 };
 
-/// first, second: two segments in ascending order; for point_on_segment the point and the segment.
+/// `first` and `second`: two segments in ascending order; for point_on_segment, the point and the segment.
 struct Conflict {
   ConflictKind kind;
   Index first;
@@ -26,8 +26,8 @@ struct Conflict {
   friend auto operator<=>(const Conflict&, const Conflict&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// All conflicts, each once, in ascending order. The search ends as soon as it has found `most` of one kind. Exact.
-/// `candidates`: the points to examine that are no end of a segment.
+/// All conflicts, without duplicates, in ascending order. The search ends as soon as it has found `most` of one kind.
+/// Exact. `candidates`: the points to examine that are not an end of a segment.
 /// Preconditions: the ends of segments are distinct points in the range of the predicates; no two segments have the
 /// same ends, and no segment has equal ends. Time: O(n log n), and constant time for each pair of segments whose
 /// bounding boxes intersect. The number of these pairs is quadratic for many long slanted parallel segments, or for

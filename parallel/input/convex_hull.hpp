@@ -8,12 +8,12 @@
 
 namespace pardel::engine {
 
-/// True where all points lie on one line; also for fewer than three points. O(n); on typical input three points
-/// suffice.
+/// True if all points lie on one line, and for fewer than three points. O(n); on typical input only three points are
+/// examined.
 [[nodiscard]] bool all_collinear(std::span<const Point> points);
 
 /// All points on the boundary of the convex hull, including those in the interior of its edges, counter-clockwise from
-/// the lexicographically smallest. Of equal points there is one. Exact. Precondition: the points are not all collinear.
+/// the lexicographically smallest. Equal points occur once. Exact. Precondition: the points are not all collinear.
 /// Time: O(n + h log h) typically, where h points lie outside an octagon of extreme points; O(n log n) at worst.
 [[nodiscard]] std::vector<Index> convex_hull(std::span<const Point> points);
 

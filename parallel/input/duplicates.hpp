@@ -21,9 +21,9 @@ struct Duplicate {
 [[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads = 1);
 
 /// Points are visited in ascending order. A point that is equal to an earlier point, or closer to it than `distance`
-/// (> 0, finite), becomes a duplicate of that point, unless that point is a duplicate itself. Of several such points it
-/// is the one with the lowest index. So the points that are no duplicates are at least `distance` apart. Precondition:
-/// coordinates are in the range of the predicates. Expected time O(n).
+/// (> 0, finite), becomes a duplicate of the earlier point, unless the earlier point is a duplicate itself. If there
+/// are several such earlier points, the one with the lowest index is used. So all points that are not duplicates are at
+/// least `distance` apart. Precondition: coordinates are in the range of the predicates. Expected time O(n).
 [[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance);
 
 }  // namespace pardel::engine

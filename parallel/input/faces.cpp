@@ -18,7 +18,7 @@ Index origin(std::span<const Segment> segments, HalfEdge h) {
 
 /// The half-edges around each vertex, in counter-clockwise order, beginning just after the direction straight down.
 struct Rotation {
-  /// For each half-edge the next one along the face to its left.
+  /// For each half-edge the next half-edge along the face to its left.
   std::vector<HalfEdge> next;
   /// True for the last half-edge around a vertex that has no half-edge towards the left. The face to the left of this
   /// half-edge is the face immediately to the left of the vertex.
@@ -75,8 +75,8 @@ Faces::Faces(std::span<const Point> points, std::span<const Segment> segments, c
   }
 
   // A cycle inside a face makes a new face. A cycle outside a component belongs to the face to the left of its leftmost
-  // vertex. That face is the exterior, or bounded by segments further left. So these cycles are processed from left to
-  // right.
+  // vertex. This face is the exterior, or segments further left bound it. Therefore these cycles are processed from
+  // left to right.
   std::vector<Index> face_of_cycle(cycles.size(), no_index);
   std::vector<Index> outside;
   for (Index c = 0; c < cycles.size(); ++c) {

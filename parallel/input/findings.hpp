@@ -1,4 +1,4 @@
-// Problems as they are found.
+// Collects the problems that the checks find.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class Findings {
   }
   [[nodiscard]] bool any(ProblemKind kind) const { return count_[static_cast<std::size_t>(kind)] > 0; }
   [[nodiscard]] bool empty() const { return problems_.empty(); }
-  /// By kind, then by ids.
+  /// The problems, sorted by kind, then by ids.
   std::vector<Problem> sorted() && {
     std::ranges::sort(problems_, [](const Problem& p, const Problem& q) {
       return std::tie(p.kind, p.ids) < std::tie(q.kind, q.ids);

@@ -34,7 +34,7 @@ constexpr auto kind_names = enum_names<ProblemKind>({
 
 std::string text(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
 
-/// "3, 5, 8", "3 and 5" or "3". Of more than eight ids the first eight.
+/// The ids as text: "3, 5, 8", "3 and 5" or "3". If there are more than eight, only the first eight.
 std::string list(const std::vector<Index>& ids, int base) {
   constexpr std::size_t most = 8;
   std::string result;
@@ -45,7 +45,7 @@ std::string list(const std::vector<Index>& ids, int base) {
   return ids.size() > most ? result + ", ..." : result;
 }
 
-/// The message for a hole or a region that is in no face: `otherwise`, or that its coordinates are unusable.
+/// The message for a hole or a region that is in no face. If its coordinates are usable, the reason is `otherwise`.
 std::string outside(const std::string& what, Point where, const char* otherwise) {
   return what + (is_usable(where) ? otherwise : " has a coordinate outside the range that exact arithmetic can use.");
 }

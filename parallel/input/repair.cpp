@@ -1,9 +1,9 @@
 // Repair works in rounds. Each round merges points, drops zero-length and duplicate segments, and splits segments where
-// they meet. A crossing is rounded to a point, so the pieces deviate from the segment by a rounding and can meet other
-// segments anew; therefore there are several rounds. Where many segments pass within a few roundings of one point, each
-// round can bring about more crossings than it removes. Then all is repeated with crossings rounded to a lattice: at
-// first finer than the last place of the largest coordinate, then coarser and coarser. This is Hobby's snap rounding
-// (1999), except that given points do not move.
+// they meet. A crossing is rounded to a point. The pieces therefore deviate slightly from the segment and can meet
+// other segments again, so several rounds are needed. If many segments pass very close to one point, each round can
+// cause more crossings than it removes. Then the repair starts again and rounds crossings to a lattice: first one finer
+// than the last place of the largest coordinate, then coarser and coarser ones. This is Hobby's snap rounding (1999),
+// except that given points do not move.
 #include "../repair.hpp"
 
 #include <algorithm>
@@ -69,8 +69,8 @@ void merge(Work& work, std::span<const Duplicate> duplicates) {
   for (Segment& s : pslg.segments) s = {renamed[s.a], renamed[s.b], s.marker};
 }
 
-/// Drops zero-length segments. Of segments with the same ends the first one stays, with the first marker that is not
-/// zero.
+/// Drops zero-length segments. If several segments have the same ends, keeps only the first one and gives it the first
+/// marker that is not zero.
 void drop_surplus_segments(Work& work) {
   std::vector<Segment>& segments = work.pslg.segments;
   const auto ends = [&](Index s) { return std::minmax(segments[s].a, segments[s].b); };
@@ -146,8 +146,8 @@ void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
   work.source = std::move(source);
 }
 
-/// One round. Returns the number of conflicts before it: zero where segments meet only at common ends and contain no
-/// other point. The search for conflicts ends at `most` of one kind.
+/// Performs one round. Returns the number of conflicts before the round. It is zero if segments meet only at common
+/// ends and contain no other point. The search for conflicts ends as soon as it has found `most` of one kind.
 std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   Pslg& pslg = work.pslg;
   merge(work, find_duplicates(pslg.points));
@@ -179,7 +179,7 @@ std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
   return conflicts.size();
 }
 
-/// Performs rounds until there is no conflict. Returns false where the number of conflicts does not halve within
+/// Performs rounds until there is no conflict. Returns false if the number of conflicts does not halve within
 /// `patience` rounds, or more than doubles. Even a single conflict can take several rounds, because its pieces can
 /// cross another segment one rounding away.
 bool untangle(Work& work, double snap, double unit) {
@@ -235,8 +235,8 @@ void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
   values.resize(kept);
 }
 
-/// Drops holes and regions that are in no face, and regions in a face that has one already. Returns the domain, or the
-/// problems that remain. A dropped hole or region can bring about another problem, hence the loop.
+/// Drops holes and regions that are in no face, and regions in a face that already has a region. Returns the domain, or
+/// the problems that remain. Dropping a hole or region can cause another problem, so the steps are repeated in a loop.
 Result<ValidPslg, std::vector<Problem>> drop_misplaced_seeds(Work& work, std::vector<std::string>& log) {
   std::vector<Index> hole_source(work.pslg.holes.size()), region_source(work.pslg.regions.size());  // new -> old
   std::iota(hole_source.begin(), hole_source.end(), Index{0});

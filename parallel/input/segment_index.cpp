@@ -51,14 +51,14 @@ Index SegmentIndex::through(Point p) const {
   return found;
 }
 
-/// True where the segment meets the ray of below().
+/// True if the segment meets the ray that below() describes.
 bool SegmentIndex::is_below(Index segment, Point p) const {
   const auto [left, right] = left_to_right(points_, segments_[segment]);
   return left.x < p.x && p.x <= right.x && orient2d(left, right, p) > 0;
 }
 
-/// Preconditions: a vertical line crosses both segments, and they have at most an end in common. The result follows
-/// from the left end that is in the x range of the other segment. Where this is a common end, the right ends decide.
+/// Preconditions: a vertical line crosses both segments, and they have at most an end in common. Tests the left end
+/// that is in the x range of the other segment. If this is a common end, tests a right end instead.
 bool SegmentIndex::is_higher(Index segment, Index than) const {
   const auto [left, right] = left_to_right(points_, segments_[segment]);
   const auto [other_left, other_right] = left_to_right(points_, segments_[than]);

@@ -21,7 +21,7 @@ class SegmentIndex {
   SegmentIndex(std::span<const Point> points, std::span<const Segment> segments);
 
   /// Calls visit(segment) for every segment whose bounding box meets `box`, until visit returns false. Returns false if
-  /// a call did.
+  /// visit returned false.
   template <class Visit>
   bool for_each_near(const Box& box, const Visit& visit) const {
     return levels_.empty() ||
@@ -32,10 +32,10 @@ class SegmentIndex {
   template <class Visit>
   void for_each_near_pair(const Visit& visit) const;
 
-  /// A segment that contains p, possibly as an end; no_index where there is none.
+  /// A segment that contains p, possibly as an end; no_index if there is none.
   [[nodiscard]] Index through(Point p) const;
 
-  /// The first segment that a ray from p straight down meets; no_index where there is none. The ray is moved to the
+  /// The first segment that a ray from p straight down meets; no_index if there is none. The ray is moved to the
   /// left by an infinitesimal amount: it meets segments whose right end is on the vertical through p, and misses
   /// segments whose left end is there. Preconditions: p is not on a segment, and segments meet only at their ends.
   [[nodiscard]] Index below(Point p) const;

@@ -20,8 +20,8 @@ using namespace engine;
 
 namespace {
 
-/// The segments whose conflicts can be searched: both ends exist, are usable and differ. Of segments with the same ends
-/// there is one. Of equal points the first one stands for all. `id` gives the index of each segment in the Pslg.
+/// The segments that the search for conflicts accepts: both ends exist, are usable and differ. Segments with the same
+/// ends occur once. The first of several equal points replaces the others. `id`: the index of each segment in the Pslg.
 struct SoundSegments {
   std::vector<Segment> segments;
   std::vector<Index> id;
@@ -73,7 +73,7 @@ void drop_duplicates(const Pslg& pslg, SoundSegments& sound, Findings& found) {
   sound = std::move(kept);
 }
 
-/// The usable points that are no end of a sound segment. Of equal points there is one.
+/// The usable points that are not an end of a sound segment. Equal points occur once.
 std::vector<Index> loose_points(const Pslg& pslg, std::span<const Segment> segments,
                                 std::span<const Duplicate> duplicates) {
   std::vector<bool> is_loose(pslg.points.size());
@@ -136,7 +136,7 @@ void check_faces(const Pslg& pslg, bool convex_hull, Findings& found) {
     return;
   }
 
-  // The face that contains a seed; no_index, with a problem reported, where the seed is unusable or on a segment.
+  // The face that contains a seed. If the seed is unusable or on a segment, reports a problem and returns no_index.
   const auto face_of = [&](Index id, Point seed, ProblemKind outside, ProblemKind on_segment) {
     if (!is_usable(seed)) {
       found.add(outside, {id}, seed);
