@@ -1,4 +1,4 @@
-// A new folder for a test that reads and writes files. It is removed with its contents.
+// A new folder for a test that reads and writes files. The destructor removes the folder with its contents.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class TemporaryFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
-  /// Makes the folders that `name` needs.
+  /// Writes a file. Creates the folders in `name` if they do not exist.
   std::filesystem::path write(std::string_view name, std::string_view content) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << content;
@@ -39,7 +39,7 @@ class TemporaryFolder {
     std::ifstream in(path_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
-  /// The sorted names of its files, each followed by a blank: "a.ele a.node ".
+  /// The sorted names of the files in the folder, each followed by a blank: "a.ele a.node ".
   [[nodiscard]] std::string names() const {
     std::vector<std::string> sorted;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) sorted.push_back(entry.path().filename());
@@ -53,7 +53,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The error message of `result`, with file names relative to `folder`; "(no error)" where it is no error.
+/// The error message of `result`, with file names relative to `folder`; "(no error)" if `result` is not an error.
 template <class T>
 std::string message_of(const T& result, const TemporaryFolder& folder) {
   if (result.ok()) return "(no error)";

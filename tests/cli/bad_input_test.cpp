@@ -1,4 +1,4 @@
-// Invalid input: one message that names the place, the right exit code, and no output file.
+// Invalid input gives one message that names the place, the right exit code, and no output file.
 #include <string>
 #include <vector>
 
@@ -29,7 +29,7 @@ std::string with_point(const std::string& x) {
   return "4 2 0 0\n1 0 0\n2 " + x + " 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
 }
 
-/// The outline of the square, with two more points and more segments.
+/// The outline of the square, with additional points and segments.
 std::string with_more(const std::string& points, const std::string& segments, int segment_count) {
   return "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n" + points + std::to_string(segment_count) +
          " 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n" + segments + "0\n";

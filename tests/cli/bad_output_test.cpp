@@ -1,4 +1,4 @@
-// Output that cannot be written: a message, exit code 5, and no partial file under the final name.
+// An output that cannot be written gives a message, exit code 5, and no partial file under the final name.
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -13,7 +13,7 @@ class BadOutput : public Workshop {
   BadOutput() { write("square.poly", square_poly); }
 };
 
-constexpr const char* fine = "0.0001";  // an area that gives files of several 100 kB
+constexpr const char* fine = "0.0001";  // this area bound gives files of several 100 kB
 
 TEST_F(BadOutput, a_folder_that_does_not_exist_is_reported_before_meshing) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "nowhere/out.vtu"});

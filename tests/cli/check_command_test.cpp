@@ -1,4 +1,4 @@
-// pardel check: valid meshes pass; for invalid ones every violation is reported with its place.
+// pardel check: valid meshes pass. For an invalid mesh, every violation is reported with its place.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The square, cut along one diagonal.
+/// The mesh of the square with two triangles, cut along one diagonal.
 class CheckCommand : public Workshop {
  protected:
   CheckCommand() {

@@ -88,7 +88,7 @@ TEST_F(DoctorCommand, the_findings_are_written_as_json) {
     EXPECT_FALSE(findings["valid"]);
     EXPECT_EQ(findings["input"]["points"], 5);
     ASSERT_FALSE(findings["problems"].empty());
-    EXPECT_EQ(findings["problems"][0]["ids"], (json{4, 5}));  // as the file numbers them
+    EXPECT_EQ(findings["problems"][0]["ids"], (json{4, 5}));  // numbered as in the file
     EXPECT_EQ(findings["problems"][0]["where"], (json{0.0, 1.0}));
     EXPECT_TRUE(findings["repaired"].is_null());
   }

@@ -1,4 +1,4 @@
-// pardel check on meshes of other programs: it reports the violations that they have and no others.
+// pardel check on meshes of other programs: it reports exactly the violations that these meshes have.
 #include <fmt/core.h>
 
 #include <array>
@@ -60,7 +60,7 @@ class ForeignMesh : public Workshop {
  protected:
   using Options = std::vector<std::string>;
 
-  /// The kinds of violations that the program finds. Expects exit code 0 exactly where there are none.
+  /// Returns the kinds of violations that the program finds. Expects exit code 0 if and only if there are none.
   [[nodiscard]] Kinds judged(const std::string& domain, const std::string& mesh, const Options& goal) const {
     std::vector<std::string> arguments = {"check", domain, mesh, "--quiet", "--json", "-"};
     arguments.insert(arguments.end(), goal.begin(), goal.end());
@@ -86,7 +86,7 @@ class GmshMesh : public ForeignMesh {
     if (run("gmsh", {"-version"}).exit_code == 127) GTEST_SKIP() << "gmsh is not installed (Debian package gmsh)";
   }
 
-  /// Writes plate.poly, and makes Gmsh write plate.msh.
+  /// Writes plate.poly and runs Gmsh, which writes plate.msh.
   void mesh(const Plate& plate, const Options& options = {}, const std::string& groups = "") const {
     write("plate.poly", plate.poly());
     write("plate.geo", plate.geo() + groups);
@@ -122,7 +122,7 @@ TEST_F(GmshMesh, carries_markers_as_physical_groups) {
   EXPECT_EQ(judged(), Kinds{"missing_constrained_edge"}) << "with groups, Gmsh leaves out what is in none";
 }
 
-// Gmsh writes 16 significant digits as text; a double takes 17.
+// Gmsh writes text with 16 significant digits, but a double needs up to 17.
 TEST_F(GmshMesh, as_text_moves_an_input_vertex_of_17_digits_and_as_binary_keeps_it) {
   Plate plate;
   plate.corners[4].first = plate.corners[7].first = "1.2345678901234567";
@@ -160,7 +160,7 @@ TEST_F(GmshMesh, is_not_everywhere_Delaunay_once_its_vertices_are_smoothed) {
   EXPECT_EQ(judged({"--min-angle", "0"}), Kinds{});
 }
 
-// CGAL's Mesh_2, with files written by this library.
+// CGAL's Mesh_2. This library writes the files.
 
 class CgalMesh : public ForeignMesh {
  protected:
@@ -172,7 +172,7 @@ class CgalMesh : public ForeignMesh {
     write("plate.poly", Plate{}.poly());
   }
 
-  /// The edges have Triangle's boundary marker. In .node and .vtu files the vertices have it, too.
+  /// Gives the boundary edges Triangle's boundary marker. In .node and .vtu files the boundary vertices have it, too.
   void list_boundary() {
     for (const Triangle& triangle : mesh_.triangles) {
       for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// --help, --version, and wrong command lines, which give a message on stderr and exit code 2.
+// --help and --version; and wrong command lines, which give a message on stderr and exit code 2.
 #include <sstream>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// pardel mesh: its files, its summary and its report, also where a bound cannot be met.
+// pardel mesh: its files, its summary and its report, for goals that can be met and for goals that cannot.
 #include <cmath>
 #include <filesystem>
 #include <map>

@@ -1,4 +1,4 @@
-// pardel mesh --paranoid: the check after every sweep.
+// pardel mesh --paranoid checks the mesh after every sweep (one pass of the refinement over all cells of a lattice).
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"

@@ -47,7 +47,7 @@ void redirect(int to, const char* file) {
     redirect(STDERR_FILENO, err.c_str());
   }
   if (options.file_size_limit) {
-    signal(SIGXFSZ, SIG_IGN);                               // the write then fails as on a full disk
+    signal(SIGXFSZ, SIG_IGN);                               // a write then fails, as on a full disk
     if (sanitized) setenv("TMPDIR", "/no-such-folder", 1);  // ThreadSanitizer would keep a large file there
   }
   limit(RLIMIT_FSIZE, options.file_size_limit);
@@ -60,7 +60,8 @@ void redirect(int to, const char* file) {
   _exit(127);
 }
 
-/// Returns everything that is written to a terminal. Sends SIGINT to the child when the text contains `interrupt_when`.
+/// Returns everything that the child writes to a terminal. Sends SIGINT to the child when the text has
+/// `interrupt_when`.
 std::string shown(int terminal, pid_t child, const std::string& interrupt_when) {
   std::string text;
   bool waiting = !interrupt_when.empty();

@@ -28,7 +28,7 @@ struct Ran {
   std::string err;
 };
 
-/// True where this machine has pseudo-terminals.
+/// True if this machine has pseudo-terminals.
 [[nodiscard]] bool terminals_exist();
 
 struct RunOptions {
@@ -46,13 +46,13 @@ class Workshop : public ::testing::Test {
   ~Workshop() override;
 
   Ran pardel(const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
-  /// Runs another program, given by its path, or by its name as in a shell. Exit code 127 where it does not exist.
+  /// Runs another program, given by its path, or by its name as in a shell. Exit code 127 if it does not exist.
   Ran run(const std::string& program, const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
 
   void write(const std::string& name, std::string_view text) const;
   [[nodiscard]] std::string read(const std::string& name) const;
   [[nodiscard]] bool exists(const std::string& name) const;
-  /// Names of everything in the folder.
+  /// The names of all files and folders in the temporary folder.
   [[nodiscard]] std::set<std::string> files() const;
   /// The numbers of a text file line by line, without comments and blank lines.
   [[nodiscard]] std::vector<std::vector<double>> table(const std::string& name) const;
@@ -62,7 +62,7 @@ class Workshop : public ::testing::Test {
 
 using Files = std::set<std::string>;
 
-/// The unit square as a .poly: points 1 to 4, one segment marker each.
+/// The unit square as a .poly: points 1 to 4; each segment has its own marker.
 inline constexpr const char* square_poly = R"(# the unit square
 4 2 0 0
 1 0 0
@@ -80,7 +80,7 @@ inline constexpr const char* square_poly = R"(# the unit square
 /// Prints the output of the program when an assertion fails.
 std::ostream& operator<<(std::ostream& out, const Ran& ran);
 
-/// True where `text` contains all of `parts`.
+/// True if `text` contains all strings of `parts`.
 ::testing::AssertionResult holds(const std::string& text, const std::vector<std::string>& parts);
 
 }  // namespace pardel::testing

@@ -1,4 +1,4 @@
-// check_sweep(), on meshes with defects that the program cannot be made to produce.
+// check_sweep() on meshes with defects. The program cannot be made to produce such meshes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// pardel triangle: it writes the files that Triangle writes, with the same names and numbers.
+// pardel triangle writes the same files as Triangle, with the same names and numbers.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -60,7 +60,7 @@ TEST_F(TriangleCommand, p_writes_node_ele_and_poly_of_the_next_number) {
   EXPECT_EQ(files(), (Files{"a.poly", "b.poly", "a.1.node", "a.1.ele", "a.1.poly"}));
   const Rows node = table("a.1.node");
   EXPECT_EQ(node[0], (std::vector<double>{4, 2, 0, 1}));
-  EXPECT_EQ(node[2], (std::vector<double>{2, 1, 0, 5}));  // the marker of the first segment at it
+  EXPECT_EQ(node[2], (std::vector<double>{2, 1, 0, 5}));  // the marker of the first segment at the point
   const Rows ele = table("a.1.ele");
   EXPECT_EQ(ele[0], (std::vector<double>{2, 3, 0}));
   const Rows poly = table("a.1.poly");
@@ -296,7 +296,7 @@ TEST_F(TriangleCommand, g_writes_off) {
 TEST_F(TriangleCommand, o2_writes_six_nodes_in_the_order_of_triangle) {
   ends_well("po2", "a");
   const Rows node = table("a.1.node"), ele = table("a.1.ele");
-  EXPECT_EQ(node[0][0], 4 + 5);  // a middle for each of the five edges
+  EXPECT_EQ(node[0][0], 4 + 5);  // a midpoint for each of the five edges
   ASSERT_EQ(ele[0][1], 6);
   for (std::size_t t = 1; t < ele.size(); ++t) {
     for (int i = 0; i < 3; ++i) {  // node 4 lies opposite corner 1

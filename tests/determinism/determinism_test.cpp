@@ -38,7 +38,7 @@ TEST_P(MeshOf, is_identical_on_any_number_of_threads_with_any_order_and_delays_o
   });
 }
 
-/// Otherwise the number of threads and the order of the tasks could not make a difference.
+/// Without tasks that pass triangles to each other, the number of threads and the order of tasks could not matter.
 TEST_P(MeshOf, is_made_by_concurrent_tasks_that_hand_triangles_on) {
   std::uint64_t with_such_tasks = 0;
   for_each_problem([&](const Problem& p) {

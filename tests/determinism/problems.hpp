@@ -1,4 +1,4 @@
-// Random meshing problems with tiles so small that there are many tasks, which hand triangles on to each other: a task
+// Random meshing problems with tiles so small that there are many tasks. These tasks hand on many triangles: a task
 // hands a triangle on to another cell if it cannot process it in its own box.
 #pragma once
 
@@ -19,8 +19,8 @@ struct Problem {
   Options options;     ///< without the number of threads
 };
 
-/// Problem `number`, from 0 to problems_per_family - 1, of a family. Goals and options are random: angles of 0 to 28
-/// degrees, bounds on areas, caps of regions, conforming or not, both decompositions, both placements.
+/// Problem `number`, from 0 to problems_per_family - 1, of a family. Goals and options are random: angle bounds of 0 to
+/// 28 degrees, area bounds, area caps of regions, conforming or not, both decompositions, both placements of points.
 [[nodiscard]] Problem problem(generators::Family family, std::uint64_t number);
 
 /// The line of the problem in the file `digests`: its name and the digest of the mesh that mesh() makes.

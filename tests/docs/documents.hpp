@@ -15,7 +15,7 @@ namespace pardel::testing {
 /// A document without its fenced blocks of code.
 [[nodiscard]] std::string without_code(const std::string& text);
 
-/// The contents of the fenced blocks in a language ("" where the fence names none).
+/// The contents of the fenced code blocks in a language; "" selects the blocks without a language.
 [[nodiscard]] std::vector<std::string> code_blocks(const std::string& text, const std::string& language);
 
 [[nodiscard]] std::string without_indentation(const std::string& text);

@@ -1,4 +1,4 @@
-// The documents name files, folders and headings: all of them exist.
+// All files, folders and headings that the documents name exist.
 #include "documents.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::vector<std::smatch> matches(const std::string& text, const std::regex& patt
   return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
 }
 
-/// The anchors of a document's headings, as GitHub makes them: lower case, spaces as hyphens, punctuation dropped.
+/// The anchors of a document's headings, as GitHub makes them: lower case, hyphens instead of spaces, no punctuation.
 std::set<std::string> anchors(const std::string& text) {
   std::set<std::string> found;
   std::istringstream lines(without_code(text));
@@ -56,7 +56,7 @@ std::set<std::string> anchors(const std::string& text) {
   return found;
 }
 
-/// Links to other places of the project that lead nowhere: `[text](FILE#ANCHOR)`.
+/// Finds links `[text](FILE#ANCHOR)` to places of the project that do not exist.
 std::vector<std::string> broken_links(const std::string& text, const fs::path& document) {
   std::vector<std::string> broken;
   static const std::regex link(R"(\]\(([^)\s]+)\))");
@@ -75,7 +75,8 @@ std::vector<std::string> broken_links(const std::string& text, const fs::path& d
   return broken;
 }
 
-/// A word that looks like a path of the project: it begins with one of its folders, or is a file at the top.
+/// True if the word looks like a path of the project: it begins with one of its folders, or is a file in its root
+/// folder.
 bool looks_like_a_path(const std::string& word) {
   static const std::regex path(
       R"((core|ref|parallel|properties|fuzz|bench|tests|cli|cmake|scripts|examples|docs|\.ci)/[\w./-]*|[A-Z]+\.md)");
@@ -96,7 +97,7 @@ const std::set<std::string>& file_names() {
   return names;
 }
 
-/// A source file without its folder, for example `delaunay.hpp`.
+/// True if the word looks like the name of a source file without a folder, for example `delaunay.hpp`.
 bool looks_like_a_source(const std::string& word) {
   static const std::regex source(R"([a-z_0-9]+\.(hpp|cpp|cmake))");
   return std::regex_match(word, source);
@@ -172,7 +173,7 @@ TEST(Documents, have_tables_whose_rows_have_equally_many_cells) {
   }
 }
 
-/// Empty where a file was read.
+/// Returns an empty text if a file was read; otherwise the error message.
 template <class T>
 std::string message_of(const Result<T>& result) {
   return result ? "" : result.error().message;
@@ -181,12 +182,13 @@ std::string message_of(const Result<T>& result) {
 class FormatExamples : public Workshop {};
 
 TEST_F(FormatExamples, can_be_read) {
-  // The examples of docs/formats.md: the last block of code under each heading, by the heading up to a colon.
+  // Collects the examples of docs/formats.md: the last code block under each heading, by the heading's text up to a
+  // colon.
   std::map<std::string, std::string> example;
   std::string heading;
   const std::string text = read_document("docs/formats.md");
   std::string section;
-  bool code = false;  // where `#` begins a comment, not a heading
+  bool code = false;  // in a code block, `#` begins a comment, not a heading
   for (const std::string& line : lines_of(text + "\n# end")) {
     if (line.starts_with("```")) code = !code;
     if (!code && line.starts_with('#')) {

@@ -1,5 +1,5 @@
-// docs/report.schema.json describes the reports that the program writes: no key is missing in it, and none is left
-// over.
+// docs/report.schema.json describes exactly the reports that the program writes: every key of a report is in the
+// schema, and every key of the schema is in a report.
 #include <gtest/gtest.h>
 
 #include <fstream>

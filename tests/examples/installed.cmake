@@ -1,5 +1,5 @@
-# cmake -DBUILD= -DSOURCE= -DWORK= ... -P installed.cmake: installs to an empty prefix, then configures and builds the
-# examples as a project of their own and runs one of them. Every step must succeed.
+# cmake -DBUILD= -DSOURCE= -DWORK= ... -P installed.cmake: installs to an empty prefix, configures and builds the
+# examples as a separate project, and runs one of them. Every step must succeed.
 function(step)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -1,5 +1,5 @@
-// Bytes decode to cases with constraints, and the committed corpus covers all parts of a Pslg. Without these tests, the
-// fuzz target might drop all constraints and test nothing.
+// Bytes decode to cases with constraints, and the committed corpus contains all parts of a Pslg. Without these tests, a
+// decoder that drops all constraints would make the fuzz target useless, and nobody would notice.
 #include "../../fuzz/mesh_case.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<Bytes> corpus() {
   return inputs;
 }
 
-/// The number of segments of the outline, which an empty input gives.
+/// The number of segments of the outline. An empty input gives an outline only.
 std::size_t outline_segments() { return decode_mesh_case({}).pslg.segments.size(); }
 
 TEST(MeshCase, no_bytes_at_all_still_draw_an_outline) {
@@ -72,7 +72,7 @@ TEST(MeshCase, the_corpus_exercises_constraints_holes_and_regions) {
     caps += drawn.goal.max_area < std::numeric_limits<double>::infinity();
     conforming += drawn.goal.conforming;
   }
-  // Each feature must occur in a share of the corpus, not only once.
+  // Each feature must occur in a minimum share of the corpus, not only once.
   const std::size_t n = inputs.size();
   EXPECT_GE(n, 60u);
   EXPECT_GE(usable, n * 95 / 100);

@@ -1,4 +1,4 @@
-// Child processes keep their limits, and none of their processes stays.
+// Child processes stay within their limits, and none of their processes survives.
 #include "../../cli/harness/child_process.hpp"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,8 @@ namespace pardel::testing {
 
 class HarnessWorkshop : public Workshop {
  protected:
-  /// In a sanitized build, without the limit on memory: the sanitizer's shadow memory exceeds any such limit.
+  /// In a sanitized build the limit on memory is removed, because the sanitizer's shadow memory exceeds every such
+  /// limit.
   Ran harness(std::vector<std::string> arguments, const RunOptions& options = {}) const {
     if (sanitized) arguments.insert(arguments.end(), {"--memory-limit", "0"});
     return run(PARDEL_HARNESS, arguments, options);

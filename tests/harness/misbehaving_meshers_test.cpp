@@ -1,4 +1,4 @@
-// Meshers with known faults, as shell scripts that call pardel: the harness reports each fault by its name.
+// Shell scripts call pardel and add known faults. The harness must report each fault by its name.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -25,7 +25,7 @@ class Mesher : public HarnessWorkshop {
   }
   [[nodiscard]] json card() const { return json::parse(read("card.json")); }
 
-  /// The verdict on each of three cases, with the kinds of failure: "wrong: overlap area_mismatch".
+  /// The verdict of the harness on three cases, with the kinds of failure, for example "wrong: overlap area_mismatch".
   [[nodiscard]] std::string verdict(const std::string& script, const std::vector<std::string>& more = {},
                                     const std::string& families = "general_position") const {
     std::vector<std::string> arguments = {"--cases", "3", "--families", families};
@@ -112,7 +112,7 @@ TEST_F(Mesher, may_write_the_file_that_triangle_writes) {
   EXPECT_EQ(ran.exit_code, 0) << ran;
 }
 
-/// Meshes correctly, but crashes on inputs with a hole.
+/// A mesher that meshes correctly but crashes on inputs with a hole.
 constexpr const char* afraid =
     "case $(awk 'NF && !/^#/ { if (++n == 1) p = $1; if (n == p + 2) s = $1; if (n == p + s + 3) print $1 }' $1) in\n"
     "0) mesh $1 $2 ;;\n*) kill -SEGV $$ ;;\nesac";

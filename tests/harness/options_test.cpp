@@ -1,4 +1,4 @@
-// The command line of pardel-harness: its answers, and its messages about errors.
+// The command line of pardel-harness: what it prints, and its messages about errors.
 #include "harness_workshop.hpp"
 
 namespace pardel::testing {

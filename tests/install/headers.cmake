@@ -20,7 +20,7 @@ if(NOT installed STREQUAL expected)
   message(FATAL_ERROR "installed are\n  ${installed_lines}\nexpected are\n  ${expected_lines}")
 endif()
 
-# Whatever the folders hold: nothing of the reference, the defects, the theorem suites, the mutants and their libraries.
+# No header of the reference, the defects, the theorem suites, the mutants and their libraries may be installed.
 foreach(header ${installed})
   if(header MATCHES "ref/|defects|theorems|framework|mutants/|tests/|formats/|support/")
     message(FATAL_ERROR "${header} is installed, but is not for users")
@@ -31,7 +31,7 @@ foreach(header ${installed})
   endif()
 endforeach()
 
-# -H lists every file that is included, on stderr. -w: a warning would only say that the main file is a header.
+# -H lists every included file on stderr. -w suppresses the warning that the main file is a header.
 foreach(header ${installed})
   execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -w -H -x c++ -I${include} ${include}/${header}
                   ERROR_VARIABLE output RESULT_VARIABLE failed)

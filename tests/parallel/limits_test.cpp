@@ -1,4 +1,4 @@
-// Limits that end a run before the goal is met, and errors of the caller.
+// Tests limits that end a run before the goal is met, and errors that the caller makes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Everything but the bound on angles.
+/// Expects that everything is valid except the bound on angles.
 void expect_valid_but_for_angles(const Pslg& pslg, const Mesh& mesh) {
   const Certificate certificate = check(pslg, mesh, {.min_angle_deg = 0}, {.max_violations = 2});
   EXPECT_TRUE(certificate.valid) << to_text(certificate);
@@ -68,7 +68,7 @@ TEST(Memory, that_suffices_is_not_refused) {
 
 TEST(Memory, that_the_mesh_exceeds_ends_the_work) {
   for (const int threads : {1, 2}) {
-    // More than the smallest estimate for 137 thousand triangles, less than they need.
+    // The limit is above the smallest estimate for 137 thousand triangles but below the memory that they need.
     const Result<Meshed> refused =
         mesh(domains::square(), {.max_area = 1e-5}, {.threads = threads, .max_memory = 4'800'000});
     ASSERT_FALSE(refused);
@@ -84,7 +84,7 @@ TEST(Budget, that_is_not_needed_changes_nothing) {
   EXPECT_EQ(free->mesh, capped->mesh);
 }
 
-/// With a limit of a hundred vertices, a goal of 10^12 triangles must not take the memory for them.
+/// With a limit of 100 vertices, a goal of 10^12 triangles must not allocate the memory for 10^12 triangles.
 TEST(Budget, makes_an_unreachable_goal_cheap) {
   const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-12}, {.max_vertices = 100});
   ASSERT_TRUE(meshed);
@@ -116,7 +116,8 @@ TEST(Floor, is_never_undercut_and_the_report_names_it) {
     }
 }
 
-/// A floor below the limit of double precision has no effect: refinement would reach neighbouring doubles.
+/// The floor is the shortest allowed edge. A floor below the limit of double precision has no effect; otherwise edges
+/// could join neighbouring doubles.
 TEST(Floor, has_a_least_value) {
   const Pslg pslg = domains::moved(domains::wedge(4, 0.001), 654321, 4987654);
   const Goal goal{.min_angle_deg = 33, .conforming = true};

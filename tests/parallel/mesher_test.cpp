@@ -28,7 +28,7 @@ std::string verdict(const Pslg& pslg, const Mesh& mesh, const Goal& goal) {
   return text;
 }
 
-/// Expects that the exemptions which the report calls justified are justified by the checker, too.
+/// Expects that every triangle that the checker justifies is a justified exemption in the report, too.
 void expect_same_exemptions(const Certificate& certificate, const Report& report) {
   std::set<Index> reported, found;
   for (const Exemption& e : report.exempt)

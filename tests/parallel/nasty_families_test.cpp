@@ -1,5 +1,5 @@
-// Difficult inputs: refinement ends on each of them, and the mesh is certified. Triangles are exempt because of a small
-// input angle or, only at the limit of double precision, because of the floor on edges.
+// Difficult inputs: refinement ends on each of them, and the mesh is certified. The floor is the shortest allowed edge.
+// Triangles are exempt because of a small input angle or, only at the limit of double precision, because of the floor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,7 +162,8 @@ TEST(FarOffset, of_two_to_the_fortieth_ends) {
   expect_certified(domains::moved(pslg, 0x1p40, 0x1p40), {20.7, 30.0});
 }
 
-/// Where the input is as fine as the spacing of doubles, the floor on edges ends refinement, and the report lists it.
+/// If the details of the input are as small as the spacing of doubles, refinement ends at the floor, and the report
+/// lists this.
 TEST(FarOffset, too_far_for_the_size_of_the_domain_ends_with_reasons) {
   for (const double offset : {0x1p46, 0x1p50, 0x1p51}) {
     SCOPED_TRACE(offset);
@@ -193,7 +194,8 @@ TEST(NearlyCollinear, points_of_the_hull_end_with_reasons) {
   EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid);
 }
 
-/// Sizes that go to zero at a point: the mesh is graded down to the floor there.
+/// The size function goes to zero at a point. Near this point the edges shrink to the floor (the shortest allowed
+/// edge).
 TEST(Size, that_vanishes_at_a_corner_ends) {
   Goal goal;
   goal.size = [](Point p) { return 0.3 * std::hypot(p.x, p.y); };
@@ -201,7 +203,7 @@ TEST(Size, that_vanishes_at_a_corner_ends) {
   const Result<Meshed> meshed = mesh(pslg, goal);
   ASSERT_TRUE(meshed);
   EXPECT_LT(meshed->mesh.triangles.size(), 100'000U);
-  // At the corner the sizes, and with them the shapes, go below the limit of double precision. The report lists this.
+  // At the corner, sizes and triangles get too small for double precision. The report lists this.
   EXPECT_FALSE(meshed->report.goal_met());
   for (const Violation& violation : check(pslg, meshed->mesh, {}).violations) {
     EXPECT_EQ(violation.kind, ViolationKind::small_angle) << violation.message();

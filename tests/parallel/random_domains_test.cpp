@@ -1,5 +1,5 @@
-// Random domains with points on and off a lattice, dangling and enclosing segments, holes and regions. Each is meshed
-// with a random goal and certified; then its mesh is refined again.
+// Random domains with points on and off a lattice, dangling and enclosing segments, holes and regions. Each domain is
+// meshed with a random goal and the mesh is certified; then the mesh is refined again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<Point> random_points(Random& random) {
   return points;
 }
 
-/// Removes parts of the input, or changes the goal, until the domain is valid. Returns false where this fails.
+/// Removes parts of the input, or changes the goal, until the domain is valid. Returns false if this fails.
 bool make_valid(Pslg& pslg, Goal& goal) {
   for (int round = 0; round < 4; ++round) {
     const std::vector<Problem> problems = find_problems(pslg, {goal.convex_hull});
@@ -105,7 +105,8 @@ TEST(RandomDomain, is_meshed_and_certified_and_refining_the_mesh_again_changes_n
   EXPECT_GT(meshed_ones, 350);
 }
 
-/// Kept segments are not split, the mesh is otherwise valid, and the report has a reason for every exempt triangle.
+/// Segments that must be kept are not split; otherwise the mesh is valid. The report has a reason for every exempt
+/// triangle.
 TEST(RandomDomain, with_kept_segments_is_meshed_as_far_as_it_goes) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

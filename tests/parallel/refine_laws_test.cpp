@@ -1,11 +1,10 @@
 // Metamorphic tests: the mesh of a changed input, compared with the mesh of the input.
 //
-// Two changes have an exact effect. A power of two scales every coordinate and every intermediate result without
-// rounding. The order of points and segments in the input has no effect, because every order in the engine follows from
-// coordinates.
-// Other changes have none. A translation changes the rounding of circumcentres, so the mesh has the same guarantees and
-// about the same size, but other points. A reflection or a quarter turn also changes the space-filling curve, and with
-// it the order of insertions.
+// Two changes have an exact effect. Scaling by a power of two scales every coordinate and every intermediate result
+// without rounding. Another order of points and segments in the input changes nothing, because the engine orders
+// everything by coordinates. Other changes have no exact effect. A translation changes the rounding of circumcentres,
+// so the mesh has the same guarantees and about the same size, but other points. A reflection or a quarter turn also
+// changes the space-filling curve and with it the order of insertions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,8 +39,8 @@ Mesh scaled(Mesh m, double scale) {
 
 class Law : public testing::TestWithParam<std::string> {
  protected:
-  /// Not for the wedge. If one of its segments is split, all of them are, shell by shell; and at 20.7 degrees rounding
-  /// decides whether one is split.
+  /// Does not test the wedge. If one of its segments is split, all are split, at the same distances from the apex; and
+  /// at 20.7 degrees rounding decides whether a segment is split.
   void expect_like_sizes(const Mesh& here, const Mesh& there) const {
     if (GetParam() == "wedge") return;
     const auto ratio = static_cast<double>(there.triangles.size()) / static_cast<double>(here.triangles.size());

@@ -33,7 +33,7 @@ std::vector<Point> cocircular_points() {
   return points;
 }
 
-/// Points on the line y = 3x, and one that is not on it.
+/// Points on the line y = 3x, and one point that is not on this line.
 std::vector<Point> collinear_but_one(std::size_t n, Random& random) {
   std::vector<Point> points{{0.25, 0.5}};
   while (points.size() < n) {

@@ -1,4 +1,4 @@
-// Point sets for the tests of the engine, and exact tests of a triangulation.
+// Point sets for the tests of the engine, and functions that test a triangulation exactly.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace pardel::engine::samples {
 class Random : public generators::Random {
  public:
   using generators::Random::Random;
-  /// In [0, n).
+  /// A random number from 0 to n - 1.
   Index below(std::size_t n) { return static_cast<Index>(generators::Random::below(n)); }
 };
 
@@ -54,7 +54,7 @@ struct Sample {
 
 /// The triangles as sorted triples of vertices, sorted.
 [[nodiscard]] std::vector<std::array<Index, 3>> triples(const Triangulation& t);
-/// The edge u-v as a side of the triangle on its left or, if there is none, of the one on its right; else none().
+/// The edge u-v as a side of the triangle on its left; if there is none, of the triangle on its right; else none().
 [[nodiscard]] EdgeRef find_edge(const Triangulation& t, VertexId u, VertexId v);
 /// Twice the area of all non-ghost triangles, in floating point. Exact for points of a small lattice.
 [[nodiscard]] double twice_area(const Triangulation& t);

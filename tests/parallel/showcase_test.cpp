@@ -1,5 +1,5 @@
-// The named domains at usual angles: the meshes are certified, triangles are exempt only at small input angles, and
-// there are no more triangles than in Triangle's meshes.
+// Meshes the named domains at usual angles. The meshes are certified, triangles are exempt only at small input angles,
+// and the number of triangles is at most that of Triangle's meshes.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,4 +1,4 @@
-// A loop of the engine, run with a data race or without one. It shows whether the race detector understands such loops.
+// Runs a loop of the engine with or without a data race. Shows whether the race detector understands such loops.
 #include <atomic>
 #include <cstdio>
 #include <cstring>

@@ -47,13 +47,13 @@ TEST(Definitions, a_point_on_a_wall_sees_both_sides) {
 }
 
 TEST(Definitions, a_triangle_is_seen_past_the_end_of_a_wall) {
-  // p lies below a wall of length 2 at y = 1. Triangles behind the wall are hidden; triangles that extend to its left
-  // or right are seen.
+  // p lies below a wall of length 2 at y = 1. The wall hides triangles that lie behind it; p sees triangles that extend
+  // to its left or right.
   PlainMesh mesh;
   mesh.points = {{-1, 1}, {1, 1}, {-9, 5}, {9, 5}, {0, 6}, {-0.5, 2}, {0.5, 2}, {0, 3}};
   mesh.constraints = {edge(0, 1)};
   const ExactPoint p(0, 0);
-  EXPECT_TRUE(sees(mesh, p, {2, 3, 4}));   // wider than the shadow
+  EXPECT_TRUE(sees(mesh, p, {2, 3, 4}));   // wider than the shadow of the wall
   EXPECT_FALSE(sees(mesh, p, {5, 6, 7}));  // within the shadow
   // Now one corner of the triangle lies outside the shadow.
   mesh.points[6] = {3, 2};
@@ -95,7 +95,7 @@ TEST(Definitions, conformal_triangles_meet_in_whole_edges_and_vertices_only) {
   mesh.points = {{0, 0}, {4, 0}, {2, 3}, {2, -3}, {2, 0}, {9, 9}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
   EXPECT_TRUE(is_conformal(mesh));
-  mesh.triangles = {{0, 1, 2}, {4, 0, 3}};  // half an edge against a whole one
+  mesh.triangles = {{0, 1, 2}, {4, 0, 3}};  // half an edge lies on a whole edge
   EXPECT_FALSE(is_conformal(mesh));
   mesh.triangles = {{0, 1, 2}, {0, 5, 2}};  // overlapping
   EXPECT_FALSE(is_conformal(mesh));

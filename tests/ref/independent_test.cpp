@@ -24,13 +24,13 @@ const PlainMesh& square_mesh() {
   return result;
 }
 
-/// |pq| >= factor * r̄, exactly.
+/// True if |pq| >= factor * r̄, in exact arithmetic. r̄ is an upper bound on all circumradii.
 bool apart(const ExactPoint& p, const ExactPoint& q, int factor) {
   static const Number squared_bound = squared_circumradius_bound(square_mesh());
   return CGAL::squared_distance(p, q) >= factor * factor * squared_bound;
 }
 
-/// Is p no vertex, and does it encroach upon no segment?
+/// True if p is not a vertex and does not encroach upon a segment.
 bool is_insertable(const ExactPoint& p) {
   return encroached_by(square_mesh(), p).empty() && std::ranges::count(square_mesh().points, p) == 0;
 }

@@ -26,7 +26,7 @@ PlainMesh walled(const std::vector<Point>& points) {
   return mesh;
 }
 
-/// The scene for the picture, without walls that end in a corner of the far box.
+/// The scene that the picture shows, without walls that end at a corner of the far box.
 properties::Scene scene_of(const std::vector<Point>& points, const PlainMesh& mesh, std::vector<Point> insertions) {
   properties::Scene scene{points, {}, std::move(insertions)};
   for (const Edge& e : mesh.constraints)
@@ -37,8 +37,8 @@ properties::Scene scene_of(const std::vector<Point>& points, const PlainMesh& me
 /// A random point that is not a lattice point.
 Point half_lattice_point() { return {*rc::gen::inRange(0, 17) / 2.0, *rc::gen::inRange(0, 17) / 2.0 + 0.25}; }
 
-/// The cavity as programs find it, by a flood fill: starts from the triangles that contain p, crosses edges that are no
-/// walls, and stops at triangles whose circumdisk does not contain p.
+/// The cavity, found by flood fill as in mesh generators: the search starts at the triangles that contain p, crosses
+/// only edges that are not walls, and stops at triangles whose circumdisk does not contain p.
 std::vector<Index> flooded_cavity(const PlainMesh& mesh, const ExactPoint& p) {
   std::map<Edge, std::vector<Index>> at;
   std::vector<Index> frontier;
@@ -100,7 +100,7 @@ PARDEL_PROPERTY(
      .families = walled_lattice}) {
   const std::vector<Point> points = lattice_points();
   const PlainMesh mesh = walled(points);
-  // p may be a lattice point, so it often lies on circumcircles and walls.
+  // p may be a lattice point, so that it often lies on circumcircles and walls.
   const Point p{*rc::gen::inRange(0, 17) / 2.0, *rc::gen::inRange(0, 17) / 2.0};
   RC_PRE(std::ranges::count(points, p) == 0);
   exhibit.show(scene_of(points, mesh, {p}));

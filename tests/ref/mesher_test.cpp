@@ -1,4 +1,4 @@
-// Tests the meshes of the mesher against the definitions: no local criterion and no lemma is used.
+// Compares the meshes of the mesher with the definitions themselves, without local criteria or lemmas.
 #include "../../parallel/mesher.hpp"
 
 #include <gtest/gtest.h>

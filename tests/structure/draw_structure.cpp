@@ -1,4 +1,5 @@
-// draw_structure ROOT: prints the includes between the folders of the repository, with their number.
+// draw_structure ROOT: prints the includes between the folders of the repository, each with the number of #include
+// lines.
 #include <cstdio>
 
 #include "rules.hpp"

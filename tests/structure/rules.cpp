@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 // ---------------------------------------------------------------------------------------------------------------------
 // The tables.
 
-/// A folder, and the other folders that its files may include. A file belongs to the longest folder that contains it.
+/// A folder and the other folders that its files may include. A file belongs to the longest folder path that contains
+/// it.
 struct Layer {
   std::string_view folder;
   std::vector<std::string_view> may_include;
@@ -42,12 +43,13 @@ const std::vector<Layer>& layers() {
   return table;
 }
 
-/// The folders whose headers are public, without those in the folders below.
+/// The folders whose headers are public. Headers in their subfolders are not public.
 const std::set<std::string, std::less<>> public_folders = {"core", "parallel", "properties/checker",
                                                            "properties/domains", "properties/domains/generators"};
 
-/// The rooms below the public folders are private. Their order: a room may include rooms of a lower rank of the same
-/// folder and itself, and the folder's public headers. The files directly in the folder may include all its rooms.
+/// A room is a subfolder of a public folder; it is private. Rooms have an order: a room may include itself, rooms of a
+/// lower rank in the same folder, and the folder's public headers. Files directly in the folder may include all its
+/// rooms.
 struct Room {
   std::string_view folder;
   std::string_view room;
@@ -75,7 +77,7 @@ const std::vector<Room>& rooms() {
   return table;
 }
 
-/// Who may include private headers from outside: `from` and `to` are folders or files.
+/// Allows `from` to include private headers of `to` from outside. Both are folders or files.
 struct Exception {
   std::string_view from;
   std::string_view to;
@@ -143,7 +145,7 @@ const Exception* exception_for(std::string_view from, std::string_view to) {
   return found == exceptions().end() ? nullptr : &*found;
 }
 
-/// Why `from` may not include `to`, or nothing where it may.
+/// The reason why `from` may not include `to`; nothing if `from` may include `to`.
 std::optional<std::string> objection(const SourceTree& tree, const std::string& from, const std::string& to) {
   if (!tree.contains(to)) return "there is no such file";
   const Layer* mine = layer_of(from);
@@ -168,7 +170,7 @@ std::optional<std::string> objection(const SourceTree& tree, const std::string& 
   return std::nullopt;
 }
 
-/// Appends the includes that go in a circle: `path` leads from a file that has been visited to `file`.
+/// Appends the cycles of includes. `path` is a chain of includes from a visited file to `file`.
 void find_circles(const SourceTree& tree, const std::string& file, std::vector<std::string>& path,
                   std::set<std::string>& done, std::vector<std::string>& found) {
   if (const auto again = std::find(path.begin(), path.end(), file); again != path.end()) {

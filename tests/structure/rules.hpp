@@ -1,4 +1,4 @@
-// The structure of the repository as rules on its #include lines. The tables in rules.cpp are the whole of it.
+// The structure of the repository as rules on its #include lines. Tables in rules.cpp define all rules.
 #pragma once
 
 #include <string>

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that a line includes, or "" where the line includes none of the repository.
+/// The file that a line includes; "" if the line includes no file of the repository.
 std::string included_by(const std::string& line, const fs::path& folder) {
   static const std::regex relative(R"re(^\s*#\s*include\s*"([^"]+)".*)re");
   static const std::regex public_header(R"re(^\s*#\s*include\s*<pardel/([^>]+)>.*)re");

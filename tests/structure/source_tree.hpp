@@ -19,7 +19,7 @@ struct SourceFile {
   std::vector<std::string> namespaces;  ///< in the file's order; those named `pardel` or `pardel::...` only
 };
 
-/// By path, relative to the root of the repository.
+/// The source files by path; paths are relative to the root of the repository.
 using SourceTree = std::map<std::string, SourceFile>;
 
 /// Reads every .hpp and .cpp below `root`, except those in a folder `build` or in a hidden folder directly below it.

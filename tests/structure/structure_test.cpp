@@ -1,4 +1,4 @@
-// The repository keeps the rules of its structure, and each rule fails on a tree that breaks it.
+// The repository follows the rules of its structure, and every rule rejects a tree that breaks it.
 #include <gtest/gtest.h>
 
 #include "../temporary_folder.hpp"
@@ -23,7 +23,7 @@ TEST(Structure, the_repository_keeps_every_rule) {
 
 TEST(Structure, every_exception_is_used) { EXPECT_EQ(lines(unused_exceptions(read_source_tree(PARDEL_SOURCE))), ""); }
 
-/// A small tree that keeps every rule; each test adds one file that breaks one.
+/// A small tree that follows every rule. Each test adds one file that breaks one rule.
 class BrokenTree : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -52,7 +52,7 @@ class BrokenTree : public ::testing::Test {
     root_.write(file, text + "namespace " + name + " {\n}\n");
   }
 
-  /// The violations of the tree with one more file.
+  /// The violations in the tree after one more file is added.
   std::string violations_with(const std::string& file, const std::vector<std::string>& includes,
                               const std::string& name = "pardel") {
     add(file, includes, name);

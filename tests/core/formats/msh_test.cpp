@@ -14,7 +14,7 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// A file as Gmsh writes it: points, bounding entities, a parametric node, a section that is not read.
+/// A file like those of Gmsh: points, boundary entities, a parametric node, and a section that the reader skips.
 constexpr const char* ascii = R"($MeshFormat
 4.1 0 8
 $EndMeshFormat
@@ -74,8 +74,8 @@ std::string failure_of(const std::string& text) {
   return mesh.error().message;
 }
 
-/// The sample mesh in the order of an MSH file, triangles by region and edges by marker, and without the parts that MSH
-/// cannot hold.
+/// The sample mesh as the MSH reader returns it: triangles sorted by region, edges sorted by marker, and without the
+/// data that MSH cannot store.
 Mesh sorted_sample() {
   Mesh mesh = sample_mesh();
   mesh.point_markers.clear();
@@ -236,7 +236,7 @@ std::string gmsh(const TemporaryFolder& folder, const std::string& options) {
 TEST(Msh, is_opened_by_gmsh_without_a_warning_and_comes_back_the_same) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
   const TemporaryFolder folder;
-  // Gmsh writes 16 digits. The coordinates are exact in them, but an infinite or tiny attribute would not be.
+  // Gmsh writes 16 digits. These suffice for the coordinates, but not for an infinite or tiny attribute.
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
     ASSERT_TRUE(write_msh(sample_mesh(), folder / "ours.msh", encoding).ok());
     const std::string log = gmsh(folder, "ours.msh -save_all -save -o theirs.msh -format msh41 -bin");

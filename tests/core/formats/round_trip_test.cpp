@@ -1,4 +1,4 @@
-// A written value reads back as the same value, for random values.
+// Random values are written and read back; the result must be the same value.
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -58,7 +58,7 @@ TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corne
   files.second_order = true;
   ASSERT_TRUE(write_triangle_files(sample_mesh(), {}, folder / "m", files).ok());
   EXPECT_EQ(folder.read("m.node").substr(0, 7), "14 2 1 ");
-  // Nodes 7 and up are the middles of (2,5), (5,1), (1,2), (3,5), (2,3), (4,5), (3,4), (4,1).
+  // Nodes 7 and up are the midpoints of the edges (2,5), (5,1), (1,2), (3,5), (2,3), (4,5), (3,4), (4,1).
   EXPECT_NE(folder.read("m.node").find("\n7 1.5 0.5 0.75 0\n"), std::string::npos);
   EXPECT_NE(folder.read("m.node").find("\n9 1 0 1 1\n"), std::string::npos);
   EXPECT_EQ(folder.read("m.ele"),

@@ -102,7 +102,7 @@ TEST(Vtu, of_another_program_may_hold_text_lines_vertices_and_unknown_arrays) {
 }
 
 TEST(Vtu, may_have_base64_with_the_length_encoded_separately_or_not) {
-  // The UInt32 36, then the coordinates 0 0 0 1 0 0 0 1 0 as Float32.
+  // The length 36 as a UInt32, then the coordinates 0 0 0 1 0 0 0 1 0 as Float32.
   const std::string together = "JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==";
   const std::string apart = "JAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
   const std::string file = R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
@@ -123,7 +123,7 @@ TEST(Vtu, may_have_base64_with_the_length_encoded_separately_or_not) {
   EXPECT_EQ(failure_of(replaced(file, "DATA", "")), "f:3: the data of this array are cut off");
   EXPECT_EQ(failure_of(replaced(file, "DATA", "/////w==")),
             "f:3: this array announces 4294967295 bytes, but 12 follow");
-  // The same, appended in base64.
+  // The same file, with the arrays appended in base64.
   std::string appended =
       replaced(file, "format=\"binary\">\n  DATA\n</DataArray>", "format=\"appended\" offset=\"3\"/>");
   appended = replaced(appended, "</VTKFile>",

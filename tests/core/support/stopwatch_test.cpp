@@ -1,4 +1,4 @@
-// Elapsed time.
+// The stopwatch measures elapsed time.
 #include "../../../core/support/stopwatch.hpp"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ Gmpq value(const Expansion<N>& e) {
   return sum;
 }
 
-/// The terms are non-zero, and each is smaller than the last non-zero bit of the next.
+/// True if the terms are non-zero and each is smaller than the last non-zero bit of the next term.
 template <std::size_t N>
 bool is_well_formed(const Expansion<N>& e) {
   for (std::size_t i = 0; i < e.size(); ++i) {

@@ -62,7 +62,7 @@ inline rc::Gen<Four> far_offset() {
   };
   return four(around(654321), around(4987654));
 }
-/// Coordinates over the whole range of exponents, of both signs, and zero.
+/// Coordinates of both signs over the whole range of exponents, and zero.
 inline rc::Gen<Four> extreme_exponents() {
   const auto coordinate = rc::gen::apply([](int k, int exponent) { return std::ldexp(k, exponent); },
                                          rc::gen::inRange(-1000000, 1000001), rc::gen::inRange(-140, 180));

@@ -1,4 +1,4 @@
-// Every stage of the predicates, with an input for which it is the first that can decide, and its result.
+// Tests every stage of the predicates with an input that no earlier stage can decide.
 #include "../../../parallel/arithmetic/predicate_stages.hpp"
 
 #include "../../../properties/theorems/framework/property.hpp"

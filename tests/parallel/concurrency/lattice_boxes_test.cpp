@@ -36,7 +36,7 @@ PARDEL_PROPERTY(
       RC_ASSERT(lattice.colour_of(a) != lattice.colour_of(b) || disjoint(lattice.box_of(a), lattice.box_of(b)));
 }
 
-/// Up to a millionth of a side, because the border of a box far from the origin is rounded.
+/// The tolerance is a millionth of a side, because the border of a box far from the origin is rounded.
 PARDEL_PROPERTY(Boxes, reach_half_a_side_beyond_their_cells,
                 {.statement = "a point that is less than half a cell's width and half its height away from a point of "
                               "a cell lies in its box",

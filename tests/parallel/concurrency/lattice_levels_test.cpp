@@ -50,7 +50,7 @@ TEST(LatticeLevels, are_widened_no_more_than_asked) {
     for (const double sides : {0.1, 1.5, 3.1, 29.9, 1e6}) {
       const double side = sides * wanted.side();
       const Lattice lattice = with_cells_at_least(side, box, wanted);
-      EXPECT_GE(lattice.side(), side);  // INFINITY where there is only one cell
+      EXPECT_GE(lattice.side(), side);  // INFINITY if there is only one cell
       EXPECT_LE(lattice.columns(), wanted.columns());
       EXPECT_LE(lattice.rows(), wanted.rows());
       if (side <= wanted.side()) {
@@ -60,7 +60,7 @@ TEST(LatticeLevels, are_widened_no_more_than_asked) {
   }
 }
 
-/// The hypothesis of the theorem (THEORY, Lattice) holds in the refinement of real domains.
+/// The hypothesis of the theorem (THEORY.md, Lattice) holds when real domains are refined.
 TEST(LatticeLevels, of_the_paper_have_cells_of_four_circumradii) {
   for (const samples::Case& c : samples::cases()) {
     const Tiling tiling = samples::refined(c, samples::options_for(c, Decomposition::paper), {}).counts.tiling;

@@ -1,4 +1,4 @@
-// Insertion of single points. delaunay_test.cpp tests whole triangulations.
+// Tests the insertion of single points. delaunay_test.cpp tests whole triangulations.
 #include "../../../parallel/construction/bowyer_watson.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Carving: which triangles remain, and which region each one gets.
+// Tests carving: it determines which triangles remain, and the region of each.
 #include "../../../parallel/construction/carve.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using samples::delaunay_of;
 
-/// A square of side 8 around a square of side 2, which may be a hole, and a crack that leads inwards from the outline.
+/// A square of side 8 around a square of side 2, which may be a hole; and a crack that goes inwards from the outline.
 struct Frame {
   std::vector<Point> points{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {3, 3}, {5, 3}, {5, 5}, {3, 5}, {0, 4}, {1, 4}};
   std::vector<Constraint> constraints{{0, 1}, {1, 2}, {2, 3}, {3, 8}, {8, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {8, 9}};

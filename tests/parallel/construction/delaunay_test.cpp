@@ -14,8 +14,8 @@ namespace {
 
 using samples::Random;
 
-/// The corners of a triangle in counter-clockwise order, starting with the lexicographically least. Independent of the
-/// numbering.
+/// The corners of a triangle in counter-clockwise order, starting with the lexicographically least corner. They do not
+/// depend on the numbering of vertices.
 using Corners = std::array<std::pair<double, double>, 3>;
 
 std::vector<Corners> triangles_of(const Triangulation& t) {
@@ -122,8 +122,8 @@ TEST(Delaunay, is_locally_delaunay_everywhere_for_many_points) {
   }
 }
 
-/// This includes cocircular points, which have several Delaunay triangulations. The order of insertion depends on
-/// coordinates alone.
+/// The points include cocircular points, which have several Delaunay triangulations. The order of insertion depends
+/// only on coordinates.
 TEST(Delaunay, does_not_depend_on_the_order_of_the_points) {
   Random random(5);
   for (const samples::Family& family : samples::families(500, 6)) {
@@ -162,7 +162,7 @@ TEST(Delaunay, rejects_equal_points) {
   }
 }
 
-/// The text of the coordinates identifies the point, also where they are tiny.
+/// The text of the coordinates identifies the point, even if the coordinates are tiny.
 TEST(Delaunay, prints_coordinates_with_all_their_digits) {
   for (const std::size_t copies : {1U, 50U}) {
     std::vector<Point> points(1 + copies, Point{1e-9, 2e-9});

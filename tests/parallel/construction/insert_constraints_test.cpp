@@ -131,7 +131,7 @@ TEST(InsertConstraints, refuses_a_segment_through_a_point) {
   }
 }
 
-/// The text of the coordinates identifies the point, also where they are tiny.
+/// The text of the coordinates identifies the point, even if the coordinates are tiny.
 TEST(InsertConstraints, prints_coordinates_with_all_their_digits) {
   Triangulation t = delaunay_of({{0, 0}, {2e-9, 0}, {1e-9, 0}, {0, 1}});
   const std::vector<Constraint> constraints{{0, 1}};

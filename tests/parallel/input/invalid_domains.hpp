@@ -47,8 +47,7 @@ inline rc::Gen<Pslg> lattice_mess(int size, double unit = 1) {
       rc::gen::container<std::vector<std::pair<Index, Index>>>(ends));
 }
 
-/// On lattices whose coordinates are exact, where degeneracies are frequent, and on lattices whose coordinates are
-/// rounded.
+/// Two kinds of lattices: coordinates that are exact, which make many degeneracies, and coordinates that are rounded.
 inline rc::Gen<Pslg> mess() {
   return rc::gen::oneOf(lattice_mess(5), lattice_mess(12, 0.1), lattice_mess(1000, 1.0 / 3),
                         lattice_mess(1000000, 1e-7));

@@ -1,4 +1,4 @@
-// ValidPslg: what validate() returns, and what the mesher makes of it.
+// Tests ValidPslg: the content that validate() returns, and the mesh that the mesher makes of it.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -80,7 +80,7 @@ TEST(ValidPslg, is_meshed_to_its_convex_hull_where_it_or_the_goal_says_so) {
   EXPECT_EQ(digest(of_plain->mesh), digest(by_goal->mesh));
 }
 
-// mesh() relies on this where only the goal sets the convex hull.
+// mesh() relies on this if only the goal selects the convex hull.
 TEST(ValidPslg, is_valid_with_its_convex_hull_as_outline_too) {
   for (const std::string& name : domains::names()) {
     const Result<Pslg> pslg = domains::generate(name, 0, 1);

@@ -1,5 +1,5 @@
-// Conflicts, faces and repair on random segments that cross, overlap and touch: compared with exact constructions, and
-// with properties that they must have.
+// Conflicts, faces and repair on random segments that cross, overlap and touch. The results are compared with exact
+// constructions and with properties that they must have.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
@@ -30,7 +30,7 @@ K::Segment_2 exact(const Pslg& pslg, Index s) {
 }
 bool is_end(const K::Segment_2& s, const K::Point_2& p) { return p == s.source() || p == s.target(); }
 
-/// By definition, from the intersections of all pairs of segments and from all pairs of a point and a segment.
+/// Finds the conflicts by definition: tests all pairs of segments, and all pairs of a point and a segment.
 std::vector<Conflict> conflicts_by_definition(const Pslg& pslg) {
   std::vector<Conflict> conflicts;
   for (Index s = 0; s < pslg.segments.size(); ++s) {

@@ -1,4 +1,4 @@
-// find_problems(): one test per kind of problem, with its ids, place and message; and inputs without problems.
+// find_problems(): one test per kind of problem, with its ids, place and message; and tests of inputs without problems.
 #include "../../../parallel/validate.hpp"
 
 #include <gtest/gtest.h>

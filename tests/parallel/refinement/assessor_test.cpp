@@ -1,4 +1,4 @@
-// Assessments: encroached edges come first, then bad triangles; some triangles are left alone.
+// Assessments: encroached edges are split first, then bad triangles; some triangles are not split.
 #include "../../../parallel/refinement/assessor.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using Need = Assessment::Need;
 
-/// One triangle over a base from (0, 0) to (8, 0). All its edges are constrained.
+/// One triangle with the base from (0, 0) to (8, 0) and the corner `apex`. All its edges are constrained.
 struct Scene {
   samples::Sample sample;
   DomainSegments segments;

@@ -1,4 +1,4 @@
-// Encroachment, and the points that split bad triangles.
+// Tests encroachment, and the points that split bad triangles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,7 +21,7 @@ Shape some_triangle() {
   return turn > 0 ? Shape(a, b, c) : Shape(a, c, b);
 }
 
-/// The triangle that the shortest side and the split point make; nothing where the split point is the circumcentre.
+/// The triangle of the shortest side and the split point; nothing if the split point is the circumcentre.
 std::optional<Shape> made_by_an_off_centre(const Shape& s, const Goal& goal) {
   const Point p = Criteria(goal, Placement::off_centre, {}).split_point(s, no_index);
   if (p == Criteria(goal, Placement::circumcentre, {}).split_point(s, no_index)) return std::nullopt;

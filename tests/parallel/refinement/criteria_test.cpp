@@ -14,7 +14,7 @@ namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// True where an angle is smaller, by the exact arithmetic of the checker.
+/// True if an angle is smaller than `degrees`, by the exact arithmetic of the checker.
 bool sharper_than(const Shape& s, double degrees) {
   for (unsigned i = 0; i < 3; ++i)
     if (checker::exactly::cosine_exceeds(s.p[i], s.p[(i + 1) % 3], s.p[(i + 2) % 3], angle_cosine_bound(degrees)))
@@ -112,7 +112,7 @@ TEST(Encroachment, of_a_conforming_goal_is_the_closed_diametral_disk) {
   EXPECT_FALSE(encroaches(criteria, {1.0001, 0}, {-1, 0}, {1, 0}));
 }
 
-/// From the arcs that bound the lens, the segment is seen at 180 degrees minus twice the bound.
+/// From every point of the arcs that bound the lens, the segment is seen at 180 degrees minus twice the angle bound.
 TEST(Encroachment, of_a_constrained_goal_is_the_diametral_lens) {
   for (const double bound : {20.7, 30.0, 33.0}) {
     const Criteria criteria({.min_angle_deg = bound}, Placement::circumcentre, {});
@@ -163,7 +163,7 @@ TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bou
 
 /// A triangle whose shortest side has length 1. The others have length 2.3, the area is 1.13.
 Shape tall() { return isosceles(25, 0.5 / std::tan(radians(12.5))); }
-/// The triangle that the shortest side and the split point make. The shortest side joins the first two corners.
+/// The triangle of the shortest side and the split point. The shortest side joins the first two corners.
 Shape made_of_the_shortest_side(const Criteria& criteria, const Shape& s, Index region) {
   return {s.p[0], s.p[1], criteria.split_point(s, region)};
 }

@@ -1,4 +1,4 @@
-// Single insertions into the triangulations of random domains: the triangles that they change and make.
+// Inserts single points into triangulations of random domains, and tests the triangles that this changes and makes.
 #include <algorithm>
 #include <cmath>
 
@@ -131,8 +131,7 @@ Outcome with_room(Triangulation& t, Insertion& insertion, const Attempt& attempt
   return outcome;
 }
 
-/// True where the triangulation is positively oriented and constrained Delaunay, by the exact arithmetic of the
-/// checker.
+/// True if the triangulation is positively oriented and constrained Delaunay, by the exact arithmetic of the checker.
 bool is_valid(const Triangulation& t) {
   const auto point = [&](VertexId v) { return t.points[v]; };
   for (const Slot& slot : t.slots) {

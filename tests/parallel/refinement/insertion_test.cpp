@@ -50,7 +50,7 @@ struct Scene {
     t().slots.resize(triangles + 2 - free.triangles.left());
     return outcome;
   }
-  /// Some triangle with p in its open circumdisk.
+  /// A triangle whose open circumdisk contains p.
   TriangleId conflict(Point p) {
     for (TriangleId id = 0; id < t().slots.size(); ++id) {
       const auto& v = t().slots[id].v;

@@ -171,7 +171,7 @@ TEST(SmallAngle, between_two_shells_exempts_nothing) {
 }
 
 TEST(SmallAngle, of_sixty_degrees_is_none) {
-  // The points lie on one shell, but the segments meet at more than 60 degrees. Splitting ends.
+  // The points have the same distance from the apex, but the angle there exceeds 60 degrees. Splitting ends.
   Corner corner({0, 0}, {4, 0}, {2, 3.5}, {9, 9});
   const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
   EXPECT_FALSE(OneTriangle(corner.t, {3, v, u}, {false, false, false}).exemption(corner.segments));

@@ -1,4 +1,4 @@
-// A task: it refines its box, and leaves the triangles to others that it cannot process itself.
+// A task refines the triangles in its box and hands the other triangles on: later tasks process them.
 #include "../../../parallel/refinement/task.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The first look at all triangles finds the bad ones, in order, and estimates the size of the mesh.
+// The initial assessment of all triangles finds the bad triangles, in order, and estimates the size of the mesh.
 #include "../../../parallel/scheduling/initial_assessment.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Small meshes that are cut into many tiles, so that many triangles are handed on, and are refined with a given
-// schedule.
+// Refines small meshes with a given schedule. The meshes have so many tiles that many triangles are handed on, that is,
+// passed from a task to another cell.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ inline const std::vector<Case>& cases() {
   return all;
 }
 
-/// The work of mesh() after validation, with a schedule.
+/// The result of mesh() after validation, with a given schedule.
 struct Refined {
   Mesh mesh;
   RefineCounts counts;

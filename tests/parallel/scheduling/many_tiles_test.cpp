@@ -1,5 +1,5 @@
-// Meshes large enough for several tiles and levels of lattices: neither the seams between tiles nor the threads show in
-// the mesh.
+// Meshes large enough for several tiles and levels of lattices. The borders of tiles and the number of threads have no
+// effect that can be seen in the mesh.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,8 +66,8 @@ TEST(ManyTiles, stop_at_the_budget_of_vertices) {
   }
 }
 
-/// A regression, with boundaries that may not be split. A triangle needed a point in one tile and then, there, a point
-/// in another tile. It was handed on between the two for ever.
+/// A regression, with boundaries that may not be split. A triangle needed a point in one tile; the task of this tile
+/// needed a point in another tile for it. The two tasks handed the triangle on (passed it to each other) for ever.
 TEST(ManyTiles, do_not_hand_a_triangle_on_for_ever) {
   Pslg pslg;
   pslg.points = {{1, 7},  {3, 3},  {5, 3},  {7, 8},  {9, 5},  {10, 4}, {14, 0}, {15, 5}, {16, 1}, {16, 5},

@@ -14,8 +14,8 @@ TEST(PaperLattice, hands_on_no_point_inside_a_face_whose_cavity_fits_by_T1) {
     }
 }
 
-/// The automatic decomposition does not bound circumradii by the size of cells. Cavities do leave its boxes, and this
-/// is no violation of T1.
+/// The automatic decomposition has no bound on circumradii that depends on the size of cells. With it, cavities do
+/// leave the boxes, and this does not contradict T1.
 TEST(PaperLattice, is_not_assumed_for_the_automatic_decomposition) {
   std::uint64_t beyond = 0;
   for (const Case& c : cases()) {

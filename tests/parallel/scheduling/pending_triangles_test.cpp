@@ -1,4 +1,4 @@
-// Pending triangles go to the cells of their split points, are deferred again where a rule says so, and none is lost.
+// Pending triangles go to the cells of their split points, or are deferred again if a rule requires it. None is lost.
 #include "../../../parallel/scheduling/pending_triangles.hpp"
 
 #include <gtest/gtest.h>

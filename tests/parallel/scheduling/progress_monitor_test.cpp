@@ -1,4 +1,4 @@
-// Progress: the numbers that the caller sees, and the three ways to stop a refinement.
+// Tests progress: the numbers that the caller gets, and the three ways to stop a refinement.
 #include "../../../parallel/scheduling/progress_monitor.hpp"
 
 #include <gtest/gtest.h>

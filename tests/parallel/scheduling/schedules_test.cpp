@@ -16,7 +16,7 @@ using samples::cases;
 using samples::options_for;
 using samples::refined;
 
-/// A schedule can only make a difference where several tasks hand triangles on to each other.
+/// A schedule can make a difference only if several tasks hand triangles on (pass them to other cells).
 void expect_tasks_that_meet(const RefineCounts& counts) {
   EXPECT_GT(2 * (counts.inserted + counts.segment_splits), 3 * counts.tiling.vertices_before);
   std::uint64_t handed_on = 0;
@@ -44,7 +44,7 @@ TEST_P(Schedules, in_any_order_and_with_delays_give_one_mesh_on_any_number_of_th
 INSTANTIATE_TEST_SUITE_P(Every, Schedules, testing::Range(std::size_t{0}, cases().size()),
                          [](const auto& parameter) { return cases()[parameter.param].name; });
 
-/// A domain, and one tenth of its 1430 schedules. So each test stays short under sanitizers.
+/// The parameters are a domain and one tenth of its 1430 schedules, so that each test stays short under sanitizers.
 class Interleavings : public testing::TestWithParam<std::tuple<std::size_t, int>> {
  protected:
   const Case& case_ = cases()[std::get<0>(GetParam())];
@@ -58,7 +58,7 @@ TEST_P(Interleavings, of_single_insertions_give_one_mesh) {
     const Digest expected = digest(refined(case_, options, {}).mesh);
     const int schedules = decomposition == Decomposition::automatic ? 100 : 43;
     for (int i = 0; i < schedules; ++i) {
-      // Turns of one insertion, and sometimes long runs of one task.
+      // Tasks take turns after single insertions, and sometimes after long runs of insertions.
       const std::size_t sticky = 1 + random.below(4);
       std::size_t turn = 0;
       const Schedule schedule{.next = [&](std::size_t n) {

@@ -14,7 +14,7 @@ namespace {
 #error "built with the watched twin of the engine only"
 #endif
 
-/// Records the triangles that each task of a phase touches, and counts those that two tasks touch.
+/// Records which triangles each task of a phase accesses, and counts the triangles that two tasks access.
 class Watch {
  public:
   [[nodiscard]] Schedule schedule() {
@@ -62,8 +62,8 @@ TEST_P(Touches, of_the_tasks_of_a_phase_are_disjoint) {
 INSTANTIATE_TEST_SUITE_P(Every, Touches, testing::Range(std::size_t{0}, samples::cases().size()),
                          [](const auto& parameter) { return samples::cases()[parameter.param].name; });
 
-/// Points close to a row of segments. The triangles between have their circumcentres on the other side of the segments,
-/// far outside the boxes in which the triangles lie.
+/// Points close to a row of segments. The triangles between points and segments have their circumcentres on the other
+/// side of the segments, far outside the boxes that contain the triangles.
 samples::Case needles_along_a_wall() {
   constexpr int pieces = 32;
   samples::Case c{"needles", domains::square(), {.min_angle_deg = 25, .max_area = 0.002}, {6, 6}};

@@ -23,7 +23,7 @@ bool is_hit(const Triangulation& t, TriangleId id, Point p) {
   return checker::exactly::in_circle(t.points[v[0]], t.points[v[1]], t.points[v[2]], p) > 0;
 }
 
-/// True where p lies in the triangle or on its boundary.
+/// True if p lies in the triangle or on its boundary.
 bool holds(const Triangulation& t, TriangleId id, Point p) {
   const Slot& slot = t.slots[id];
   for (unsigned side = 0; side < 3; ++side)
@@ -63,7 +63,7 @@ std::vector<TriangleId> all_in_conflict(const Triangulation& t, Point p) {
   return ids;
 }
 
-/// True where both have the same triangles and the same boundary in the same order, and agree about constrained edges.
+/// True if both have the same triangles, the same boundary in the same order, and the same constrained edges.
 bool same(const Cavity& a, const Cavity& b) {
   const auto key = [](const CavityEdge& e) { return std::tuple(e.from, e.inner.triangle(), e.inner.side()); };
   return std::ranges::equal(a.triangles(), b.triangles()) &&
@@ -96,7 +96,7 @@ Point inner_point(const Triangulation& t, Random& random) {
   return {a.x + f * (b.x - a.x) + g * (c.x - a.x), a.y + f * (b.y - a.y) + g * (c.y - a.y)};
 }
 
-/// A triangulation, a point, and the triangles whose disk contains the point. There is at least one.
+/// A triangulation, a point, and the triangles (at least one) whose disk contains the point.
 struct Case {
   const Triangulation& t;
   Point p;
@@ -104,8 +104,8 @@ struct Case {
   TriangleId first;  ///< any one of them
 };
 
-/// Checks 100 points of each family, except a few that rounding put outside the hull and into no disk. Other points may
-/// lie outside the hull too.
+/// Checks 100 points of each family. Skips points that rounding moved outside the hull and that lie in no disk; other
+/// points may lie outside the hull.
 void for_many_points(std::uint64_t seed, const std::function<void(const Case&)>& check) {
   std::size_t rounds = 0, cases = 0;
   for (const samples::Family& family : samples::families(100, seed)) {
@@ -233,7 +233,7 @@ TEST(Cavity, stays_in_the_box) {
 }
 
 TEST(Cavity, ends_at_constrained_edges) {
-  // The diagonal of a square is constrained. The cavity of p, close to it, does not reach across.
+  // The diagonal of a square is constrained. p is close to the diagonal, but its cavity does not extend across it.
   const std::vector<Point> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const Triangulation t = samples::triangulated(points, {{0, 2}}).triangulation;
   const Point p{2.25, 2};

@@ -1,4 +1,4 @@
-// The checker accepts valid meshes and reports the right kind of violation for others.
+// The checker accepts valid meshes and reports the right kind of violation for invalid ones.
 #include "../../../properties/checker/check.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(Check, gives_the_same_certificate_again) {
   EXPECT_EQ(first, to_json(check(c, goal, options)));
 }
 
-// Ids, counts, numbers.
+// Tests of ids, counts and numbers.
 
 TEST(Check, survives_and_reports_ids_out_of_range) {
   for (const Index id : {Index{4}, Index{1'000'000'000}, no_index}) {
@@ -120,7 +120,7 @@ TEST(Check, reports_arrays_of_the_wrong_length) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
 }
 
-// Triangles and neighbours.
+// Tests of triangles and neighbours.
 
 TEST(Check, reports_clockwise_and_flat_triangles) {
   Case c = testing::square_in_two();
@@ -163,7 +163,7 @@ TEST(Check, reports_neighbours_that_are_missing_or_wrong) {
 }
 
 TEST(Check, reports_a_triangle_that_shares_only_a_vertex_and_overlaps) {
-  // A triangle that shares only the middle vertex of the square and lies on other triangles.
+  // This triangle overlaps other triangles and shares only the middle vertex of the square with them.
   Case c = testing::square_in_eight();
   c.mesh.points.push_back({3, 2.25});
   c.mesh.points.push_back({3, 2.5});
@@ -195,7 +195,7 @@ TEST(Check, reports_a_surface_that_is_not_a_disk_with_holes) {
   EXPECT_TRUE(reports(check(c), Kind::euler_characteristic));
 }
 
-// The domain.
+// Tests of the domain.
 
 TEST(Check, reports_a_triangle_that_is_missing) {
   Case c = testing::square_in_two();
@@ -249,7 +249,7 @@ TEST(Check, reports_boundary_edges_that_cross) {
   EXPECT_TRUE(reports(check(c), Kind::overlap));
 }
 
-// Points and segments.
+// Tests of points and segments.
 
 TEST(Check, reports_an_input_point_that_was_moved_or_renumbered) {
   Case c = testing::square_in_two();
@@ -303,7 +303,7 @@ TEST(Check, accepts_that_segments_outside_the_domain_are_absent) {
   EXPECT_TRUE(is_valid(check(c)));
 }
 
-// Labels.
+// Tests of labels.
 
 TEST(Check, reports_constrained_edges_that_are_wrong_or_missing) {
   Case c = testing::square_in_two();
@@ -367,7 +367,7 @@ TEST(Check, reports_attributes_that_are_wrong) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_attribute));
 }
 
-// Delaunay.
+// Tests of the Delaunay property.
 
 TEST(Check, accepts_either_diagonal_of_cocircular_points_and_only_one_where_they_differ_by_a_unit) {
   Case c = testing::square_in_two();
@@ -387,7 +387,7 @@ TEST(Check, requires_delaunay_constrained_edges_only_for_a_conforming_goal) {
   EXPECT_TRUE(reports_only(check(c, goal), Kind::not_delaunay));
 }
 
-// Bounds.
+// Tests of bounds.
 
 TEST(Check, compares_angles_with_the_bound_exactly) {
   const Case c = testing::square_in_two();  // angles of 45 and 90 degrees
@@ -440,7 +440,7 @@ TEST(Check, evaluates_the_sizing_function_at_centroids) {
   EXPECT_EQ(count(check(c, goal), Kind::size_exceeded), 4u);
 }
 
-// Meshes by other programs.
+// Tests of meshes that other programs made.
 
 TEST(Check, matches_the_vertices_of_a_foreign_mesh_by_coordinates) {
   Case c = testing::square_in_eight();
@@ -475,7 +475,7 @@ TEST(Check, accepts_a_mesh_of_Mesh_2_for_its_own_bounds_and_for_no_larger_angle)
   EXPECT_TRUE(reports_only(check(c, goal, options), Kind::small_angle));
 }
 
-// The certificate.
+// Tests of the certificate.
 
 TEST(Certificate, has_the_extremes_and_their_triangles) {
   const Certificate certificate = check(testing::square_in_eight());

@@ -31,7 +31,7 @@ TEST(Orientation, holds_for_the_least_and_the_largest_doubles) {
 }
 
 TEST(InCircle, is_zero_exactly_on_the_circle) {
-  // Points of the circle x^2 + y^2 = 25^2, far from the origin.
+  // The points lie on the circle x^2 + y^2 = 25^2, moved far from the origin.
   const auto on = [](double x, double y) { return Point{x + 0x1p40, y + 0x1p40}; };
   EXPECT_EQ(checker::exactly::in_circle(on(25, 0), on(7, 24), on(-15, 20), on(-24, -7)), 0);
   Point d = on(-24, -7);

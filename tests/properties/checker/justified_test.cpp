@@ -1,4 +1,4 @@
-// The triangles that the checker justifies by a small input angle, and those that it does not.
+// Which triangles the checker considers justified by a small input angle, and which not.
 #include <cmath>
 
 #include "../../../properties/checker/check.hpp"
@@ -17,7 +17,7 @@ using testing::reports_only;
 
 Certificate check(const Case& c, const Goal& goal) { return pardel::check(c.pslg, c.mesh, goal); }
 
-/// A wedge at the origin. The second leg is longer by a quarter, and both legs have a vertex at distance 1.
+/// A wedge with its apex at the origin. The second leg is a quarter longer; both legs have a vertex at distance 1.
 Case wedge_with_shell(double degrees = 10, double leg = 2) {
   const double angle = degrees * 3.14159265358979323846 / 180;
   Case c;
@@ -80,7 +80,8 @@ PARDEL_FACT(
   const Certificate certificate = check(c, goal);
   EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
   EXPECT_TRUE(certificate.justified.empty());
-  // The shortest edge of 3-1-4 is on one shell, but around a right angle.
+  // The ends of the shortest edge of 3-1-4 have the same distance from a common apex, but the angle there is a right
+  // angle.
   goal.min_angle_deg = 15;
   EXPECT_TRUE(reports(check(wedge_with_shell(90, 8), goal), Kind::small_angle));
   facts.cases = 2;

@@ -1,4 +1,4 @@
-// Meshes that do not come from the mesher: two made by hand, and any domain triangulated or refined by CGAL.
+// Meshes that the mesher did not make: two made by hand, and any domain triangulated or refined by CGAL.
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -117,8 +117,8 @@ inline Mesh triangulated_by_cgal(const Pslg& pslg) {
   return mesh;
 }
 
-/// A quality mesh by CGAL Mesh_2 with corners and coordinates only, as a file may have it. Angles are at least 20.6
-/// degrees (Mesh_2's default bound) where the input has no small angles.
+/// A quality mesh by CGAL Mesh_2. It has only corners and coordinates, like a mesh from a file. Angles are at least
+/// 20.6 degrees (Mesh_2's default bound) if the input has no small angles.
 inline Mesh refined_by_cgal(const Pslg& pslg, double max_edge) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Structure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,

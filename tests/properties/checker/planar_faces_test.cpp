@@ -1,4 +1,4 @@
-// Faces of plane graphs, and the domains that they make up.
+// Faces of plane graphs, and the domains that consist of these faces.
 #include "../../../properties/checker/model/planar_faces.hpp"
 
 #include <gtest/gtest.h>

@@ -67,7 +67,7 @@ TEST(Statistics, a_million_small_areas_are_not_lost_next_to_a_large_one) {
   mesh.points.push_back({0x1p-11, 0});
   mesh.points.push_back({0, 0x1p-11});
   for (int i = 0; i < 1 << 20; ++i) mesh.triangles.push_back({{0, 3, 4}, {no_index, no_index, no_index}});
-  // Each of the small ones is a quarter of a unit in the last place of the large one.
+  // The area of each small triangle is a quarter of a unit in the last place of the large triangle's area.
   EXPECT_EQ(statistics(mesh).area, 0x1p31 + 0.125);
 }
 

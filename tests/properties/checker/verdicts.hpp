@@ -18,7 +18,7 @@ inline ::testing::AssertionResult is_valid(const Certificate& certificate) {
   return ::testing::AssertionFailure() << to_text(certificate);
 }
 
-/// The certificate counts this kind and lists a violation of it with a witness.
+/// True if the certificate counts this kind and lists a violation of this kind with a witness.
 inline ::testing::AssertionResult reports(const Certificate& certificate, ViolationKind kind) {
   const auto of_kind = [&](const Violation& v) { return v.kind == kind && !v.witness.empty(); };
   if (!certificate.valid && count(certificate, kind) > 0 &&
@@ -27,7 +27,7 @@ inline ::testing::AssertionResult reports(const Certificate& certificate, Violat
   return ::testing::AssertionFailure() << "no " << name(kind) << " in\n" << to_text(certificate);
 }
 
-/// This kind and no other.
+/// True if the certificate reports this kind and no other.
 inline ::testing::AssertionResult reports_only(const Certificate& certificate, ViolationKind kind) {
   for (const Violation& violation : certificate.violations)
     if (violation.kind != kind) return ::testing::AssertionFailure() << violation.message();

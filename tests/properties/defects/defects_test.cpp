@@ -1,4 +1,5 @@
-// The checker finds every seeded defect, at several places of several meshes, and reports the expected kind.
+// Defects are put into valid meshes, at several places of several meshes. The checker reports each with the expected
+// kind.
 #include "../../../properties/defects/defects.hpp"
 
 #include <set>
@@ -38,7 +39,7 @@ Pslg labelled_square() {
   return pslg;
 }
 
-/// The last of its three faces belongs to no region.
+/// A domain with three faces. The last face belongs to no region.
 Pslg two_regions_of_three() {
   Pslg pslg = domains::regions();
   pslg.regions.pop_back();
@@ -122,7 +123,7 @@ PARDEL_FACT(Checker, accepts_right_meshes,
   }
 }
 
-/// Makes the defect at several places of every mesh and expects the verdict; returns at how many places.
+/// Makes the defect at several places of every mesh and expects the verdict. Returns the number of places.
 std::uint64_t expect_verdict(const defects::Defect& defect) {
   std::uint64_t places = 0;
   for (const Subject& subject : subjects()) {
@@ -150,7 +151,7 @@ void reports(properties::Facts& facts) {
   EXPECT_GT(facts.cases, 0U);
 }
 
-/// Areas differ only where something else is wrong as well, so no defect has this kind.
+/// Areas differ only if something else is wrong, too. Therefore no defect has this kind.
 template <>
 void reports<ViolationKind::area_mismatch>(properties::Facts& facts) {
   Subject square = subjects().front();

@@ -1,4 +1,4 @@
-// Edits leave a consistent mesh: the checker finds no violation except those that the geometry of the edit causes.
+// Edits leave a consistent mesh: the checker finds only violations that the geometry of the edit causes.
 #include "../../../properties/defects/edit.hpp"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@ namespace pardel::mutants {
 namespace {
 namespace fs = std::filesystem;
 
-/// A project with one folder of sources, and the copy that is made of it.
+/// A project with one folder of sources, and a patched copy of this folder.
 class PatchedCopy : public testing::Test {
  public:
   PatchedCopy() : folder_(fs::temp_directory_path() / ("pardel-patch-test-" + std::to_string(::getpid()))) {
