@@ -23,7 +23,7 @@ void force_edge(PlainMesh& mesh, Index a, Index b);
 /// Flips unconstrained edges until every one is locally Delaunay. Then the mesh is constrained Delaunay.
 void flip_to_delaunay(PlainMesh& mesh);
 
-/// The constrained Delaunay triangulation of the convex hull of the points. Preconditions: those of delaunay(); two
+/// The constrained Delaunay triangulation of the convex hull of the points. Preconditions: as for delaunay(); two
 /// walls meet only in common ends, and no point lies inside a wall.
 [[nodiscard]] PlainMesh constrained_delaunay(const std::vector<Point>& points, const std::vector<Edge>& walls);
 

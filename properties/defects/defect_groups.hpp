@@ -15,8 +15,8 @@ namespace pardel::defects {
 [[nodiscard]] std::span<const Defect> defects_of_labels();
 [[nodiscard]] std::span<const Defect> defects_of_goals();
 
-/// Calls attempt(place) for the places 0 to n - 1, starting at one that the seed chooses, until an attempt returns
-/// true. False if none does.
+/// Calls attempt(place) for the places 0 to n - 1 in cyclic order, from a place that depends on the seed, until an
+/// attempt returns true. Returns false if no attempt does.
 template <class Attempt>
 bool at_some(std::size_t n, std::uint64_t seed, const Attempt& attempt) {
   const std::uint64_t start = seed * 0x9e3779b97f4a7c15 >> 20;
@@ -47,7 +47,8 @@ bool at_some_vertex(const Mesh& mesh, std::uint64_t seed, const Attempt& attempt
 [[nodiscard]] inline bool is_on_segment(const Pslg& pslg, const Mesh& mesh, Index v) {
   return mesh.origin[v] < pslg.segments.size();
 }
-/// A number below n that depends on the seed, practically independent of the start in at_some(). Precondition: n > 0.
+/// A number below n that depends on the seed. It is practically independent of the first place in at_some().
+/// Precondition: n > 0.
 [[nodiscard]] inline Index another(std::uint64_t seed, std::size_t n) {
   return static_cast<Index>((seed * 0xd1342543de82ef95 >> 24) % n);
 }

@@ -1,5 +1,5 @@
-// Seeded defects: ways to make a valid mesh wrong, each with the kind of violation that the checker must then report.
-// They prove that the checker finds errors.
+// Seeded defects: changes that make a valid mesh wrong at a random place. Each defect names the kind of violation that
+// the checker must then report. The defects test that the checker finds errors.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace pardel::defects {
 struct Defect {
   std::string_view name;
   ViolationKind expected;  ///< must be among the reported kinds; one defect may break several rules
-  /// Makes the defect at one place, which the seed chooses. False, and nothing is changed, where the mesh has no place
-  /// for it. Precondition: the mesh is valid for the Pslg and the goal, and has its origins.
+  /// Makes the defect at one place that depends on the seed. Changes nothing and returns false if the mesh has no
+  /// suitable place. Precondition: the mesh is valid for the Pslg and the goal, and has the origins of its vertices.
   bool (*inject)(Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed);
 };
 

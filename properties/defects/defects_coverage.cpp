@@ -21,7 +21,7 @@ bool disjoint(const Triangle& t, const Triangle& u) {
   return std::ranges::none_of(t.v, [&](Index v) { return std::ranges::count(u.v, v) != 0; });
 }
 
-/// Removes the triangles for which `drop` holds. False, and nothing is changed, where these are none or all.
+/// Removes the triangles for which `drop` is true. Changes nothing and returns false if it is true for none or for all.
 template <class Drop>
 bool drop_triangles(Mesh& mesh, const Drop& drop) {
   std::vector<Index> ids;
@@ -32,8 +32,8 @@ bool drop_triangles(Mesh& mesh, const Drop& drop) {
   return true;
 }
 
-/// For each boundary vertex the next one, with the outside of the mesh on the left. Vertices at which two parts of the
-/// boundary touch are left out.
+/// For each boundary vertex the next vertex of the boundary, with the outside of the mesh on the left. Vertices at
+/// which two parts of the boundary touch have no entry.
 std::map<Index, Index> outside_paths(const Mesh& mesh) {
   std::map<Index, Index> next;
   std::map<Index, int> times;
@@ -212,7 +212,7 @@ constexpr Defect group[] = {
        return at_some_vertex(mesh, seed, [&](Index v) {
          const auto star = edit::star(mesh, v);
          if (!is_interior(mesh, v) || star.size() < 4) return false;
-         // Half of the triangles around v get the copy as their corner.
+         // In half of the triangles around v, the copy replaces v.
          const Index copy = edit::append_point(mesh, mesh.points[v]);
          Index t = star[0];
          for (std::size_t k = 0; k < star.size() / 2; ++k) {

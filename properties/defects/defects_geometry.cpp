@@ -39,7 +39,7 @@ bool some_not_delaunay(const Mesh& mesh, const std::vector<Index>& ids) {
   });
 }
 
-/// Moves a vertex. Where suits() is false afterwards, the vertex is moved back and the result is false.
+/// Moves a vertex. If suits() is false afterwards, moves the vertex back and returns false.
 template <class Suits>
 bool move(Mesh& mesh, Index v, Point to, const Suits& suits) {
   const Point from = std::exchange(mesh.points[v], to);
@@ -101,7 +101,7 @@ constexpr Defect group[] = {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index v = edit::apex(mesh, s), a = edit::tail(mesh, s), b = edit::head(mesh, s);
          if (!is_interior(mesh, v)) return false;
-         // Only where rounding leaves the midpoint on the edge.
+         // This works only if the rounded midpoint lies exactly on the edge.
          return move(mesh, v, edit::between(mesh.points[a], mesh.points[b]),
                      [&] { return edit::orientation(mesh, a, b, v) == 0; });
        });

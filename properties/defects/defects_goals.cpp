@@ -1,4 +1,4 @@
-// Defects of size and shape: bounds that are missed by the smallest representable amount, or by a lot.
+// Defects of size and shape: triangles that miss a bound by the smallest representable amount, or by a large amount.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ bool exceeds_area(const Mesh& mesh, Index t, double cap) {
   return checker::exactly::area_exceeds(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], cap);
 }
 
-/// The triangle with the largest area in `region`, or in the mesh where `region` is no_index.
+/// The triangle with the largest area in `region`, or in the mesh if `region` is no_index.
 Index largest(const Mesh& mesh, Index region) {
   Index best = no_index;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
@@ -29,7 +29,7 @@ Index largest(const Mesh& mesh, Index region) {
   return best;
 }
 
-/// The largest double for which `exceeds` is true. Precondition: `about` is positive and near to it.
+/// The largest double for which `exceeds` is true. Precondition: `about` is positive and near to this double.
 template <class Exceeds>
 double just_exceeded(double about, const Exceeds& exceeds) {
   while (exceeds(about)) about = std::nextafter(about, infinity);
@@ -41,9 +41,9 @@ double just_too_small_a_cap(const Mesh& mesh, Index t) {
   return just_exceeded(edit::area(mesh, t), [&](double cap) { return exceeds_area(mesh, t, cap); });
 }
 
-/// Deletes an interior vertex (of the region, or of the mesh where `region` is no_index) so that a triangle becomes
-/// larger than the largest one was. Returns an area cap that held before and does not hold now; 0 if there is no
-/// such vertex.
+/// Deletes an interior vertex (of the region, or of the mesh if `region` is no_index). Afterwards a triangle is larger
+/// than the largest triangle was before. Returns an area cap that held before and does not hold now; 0 if no vertex is
+/// suitable.
 double delete_vertex_against_cap(Mesh& mesh, Index region, std::uint64_t seed) {
   const Index worst = largest(mesh, region);
   if (worst == no_index) return 0;
@@ -74,8 +74,8 @@ bool is_far_from_input(const Mesh& mesh, Index t) {
   return std::ranges::all_of(mesh.triangles[t].v, [&](Index v) { return is_interior(mesh, v); });
 }
 
-/// Sets the angle bound `more` degrees above the smallest angle of the triangles far from the input. False if there
-/// is no such triangle.
+/// Sets the angle bound `more` degrees above the smallest angle of the triangles far from the input. Returns false if
+/// no triangle is far from the input.
 bool demand_more(const Mesh& mesh, Goal& goal, double more) {
   double worst = 180;
   for (Index t = 0; t < mesh.triangles.size(); ++t)

@@ -16,15 +16,15 @@ using namespace drawing;
 
 namespace {
 
-/// In [0, 1), a multiple of 2^-40.
+/// A number in [0, 1), a multiple of 2^-40.
 double coordinate(generators::Random& random) { return static_cast<double>(random.next() >> 24) * 0x1p-40; }
 
 /// The key's outline, counter-clockwise from the lower end of the bow: along the lower side of the shaft to the bit,
 /// around the tip, along the upper side of the shaft and around the bow. Lengths are in centimetres.
 Path key_outline() {
-  constexpr double shaft = 0.19;  // half its thickness
-  constexpr double bow = 1.0;     // outer radius, centre at the origin
-  constexpr double fillet = 0.3;  // between bow and shaft
+  constexpr double shaft = 0.19;  // half the thickness of the shaft
+  constexpr double bow = 1.0;     // the outer radius of the bow; its centre is the origin
+  constexpr double fillet = 0.3;  // the radius of the fillet between bow and shaft
   // The circle of the fillet touches the bow from outside and the shaft from above or below.
   constexpr double fillet_y = shaft + fillet;
   const double fillet_x = std::sqrt((bow + fillet) * (bow + fillet) - fillet_y * fillet_y);
@@ -204,7 +204,7 @@ Pslg cracks() {
 }
 
 Pslg regions() {
-  // Cut by a straight wall and by a bent one.
+  // A straight path and a bent path of segments divide the rectangle into three regions.
   Pslg pslg;
   add_closed(pslg, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0, 1}}, 1);
   pslg.segments.push_back({1, 6, 2});

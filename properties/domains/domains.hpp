@@ -58,8 +58,8 @@ namespace pardel::domains {
 [[nodiscard]] Pslg regions();
 
 /// Every point p, hole and seed becomes scale * p + (dx, dy), in doubles; area caps are multiplied by scale^2. For
-/// tests of coordinates far from the origin, such as (654321, 4987654). The result is valid only while rounding keeps
-/// points apart.
+/// tests of coordinates far from the origin, such as (654321, 4987654). The result is valid only if different points
+/// stay different after rounding.
 [[nodiscard]] Pslg moved(Pslg pslg, double dx, double dy, double scale = 1);
 
 /// The domain that `pardel generate NAME` writes. Arguments: a name from names(), and a size n and a seed for domains

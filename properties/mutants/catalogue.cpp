@@ -40,7 +40,7 @@ std::map<std::string, std::set<std::string>> mutants_of_property() {
   return result;
 }
 
-/// The text as it must stand in a cell of a table.
+/// The text with the escapes that a cell of a Markdown table needs.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -50,7 +50,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The families of inputs, then the share of all cases that each tag has, the largest share first.
+/// The families of inputs, followed by each tag with its share of all cases, the largest share first.
 std::string tried_on(const json& record) {
   std::string text = record.at("families");
   const double cases = record.at("cases");

@@ -1,4 +1,4 @@
-// The catalogue has a row for every property in the sources and for every statement of the theory.
+// Tests that the catalogue has a row for every property in the sources and for every statement of the theory.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -20,7 +20,7 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The first group of every match, or the first two groups with a dot between them.
+/// For every match: its first group, or its first two groups with a dot between them.
 std::set<std::string> found(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
   std::set<std::string> result;
@@ -40,7 +40,7 @@ std::set<std::string> properties_in_the_sources() {
   return properties;
 }
 
-/// The LABEL of every heading "### LABEL: title", except of sections that say "Tested by: nothing".
+/// The LABEL of every heading "### LABEL: title", except for sections that contain "Tested by: nothing".
 std::set<std::string> statements_of_the_theory() {
   const std::string theory = contents(fs::path(PARDEL_SOURCE) / "properties/THEORY.md");
   std::set<std::string> labels;

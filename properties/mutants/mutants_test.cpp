@@ -1,7 +1,7 @@
-// For every known mistake, the property that the registry names must fail.
+// Tests that every known mistake makes the property fail that the registry names (its killer).
 //
-// The killer of a mutant runs twice in its mutated twin, on the same random cases: with all mutants off, where it must
-// pass (one test per killer, named no_mutant.PROPERTY), and with the mutant on, where it must fail.
+// The killer of a mutant runs twice in its mutated twin, on the same random cases. With all mutants off it must pass
+// (one test per killer, named no_mutant.PROPERTY); with the mutant on it must fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,8 @@ struct Run {
   std::string output;
 };
 
-/// Few cases, and no shrinking: one failing case is enough. A property must find a mistake within these limits.
+/// The killers run with few cases and without shrinking, because one failing case is enough. A property must find a
+/// mistake within these limits.
 constexpr const char* parameters = "max_success=1000 noshrink=1";
 constexpr int time_limit_seconds = 60;
 

@@ -1,5 +1,5 @@
-// The switches of the mutants. The build includes this file before every source file of the mutated twins; no other
-// code uses it.
+// The switches of the mutants. A mutated twin is a test program that is built from sources with all mutants. The build
+// includes this file before every source file of the twins; no other code uses it.
 #pragma once
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace pardel {
 /// True if this mutant is switched on.
 [[nodiscard]] inline bool mutated(std::string_view mutant) { return mutant == chosen_mutant(); }
 
-/// The same for a member of a family. The mutant's name is the family's name followed by the member's name.
+/// True if this member of a family is switched on. A mutant's name is the family's name followed by the member's name.
 [[nodiscard]] inline bool mutated(std::string_view family, std::string_view member) {
   const std::string_view chosen = chosen_mutant();
   return chosen.starts_with(family) && chosen.substr(family.size()) == member;

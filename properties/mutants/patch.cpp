@@ -13,7 +13,7 @@ namespace pardel::mutants {
 namespace {
 namespace fs = std::filesystem;
 
-/// By path relative to the root.
+/// Texts of files, by the path relative to the root.
 using Sources = std::map<fs::path, std::string>;
 
 std::string contents(const fs::path& file) {
@@ -67,7 +67,7 @@ const Patch* patch_of(const std::string& mutant, const std::vector<Patch>& patch
   return family;
 }
 
-/// Notes the message of an error that `action` throws.
+/// Runs `action` and records the message of the exception that it throws, if any.
 template <class Action>
 void attempt(std::vector<std::string>& errors, Action&& action) {
   try {
@@ -84,7 +84,7 @@ std::vector<Patch> read_patches(const fs::path& folder, std::vector<std::string>
   return patches;
 }
 
-/// In the order of the registry; a family comes where its first member is.
+/// The patches in the order of the registry. A family has the place of its first member.
 std::vector<const Patch*> in_order(const std::vector<Patch>& patches, const fs::path& registry,
                                    std::vector<std::string>& errors) {
   std::vector<const Patch*> ordered;

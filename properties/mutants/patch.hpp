@@ -1,4 +1,4 @@
-// The patches that bring the mutants into a copy of the sources.
+// The patches that add the mutants (known mistakes that can be switched on) to a copy of the sources.
 //
 // properties/mutants/patches/NAME.patch holds the mutant NAME of the registry. If NAME ends with an underscore, the
 // patch holds a family: all mutants of the registry whose names begin with NAME. The first line of a patch is the path
@@ -29,7 +29,7 @@ struct Patch {
 };
 
 /// Reads a patch; its name is the file's name without ".patch". Throws std::runtime_error if a line begins with another
-/// character, a hunk looks for nothing, or no added line contains the mutant's switch.
+/// character, a hunk has neither context nor removed lines, or no added line contains the mutant's switch.
 [[nodiscard]] Patch read_patch(const std::filesystem::path& file);
 
 /// Applies all hunks of the patch, each to the result of the one before it. Throws std::runtime_error if the old lines
@@ -38,9 +38,9 @@ struct Patch {
 
 /// Copies the C++ files (*.hpp, *.cpp) below the given folders of `root` to the same paths in `copy`, with the patches
 /// in root/properties/mutants/patches applied in the order of root/properties/mutants/registry. Writes only the files
-/// whose text changes. Removes the C++ files below the same folders of `copy` that have no source. If something is
-/// wrong with a patch, it changes nothing and returns one line for each patch that does not apply, each mutant without
-/// a patch and each patch without a mutant.
+/// whose text changes. Removes the C++ files below the same folders of `copy` that no longer exist in `root`. If a
+/// patch is wrong, it changes nothing and returns one line for each patch that does not apply, each mutant without a
+/// patch and each patch without a mutant.
 [[nodiscard]] std::vector<std::string> copy_with_mutants(const std::filesystem::path& root,
                                                          const std::vector<std::string>& folders,
                                                          const std::filesystem::path& copy);

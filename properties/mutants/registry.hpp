@@ -7,11 +7,11 @@
 
 namespace pardel::mutants {
 
-/// How the run of one property in a test program ends.
+/// The end of the run of one property in a test program.
 enum class End {
   passed,     ///< the property holds
   failed,     ///< GoogleTest reports that the property fails
-  crashed,    ///< a signal ended the program, or its exit code is another one
+  crashed,    ///< the run ended in any other way, for example by a signal
   timed_out,  ///< the time limit ended the program
   not_found   ///< the program has no such property
 };
@@ -25,16 +25,16 @@ struct Killer {
 };
 
 struct Mutant {
-  std::string name;       ///< the value of PARDEL_MUTANT that switches it on
-  std::string file;       ///< the source file that it changes, relative to the project's root
+  std::string name;       ///< the value of PARDEL_MUTANT that switches the mutant on
+  std::string file;       ///< the source file that the mutant changes, relative to the project's root
   std::string mistake;    ///< a description for the reader
   Killer killer;          ///< the property that must fail
   End end = End::failed;  ///< how the killer's run must end
 };
 
 /// Reads a registry: one mutant per line, in columns separated by " | ". The columns are the name, the source file, the
-/// mistake, and the killer (program and property, separated by a space). A fifth column, "crashed" or "timed out", is
-/// there if the killer's run does not end with a failed assertion. Blank lines and lines that begin with # are ignored.
+/// mistake, and the killer (program and property, separated by a space). If the killer's run does not end with a failed
+/// assertion, there is a fifth column, "crashed" or "timed out". Blank lines and lines that begin with # are ignored.
 /// Throws std::runtime_error if the file cannot be read or a line is not of this form.
 [[nodiscard]] std::vector<Mutant> read_registry(const std::filesystem::path& file);
 

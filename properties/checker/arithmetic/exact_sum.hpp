@@ -27,7 +27,7 @@ class ExactSum {
 
   /// The exact sign: -1, 0 or +1.
   [[nodiscard]] int sign() const;
-  /// The value, with a relative error of at most 2^-50; infinite where it exceeds every double.
+  /// The value, with a relative error of at most 2^-50; infinite if it exceeds every double.
   [[nodiscard]] double rounded() const;
 
  private:

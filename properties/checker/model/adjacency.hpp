@@ -78,8 +78,8 @@ class Adjacency {
     return fans;
   }
 
-  /// Finds the irregular vertices and lists their triangles. Afterwards visit_fans() visits all triangles of such a
-  /// vertex, in ascending order instead of around the vertex. Linear time.
+  /// Finds the irregular vertices and lists their triangles. Afterwards visit_fans() visits all triangles of an
+  /// irregular vertex, in ascending order instead of around the vertex. Linear time.
   void index_irregular_vertices();
 
   /// The triangle on the left of the edge from a to b, if there is one. Time: the degree of a.

@@ -21,7 +21,7 @@ struct ChainEdge {
 struct Chains {
   std::vector<ChainEdge> edges;  ///< sorted by segment, and in order along each segment
   Array<Index> segment_of;       ///< per vertex: the segment whose interior contains it, or no_index
-  Array<std::uint8_t> on_chain;  ///< per triangle: bit i is set where edge i belongs to a chain
+  Array<std::uint8_t> on_chain;  ///< per triangle: bit i is set if edge i belongs to a chain
   std::vector<Index> broken;     ///< segments of the domain without a chain
 
   [[nodiscard]] bool has(Index triangle, int edge) const { return (on_chain[triangle] >> edge & 1) != 0; }

@@ -27,7 +27,7 @@ class Findings {
     if (admit(kind)) keep({kind, std::move(ids), std::move(where), std::move(witness)});
   }
 
-  /// Appends the violations of another list, as if they had been found after those of this list.
+  /// Appends the violations of another list, as if they had been found after the violations of this list.
   void append(Findings other);
 
   [[nodiscard]] std::uint64_t count(ViolationKind kind) const { return counts_[index(kind)]; }

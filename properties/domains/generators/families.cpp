@@ -1,4 +1,4 @@
-// Draws a domain of each family: first the part that gives the trait, then more that does not destroy it.
+// Generates a random domain of each family: first the part that has the trait, then further parts that keep the trait.
 #include <algorithm>
 #include <cstdlib>
 
@@ -10,7 +10,7 @@
 namespace pardel::generators {
 namespace {
 
-/// The state of one drawing. `size` is from 0 to 100.
+/// The state of the generation of one domain. `size` is from 0 to 100.
 struct Drawing {
   Draft draft;
   Random& random;
@@ -27,7 +27,7 @@ void add_hole(Draft& draft, const Contour& ring) {
   draft.hole_left_of(ring[0], ring[1]);
 }
 
-/// Adds rings, half of them holes, and points to [0, side]^2, where they fit.
+/// Adds rings (about half of them become holes) and points in [0, side]^2, if they fit.
 void fill_up(Drawing& d, int side, int rings, int points) {
   for (int i = d.some(0, rings); i > 0; --i) {
     const Contour ring = small_ring(d.random, d.inside(side), std::max(2, side / 6));
@@ -58,7 +58,7 @@ bool is_in_general_position(const Contour& points, LatticePoint p) {
 }
 
 void draw_general_position(Drawing& d) {
-  // A fat triangle first, because a thin hull would need very many triangles.
+  // Start with a triangle without small angles, because the mesh of a thin hull needs very many triangles.
   const auto near = [&](int x, int y) { return LatticePoint{x, y} + anywhere(d.random, -150, 150); };
   for (const LatticePoint p : {near(0, 0), near(1000, 0), near(500, 1000)}) d.draft.point(p);
   // In the end about one place in eight is still suitable.
@@ -76,7 +76,7 @@ void draw_general_position(Drawing& d) {
   }
 }
 
-/// The twelve lattice points on a circle of radius 5 about the middle of [0, 10]^2, times `unit`.
+/// The twelve lattice points on the circle of radius 5 around the middle of [0, 10]^2, multiplied by `unit`.
 Contour dodecagon(int unit) {
   Contour contour = {{10, 5}, {9, 8}, {8, 9}, {5, 10}, {2, 9}, {1, 8}, {0, 5}, {1, 2}, {2, 1}, {5, 0}, {8, 1}, {9, 2}};
   for (LatticePoint& p : contour) p = unit * p;
@@ -149,7 +149,7 @@ void draw_near_duplicates(Drawing& d) {
   fill_up(d, side, 2, 8);
 }
 
-/// p after `times` quarter turns.
+/// p, rotated by `times` quarter turns.
 LatticePoint turned(LatticePoint p, int times) {
   for (; times > 0; --times) p = {-p.y, p.x};
   return p;
@@ -232,7 +232,7 @@ void draw_nested_holes(Drawing& d) {
     const Contour ring = d.chance(2) ? box(corner, side, side) : cut_box(d.random, corner, side, side);
     d.draft.polygon(ring);
     if (i % 2 == 1) d.draft.hole_left_of(ring[0], ring[1]);
-    // The next ring must stay clear of corners that were cut off, by less than a third of the side along both sides.
+    // The next ring must not reach the cut corners. A cut takes less than a third of each of the two sides.
     const int inset = side / 6 + d.random.between(1, 2);
     corner = corner + LatticePoint{inset, inset};
     side -= 2 * inset + d.random.between(0, 1);
@@ -241,7 +241,7 @@ void draw_nested_holes(Drawing& d) {
   fill_up(d, 10 * rings, 2, 10);
 }
 
-/// Diamonds in a column that touch each other. The lowest may touch the outline.
+/// Diamonds in a column that touch each other. The lowest diamond may touch the outline.
 void draw_diamonds(Drawing& d) {
   const int w = d.random.between(2, 8), h = d.random.between(2, 6), diamonds = d.some(2, 4);
   LatticePoint bottom{d.random.between(w + 2, 20), d.random.between(0, 2)};

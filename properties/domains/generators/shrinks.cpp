@@ -1,5 +1,5 @@
-// Simpler domains. Every step maps the domain to an image: points move, merge or disappear, segments follow their ends,
-// and each seed gets a new place in the image of its face.
+// Makes simpler domains. Every step maps the domain to an image: points move, merge or disappear, segments join the
+// images of their ends, and each seed gets a new place in the image of its face.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -32,7 +32,7 @@ class Shrinker {
  private:
   /// Describes the image of every part of the domain.
   struct Image {
-    std::vector<Index> point;          ///< per point: the point that it becomes; no_index: it disappears
+    std::vector<Index> point;          ///< per point: its image; no_index if the point disappears
     std::vector<LatticePoint> places;  ///< new places of all points
     std::vector<char> keeps_segment, keeps_hole, keeps_region;
   };
@@ -114,7 +114,7 @@ class Shrinker {
     if (plain != domain_) simpler_.push_back(plain);
   }
 
-  /// True if the segment lies between this face and one that is not the exterior.
+  /// True if the segment lies between this face and another face that is not the exterior.
   [[nodiscard]] bool borders_inside(Index segment, Index face) const {
     const Index left = faces_.left_of(2 * segment), right = faces_.left_of(2 * segment + 1);
     return (left == face || right == face) && is_inside(segment);

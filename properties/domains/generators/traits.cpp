@@ -1,4 +1,4 @@
-// Decides the traits of the families.
+// Tests domains for the traits of the families.
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -106,7 +106,7 @@ bool has_island(const LatticeFaces& faces) {
   });
 }
 
-/// True if the domain and two different other faces alternate around some point.
+/// True if a point exists around which the domain alternates with at least two different other faces.
 bool has_touching_holes(const Points& points, const LatticeFaces& faces) {
   for (Index p = 0; p < points.size(); ++p) {
     std::set<Index> entered;  // faces outside the domain that follow the domain counter-clockwise

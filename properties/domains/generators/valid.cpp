@@ -1,4 +1,4 @@
-// Decides validity, by definition.
+// Tests domains for validity. Every function follows the definition literally.
 #include <algorithm>
 #include <cstdlib>
 #include <set>

@@ -1,7 +1,7 @@
 // Searches for pairs of points that are as far apart as possible although their cavities meet in a certain way. Each
-// search uses a family of scenes in which all circumradii are nearly equal, so that r̄ is as small as possible. A larger
-// `scale` (at least 2) means a finer lattice. The search tests lattice positions near the two positions that are best
-// in the limit of a large scale.
+// search uses a family of scenes in which all circumradii are nearly equal, so that r̄ is as small as possible.
+// A larger `scale` (at least 2) means a finer lattice. The search tests lattice positions near the two positions that
+// are best in the limit of a large scale.
 #pragma once
 
 #include "../framework/scenes.hpp"

@@ -89,11 +89,11 @@ std::optional<Regions> regions_apart(Random& random, const MeshedScene& given, A
   return std::nullopt;
 }
 
-/// The input of a case: a scene, and a seed of the random numbers for all other choices.
+/// The input of a case: a scene, and a generator of random numbers for all other choices.
 struct Given {
   MeshedScene meshed;
   Random random;
-  int insertions;  ///< per task, at most
+  int insertions;  ///< the largest number of insertions per task
 };
 
 Given some_scene(bool walls) {
@@ -222,7 +222,7 @@ PARDEL_PROPERTY(TRegion, the_triangles_in_reach_and_sight_of_a_point_are_its_cav
     RC_ASSERT(ref::in_reach_and_sight_of(given.mesh, {p, p}) == cavity(given.mesh, ref::exact(p)));
 }
 
-/// Two disjoint boxes: cuts the scene's bounding box in two with a gap between the parts, and perhaps one part again.
+/// Two disjoint boxes: divides the scene's bounding box into two parts with a gap, and perhaps divides one part again.
 Regions some_disjoint_boxes(Random& random, const Scene& scene) {
   const auto [left, right] = std::ranges::minmax(scene.points, {}, &Point::x);
   const auto [below, above] = std::ranges::minmax(scene.points, {}, &Point::y);
@@ -294,7 +294,7 @@ PARDEL_PROPERTY(
   tasks_that_own_boxes_do_not_meet(exhibit, true);
 }
 
-/// Searches for a random scene with two insertions for which shows(scene) is true, and shrinks it.
+/// Searches for a random scene with two insertions for which shows(scene) is true, and shrinks this scene.
 template <class Shows>
 std::optional<Scene> search(Facts& facts, const SceneSpec& spec, Shows shows) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {

@@ -68,7 +68,7 @@ bool Draft::free_polygon(const std::vector<LatticePoint>& contour) {
   const bool holds_a_point = std::ranges::any_of(points_, [&](LatticePoint p) {
     return p.x >= corners[0].x && p.x <= corners[2].x && p.y >= corners[0].y && p.y <= corners[2].y;
   });
-  // A segment that meets the box and has no end in it passes through a corner or crosses a side.
+  // A segment that meets the box and has no end in the box passes through a corner or crosses a side.
   const bool meets_a_segment = std::ranges::any_of(segments_, [&](const Segment& s) {
     for (int i = 0; i < 4; ++i)
       if (lies_inside(corners[i], points_[s.a], points_[s.b]) ||
@@ -82,7 +82,7 @@ bool Draft::free_polygon(const std::vector<LatticePoint>& contour) {
 }
 
 void Draft::hull() {
-  // Jarvis's march. Of several points on a line the nearest is the next.
+  // Jarvis's march. If several points lie on one line, the nearest point is the next.
   const LatticePoint first = std::ranges::min(points_);
   LatticePoint at = first;
   do {

@@ -59,7 +59,7 @@ void LatticeFaces::link() {
 
 void LatticeFaces::trace_contours() {
   contour_of_.assign(ends_.size(), no_index);
-  std::vector<Index> lowest;  // per contour: its leftmost point; of several the lowest
+  std::vector<Index> lowest;  // per contour: the lowest of its leftmost points
   for (Index start = 0; start < ends_.size(); ++start) {
     if (contour_of_[start] != no_index) continue;
     const auto contour = static_cast<Index>(lowest.size());
