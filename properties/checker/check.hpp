@@ -1,7 +1,7 @@
 // The independent checker: decides whether a mesh is a correct mesh of a Pslg and meets a Goal.
 //
-// The checker shares no code with the mesher. Both use only the plain data types of core/. The checker does
-// not rely on anything that the mesh states about itself.
+// The checker shares no code with the mesher. They have only the plain data types of core/ in common. The
+// checker does not rely on anything that the mesh states about itself.
 //
 //     const pardel::Certificate certificate = pardel::check(pslg, mesh, goal);
 //     if (!certificate.valid) std::cerr << to_text(certificate);
