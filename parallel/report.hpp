@@ -55,8 +55,8 @@ struct Tiling {
   Index columns = 1, rows = 1;  ///< of the finest lattice
   double cell_width = 0, cell_height = 0;
   Point low, high;  ///< corners of the rectangle that the lattice divides
-  /// For each cell of the finest lattice the first thread, from 0, that worked on it; -1: none. The lowest row comes
-  /// first. Only this list and the times may differ from run to run.
+  /// For each cell of the finest lattice the first thread, from 0, that worked on it; -1: no thread. The lowest row
+  /// comes first. Only this list and the times may differ from run to run.
   std::vector<std::int16_t> thread_of_cell;
   std::uint64_t vertices_before = 0;  ///< number of vertices inserted on coarser lattices
   double largest_radius = 0;          ///< r̄, the largest circumradius when work on the finest lattice began
@@ -84,7 +84,7 @@ struct Report {
 
   /// The number of exemptions with this reason.
   [[nodiscard]] std::uint64_t count(ExemptReason reason) const;
-  /// True where every exemption is justified().
+  /// True if every exemption is justified().
   [[nodiscard]] bool goal_met() const;
 };
 

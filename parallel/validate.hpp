@@ -72,7 +72,7 @@ class ValidPslg {
  public:
   [[nodiscard]] const Pslg& pslg() const& { return pslg_; }
   [[nodiscard]] Pslg pslg() && { return std::move(pslg_); }
-  /// True where the domain is the convex hull: ValidateOptions::convex_hull was set, or there are no segments.
+  /// True if the domain is the convex hull: ValidateOptions::convex_hull was set, or there are no segments.
   [[nodiscard]] bool convex_hull() const { return convex_hull_; }
 
  private:

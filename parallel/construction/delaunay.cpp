@@ -135,8 +135,7 @@ class RoundInserter {
         [&](Index cell, std::size_t i) { tiles[cell].positions.push_back(static_cast<Index>(first + i)); });
     find_starts(lattice, tiles, triangle_count(first));
     for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
-      // Check before the tasks start that each tile's start is still in its box: while they run, another task may
-      // change it.
+      // Check here that each tile's start is still in its box: while tasks run, another task may change the start.
       std::vector<Index> cells;
       for (Index cell = 0; cell < lattice.cells(); ++cell)
         if (lattice.colour_of(cell) == colour && starts_inside(tiles[cell], lattice.box_of(cell)))

@@ -17,7 +17,7 @@ bool strictly_between(Point a, Point b, Point p) {
          (lexicographically_less(b, p) && lexicographically_less(p, a));
 }
 
-/// The common part of two segments on one line; empty where `end` is smaller than `begin`.
+/// The common part of two segments on one line; empty if `end` is smaller than `begin`.
 struct Stretch {
   Point begin, end;
 };

@@ -14,7 +14,7 @@ namespace pardel::engine {
 
 /// All points on the boundary of the convex hull, including those in the interior of its edges, counter-clockwise from
 /// the lexicographically smallest. Equal points occur once. Exact. Precondition: the points are not all collinear.
-/// Time: O(n + h log h) typically, where h points lie outside an octagon of extreme points; O(n log n) at worst.
+/// Time: O(n + h log h) on typical input, if h points lie outside an octagon of extreme points; O(n log n) at worst.
 [[nodiscard]] std::vector<Index> convex_hull(std::span<const Point> points);
 
 }  // namespace pardel::engine

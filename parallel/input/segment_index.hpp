@@ -14,8 +14,8 @@
 
 namespace pardel::engine {
 
-/// Keeps references to the points and the segments, which must not change. Preconditions: indices and coordinates are
-/// in range (for coordinates, that of the predicates). Construction takes O(n log n).
+/// Keeps references to the points and the segments, which must not change. Preconditions: indices are valid, and
+/// coordinates are in the range of the predicates. Construction takes O(n log n).
 class SegmentIndex {
  public:
   SegmentIndex(std::span<const Point> points, std::span<const Segment> segments);

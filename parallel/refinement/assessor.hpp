@@ -1,4 +1,4 @@
-// Determines for a triangle if and where it has to be split.
+// Determines if a triangle has to be split, and at which point.
 #pragma once
 
 #include <cassert>

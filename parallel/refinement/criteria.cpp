@@ -15,8 +15,8 @@ constexpr double proven_angle_deg = 20.7;  // the diametral lens is never narrow
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 double squared(double x) { return x * x; }
 
-/// The sine of 0 <= x <= 2, by its series. std::sin may differ in the last bit between libraries, and that of glibc
-/// differs between processors with and without fused multiply-add. The coordinates of new points depend on this value
+/// The sine of 0 <= x <= 2, by its series. std::sin may differ in the last bit between libraries. In glibc it also
+/// differs between processors with and without fused multiply-add. The coordinates of new points depend on the sine
 /// and must not differ.
 double sine(double x) {
   double nested = 1;

@@ -12,21 +12,21 @@
 
 namespace pardel::engine {
 
-/// The goal in the form in which it is compared with triangles. The bounds are stricter than those of the goal by a
-/// relative 2^-40: a triangle that passes here, in floating point, also passes an exact comparison with the goal.
+/// The goal, prepared for comparisons with triangles. Its bounds are stricter than the bounds of the goal by a relative
+/// 2^-40: a triangle that passes here, in floating point, also passes an exact comparison with the goal.
 class Criteria {
  public:
   /// `region_caps`: one area cap per region of the triangulation. `area_cap`: the area cap at a point, or empty.
   Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
            std::function<double(Point)> area_cap = {});
 
-  /// True where the smallest angle is below the bound. A Pair of triangles gives a pair of answers.
+  /// True if the smallest angle is below the bound. For a Pair of triangles the result is a pair of answers.
   template <class T>
   [[nodiscard]] auto bad_shape(const MeasureOf<T>& s) const {
     // The smallest angle lies between the two longer sides. Its sine is twice the area divided by their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
-  /// True where the area exceeds the bound that holds everywhere.
+  /// True if the area exceeds the bound that holds everywhere.
   template <class T>
   [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {
     return m.twice_area > twice_max_area_;
@@ -37,7 +37,7 @@ class Criteria {
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
   /// True if the triangle exceeds one of these local bounds. `region`: the triangle's region, or no_index.
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
-  /// True where the corner opposite a constrained side encroaches on the side, which then has to be split. For a
+  /// True if the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
   /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
   /// `dot`: Measure::dot_at the corner. The other parameters: the squared lengths of the two sides at this corner.

@@ -23,8 +23,8 @@ struct Deferred {
 /// circumradius is at most the bound given here. It defers a triangle to the next round on the same lattice if its key
 /// is above `last_key`. By default nothing is deferred.
 struct Deferral {
-  double longest_squared = 0;  ///< a bound on the square of the longest side; 0: none
-  double squared_radius = 0;   ///< a bound on the square of the circumradius; 0: none
+  double longest_squared = 0;  ///< a bound on the square of the longest side; 0: no bound
+  double squared_radius = 0;   ///< a bound on the square of the circumradius; 0: no bound
   unsigned last_key = BucketQueue::last;
 
   /// The rule, evaluated with the lengths themselves.

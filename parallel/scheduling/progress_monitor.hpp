@@ -14,7 +14,7 @@ class ProgressMonitor {
  public:
   explicit ProgressMonitor(const Options& options) : options_(options) {}
 
-  /// `estimate`: the expected number of triangles of the final mesh, 0 where unknown.
+  /// `estimate`: the expected number of triangles of the final mesh, 0 if unknown.
   void start(double estimate, std::uint64_t vertices, std::uint64_t triangles);
   /// Replaces the counts of the running tasks by the exact numbers after a phase, and reports to the caller.
   void phase_ended(std::uint64_t vertices, std::uint64_t triangles);

@@ -35,7 +35,7 @@ struct DisksAndCorners {
 
 /// The requirements on a query. A query belongs to one point p and answers the questions of Cavity::find about p:
 ///
-/// - is_own(v): true where a triangle with the far corner v may be changed. The far corner of a triangle is the one
+/// - is_own(v): true if a triangle with the far corner v may be changed. The far corner of a triangle is the one
 ///   opposite the edge through which the walk enters it.
 /// - corner(v): the vertex v relative to p.
 /// - first_and_behind(slot, corners, e): two answers: if p lies in the disk of the walk's first triangle, and if p lies
