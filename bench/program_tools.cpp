@@ -7,6 +7,7 @@
 #include <fstream>
 #include <regex>
 
+#include "../cli/harness/programs.hpp"
 #include "../core/formats.hpp"
 #include "run_in_child.hpp"
 #include "tool.hpp"
@@ -15,19 +16,7 @@ namespace pardel::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The path of a program that is on the PATH; empty if there is none.
-fs::path on_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::string folders = path != nullptr ? path : "";
-  for (std::size_t start = 0; start <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', start), folders.size());
-    const fs::path candidate = fs::path(folders.substr(start, end - start)) / program;
-    if (access(candidate.c_str(), X_OK) == 0) return candidate;
-    start = end + 1;
-  }
-  return {};
-}
+using harness::on_path;
 
 fs::path triangle_program() {
   const char* given = std::getenv("PARDEL_TRIANGLE");

@@ -35,7 +35,9 @@ Result<ExitCode> run(const Arguments& arguments) {
   if (!domain) return domain.error();
   const Result<Mesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return mesh.error();
-  const Result<Goal> goal = make_goal(arguments.goal, *domain);
+  const Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+  if (!sizes) return sizes.error();
+  const Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
   if (!goal) return goal.error();
 
   // Mesh files do not contain the origin of each vertex.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../parallel/mesher.hpp"
+#include "centroid.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -72,12 +73,7 @@ double doubled_area(const Mesh& mesh, const Triangle& t) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-Point centroid(const Mesh& mesh, const Triangle& t) {
-  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
-  return {a.x + ((b.x - a.x) + (c.x - a.x)) / 3, a.y + ((b.y - a.y) + (c.y - a.y)) / 3};
-}
-
-/// The largest triangle of every face. Even after rounding, its centroid lies inside the face.
+/// The largest triangle of every face. Its centroid is inside the face in spite of rounding.
 std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
   const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
   std::vector<Index> best(count, no_index);

@@ -24,7 +24,7 @@ ExitCode exit_code(ErrorKind kind) {
 }
 
 ExitCode report(const Error& error) {
-  fmt::print(stderr, "pardel: {}\n", error.message);
+  fmt::print(stderr, "pardel: {}{}\n", error.kind == ErrorKind::internal ? "internal error: " : "", error.message);
   return exit_code(error.kind);
 }
 

@@ -104,17 +104,20 @@ Goal goal_without_sizes(const GoalOptions& options) {
   return goal;
 }
 
-Result<Goal> make_goal(const GoalOptions& options, const ValidPslg& domain) {
+Result<std::vector<double>> read_sizes_of(const GoalOptions& options) {
+  if (options.sizes.empty()) return std::vector<double>();
+  return read_sizes(options.sizes);
+}
+
+Result<Goal> make_goal(const GoalOptions& options, std::span<const double> sizes, const ValidPslg& domain) {
   Goal goal = goal_without_sizes(options);
   if (options.sizes.empty()) return goal;
-  const Result<std::vector<double>> sizes = read_sizes(options.sizes);
-  if (!sizes) return sizes.error();
   const std::size_t points = domain.pslg().points.size();
-  if (sizes->size() != points) {
+  if (sizes.size() != points) {
     return Error{ErrorKind::invalid_input,
-                 fmt::format("{}: {} sizes for {} input points", options.sizes.string(), sizes->size(), points)};
+                 fmt::format("{}: {} sizes for {} input points", options.sizes.string(), sizes.size(), points)};
   }
-  Result<std::function<double(Point)>> size = interpolated_size(domain, *sizes);
+  Result<std::function<double(Point)>> size = interpolated_size(domain, sizes);
   if (!size) return size.error();
   goal.size = std::move(*size);
   return goal;

@@ -5,6 +5,8 @@
 #include <CLI/Validators.hpp>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "../core/goal.hpp"
 #include "../core/result.hpp"
@@ -35,7 +37,11 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
 /// The goal without the size function.
 [[nodiscard]] Goal goal_without_sizes(const GoalOptions& options);
 
-/// The complete goal. If a file of sizes is given, reads it: one size per point of `domain`.
-[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const ValidPslg& domain);
+/// Reads the file of sizes. Returns an empty list if none is given.
+[[nodiscard]] Result<std::vector<double>> read_sizes_of(const GoalOptions& options);
+
+/// The goal. `sizes` is what read_sizes_of() returned: nothing, or one size per point of `domain`.
+[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, std::span<const double> sizes,
+                                     const ValidPslg& domain);
 
 }  // namespace pardel::cli

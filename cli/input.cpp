@@ -101,7 +101,9 @@ Result<MaybeRepaired> validated_or_repaired(Domain domain, const ValidateOptions
   Result<Repaired> repaired = repair(domain.pslg);
   if (!repaired) return problems_error(domain, valid.error());
   for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", domain.name, line));
-  return MaybeRepaired{std::move(repaired->domain), std::move(domain.pslg), std::move(repaired->point_map)};
+  ValidPslg valid_domain =
+      options.convex_hull ? std::move(repaired->domain).with_convex_hull() : std::move(repaired->domain);
+  return MaybeRepaired{std::move(valid_domain), std::move(domain.pslg), std::move(repaired->point_map)};
 }
 
 Error problems_error(const Domain& domain, std::span<const Problem> problems) {

@@ -75,17 +75,26 @@ Result<ValidPslg> repair_domain(const Arguments& arguments, Domain domain) {
   return std::move(repaired->domain);
 }
 
-/// Reads the input. Validates a domain; no later step of the run validates it again.
-Result<Input> read(const Arguments& arguments, Seconds& seconds) {
+Status read_sizes_into(std::vector<double>& sizes, const GoalOptions& goal) {
+  Result<std::vector<double>> read = read_sizes_of(goal);
+  if (!read) return read.error();
+  sizes = std::move(*read);
+  return Done{};
+}
+
+/// Reads the input and the sizes, and validates a domain: the only validation of a run.
+Result<Input> read(const Arguments& arguments, std::vector<double>& sizes, Seconds& seconds) {
   Stopwatch watch;
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return coarse.error();
+    if (Status fine = read_sizes_into(sizes, arguments.goal); !fine) return fine.error();
     seconds.read = watch.lap();
     return Input(std::move(*coarse));
   }
   Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return domain.error();
+  if (Status fine = read_sizes_into(sizes, arguments.goal); !fine) return fine.error();
   seconds.read = watch.lap();
   Result<ValidPslg> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
                                              : validated(std::move(*domain), how_to_validate(arguments));
@@ -94,13 +103,13 @@ Result<Input> read(const Arguments& arguments, Seconds& seconds) {
   return Input(std::move(*valid));
 }
 
-/// Makes the goal. With --refine a valid domain is needed only for --sizes, which triangulates the domain.
-Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
-  if (const auto* domain = std::get_if<ValidPslg>(&input)) return make_goal(arguments.goal, *domain);
+/// With --refine only --sizes needs a valid domain, because it triangulates the domain.
+Result<Goal> make_goal(const Arguments& arguments, std::span<const double> sizes, const Input& input) {
+  if (const auto* domain = std::get_if<ValidPslg>(&input)) return make_goal(arguments.goal, sizes, *domain);
   if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
   const Result<ValidPslg> domain = validated(std::get<CoarseMesh>(input).domain, how_to_validate(arguments));
   if (!domain) return domain.error();
-  return make_goal(arguments.goal, *domain);
+  return make_goal(arguments.goal, sizes, *domain);
 }
 
 /// The error for a mesh that cannot be refined: the problems of its domain if there are any, otherwise `error`.
@@ -215,11 +224,12 @@ Result<ExitCode> run(Arguments& arguments) {
   const Interrupt interrupt;
 
   MeshRun run;
-  const Result<Input> input = read(arguments, run.seconds);
+  std::vector<double> sizes;
+  const Result<Input> input = read(arguments, sizes, run.seconds);
   if (!input) return input.error();
   const Pslg& pslg = pslg_of(*input);
   Stopwatch watch;
-  const Result<Goal> goal = make_goal(arguments, *input);
+  const Result<Goal> goal = make_goal(arguments, sizes, *input);
   if (!goal) return goal.error();
   run.seconds.read += watch.lap();
   if (interrupt.requested()) return interrupted();

@@ -14,7 +14,7 @@ Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, con
       check(pslg, mesh, so_far, {.max_violations = most_listed, .max_circumradius = 0, .foreign = how.foreign});
   if (certificate.valid) return Done{};
   return Error{ErrorKind::internal,
-               fmt::format("internal error: after sweep {}, on a lattice of {} x {} cells, {}", number, sweep.columns,
+               fmt::format("the check failed after sweep {}, on a lattice of {} x {} cells, {}", number, sweep.columns,
                            sweep.rows, violations_text(certificate, most_listed))};
 }
 

@@ -8,6 +8,7 @@
 
 #include "../core/formats.hpp"
 #include "../parallel/report.hpp"
+#include "centroid.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -67,11 +68,6 @@ std::uint16_t hue_of_cell(const Tiling& tiling, Index cell, HueBy by) {
       return tiling.thread_of_cell[cell] < 0 ? no_hue : nth_hue(tiling.thread_of_cell[cell]);
   }
   return no_hue;
-}
-
-Point centroid(const Mesh& mesh, const Triangle& t) {
-  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
-  return {a.x + ((b.x - a.x) + (c.x - a.x)) / 3, a.y + ((b.y - a.y) + (c.y - a.y)) / 3};
 }
 
 }  // namespace

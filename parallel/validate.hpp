@@ -74,6 +74,9 @@ class ValidPslg {
   [[nodiscard]] Pslg pslg() && { return std::move(pslg_); }
   /// True if the domain is the convex hull: ValidateOptions::convex_hull was set, or there are no segments.
   [[nodiscard]] bool convex_hull() const { return convex_hull_; }
+  /// The same points and segments, with the convex hull as the domain. This is valid too, because the edges of the hull
+  /// lie outside the domain of the segments.
+  [[nodiscard]] ValidPslg with_convex_hull() && { return {std::move(pslg_), true}; }
 
  private:
   friend Result<ValidPslg, std::vector<Problem>> validate(Pslg&& pslg, const ValidateOptions& options);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "programs.hpp"
 #include "shell_words.hpp"
 
 namespace pardel::harness {
@@ -53,26 +54,7 @@ const std::vector<Adaptor>& adaptors() {
   return all;
 }
 
-bool is_program(const fs::path& file) {
-  std::error_code ignored;
-  return access(file.c_str(), X_OK) == 0 && !fs::is_directory(file, ignored);
-}
-
-/// The path of a program that is on the PATH; empty if there is none.
-fs::path on_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  const std::string folders = path != nullptr ? path : "";
-  for (std::size_t start = 0; start <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', start), folders.size());
-    const fs::path candidate = fs::path(folders.substr(start, end - start)) / program;
-    if (is_program(candidate)) return fs::absolute(candidate);
-    start = end + 1;
-  }
-  return {};
-}
-
-/// The path of a program of this project. It is in the folder of this program or, if it belongs to the benchmarks, in
-/// ../bench.
+/// The path of a program of this project: in the folder of this program, or, for the benchmarks', in ../bench.
 fs::path beside_this_program(const std::string& program) {
   std::error_code ignored;
   const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();

@@ -59,7 +59,7 @@ Result<Pslg> read_poly(TextReader& in, const fs::path* node) {
   if (header.points > 0) {
     pslg.first_id = {read_points(in, header, pslg)};
   } else if (node == nullptr) {
-    in.fail("expected points here: only a file can have them in a .node beside it");
+    in.fail("expected points here: only a file can have them in a .node of the same name");
   } else if (!in.failed()) {
     if (const Status points = read_node(*node, pslg); !points.ok()) return points.error();
   }

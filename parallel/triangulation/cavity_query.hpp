@@ -38,15 +38,12 @@ struct DisksAndCorners {
 /// - is_own(v): true if a triangle with the far corner v may be changed. The far corner of a triangle is the one
 ///   opposite the edge through which the walk enters it.
 /// - corner(v): the vertex v relative to p.
-/// - first_and_behind(slot, corners, e): two answers: if p lies in the disk of the walk's first triangle, and if p lies
-///   in the disk of the triangle of e. `slot` is the slot of the first triangle, `corners` are its corners relative to
-///   p. The edge e is common to both triangles and joins the corners 0 and 1 of the first one.
-/// - both(u, w, v, right, left): the answers for the triangles of `right` and `left`. The edge `right` runs from u to
-///   w, the edge `left` from w to v.
+/// - first_and_behind(slot, corners, e): whether p lies in the disk of the walk's first triangle and in that of the
+///   triangle of e. `slot` is the slot of the first triangle, `corners` are its corners relative to p. The edge e is
+///   shared by both triangles and joins the corners 0 and 1 of the first one.
+/// - both(u, w, v, right, left): the answers for the triangles of `right` and `left`. The edge `right` runs from u
+///   to w, the edge `left` from w to v.
 ///
-/// The walk passes each edge as a side of the triangle to be tested. If the walk cannot cross an edge, it passes the
-/// side of the near triangle instead and ignores the answer, so queries need no branch for missing triangles.
-/// The walk stores the corners that a query returns with the boundary (CavityEdge), and passes them to later queries.
 template <class Query>
 concept CavityQuery = requires(const Query& query, VertexId v, const Slot& slot, const std::array<Corner, 3>& corners,
                                const Corner& corner, EdgeRef e) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stages/paint.hpp"
+#include "stages/faces_of_triangles.hpp"
 #include "stages/stages.hpp"
 
 namespace pardel {

@@ -29,8 +29,8 @@ namespace pardel {
 /// - goal.size is compared in doubles, with size_tolerance;
 /// - shells around a small input angle are compared in doubles, with shell_tolerance and shell_ulps;
 /// - goal.min_angle_deg stands for the double angle_cosine_bound(min_angle_deg), which is then compared exactly;
-/// - a vertex on a segment may lie off the segment by chain_ulps, and the seed of a hole is not reported if it lies
-///   within this distance of an edge of the triangle that contains it.
+/// - a vertex on a segment may lie off the segment by chain_ulps, and a hole's seed that lies within that distance
+///   of an edge of the triangle around it is not reported.
 ///
 /// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on the number of threads. Exact
 /// arithmetic is used only if a floating-point filter cannot determine the sign. Memory in addition to the mesh: 8

@@ -3,8 +3,16 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "../../core/support/enum_names.hpp"
+
 namespace pardel::mutants {
 namespace {
+
+constexpr auto end_names = enum_names<End>({{End::passed, "passed"},
+                                            {End::failed, "failed"},
+                                            {End::crashed, "crashed"},
+                                            {End::timed_out, "timed out"},
+                                            {End::not_found, "not found"}});
 
 std::vector<std::string> split(const std::string& text, const std::string& separator) {
   std::vector<std::string> parts;
@@ -23,21 +31,7 @@ End end_named(const std::string& text) {
 
 }  // namespace
 
-const char* name(End end) {
-  switch (end) {
-    case End::passed:
-      return "passed";
-    case End::failed:
-      return "failed";
-    case End::crashed:
-      return "crashed";
-    case End::timed_out:
-      return "timed out";
-    case End::not_found:
-      return "not found";
-  }
-  return "";
-}
+const char* name(End end) { return end_names[end]; }
 
 std::vector<Mutant> read_registry(const std::filesystem::path& file) {
   std::ifstream in(file);

@@ -165,6 +165,13 @@ TEST_F(BadInput, an_angle_together_with_a_ratio_is_a_usage_error) {
   is_refused(square_poly, 2, {"--rho", "--min-angle"}, {"--rho", "1.5", "--min-angle", "20"});
 }
 
+TEST_F(BadInput, sizes_that_cannot_be_read_are_reported_before_an_invalid_domain) {
+  write("crossing.poly", "4 2 0 0\n1 0 0\n2 1 1\n3 1 0\n4 0 1\n2 0\n1 1 2\n2 3 4\n0\n");
+  const Ran ran = pardel({"mesh", "crossing.poly", "-o", "o.vtu", "--sizes", "none.sizes"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"none.sizes", "cannot be opened"}));
+}
+
 TEST_F(BadInput, sizes_that_do_not_fit_the_points_are_refused) {
   write("few.sizes", "2\n1 0.1\n2 0.1\n");
   const Ran ran =

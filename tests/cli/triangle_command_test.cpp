@@ -208,6 +208,27 @@ TEST_F(TriangleCommand, c_keeps_the_triangles_between_the_outline_and_the_hull) 
   EXPECT_EQ(table("corner.1.ele")[0][0], 5);
 }
 
+TEST_F(TriangleCommand, c_keeps_the_hull_of_a_domain_that_had_to_be_repaired) {
+  // The outline has a notch; points 1 and 7 are equal.
+  write("notch.poly",
+        "7 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 2 1\n5 0 4\n6 1 1\n7 0 0\n"
+        "5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 7\n0\n");
+  const auto area = [&](const std::string& switches) {
+    const Ran ran = pardel({"triangle", "-Q" + switches, "notch"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    const Rows nodes = table("notch.1.node"), triangles = table("notch.1.ele");
+    double sum = 0;
+    for (std::size_t t = 1; t < triangles.size(); ++t) {
+      const auto corner = [&](std::size_t i) { return nodes[static_cast<std::size_t>(triangles[t][i])]; };
+      const auto a = corner(1), b = corner(2), c = corner(3);
+      sum += ((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])) / 2;
+    }
+    return sum;
+  };
+  EXPECT_DOUBLE_EQ(area("p"), 10);
+  EXPECT_DOUBLE_EQ(area("pc"), 16);
+}
+
 TEST_F(TriangleCommand, c_writes_a_poly_of_the_hull_of_bare_points) {
   write("c.node", "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 2\n");
   ends_well("c", "c");

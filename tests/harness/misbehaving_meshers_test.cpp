@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "harness_workshop.hpp"
+#include "harness_fixture.hpp"
 
 namespace pardel::testing {
 namespace {
 
 using nlohmann::json;
 
-class Mesher : public HarnessWorkshop {
+class Mesher : public HarnessFixture {
  protected:
   Mesher() {
     const std::filesystem::path pardel = PARDEL_PROGRAM;

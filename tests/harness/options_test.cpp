@@ -1,10 +1,10 @@
-// The command line of pardel-harness: what it prints, and its messages about errors.
-#include "harness_workshop.hpp"
+// The command line of pardel-harness: its answers, and its messages about errors.
+#include "harness_fixture.hpp"
 
 namespace pardel::testing {
 namespace {
 
-class HarnessOptions : public HarnessWorkshop {
+class HarnessOptions : public HarnessFixture {
  protected:
   void refuses(const std::vector<std::string>& arguments, int exit_code, const std::vector<std::string>& words) const {
     const Ran ran = harness(arguments);

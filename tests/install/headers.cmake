@@ -1,5 +1,5 @@
-# cmake -DROOT= -DPREFIX= -DCOMPILER= -P headers.cmake: the installation in PREFIX has exactly the public headers. Each of
-# them compiles by itself; those of the mesher compile without CGAL. ROOT is the repository.
+# cmake -DROOT= -DPREFIX= -DCOMPILER= -P headers.cmake: the installation in PREFIX has exactly the public headers. Each
+# of them compiles by itself; those of the mesher compile without CGAL. ROOT is the repository.
 set(include ${PREFIX}/include)
 
 # The public headers: those directly in these folders. parallel/pardel.hpp is installed as pardel/pardel.hpp.

@@ -1,5 +1,6 @@
-// Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt triangles
-// occur only at small input angles. Each file of repair/ is repaired; new points lie on their segments up to rounding.
+// Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt
+// triangles occur only at small input angles. Each file of repair/ is repaired; new points lie on their segments up to
+// rounding.
 #include <gtest/gtest.h>
 
 #include <algorithm>

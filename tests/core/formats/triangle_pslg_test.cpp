@@ -118,7 +118,7 @@ TEST(Poly, names_the_node_file_that_is_missing_or_wrong) {
 
 TEST(Poly, as_text_must_have_its_own_points) {
   EXPECT_EQ(failure_of("0 2 0 0\n1 0\n1 1 2\n0\n"),
-            "f:1: expected points here: only a file can have them in a .node beside it");
+            "f:1: expected points here: only a file can have them in a .node of the same name");
 }
 
 TEST(Poly, that_is_empty_is_an_error) {

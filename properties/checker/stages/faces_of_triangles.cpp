@@ -1,4 +1,4 @@
-#include "paint.hpp"
+#include "faces_of_triangles.hpp"
 
 namespace pardel::checker {
 

@@ -8,7 +8,7 @@
 
 namespace pardel::testing {
 
-class HarnessWorkshop : public Workshop {
+class HarnessFixture : public Workshop {
  protected:
   /// In a sanitized build the limit on memory is removed, because the sanitizer's shadow memory exceeds every such
   /// limit.
