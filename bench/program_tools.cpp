@@ -7,7 +7,7 @@
 #include <fstream>
 #include <regex>
 
-#include "../cli/harness/programs.hpp"
+#include "../cli/programs.hpp"
 #include "../core/formats.hpp"
 #include "run_in_child.hpp"
 #include "tool.hpp"
@@ -16,7 +16,7 @@ namespace pardel::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using harness::on_path;
+using cli::on_path;
 
 fs::path triangle_program() {
   const char* given = std::getenv("PARDEL_TRIANGLE");

@@ -8,11 +8,13 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "programs.hpp"
+#include "../programs.hpp"
 #include "shell_words.hpp"
 
 namespace pardel::harness {
 namespace fs = std::filesystem;
+using cli::is_program;
+using cli::on_path;
 namespace {
 
 struct Adaptor {

@@ -1,6 +1,8 @@
 // The repository follows the rules of its structure, and every rule rejects a tree that breaks it.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "../temporary_folder.hpp"
 #include "rules.hpp"
 
@@ -23,7 +25,45 @@ TEST(Structure, the_repository_keeps_every_rule) {
 
 TEST(Structure, every_exception_is_used) { EXPECT_EQ(lines(unused_exceptions(read_source_tree(PARDEL_SOURCE))), ""); }
 
-/// A small tree that follows every rule. Each test adds one file that breaks one rule.
+/// The modules of the engine that have no test of their own name, and the tests that cover them.
+const std::map<std::string, std::vector<std::string>> covering_tests = {
+    {"concurrency/watched_array", {"scheduling/touches_test"}},
+    {"conversion/export_mesh", {"conversion/import_export_test"}},
+    {"conversion/import_mesh", {"conversion/import_export_test"}},
+    {"input/check_values", {"input/validate_test"}},
+    {"input/conflicts", {"input/validate_property_test"}},
+    {"input/findings", {"input/validate_test"}},
+    {"refinement/exemptions", {"mesher_test", "limits_test"}},
+    {"refinement/paired_disk_query", {"triangulation/cavity_test"}},
+    {"scheduling/phase", {"scheduling/schedules_test", "scheduling/touches_test"}},
+    {"scheduling/refine_by_sweeps", {"scheduling/after_sweep_test", "scheduling/many_tiles_test"}},
+    {"scheduling/schedule", {"scheduling/schedules_test"}},
+    {"triangulation/cavity_query", {"triangulation/cavity_test"}},
+    {"triangulation/constraint", {"construction/insert_constraints_test"}},
+    {"triangulation/in_circumdisk", {"triangulation/flips_test"}},
+    {"triangulation/triangle_shape", {"refinement/criteria_test"}},
+};
+
+TEST(Structure, every_module_of_the_engine_has_a_test_of_its_name_or_one_that_covers_it) {
+  const SourceTree tree = read_source_tree(PARDEL_SOURCE);
+  const auto is_test = [&](const std::string& name) { return tree.contains("tests/parallel/" + name + "_test.cpp"); };
+  std::size_t modules = 0;
+  for (const auto& [file, source] : tree) {
+    const fs::path path = file;
+    if (!file.starts_with("parallel/") || path.extension() != ".hpp" || path.parent_path() == "parallel") continue;
+    ++modules;
+    const std::string module = path.parent_path().filename().string() + "/" + path.stem().string();
+    const auto covered = covering_tests.find(module);
+    const bool has_own = is_test(module) || is_test(path.stem().string());
+    EXPECT_NE(has_own, covered != covering_tests.end()) << module;
+    if (covered == covering_tests.end()) continue;
+    for (const std::string& test : covered->second)
+      EXPECT_TRUE(tree.contains("tests/parallel/" + test + ".cpp")) << module << ": " << test;
+  }
+  EXPECT_GT(modules, 50u);
+}
+
+/// A small tree that keeps every rule; each test adds one file that breaks one.
 class BrokenTree : public ::testing::Test {
  protected:
   void SetUp() override {

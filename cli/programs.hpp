@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace pardel::harness {
+namespace pardel::cli {
 
 /// True for a file that may be executed.
 [[nodiscard]] inline bool is_program(const std::filesystem::path& file) {
@@ -29,4 +29,4 @@ namespace pardel::harness {
   return {};
 }
 
-}  // namespace pardel::harness
+}  // namespace pardel::cli
