@@ -105,9 +105,9 @@ bool sees(const PlainMesh& mesh, const ExactPoint& p, const Corners& t) {
     if (CGAL::do_overlap(m.bbox() + n.bbox(), around) && separates(m, n, {p, a, b, c})) walls.emplace_back(m, n);
   }
   if (walls.empty()) return true;
-  // As a ray from p turns, visibility changes only where it passes an end of a wall. So these rays cut the edges of t
+  // As a ray from p turns, visibility changes only when it passes an end of a wall. So these rays cut the edges of t
   // into pieces, and one ray through each piece is tested. No wall enters the interior of t. So p sees the whole part
-  // of t along a ray or none of it, and the midpoint of this part decides.
+  // of t along a ray or none of it, and it is enough to test the midpoint of this part.
   std::vector<ExactPoint> turns = {a, b, c};
   for (const Kernel::Segment_2& wall : walls) turns.insert(turns.end(), {wall.source(), wall.target()});
   const Kernel::Triangle_2 triangle(a, b, c);

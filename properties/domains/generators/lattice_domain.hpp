@@ -25,14 +25,14 @@ enum class Family : std::uint8_t {
   collinear_runs,    ///< three consecutive vertices of the boundary on a line
   near_duplicates,   ///< two points whose distance is at most 2^-9 of the width of the domain
   small_angles,      ///< an angle of the domain between two segments below 14.04 degrees (tangent 1/4)
-  thin_channels,   ///< two parallel segments with the domain between them; their distance is below 1/20 of their length
-  nested_holes,    ///< an island of the domain in a hole
-  touching_holes,  ///< two holes, or a hole and the outside, that have a vertex in common
-  cracks,          ///< a segment with a free end inside the domain
-  isolated_points,  ///< a point inside the domain without a segment
-  far_offset,       ///< the distance from the origin is at least 2^20 times the width of the domain
+  thin_channels,     ///< two parallel segments with the domain between them, less than 1/20 of their length apart
+  nested_holes,      ///< an island of the domain in a hole
+  touching_holes,    ///< two holes, or a hole and the outside, that have a vertex in common
+  cracks,            ///< a segment with a free end inside the domain
+  isolated_points,   ///< a point inside the domain without a segment
+  far_offset,        ///< the distance from the origin is at least 2^20 times the width of the domain
 };
-/// In the order of the enumeration.
+/// All families, in the order of the enumeration.
 [[nodiscard]] const std::vector<Family>& all_families();
 /// The name of the enumerator, for example "cocircular_grid".
 [[nodiscard]] const char* name(Family family);

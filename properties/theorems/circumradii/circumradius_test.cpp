@@ -36,8 +36,8 @@ std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::Exa
   return result;
 }
 
-/// Does the point encroach upon no constrained or hull edge of the boundary of its cavity, except an edge that it
-/// splits?
+/// True if the point encroaches upon no constrained edge and no hull edge of the boundary of its cavity. An edge that
+/// it splits is not counted.
 bool encroaches_on_nothing(const std::vector<Replacement>& replacements) {
   return std::none_of(replacements.begin(), replacements.end(),
                       [](const Replacement& r) { return !r.beyond && r.encroaches; });

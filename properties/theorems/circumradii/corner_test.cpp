@@ -40,14 +40,14 @@ ref::PlainMesh triangle_at_corner(const ExactPoint& x, double ab) {
   return {{{0, 0}, {ab, 0}, x}, {{0, 1, 2}}, {{0, 1}, {0, 2}}};
 }
 
-/// The worst apex x on a ray. Lengths are in units of |ab|.
+/// The position of x on a ray for which the circumradius grows most. Lengths are in units of |ab|.
 struct Best {
   double length = 0;  ///< |ax|
-  double growth = 0;  ///< factor of the circumradius
+  double growth = 0;  ///< the factor by which the circumradius grows
 };
 
-/// Searches the ray at this angle for the apex x for which splitting ab raises the circumradius most. Only positions of
-/// x are searched for which neither segment is encroached.
+/// Searches the ray at this angle for the point x for which splitting ab raises the circumradius most. Only positions
+/// of x are tested for which neither segment is encroached.
 Best worst_corner(double degrees, Facts& facts) {
   constexpr double ab = 0x1p30;
   const double angle = degrees * std::acos(-1.0) / 180;
@@ -107,7 +107,7 @@ Scene some_corner(Random& random, int size) {
     scene = {{{0, 0}, b, x}, {{0, 1}, {0, 2}}, {u}};
     break;
   }
-  // The points of a frame. Its edges are so short that the insertion does not encroach upon them.
+  // Points of a frame around the segments. Its edges are so short that the insertion does not encroach upon them.
   for (int k = -2; k < 2; ++k)
     for (const Point& p : {Point{16.0 * k, -32}, Point{32, 16.0 * k}, Point{-16.0 * k, 32}, Point{-32, -16.0 * k}})
       scene.points.push_back(p);

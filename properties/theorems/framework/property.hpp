@@ -54,7 +54,7 @@ class Exhibit {
   std::variant<std::monostate, Scene, Pslg, std::pair<Pslg, Mesh>> shown_;
 };
 
-/// The results of a search or of a sweep over a grid, for the catalogue.
+/// The results of a search or of a test of all points of a grid, for the catalogue.
 struct Facts {
   std::uint64_t cases = 0;         ///< number of cases tested
   std::vector<std::string> notes;  ///< the values that were found, one sentence each

@@ -123,7 +123,7 @@ bool add_wall(Scene& scene, Index a, Index b) {
 
 Index random_index(Random& random, const Scene& scene) { return static_cast<Index>(random.below(scene.points.size())); }
 
-/// The points other than `from` at a distance of `least` to `most` spacings from it.
+/// The points whose distance from `from` is between `least` and `most` spacings, without `from`.
 std::vector<Index> at_distance(const Scene& scene, Index from, double least, double most) {
   std::vector<Index> found;
   for (Index v = 0; v < scene.points.size(); ++v) {

@@ -108,7 +108,7 @@ PARDEL_PROPERTY(T1Sharp, only_the_circumradii_of_the_two_cavities_matter,
   if (far_enough) RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
 }
 
-/// Searches for one kind of pair on finer and finer lattices. The separations must grow towards `limit`.
+/// Searches for one kind of pair on finer and finer lattices. The separations that it finds must grow towards `limit`.
 void approach(Facts& facts, const char* kind, MeshedScene (*widest)(int), double limit) {
   double last = 0;
   for (const int scale : {4, 16, 64, 256, 1024}) {

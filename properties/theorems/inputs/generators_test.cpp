@@ -28,7 +28,7 @@ T& any_of(std::vector<T>& values, Random& random) {
   return values[random.below(values.size())];
 }
 
-/// A domain with one random change, which makes most domains invalid.
+/// A domain with one random change. The change makes most domains invalid.
 LatticeDomain spoiled(Random& random, int size) {
   LatticeDomain d = any_domain(random, size);
   const auto n = static_cast<Index>(d.points.size());
@@ -77,7 +77,7 @@ LatticeDomain spoiled(Random& random, int size) {
     case 10:
       if (!d.holes.empty()) move(any_of(d.holes, random));
       break;
-    default: {  // near the middle of two points, which may lie on a segment
+    default: {  // a point near the middle of two points; it may lie on a segment
       const LatticePoint a = any_of(d.points, random), b = any_of(d.points, random);
       d.points.push_back({(a.x + b.x) / 2, (a.y + b.y) / 2});
     }
@@ -202,7 +202,7 @@ PARDEL_PROPERTY(Shrinker, shrinks_have_a_smaller_weight,
   }
 }
 
-/// Repeats with the first shrunk domain for which `holds` is true, like RapidCheck.
+/// Shrinks like RapidCheck: continues with the first simpler domain for which `holds` is true, until there is none.
 LatticeDomain shrunk(LatticeDomain domain, const std::function<bool(const LatticeDomain&)>& holds) {
   for (bool ended = false; !ended;) {
     std::vector<LatticeDomain> simpler = shrinks(domain);

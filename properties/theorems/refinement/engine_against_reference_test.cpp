@@ -59,7 +59,7 @@ std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corne
   return result;
 }
 
-/// A domain a third as large as in other suites, because the reference takes cubic time. The lattice has the unit 1.
+/// A domain of a third of the size in other suites, because the reference takes cubic time. The lattice has the unit 1.
 LatticeDomain small_domain(Exhibit& exhibit) {
   const auto make = [](Random& random, int size) {
     LatticeDomain domain = generators::any_domain(random, size / 3);
@@ -101,8 +101,8 @@ PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_constrained_delaunay_
   RC_ASSERT(ref::is_constrained_delaunay(ref::to_plain_mesh(found)));
 }
 
-/// Is an angle opposite to a segment 138 degrees or more? Then its corner lies in the lens of the segment, even in the
-/// narrowest lens that the engine uses.
+/// Is an angle opposite to a segment 138 degrees or more? Then its corner lies in the diametral lens of the segment
+/// (the points that see it at more than a given angle), even in the narrowest lens that the engine uses.
 bool has_a_vertex_in_a_lens(const Mesh& mesh) {
   std::set<ref::Edge> segments;
   for (const ConstrainedEdge& e : mesh.constrained_edges) segments.insert(ref::edge(e.a, e.b));

@@ -25,7 +25,7 @@ using generators::Random;
 
 constexpr const char* source = "properties/THEORY.md, Metamorphic";
 
-/// The image under a map of the plane.
+/// The image of a domain under a map of the plane.
 template <class Map>
 Pslg mapped(Pslg pslg, const Map& map) {
   for (Point& p : pslg.points) p = map(p);
@@ -44,7 +44,7 @@ Mesh mapped(Mesh mesh, const Map& map, bool turns_over = false) {
   return mesh;
 }
 
-/// Fails the case unless the engine makes the expected mesh, up to numbering.
+/// Fails the case unless the engine makes the expected mesh; the numbering may differ.
 void require_mesh(const Problem& problem, const Options& options, const Mesh& expected) {
   RC_ASSERT(digest(value_of(mesh(problem.pslg, problem.goal, options)).mesh) == digest(expected));
 }

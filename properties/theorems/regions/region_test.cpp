@@ -42,7 +42,7 @@ Box some_box(Random& random, const Scene& scene, int side) {
 }
 
 /// Up to `count` positions in the box: multiples of 1/2, and points on walls. They differ from the points of the scene
-/// and from `taken`, to which they are added.
+/// and from `taken`, and are added to `taken`.
 std::vector<Point> some_points(Random& random, const Scene& scene, const Box& box, int count,
                                std::vector<Point>& taken) {
   std::vector<Point> on_walls;

@@ -10,7 +10,8 @@
 namespace pardel::properties {
 namespace {
 
-/// Large enough for separations within 0.5 % of the limit, and small enough for a readable picture.
+/// The scale of the searches: large enough for separations within 0.5 % of the limit, small enough for a readable
+/// picture.
 constexpr int scale = 128;
 
 /// A scene with two insertions, and the quantities that the claims use.

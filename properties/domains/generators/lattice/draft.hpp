@@ -31,8 +31,8 @@ class Draft {
   /// Adds the sides of the convex hull as segments, so that they form an outline.
   void hull();
 
-  /// Makes a hole: the face on the left of the segment that leaves a towards b, unless no other face would be left in
-  /// the domain.
+  /// Makes a hole: the face on the left of the segment that starts at a in the direction of b. Does nothing if it is
+  /// the last face of the domain.
   void hole_left_of(LatticePoint a, LatticePoint b) { holes_.push_back({a, b}); }
 
   /// The domain, with points and segments in random order and up to `regions` regions in faces of the domain.
