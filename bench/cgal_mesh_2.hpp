@@ -31,7 +31,7 @@ using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, MeshStruc
 class ShapeAndArea {
  public:
   struct Quality {
-    double size = 0;  ///< area divided by its bound
+    double size = 0;  ///< the area divided by the area bound
     double sine = 0;  ///< squared sine of the smallest angle
     bool operator<(const Quality& other) const {
       if (size > 1) return other.size > 1 ? size > other.size : true;

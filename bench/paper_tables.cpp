@@ -32,7 +32,7 @@ constexpr Table tables[] = {
 };
 
 struct Timed {
-  double seconds = 0;  ///< validation, triangulation and refinement
+  double seconds = 0;  ///< time of validation, triangulation and refinement
   std::uint64_t triangles = 0;
   std::uint64_t peak_rss_bytes = 0;
   std::uint32_t cells = 0;

@@ -30,7 +30,7 @@ struct Settings {
 };
 
 struct Timed {
-  double seconds = 0;  ///< validation, triangulation and refinement
+  double seconds = 0;  ///< time of validation, triangulation and refinement
   double refine_seconds = 0;
   std::uint64_t triangles = 0, peak_rss_bytes = 0;
   Digest digest{};
@@ -42,8 +42,8 @@ constexpr const char* one_thread_row = "tiles, 1 thread";
 struct Row {
   Decomposition decomposition;
   int threads;
-  int processes = 1;                 ///< run at the same time, each with this number of threads
-  std::uint64_t peak_rss_bytes = 0;  ///< of the last run
+  int processes = 1;                 ///< number of processes that run at the same time, each with `threads` threads
+  std::uint64_t peak_rss_bytes = 0;  ///< the value of the last run
   std::vector<Timed> runs{};
 
   [[nodiscard]] std::string name() const {

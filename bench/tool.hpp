@@ -41,10 +41,10 @@ struct Task {
 
 /// The result of one run. Trivially copyable, because a child process sends it through a pipe.
 struct Run {
-  double seconds = 0;  ///< meshing only, without files
+  double seconds = 0;  ///< time of meshing, without files
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
-  std::uint64_t peak_rss_bytes = 0;  ///< of the whole process: with the domain, without the checker
+  std::uint64_t peak_rss_bytes = 0;  ///< of the process with the domain, but without the checker
   std::array<char, 80> verdict{};    ///< the checker's verdict, or the reason why there is none
 
   void set_verdict(std::string_view text) {

@@ -23,7 +23,7 @@ struct Arguments {
   fs::path input;
   fs::path output;
   std::optional<HueBy> by;
-  fs::path report;  ///< with `by`
+  fs::path report;  ///< the report that `by` needs
 };
 
 /// A .node file is part of a mesh if a .ele file of the same name exists; otherwise it is a set of points.

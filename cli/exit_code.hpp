@@ -6,14 +6,14 @@
 namespace pardel::cli {
 
 enum class ExitCode : int {
-  done = 0,           ///< every bound holds, except at triangles that a small input angle exempts
+  done = 0,           ///< every bound holds, except in triangles that a small input angle exempts
   violations = 1,     ///< the check found violations
   usage = 2,          ///< the command line is wrong
   invalid_input = 3,  ///< the input is invalid
-  goal_missed = 4,    ///< a bound could not be met for another reason; the mesh is written all the same
+  goal_missed = 4,    ///< a bound could not be met for another reason; the mesh is written anyway
   failure = 5,        ///< out of memory, or a file cannot be opened, read or written
   internal = 6,       ///< internal error: a self-check failed; nothing is written
-  interrupted = 130,  ///< SIGINT
+  interrupted = 130,  ///< stopped by SIGINT
 };
 
 [[nodiscard]] ExitCode exit_code(ErrorKind kind);

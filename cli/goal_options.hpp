@@ -16,11 +16,11 @@ namespace pardel::cli {
 
 struct GoalOptions {
   std::optional<double> min_angle_deg;
-  std::optional<double> rho;  ///< circumradius-to-shortest-edge ratio: another way to give the angle
+  std::optional<double> rho;  ///< ratio of circumradius to shortest edge, which implies an angle bound
   std::optional<double> max_area;
   std::optional<double> max_edge;
   bool regions = false;
-  std::filesystem::path sizes;  ///< empty: none
+  std::filesystem::path sizes;  ///< the file of sizes; empty: none
   bool conforming = false;
   bool convex_hull = false;
 };

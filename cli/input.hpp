@@ -17,7 +17,7 @@ namespace pardel::cli {
 /// A Pslg as read, not validated.
 struct Domain {
   Pslg pslg;
-  std::string name;  ///< of the file
+  std::string name;  ///< the name of the file
 };
 [[nodiscard]] Result<Domain> read_domain(const std::filesystem::path& file);
 
@@ -45,8 +45,8 @@ void adopt_segments(CoarseMesh& coarse);
 
 struct MaybeRepaired {
   ValidPslg domain;
-  std::optional<Pslg> original;  ///< the Pslg as read, where it had to be repaired
-  std::vector<Index> point_map;  ///< then: point of the original -> point of the domain
+  std::optional<Pslg> original;  ///< the Pslg as read, if it had to be repaired
+  std::vector<Index> point_map;  ///< if repaired: maps points of the original to points of the domain
 };
 /// Validates the domain and, if it is invalid, repairs it. Prints one line on stderr for every change. If the repair
 /// fails, the problems of the domain become an `invalid_input` error with one line per problem.

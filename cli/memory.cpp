@@ -50,7 +50,7 @@ std::uint64_t of_control_group() {
 std::uint64_t of_process() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
-  const std::uint64_t pages = number_in("/proc/self/statm");  // of address space
+  const std::uint64_t pages = number_in("/proc/self/statm");  // size of the address space
   return pages == unknown ? limit.rlim_cur : rest_of(limit.rlim_cur, pages * static_cast<std::uint64_t>(getpagesize()));
 }
 

@@ -12,7 +12,7 @@ namespace pardel::cli {
 
 struct SweepCheck {
   bool convex_hull = false;
-  bool foreign = false;  ///< CheckOptions::foreign: the mesh was refined from a mesh without provenance
+  bool foreign = false;  ///< as CheckOptions::foreign: the origins of the refined mesh's vertices are unknown
 };
 
 /// Checks with exact arithmetic that the mesh after sweep `number` (counted from 1) conforms to the Pslg, is

@@ -20,22 +20,22 @@ namespace pardel::cli {
 /// Wall-clock time by step.
 struct Seconds {
   double read = 0, validate = 0, triangulate = 0, refine = 0, check = 0, write = 0;
-  double statistics = 0;  ///< for computing the statistics and the digest of the mesh
+  double statistics = 0;  ///< time to compute the statistics and the digest of the mesh
   double total = 0;
 };
 
 struct MeshRun {
-  std::string name;  ///< of the input file
+  std::string name;  ///< the name of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
-  bool region_caps_unused = false;  ///< regions have area caps, and the goal ignores them
+  bool region_caps_unused = false;  ///< regions have area caps, but the goal ignores them
   std::filesystem::path sizes;      ///< the file of goal.size, or empty
   Options options;
   Report report;
   MeshStatistics statistics;
   Digest digest;
-  std::optional<Certificate> certificate;       ///< with --check
-  std::optional<std::uint64_t> sweeps_checked;  ///< with --paranoid
+  std::optional<Certificate> certificate;       ///< only with --check
+  std::optional<std::uint64_t> sweeps_checked;  ///< only with --paranoid
   std::vector<std::filesystem::path> outputs;
   Seconds seconds;
 };

@@ -13,8 +13,8 @@ namespace pardel::cli {
 
 enum class HueBy : std::uint8_t {
   tile,    ///< neighbouring cells have different hues
-  phase,   ///< cells that are refined at the same time have one hue
-  thread,  ///< a hue for each thread, by the first that worked on the cell
+  phase,   ///< cells that are refined at the same time have the same hue
+  thread,  ///< one hue per thread; the first thread that worked on the cell counts
 };
 
 /// Returns a hue per triangle, as write_svg() takes it. The hue is that of the cell of the finest lattice that contains

@@ -59,8 +59,8 @@ Exit status as for every subcommand (pardel --help). A bound that is missed only
 /// The input: a valid domain, or with r a mesh.
 struct Input {
   std::variant<ValidPslg, CoarseMesh> source;
-  std::optional<Pslg> original;  ///< the domain as read, where it had to be repaired
-  std::vector<Index> point_map;  ///< then: point of the original -> point of the domain
+  std::optional<Pslg> original;  ///< the domain as read, if it had to be repaired
+  std::vector<Index> point_map;  ///< if repaired: maps points of the original to points of the domain
   bool node_was_read = true;
 
   [[nodiscard]] const Pslg& pslg() const {

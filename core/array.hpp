@@ -90,7 +90,7 @@ class Array {
     size_ += values.size();
   }
   void resize(std::size_t n, const T& value = T{}) {
-    const T copy = value;  // as in push_back
+    const T copy = value;  // may be an element of this array: see push_back
     if (n > capacity_) reserve(n);
     for (std::size_t i = size_; i < n; ++i) data_[i] = copy;
     size_ = n;

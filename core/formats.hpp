@@ -63,12 +63,12 @@ struct TriangleFiles {
   int base = 1;
   bool write_node = true;
   bool write_ele = true;
-  bool write_poly = true;  ///< no points; the constrained edges as segments, holes and regions
+  bool write_poly = true;  ///< without points; the constrained edges are its segments; with holes and regions
   bool write_edge = false;
   bool write_neigh = false;
   bool markers = true;
-  bool holes = true;          ///< in the .poly
-  bool second_order = false;  ///< .ele with six nodes per triangle; the middle nodes of edges end the .node
+  bool holes = true;          ///< the .poly has the holes
+  bool second_order = false;  ///< .ele has six nodes per triangle; .node ends with the midpoints of the edges
 };
 /// Writes stem.node, stem.ele and so on, as selected by `files`. If the mesh has no point markers, the marker of a
 /// point is the first non-zero marker of the constrained edges at the point.

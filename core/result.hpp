@@ -11,8 +11,8 @@ namespace pardel {
 
 /// The kind of an error. It determines the exit code of the programs.
 enum class ErrorKind : std::uint8_t {
-  usage,          ///< an argument has no meaning (minimum angle 60, negative area)
-  invalid_input,  ///< the input is wrong; the message names the place
+  usage,          ///< an argument is out of range (minimum angle 60, negative area)
+  invalid_input,  ///< the input is invalid; the message names the place
   io,             ///< a file could not be opened, read or written
   resources,      ///< not enough memory, or more ids than their type can hold
   cancelled,      ///< a callback of the caller requested a stop

@@ -36,7 +36,7 @@ class Drawing {
   void point() { add(lattice_point()); }
   void segment() { join(add(lattice_point()), add(lattice_point())); }
   void continued_segment() { join(static_cast<Index>(pslg_.points.size() - 1), add(lattice_point())); }
-  /// Several segments from one point to neighbouring points: small angles around an apex.
+  /// Several segments from one point to neighbouring points. They make small angles.
   void fan() {
     const Point apex = lattice_point(), first = lattice_point();
     const Index centre = add(apex);

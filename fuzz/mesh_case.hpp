@@ -14,7 +14,7 @@
 namespace pardel::fuzz {
 
 struct MeshCase {
-  Pslg pslg;  ///< as drawn; segments may cross and overlap
+  Pslg pslg;  ///< before the repair: segments may cross and overlap
   Goal goal;
   Options options;
 };
@@ -25,8 +25,8 @@ struct MeshCase {
 /// The repaired Pslg of a case. If the holes cover the whole domain, all holes and regions are removed first.
 struct Prepared {
   Pslg pslg;
-  bool usable = false;   ///< false: the segments alone could not be repaired
-  bool reduced = false;  ///< the holes and regions were removed
+  bool usable = false;   ///< false if the segments could not be repaired even without holes and regions
+  bool reduced = false;  ///< true if the holes and regions were removed
 };
 [[nodiscard]] Prepared prepare(const MeshCase& drawn);
 

@@ -23,7 +23,7 @@ struct Adaptor {
   const char* area_words;  ///< the arguments for an area bound
   const char* suffix;
   std::vector<int> success_codes;
-  const char* needs;     ///< a program on the PATH, or ""
+  const char* needs;     ///< a program that must be on the PATH, or ""
   const char* obtained;  ///< how to get the missing program
 };
 

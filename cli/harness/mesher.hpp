@@ -12,8 +12,8 @@ namespace pardel::harness {
 
 struct Mesher {
   std::vector<std::string> words;     ///< words[0] is the path of the program
-  std::string suffix;                 ///< of the file that it writes: "ele", "vtu", "msh" or "off"
-  std::vector<int> success_codes{0};  ///< exit codes with which it has written a mesh
+  std::string suffix;                 ///< suffix of the output file: "ele", "vtu", "msh" or "off"
+  std::vector<int> success_codes{0};  ///< exit codes that mean: a mesh was written
   std::string title;                  ///< for the report: the command of the user or of the adaptor
 };
 

@@ -20,7 +20,7 @@ class ProgressCounter {
   std::size_t all_;
   bool enabled_;
   std::mutex guard_;
-  std::size_t shown_ = 0;  // protected by guard_
+  std::size_t shown_ = 0;  // guard_ protects it
 };
 
 }  // namespace pardel::harness

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex guard;
-  std::optional<Error> first;  // under guard
+  std::optional<Error> first;  // protected by guard
   const auto run = [&] {
     omp_set_num_threads(1);  // for this thread: the checker's parallel loops must not compete for the cores
     for (std::size_t i; (i = next++) < count;) {
@@ -29,7 +29,7 @@ Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::siz
   };
   std::vector<std::jthread> threads;
   for (int k = 0; k < jobs; ++k) threads.emplace_back(run);
-  threads.clear();  // joins
+  threads.clear();  // joins the threads
   if (first) return *first;
   return Done{};
 }

@@ -11,7 +11,7 @@ namespace pardel::harness {
 
 struct Shrunk {
   LatticeDomain domain;
-  std::size_t runs = 0;   ///< how often the mesher ran
+  std::size_t runs = 0;   ///< how many times the mesher ran
   bool smallest = false;  ///< no simpler domain fails; false if the runs were used up
 };
 

@@ -295,12 +295,12 @@ class MshReader {
   TextReader in_;
   MshSource source_;
   double version_ = 0;
-  std::map<Key, double> value_;           ///< of physical groups that have a name
-  std::map<Key, std::int64_t> physical_;  ///< of entities: the first physical group
+  std::map<Key, double> value_;           ///< the values of physical groups that have a name
+  std::map<Key, std::int64_t> physical_;  ///< the first physical group of each entity
   MshNodes nodes_;
   bool has_nodes_ = false;
   bool has_elements_ = false;
-  Array<double> attributes_;  ///< of triangles
+  Array<double> attributes_;  ///< one per triangle
   Mesh mesh_;
 };
 

@@ -77,9 +77,9 @@ Gathered gather(std::size_t n, std::size_t groups, const GroupOf& group_of) {
 struct Model {
   std::vector<Group> curves;
   std::vector<Group> surfaces;
-  Gathered lines;      ///< constrained edges by curve
-  Gathered triangles;  ///< by surface
-  Gathered points;     ///< by curve, then by surface
+  Gathered lines;      ///< the constrained edges, grouped by curve
+  Gathered triangles;  ///< grouped by surface
+  Gathered points;     ///< grouped by curve, then by surface
 };
 
 std::size_t place_of(const std::vector<double>& values, double value) {

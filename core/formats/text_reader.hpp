@@ -80,8 +80,8 @@ class TextReader {
   const char* at_;
   const char* end_;
   std::string name_;
-  std::size_t line_ = 1;  ///< the number of the line of at_
-  bool entered_ = false;  ///< the line of at_ is the current one; false before the first next_line()
+  std::size_t line_ = 1;  ///< the number of the line that contains at_
+  bool entered_ = false;  ///< the line that contains at_ is the current line; false before next_line()
   bool binary_ = false;
   bool failed_ = false;
   std::string message_;

@@ -18,8 +18,8 @@ constexpr std::string_view blanks = " \t\r\n";
 struct Tag {
   std::string_view name;
   std::string_view attributes;
-  std::size_t end = 0;  ///< the byte after its '>'
-  bool closed = false;  ///< <.../>
+  std::size_t end = 0;  ///< the position after the '>' of the tag
+  bool closed = false;  ///< the tag has the form <.../>
 
   /// The value of an attribute; empty if the tag does not have it.
   [[nodiscard]] std::string_view operator[](std::string_view key) const {
@@ -231,7 +231,7 @@ Result<std::string_view> VtuFile::bytes_of(const VtuArray& array, std::string& d
   const std::string_view header = raw ? source.substr(0, header_bytes_) : std::string_view(decoded);
   std::uint64_t length = 0;
   if (header.size() < header_bytes_) return error_at(array.begin, "the data of this array are cut off");
-  std::memcpy(&length, header.data(), header_bytes_);  // little-endian; see below for the other kind
+  std::memcpy(&length, header.data(), header_bytes_);  // for little-endian machines
   if constexpr (std::endian::native == std::endian::big) length >>= 8 * (sizeof(length) - header_bytes_);
   if (length > source.size()) {
     return error_at(array.begin, "this array announces " + std::to_string(length) + " bytes, but " +

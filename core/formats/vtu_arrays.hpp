@@ -12,13 +12,13 @@ namespace pardel::files {
 
 /// One element <DataArray>. Its values stay in the text of the file.
 struct VtuArray {
-  std::string_view section;  ///< the element around it: Points, Cells, CellData, PointData, FieldData
+  std::string_view section;  ///< the enclosing element: Points, Cells, CellData, PointData, FieldData
   std::string_view name;
   std::string_view type;    ///< Float64, Int32, ...
   std::string_view format;  ///< ascii, binary or appended
   std::size_t components = 1;
-  std::size_t offset = 0;  ///< in the appended data, in bytes
-  std::size_t begin = 0;   ///< of the element's content, in the text
+  std::size_t offset = 0;  ///< the array's place in the appended data, in bytes
+  std::size_t begin = 0;   ///< the start of the element's content in the text
   std::size_t end = 0;
 };
 

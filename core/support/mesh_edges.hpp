@@ -17,7 +17,7 @@ class ConstrainedEdgeIndex {
  private:
   const std::vector<ConstrainedEdge>* edges_;
   std::vector<Index> sorted_;  ///< by lower end, then higher end, then index
-  Array<Index> start_;         ///< by lower end, into sorted_
+  Array<Index> start_;         ///< start_[v]: the first place in sorted_ with lower end v
 };
 
 /// One marker per point: mesh.point_markers if the mesh has them, else the first non-zero marker of a constrained edge
@@ -32,7 +32,7 @@ struct MarkedEdge {
 
 /// The edges of a mesh, and the edge of every side. Side 3t + i is opposite corner i of triangle t.
 struct EdgeTable {
-  Array<MarkedEdge> edges;    ///< in the order of the triangles
+  Array<MarkedEdge> edges;    ///< in the order in which the triangles have them
   Array<Index> edge_of_side;  ///< triangles.size() * 3
 };
 

@@ -38,7 +38,7 @@ OutputFile::OutputFile(const fs::path& file) : name_(file), target_(file) {
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
-  std::error_code ignored;  // a partial file that cannot be removed stays
+  std::error_code ignored;  // a partial file stays if it cannot be removed
   if (!written_.empty() && written_ != target_) fs::remove(written_, ignored);
 }
 

@@ -97,7 +97,7 @@ TEST(RandomDomain, is_meshed_and_certified_and_refining_the_mesh_again_changes_n
     EXPECT_TRUE(meshed->report.goal_met());
     const Certificate certificate = check(c.pslg, meshed->mesh, c.goal, {.max_violations = 2});
     EXPECT_TRUE(certificate.valid) << to_text(certificate);
-    c.goal.region_caps = false;  // a mesh carries no caps
+    c.goal.region_caps = false;  // a mesh has no area caps
     const Result<Meshed> again = refine(meshed->mesh, {}, c.goal, options);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(digest(again->mesh), digest(meshed->mesh));

@@ -76,7 +76,7 @@ TEST(RefineMesh, with_a_goal_that_is_met_changes_nothing) {
       const Result<Meshed> first = mesh(*domains::generate(name, 0, 1), goal);
       ASSERT_TRUE(first);
       Goal again = goal;
-      again.region_caps = false;  // a mesh carries no caps
+      again.region_caps = false;  // a mesh has no area caps
       const Result<Meshed> second = refine(first->mesh, {}, again);
       ASSERT_TRUE(second) << second.error().message;
       EXPECT_EQ(second->mesh.points.size(), first->mesh.points.size());

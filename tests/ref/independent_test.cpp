@@ -64,8 +64,8 @@ TEST(Independence, of_two_distant_points_gives_a_delaunay_mesh_by_definition) {
   EXPECT_TRUE(is_delaunay(insert_independently(square_mesh(), {p, q})));
 }
 
-/// Two triangles on the two sides of the edge from (0, 0) to (4, 0), which may be a wall. Their apexes are so far apart
-/// that each triangle alone is the cavity of points near its apex.
+/// Two triangles above and below the edge from (0, 0) to (4, 0), which may be a wall. The other corner of each triangle
+/// is so far away that the triangle alone is the cavity of points near this corner.
 PlainMesh two_triangles(bool wall) {
   PlainMesh mesh;
   mesh.points = {{0, 0}, {4, 0}, {2, -8}, {2, 8}};

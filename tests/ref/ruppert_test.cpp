@@ -18,8 +18,8 @@ Goal goal_of(double max_area, double max_edge = std::numeric_limits<double>::inf
   return goal;
 }
 
-/// The checker certifies the mesh without exempt triangles. If `by_definition`, the mesh is also tested against the
-/// definition of a Delaunay mesh.
+/// Expects that the checker certifies the mesh without exempt triangles. If `by_definition`, the mesh is also compared
+/// with the definition of a Delaunay mesh.
 void expect_certified(const Pslg& pslg, const Goal& goal, bool by_definition = true) {
   const auto mesh = ruppert(pslg, goal);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;

@@ -32,8 +32,8 @@ TEST(Faces, reach_around_islands_and_dangling_ends) {
   add_square(pslg, 2, {2, 3});
   add_square(pslg, 1, {5, 3});
   pslg.points.insert(pslg.points.end(), {{4.5, 2.5}, {4, 7}, {7, 7}});
-  pslg.segments.push_back({5, 12});   // corner of the first island, outwards
-  pslg.segments.push_back({13, 14});  // free
+  pslg.segments.push_back({5, 12});   // from a corner of the first island outwards
+  pslg.segments.push_back({13, 14});  // both ends are free
   const SegmentIndex index(pslg.points, pslg.segments);
   const Faces faces(pslg.points, pslg.segments, index);
   EXPECT_EQ(faces.count(), 4);

@@ -14,7 +14,7 @@
 
 namespace pardel::engine {
 
-inline void showValue(const Pslg& pslg, std::ostream& out) {  // found by RapidCheck
+inline void showValue(const Pslg& pslg, std::ostream& out) {  // RapidCheck calls it
   for (const Point& p : pslg.points) out << "(" << p.x << ", " << p.y << ") ";
   for (const Segment& s : pslg.segments) out << s.a << "-" << s.b << " ";
 }

@@ -29,7 +29,7 @@ TEST(SegmentIndex, finds_the_highest_segment_below_including_right_ends_but_not_
   const SegmentIndex index(points, without_vertical);
   EXPECT_EQ(index.below({1, 3}), 1);
   EXPECT_EQ(index.below({3, 3}), 2);
-  EXPECT_EQ(index.below({2, 3}), 1);  // ends there; segment 2 begins
+  EXPECT_EQ(index.below({2, 3}), 1);  // segment 1 ends at x = 2, where segment 2 begins
   EXPECT_EQ(index.below({1, 1}), 0);
   EXPECT_EQ(index.below({1, -1}), no_index);
   EXPECT_EQ(index.below({0, 3}), no_index);

@@ -155,7 +155,7 @@ PARDEL_PROPERTY(Faces, change_across_a_segment_and_nowhere_else,
     if (!common) continue;
     const auto* point = boost::get<K::Point_2>(&*common);
     const bool inside = point != nullptr && !is_end(segment, *point);
-    RC_PRE(inside);  // by itself: RapidCheck cannot show a pointer
+    RC_PRE(inside);  // a named variable, because RapidCheck cannot show a pointer
     crossed.emplace_back(CGAL::squared_distance(exact(p), *point), s);
   }
   std::ranges::sort(crossed);

@@ -1,4 +1,4 @@
-// The caller's view of a running refinement: the mesh after each sweep, the progress, and the thread of each cell.
+// The caller of a running refinement gets the mesh after each sweep, the progress, and the thread of each cell.
 #include <algorithm>
 
 #include "../../../core/digest.hpp"

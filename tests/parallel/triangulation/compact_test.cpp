@@ -56,7 +56,7 @@ struct WithHoles {
 };
 
 TEST(Compact, renumbers_and_changes_nothing_else) {
-  for (const std::size_t n : {200U, 35'000U}) {  // one block, and several
+  for (const std::size_t n : {200U, 35'000U}) {  // for one block and for several blocks
     const std::vector<Point> points = samples::uniform_points(n, 11);
     const Triangulation whole = samples::triangulated(points).triangulation;
     WithHoles moved(whole);
