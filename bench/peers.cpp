@@ -1,4 +1,4 @@
-// peers: runs pardel and other meshers on the same domain and goal. The runs are interleaved, each in its own process.
+// peers: runs pardel and other meshers on the same domain and goal. The runs take turns, and each has its own process.
 // The result is one table of medians. See --help.
 #include <fmt/format.h>
 #include <unistd.h>

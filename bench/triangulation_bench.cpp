@@ -33,7 +33,7 @@ void triangulate_lattice_points(benchmark::State& state) {
 }
 BENCHMARK(triangulate_lattice_points)->Arg(31)->Arg(316)->Unit(benchmark::kMillisecond);
 
-/// The same points, with all lattice edges and one diagonal per cell as constraints.
+/// The lattice points of the previous benchmark, with all lattice edges and one diagonal per cell as constraints.
 void triangulate_constrained_grid(benchmark::State& state) {
   run(state, domains::grid(static_cast<int>(state.range(0))));
 }

@@ -104,7 +104,7 @@ Result<Input> read_mesh_to_refine(const TriangleSwitches& switches) {
   say(switches, fmt::format("Opening {0}.node and {0}.ele.", switches.name));
   Result<Mesh> mesh = read_mesh(switches.name + ".ele");
   if (!mesh) return mesh.error();
-  // Without p only the outline of the mesh is constrained; a .poly or .edge file is ignored.
+  // Without the switch p only the outline of the mesh is constrained; the .poly or .edge file is ignored.
   if (!switches.poly) mesh->constrained_edges.clear();
   Result<Pslg> pslg = switches.poly ? read_pslg(switches.name + ".poly") : domain_of(*mesh);
   if (!pslg) return pslg.error();

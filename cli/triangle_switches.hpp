@@ -9,7 +9,7 @@
 
 namespace pardel::cli {
 
-/// Each comment begins with the letter of the switch.
+/// The switches. The comment of each member begins with the letter of the switch that sets it.
 struct TriangleSwitches {
   bool poly = false;               ///< p, or FILE ends in .poly
   bool refine = false;             ///< r, or FILE ends in .ele or .area

@@ -1,4 +1,4 @@
-// A fingerprint of a mesh that does not depend on the numbering of its vertices, triangles and edges.
+// Computes a fingerprint of a mesh. It does not depend on the numbering of vertices, triangles and edges.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@ int main() {
     return progress.triangles < 10'000;
   };
 
-  // Without the callback this mesh has more than a million triangles.
+  // If the mesher is not stopped, this mesh has more than a million triangles.
   const auto meshed = pardel::mesh(square, {.max_area = 1e-6}, options);
   if (meshed) {
     std::printf("%zu triangles\n", meshed->mesh.triangles.size());

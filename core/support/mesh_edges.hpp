@@ -36,8 +36,9 @@ struct EdgeTable {
   Array<Index> edge_of_side;  ///< triangles.size() * 3
 };
 
-/// The marker of an edge is that of its constrained edge; else 1 if the edge has only one triangle; else 0. Time
-/// O(n log n) in the constrained edges, linear in the rest. Precondition: Triangle::n is correct.
+/// Returns all edges. The marker of an edge is that of its constrained edge; else 1 if the edge has only one triangle;
+/// else 0. Time O(n log n) for n constrained edges, linear in triangles and points. Precondition: Triangle::n is
+/// correct.
 [[nodiscard]] EdgeTable edge_table(const Mesh& mesh);
 
 }  // namespace pardel

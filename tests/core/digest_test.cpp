@@ -12,7 +12,7 @@
 namespace pardel {
 namespace {
 
-/// The same mesh with vertices, triangles, corners and edges in another order.
+/// Returns the same mesh with vertices, triangles, corners and edges in another order.
 Mesh renumbered(const Mesh& mesh, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<Index> to(mesh.points.size());

@@ -11,8 +11,8 @@ int main(int argc, char** argv) {
   constexpr int threads = 4;
   std::vector<long> sums(threads, 0);
   for (int phase = 0; phase < 20; ++phase) {
-    // Each item waits until all have started, so every thread gets one. Relaxed accesses do not synchronise the
-    // threads.
+    // Each item waits until all items have started, so every thread runs one item. Relaxed accesses do not synchronise
+    // the threads.
     std::atomic<int> started{0};
     pardel::engine::parallel_for(threads, threads, [&](std::size_t i, int) {
       started.fetch_add(1, std::memory_order_relaxed);

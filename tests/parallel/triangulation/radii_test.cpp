@@ -38,7 +38,7 @@ TEST(RadiusBound, of_t3_is_attained_by_the_equilateral_triangle) {
 TEST(LargestRadii, are_those_of_some_triangle_wherever_it_is) {
   const Triangulation whole = samples::triangulated(samples::uniform_points(30, 5)).triangulation;
   const auto count = static_cast<Index>(whole.slots.size());
-  // Each triangle is the last one of a part of the mesh once. Some of them are the largest of their part.
+  // Tests parts of the mesh: each part ends with another triangle. In some parts the last triangle is the largest.
   for (TriangleId last = 0; last < count; ++last) {
     Radii expected;
     for (TriangleId id = 0; id <= last; ++id) {
