@@ -1,5 +1,5 @@
-// A tool of the comparison is a program or library that meshes a Pslg. This file defines tools, their tasks and
-// results.
+// The program `peers` compares tools. A tool is a program or library that meshes a Pslg. This file defines tools, their
+// tasks and their results.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace pardel::bench {
 
-/// Refinement makes about (area of the domain / area cap) times this number of triangles.
+/// With an area cap, refinement makes about this number times (area of the domain / area cap) triangles.
 inline constexpr double triangles_per_cap = 1.37;
 
 /// The input of a run. Every child process creates the domain from its name.
@@ -25,10 +25,12 @@ struct Task {
   std::string domain = "square";  ///< a name of properties/domains/domains.hpp
   std::uint64_t points = 0;       ///< number of points of the domain `points`
   std::uint64_t seed = 1;
-  Goal goal;                    ///< minimum angle and area cap
-  bool delaunay_only = false;   ///< only triangulate the points
-  bool check = true;            ///< check every mesh
-  std::uint64_t triangles = 0;  ///< approximate, for tools without an area cap; 0: the angle bound determines it
+  Goal goal;                   ///< minimum angle and area cap
+  bool delaunay_only = false;  ///< only triangulate the points
+  bool check = true;           ///< check every mesh
+  /// About how many triangles to make: area_cap() computes the cap from it, tools without a cap use it directly. 0: the
+  /// number follows from the angle bound.
+  std::uint64_t triangles = 0;
 };
 
 [[nodiscard]] Pslg make_domain(const Task& task);
@@ -44,7 +46,7 @@ struct Run {
   double seconds = 0;  ///< time of meshing, without files
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
-  std::uint64_t peak_rss_bytes = 0;  ///< of the process with the domain, but without the checker
+  std::uint64_t peak_rss_bytes = 0;  ///< until the end of meshing; with the domain, without the checker
   std::array<char, 80> verdict{};    ///< the checker's verdict, or the reason why there is none
 
   void set_verdict(std::string_view text) {
@@ -66,8 +68,9 @@ struct Tool {
 };
 
 [[nodiscard]] Tool pardel_tool();
-[[nodiscard]] Tool cgal_mesh_tool();  ///< Mesh_2 with an area cap (ShapeAndArea)
-[[nodiscard]] Tool cgal_size_tool();  ///< Mesh_2 with its own criteria and a size that makes about as many triangles
+[[nodiscard]] Tool cgal_mesh_tool();  ///< CGAL's Mesh_2 with a bound on angles and one on areas (cgal_mesh_2.hpp)
+[[nodiscard]] Tool
+cgal_size_tool();  ///< the same with CGAL's own criteria, and edges so long that about as many triangles result
 [[nodiscard]] Tool cgal_delaunay_tool();
 [[nodiscard]] Tool gmsh_tool();
 [[nodiscard]] Tool triangle_tool();

@@ -20,8 +20,9 @@ struct Extreme {
 };
 
 /// A triangle that the checker accepts although it has an angle below the bound, because a small input angle makes such
-/// triangles unavoidable. The checker uses only coordinates for this decision (Miller, Pav, Walkington 2003: nestled or
-/// seditious triangles).
+/// triangles unavoidable. The checker uses only coordinates for this decision (Miller, Pav,
+/// Walkington 2003). Such a triangle is nestled: its small angle lies between two segments; or seditious: its shortest
+/// edge joins two segments at equal distances from their common end.
 struct Justified {
   Index triangle = no_index;
   Index apex = no_index;       ///< the input point at which two segments meet at the small angle
@@ -36,7 +37,7 @@ struct Certificate {
   Goal goal;                                    ///< the goal that the mesh was checked against
   bool valid = false;                           ///< true if no violation was found
   std::vector<Violation> violations;            ///< sorted by kind; violations of one kind in the order of discovery
-  std::vector<std::uint64_t> violation_counts;  ///< the number of violations of each kind; violation_kinds entries
+  std::vector<std::uint64_t> violation_counts;  ///< by kind; the vector has violation_kinds entries
   std::vector<Justified> justified;             ///< sorted by triangle
   std::uint64_t vertices = 0, triangles = 0, constrained_edges = 0;
   Extreme min_angle_deg, max_angle_deg, max_area, max_edge, min_edge, max_circumradius, max_radius_edge_ratio;
@@ -48,7 +49,7 @@ struct Certificate {
 /// Plain text for people, several lines.
 [[nodiscard]] std::string to_text(const Certificate& certificate);
 
-/// JSON, schema pardel.certificate/1. An infinite bound and a missing triangle become null.
+/// JSON, schema pardel.certificate/1. An infinite bound, and an index that is no_index, is written as null.
 [[nodiscard]] std::string to_json(const Certificate& certificate);
 
 }  // namespace pardel

@@ -1,5 +1,5 @@
-// A mesh with all parts: a square of side 2, divided into four triangles at its centre. The left and right triangles
-// have the region attribute 7, the others 2.5. One vertex belongs to no triangle.
+// A mesh in which every array is filled: a square of side 2, divided into four triangles at its centre. The left and
+// right triangles have the region attribute 7, the others 2.5. One vertex belongs to no triangle.
 #pragma once
 
 #include "../../core/mesh.hpp"

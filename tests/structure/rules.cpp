@@ -150,13 +150,14 @@ std::optional<std::string> objection(const SourceTree& tree, const std::string& 
   if (!tree.contains(to)) return "there is no such file";
   const Layer* mine = layer_of(from);
   const Layer* theirs = layer_of(to);
-  if (mine == nullptr || theirs == nullptr) return "a file lies outside the folders of the table";
+  if (mine == nullptr || theirs == nullptr)
+    return "a file its folder is not in the list of folders (tests/structure/rules.cpp)";
   if (mine == theirs) {
     const Room* room = room_of(from);
     const Room* included = room_of(to);
     if (is_public_header(from) && !is_public_header(to)) return "a public header includes a private one";
     if (room != nullptr && included != nullptr && room != included && room->rank <= included->rank)
-      return "this room is not lower than " + std::string(room->room);
+      return "it is not below " + std::string(room->room) + " in the order of rooms";
     if (room != nullptr && included == nullptr && !is_public_header(to))
       return "a room includes a source of its folder";
     return std::nullopt;
@@ -211,9 +212,10 @@ void check_sizes(const SourceTree& tree, std::vector<std::string>& found) {
 std::vector<std::string> violations(const SourceTree& tree) {
   std::vector<std::string> found;
   for (const auto& [file, source] : tree) {
-    if (layer_of(file) == nullptr) found.push_back(file + ": lies outside the folders of the table");
+    if (layer_of(file) == nullptr)
+      found.push_back(file + ": its folder is not in the list of folders (tests/structure/rules.cpp)");
     if (is_private_header(file) && room_of(file) == nullptr)
-      found.push_back(file + ": its folder is no room of the table");
+      found.push_back(file + ": its folder is not in the list of rooms (tests/structure/rules.cpp)");
     for (const Include& include : source.includes)
       if (const auto reason = objection(tree, file, include.target))
         found.push_back(file + ":" + std::to_string(include.line) + ": includes " + include.target + ": " + *reason);

@@ -20,12 +20,14 @@ std::string lines(const std::vector<std::string>& all) {
 TEST(Structure, the_repository_keeps_every_rule) {
   const SourceTree tree = read_source_tree(PARDEL_SOURCE);
   EXPECT_GT(tree.size(), 300u);
-  EXPECT_EQ(lines(violations(tree)), "") << "The tables are in tests/structure/rules.cpp.";
+  EXPECT_EQ(lines(violations(tree)), "") << "The rules are defined in tests/structure/rules.cpp.";
 }
 
-TEST(Structure, every_exception_is_used) { EXPECT_EQ(lines(unused_exceptions(read_source_tree(PARDEL_SOURCE))), ""); }
+TEST(Structure, every_allowed_violation_is_needed) {
+  EXPECT_EQ(lines(unused_exceptions(read_source_tree(PARDEL_SOURCE))), "");
+}
 
-/// The modules of the engine that have no test of their own name, and the tests that cover them.
+/// The modules of parallel/ that have no test file named after them, and the tests that cover them.
 const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"concurrency/watched_array", {"scheduling/touches_test"}},
     {"conversion/export_mesh", {"conversion/import_export_test"}},
@@ -44,7 +46,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"triangulation/triangle_shape", {"refinement/criteria_test"}},
 };
 
-TEST(Structure, every_module_of_the_engine_has_a_test_of_its_name_or_one_that_covers_it) {
+TEST(Structure, every_engine_module_has_its_own_test_or_a_covering_test) {
   const SourceTree tree = read_source_tree(PARDEL_SOURCE);
   const auto is_test = [&](const std::string& name) { return tree.contains("tests/parallel/" + name + "_test.cpp"); };
   std::size_t modules = 0;
@@ -64,7 +66,7 @@ TEST(Structure, every_module_of_the_engine_has_a_test_of_its_name_or_one_that_co
 }
 
 /// A small tree that keeps every rule; each test adds one file that breaks one.
-class BrokenTree : public ::testing::Test {
+class StructureRule : public ::testing::Test {
  protected:
   void SetUp() override {
     add("core/mesh.hpp", {});
@@ -102,35 +104,35 @@ class BrokenTree : public ::testing::Test {
   TemporaryFolder root_;
 };
 
-TEST_F(BrokenTree, a_private_header_of_the_engine_is_not_included_from_outside) {
+TEST_F(StructureRule, a_private_header_of_the_engine_is_not_included_from_outside) {
   EXPECT_EQ(violations_with("cli/draw.cpp", {"../parallel/triangulation/cavity.hpp"}),
             "cli/draw.cpp:1: includes parallel/triangulation/cavity.hpp: the header is private to parallel\n");
 }
 
-TEST_F(BrokenTree, a_private_header_of_the_checker_is_not_included_from_outside) {
+TEST_F(StructureRule, a_private_header_of_the_checker_is_not_included_from_outside) {
   EXPECT_EQ(violations_with("cli/draw.cpp", {"../properties/checker/model/domain.hpp"}),
             "cli/draw.cpp:1: includes properties/checker/model/domain.hpp: the header is private to "
             "properties/checker\n");
 }
 
-TEST_F(BrokenTree, a_private_header_of_core_is_not_included_from_outside) {
+TEST_F(StructureRule, a_private_header_of_core_is_not_included_from_outside) {
   EXPECT_EQ(violations_with("parallel/mesher2.cpp", {"../core/formats/text_reader.hpp"}),
             "parallel/mesher2.cpp:1: includes core/formats/text_reader.hpp: the header is private to core\n");
 }
 
-TEST_F(BrokenTree, a_private_header_is_not_included_by_its_name_as_a_public_one) {
+TEST_F(StructureRule, a_private_header_is_not_included_in_angle_brackets) {
   root_.write("examples/a.cpp", "#include <pardel/parallel/options.hpp>\n#include <pardel/parallel/input/faces.hpp>\n");
   EXPECT_EQ(lines(violations(read_source_tree(root_.path()))),
             "examples/a.cpp:2: includes parallel/input/faces.hpp: the header is private to parallel\n");
 }
 
-TEST_F(BrokenTree, an_exception_holds_for_its_own_folder_only) {
+TEST_F(StructureRule, an_allowed_violation_holds_for_its_own_folder_only) {
   EXPECT_EQ(violations_with("tests/cli/draw_test.cpp", {"../../parallel/triangulation/cavity.hpp"}),
             "tests/cli/draw_test.cpp:1: includes parallel/triangulation/cavity.hpp: the header is private to "
             "parallel\n");
 }
 
-TEST_F(BrokenTree, the_checker_uses_neither_the_engine_nor_the_reference_nor_defects_nor_theorems) {
+TEST_F(StructureRule, the_checker_uses_neither_the_engine_nor_the_reference_nor_defects_nor_theorems) {
   add("properties/theorems/scene.hpp", {});
   EXPECT_EQ(violations_with("properties/checker/check.cpp",
                             {"check.hpp", "../../parallel/options.hpp", "../../ref/region.hpp",
@@ -143,23 +145,23 @@ TEST_F(BrokenTree, the_checker_uses_neither_the_engine_nor_the_reference_nor_def
             "properties/theorems\n");
 }
 
-TEST_F(BrokenTree, the_domains_do_not_use_the_engine) {
+TEST_F(StructureRule, the_domains_do_not_use_the_engine) {
   EXPECT_EQ(violations_with("properties/domains/domains.cpp", {"../../parallel/options.hpp"}),
             "properties/domains/domains.cpp:1: includes parallel/options.hpp: properties/domains may not use "
             "parallel\n");
 }
 
-TEST_F(BrokenTree, core_uses_nothing_above_it) {
+TEST_F(StructureRule, core_uses_nothing_above_it) {
   EXPECT_EQ(violations_with("core/mesh.cpp", {"mesh.hpp", "../parallel/options.hpp"}),
             "core/mesh.cpp:2: includes parallel/options.hpp: core may not use parallel\n");
 }
 
-TEST_F(BrokenTree, the_engine_does_not_use_the_checker) {
+TEST_F(StructureRule, the_engine_does_not_use_the_checker) {
   EXPECT_EQ(violations_with("parallel/mesher2.cpp", {"../properties/checker/check.hpp"}),
             "parallel/mesher2.cpp:1: includes properties/checker/check.hpp: parallel may not use properties/checker\n");
 }
 
-TEST_F(BrokenTree, the_reference_and_the_engine_do_not_use_each_other) {
+TEST_F(StructureRule, the_reference_and_the_engine_do_not_use_each_other) {
   EXPECT_EQ(violations_with("ref/region.cpp", {"region.hpp", "../parallel/options.hpp"}),
             "ref/region.cpp:2: includes parallel/options.hpp: ref may not use parallel\n");
   EXPECT_EQ(violations_with("ref/region.cpp", {"region.hpp", "../properties/checker/check.hpp"}),
@@ -169,27 +171,27 @@ TEST_F(BrokenTree, the_reference_and_the_engine_do_not_use_each_other) {
             "parallel/mesher2.cpp:1: includes ref/region.hpp: parallel may not use ref\n");
 }
 
-TEST_F(BrokenTree, a_room_does_not_use_a_higher_room) {
+TEST_F(StructureRule, a_room_does_not_use_a_higher_room) {
   EXPECT_EQ(violations_with("parallel/arithmetic/pair.hpp", {"../triangulation/cavity.hpp"}, "pardel::engine"),
-            "parallel/arithmetic/pair.hpp:1: includes parallel/triangulation/cavity.hpp: this room is not lower than "
-            "parallel/arithmetic\n");
+            "parallel/arithmetic/pair.hpp:1: includes parallel/triangulation/cavity.hpp: it is not below "
+            "parallel/arithmetic in the order of rooms\n");
   add("parallel/arithmetic/pair.hpp", {}, "pardel::engine");
   EXPECT_EQ(violations_with("properties/checker/arithmetic/sum.hpp", {"../model/domain.hpp"}, "pardel::checker"),
-            "properties/checker/arithmetic/sum.hpp:1: includes properties/checker/model/domain.hpp: this room is not "
-            "lower than properties/checker/arithmetic\n");
+            "properties/checker/arithmetic/sum.hpp:1: includes properties/checker/model/domain.hpp: it is not "
+            "below properties/checker/arithmetic in the order of rooms\n");
 }
 
-TEST_F(BrokenTree, input_and_triangulation_do_not_use_each_other) {
+TEST_F(StructureRule, input_and_triangulation_do_not_use_each_other) {
   EXPECT_EQ(violations_with("parallel/input/hull.cpp", {"../triangulation/cavity.hpp"}),
-            "parallel/input/hull.cpp:1: includes parallel/triangulation/cavity.hpp: this room is not lower than "
-            "parallel/input\n");
+            "parallel/input/hull.cpp:1: includes parallel/triangulation/cavity.hpp: it is not below "
+            "parallel/input in the order of rooms\n");
   add("parallel/input/hull.cpp", {});
   EXPECT_EQ(violations_with("parallel/triangulation/flips.cpp", {"../input/faces.hpp"}),
-            "parallel/triangulation/flips.cpp:1: includes parallel/input/faces.hpp: this room is not lower than "
-            "parallel/triangulation\n");
+            "parallel/triangulation/flips.cpp:1: includes parallel/input/faces.hpp: it is not below "
+            "parallel/triangulation in the order of rooms\n");
 }
 
-TEST_F(BrokenTree, a_public_header_includes_no_private_one) {
+TEST_F(StructureRule, a_public_header_includes_no_private_one) {
   EXPECT_EQ(violations_with("parallel/report.hpp", {"triangulation/cavity.hpp"}),
             "parallel/report.hpp:1: includes parallel/triangulation/cavity.hpp: a public header includes a private "
             "one\n");
@@ -197,33 +199,34 @@ TEST_F(BrokenTree, a_public_header_includes_no_private_one) {
             "parallel/report.hpp:1: includes core/support/shortest.hpp: a public header includes a private one\n");
 }
 
-TEST_F(BrokenTree, a_private_header_opens_the_namespace_of_its_room) {
+TEST_F(StructureRule, a_private_header_opens_the_namespace_of_its_room) {
   EXPECT_EQ(violations_with("parallel/triangulation/flips.hpp", {}, "pardel"),
             "parallel/triangulation/flips.hpp: opens namespace pardel, but the namespace of its room is "
             "pardel::engine\n");
 }
 
-TEST_F(BrokenTree, a_new_room_needs_a_place_in_the_table) {
+TEST_F(StructureRule, a_new_room_must_be_listed) {
   EXPECT_EQ(violations_with("parallel/smoothing/laplace.hpp", {}, "pardel::engine"),
-            "parallel/smoothing/laplace.hpp: its folder is no room of the table\n");
+            "parallel/smoothing/laplace.hpp: its folder is not in the list of rooms (tests/structure/rules.cpp)\n");
   add("parallel/smoothing/laplace.cpp", {});
   fs::remove(root_.path() / "parallel/smoothing/laplace.hpp");
-  EXPECT_EQ(violations_with("gui/window.cpp", {}), "gui/window.cpp: lies outside the folders of the table\n");
+  EXPECT_EQ(violations_with("gui/window.cpp", {}),
+            "gui/window.cpp: its folder is not in the list of folders (tests/structure/rules.cpp)\n");
 }
 
-TEST_F(BrokenTree, an_include_names_a_file_that_exists) {
+TEST_F(StructureRule, an_include_names_a_file_that_exists) {
   EXPECT_EQ(violations_with("core/mesh.cpp", {"meshes.hpp"}),
             "core/mesh.cpp:1: includes core/meshes.hpp: there is no such file\n");
 }
 
-TEST_F(BrokenTree, files_do_not_include_each_other_in_a_circle) {
+TEST_F(StructureRule, files_do_not_include_each_other_in_a_circle) {
   add("parallel/triangulation/a.hpp", {"b.hpp"}, "pardel::engine");
   EXPECT_EQ(violations_with("parallel/triangulation/b.hpp", {"a.hpp"}, "pardel::engine"),
             "parallel/triangulation/a.hpp -> parallel/triangulation/b.hpp -> parallel/triangulation/a.hpp: files "
             "include each other in a circle\n");
 }
 
-TEST_F(BrokenTree, a_room_of_the_engine_has_at_most_sixteen_files) {
+TEST_F(StructureRule, a_room_of_the_engine_has_at_most_sixteen_files) {
   for (int i = 0; i < 16; ++i) add("parallel/input/part" + std::to_string(i) + ".cpp", {});
   EXPECT_EQ(lines(violations(read_source_tree(root_.path()))), "parallel/input: 17 files, more than 16\n");
 }

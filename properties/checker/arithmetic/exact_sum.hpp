@@ -12,7 +12,7 @@ namespace pardel::checker {
 
 class ExactSum {
  public:
-  /// Adds x * y (finite), or subtracts it. Constant time.
+  /// Adds or subtracts x * y exactly. Precondition: x and y are finite. Constant time.
   void add_product(double x, double y) { accumulate(x, y, false); }
   void subtract_product(double x, double y) { accumulate(x, y, true); }
 
