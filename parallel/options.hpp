@@ -8,7 +8,7 @@
 #include "../core/mesh.hpp"
 #include "../core/pslg.hpp"
 #include "../core/result.hpp"
-#include "report.hpp"
+#include "sweep.hpp"
 
 namespace pardel {
 

@@ -13,4 +13,5 @@
 #include <pardel/parallel/options.hpp>
 #include <pardel/parallel/repair.hpp>
 #include <pardel/parallel/report.hpp>
+#include <pardel/parallel/sweep.hpp>
 #include <pardel/parallel/validate.hpp>

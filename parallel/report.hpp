@@ -5,26 +5,9 @@
 #include <vector>
 
 #include "../core/pslg.hpp"
+#include "sweep.hpp"
 
 namespace pardel {
-
-/// One pass over the cells of a lattice. Cells have four colours; the cells of one colour are refined in parallel, one
-/// task per cell.
-struct Sweep {
-  Index columns = 1, rows = 1;  ///< size of the lattice
-  std::uint64_t inserted = 0;   ///< number of vertices inserted
-  /// The numbers of bad triangles that were handed on, by reason. A task hands a triangle on if it leaves the triangle
-  /// to a later task.
-  std::uint64_t to_other_cells = 0;  ///< the split point lies in another cell
-  std::uint64_t beyond_box = 0;      ///< the cavity of the split point leaves the box of its cell
-  std::uint64_t out_of_numbers = 0;  ///< the task had no indices left for new vertices or triangles
-  /// With Decomposition::paper: the number of triangles of beyond_box that contradict theorem T1 (THEORY.md). Always 0,
-  /// because one such triangle ends the refinement with ErrorKind::internal.
-  std::uint64_t against_promise = 0;
-  double seconds = 0;
-
-  [[nodiscard]] std::uint64_t handed_on() const { return to_other_cells + beyond_box + out_of_numbers; }
-};
 
 /// Why a triangle that does not satisfy the goal was not split.
 enum class ExemptReason : std::uint8_t {

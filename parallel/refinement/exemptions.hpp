@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../options.hpp"
+#include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "criteria.hpp"

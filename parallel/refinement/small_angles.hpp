@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "../options.hpp"
+#include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "criteria.hpp"
 

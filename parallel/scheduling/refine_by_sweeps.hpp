@@ -22,6 +22,7 @@
 #include "../../core/result.hpp"
 #include "../options.hpp"
 #include "../refinement/criteria.hpp"
+#include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "schedule.hpp"
