@@ -44,7 +44,7 @@ Command add_generate(CLI::App& program) {
   CLI::App* app = program.add_subcommand("generate", "Write a named domain as a .poly file");
   app->add_option("NAME", arguments->name, "The name of the domain")->required()->type_name("");
   app->add_option("-n,--size", arguments->n,
-                  "The size of the domain, if it has one: number of points, teeth, cells (0: the default)")
+                  "The size of the domain, if it has one: how many points, teeth of a comb, or cells (0: the default)")
       ->type_name("N");
   app->add_option("--seed", arguments->seed,
                   "Seed of a random domain (default 1); a seed gives the same file on every machine")

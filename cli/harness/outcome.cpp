@@ -9,7 +9,7 @@
 namespace pardel::harness {
 namespace {
 
-constexpr std::size_t most_listed = 10;
+constexpr std::size_t max_listed = 10;
 
 constexpr auto verdict_names = enum_names<Verdict>({
     {Verdict::valid, "valid"},
@@ -26,7 +26,7 @@ static_assert(verdict_names.size() == verdict_count);
 const char* name(Verdict verdict) { return verdict_names[verdict]; }
 
 Outcome judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, bool delaunay) {
-  Certificate certificate = check(pslg, mesh, goal, {.max_violations = most_listed, .foreign = true});
+  Certificate certificate = check(pslg, mesh, goal, {.max_violations = max_listed, .foreign = true});
   if (!delaunay) certificate.violation_counts[static_cast<std::size_t>(ViolationKind::not_delaunay)] = 0;
   const bool only_bounds = cli::only_bounds_missed(certificate);
   Outcome outcome{only_bounds ? Verdict::missed : Verdict::wrong, {}, {}, {}};

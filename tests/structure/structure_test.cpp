@@ -132,7 +132,7 @@ TEST_F(StructureRule, an_allowed_violation_holds_for_its_own_folder_only) {
             "parallel\n");
 }
 
-TEST_F(StructureRule, the_checker_uses_neither_the_engine_nor_the_reference_nor_defects_nor_theorems) {
+TEST_F(StructureRule, the_checker_uses_neither_the_engine_nor_ref_nor_defects_nor_theorems) {
   add("properties/theorems/scene.hpp", {});
   EXPECT_EQ(violations_with("properties/checker/check.cpp",
                             {"check.hpp", "../../parallel/options.hpp", "../../ref/region.hpp",
@@ -161,7 +161,7 @@ TEST_F(StructureRule, the_engine_does_not_use_the_checker) {
             "parallel/mesher2.cpp:1: includes properties/checker/check.hpp: parallel may not use properties/checker\n");
 }
 
-TEST_F(StructureRule, the_reference_and_the_engine_do_not_use_each_other) {
+TEST_F(StructureRule, ref_and_the_engine_do_not_use_each_other) {
   EXPECT_EQ(violations_with("ref/region.cpp", {"region.hpp", "../parallel/options.hpp"}),
             "ref/region.cpp:2: includes parallel/options.hpp: ref may not use parallel\n");
   EXPECT_EQ(violations_with("ref/region.cpp", {"region.hpp", "../properties/checker/check.hpp"}),
