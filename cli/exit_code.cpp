@@ -23,8 +23,8 @@ ExitCode exit_code(ErrorKind kind) {
   return ExitCode::failure;
 }
 
-ExitCode report(const Error& error) {
-  fmt::print(stderr, "pardel: {}{}\n", error.kind == ErrorKind::internal ? "internal error: " : "", error.message);
+ExitCode report(const Error& error, std::string_view program) {
+  fmt::print(stderr, "{}: {}{}\n", program, error.kind == ErrorKind::internal ? "internal error: " : "", error.message);
   return exit_code(error.kind);
 }
 

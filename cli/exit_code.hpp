@@ -1,6 +1,9 @@
 // The exit status of the program.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "../core/result.hpp"
 
 namespace pardel::cli {
@@ -18,8 +21,8 @@ enum class ExitCode : int {
 
 [[nodiscard]] ExitCode exit_code(ErrorKind kind);
 
-/// Prints `pardel: message` on stderr and returns the exit code of the error.
-ExitCode report(const Error& error);
+/// Prints `program: message` on stderr and returns the exit code of the error.
+ExitCode report(const Error& error, std::string_view program = "pardel");
 
 /// Prints `pardel: message` on stderr. The program continues.
 void warn(const std::string& message);

@@ -120,10 +120,7 @@ Result<ExitCode> run(const Options& options) {
   return all_valid(card) ? ExitCode::done : ExitCode::violations;
 }
 
-ExitCode report(const Error& error) {
-  fmt::print(stderr, "pardel-harness: {}\n", error.message);
-  return cli::exit_code(error.kind);
-}
+ExitCode report(const Error& error) { return cli::report(error, "pardel-harness"); }
 
 ExitCode guarded(int argc, char** argv) {
   try {
