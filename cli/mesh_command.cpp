@@ -52,13 +52,15 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// A valid domain or, with --refine, a mesh.
-using Input = std::variant<ValidPslg, CoarseMesh>;
+struct Input {
+  std::variant<ValidPslg, CoarseMesh> source;  ///< a valid domain; with --refine a mesh
+  std::vector<double> sizes;                   ///< as read_sizes_of() returns them
 
-const Pslg& pslg_of(const Input& input) {
-  const auto* domain = std::get_if<ValidPslg>(&input);
-  return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(input).domain.pslg;
-}
+  [[nodiscard]] const Pslg& pslg() const {
+    const auto* domain = std::get_if<ValidPslg>(&source);
+    return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
+  }
+};
 
 ValidateOptions how_to_validate(const Arguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
@@ -75,41 +77,37 @@ Result<ValidPslg> repair_domain(const Arguments& arguments, Domain domain) {
   return std::move(repaired->domain);
 }
 
-Status read_sizes_into(std::vector<double>& sizes, const GoalOptions& goal) {
-  Result<std::vector<double>> read = read_sizes_of(goal);
-  if (!read) return read.error();
-  sizes = std::move(*read);
-  return Done{};
-}
-
 /// Reads the input and the sizes, and validates a domain: the only validation of a run.
-Result<Input> read(const Arguments& arguments, std::vector<double>& sizes, Seconds& seconds) {
+Result<Input> read(const Arguments& arguments, Seconds& seconds) {
   Stopwatch watch;
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return coarse.error();
-    if (Status fine = read_sizes_into(sizes, arguments.goal); !fine) return fine.error();
+    Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+    if (!sizes) return sizes.error();
     seconds.read = watch.lap();
-    return Input(std::move(*coarse));
+    return Input{std::move(*coarse), std::move(*sizes)};
   }
   Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return domain.error();
-  if (Status fine = read_sizes_into(sizes, arguments.goal); !fine) return fine.error();
+  Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+  if (!sizes) return sizes.error();
   seconds.read = watch.lap();
   Result<ValidPslg> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
                                              : validated(std::move(*domain), how_to_validate(arguments));
   if (!valid) return valid.error();
   seconds.validate = watch.lap();
-  return Input(std::move(*valid));
+  return Input{std::move(*valid), std::move(*sizes)};
 }
 
 /// With --refine only --sizes needs a valid domain, because it triangulates the domain.
-Result<Goal> make_goal(const Arguments& arguments, std::span<const double> sizes, const Input& input) {
-  if (const auto* domain = std::get_if<ValidPslg>(&input)) return make_goal(arguments.goal, sizes, *domain);
+Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
+  if (const auto* domain = std::get_if<ValidPslg>(&input.source))
+    return make_goal(arguments.goal, input.sizes, *domain);
   if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
-  const Result<ValidPslg> domain = validated(std::get<CoarseMesh>(input).domain, how_to_validate(arguments));
+  const Result<ValidPslg> domain = validated(std::get<CoarseMesh>(input.source).domain, how_to_validate(arguments));
   if (!domain) return domain.error();
-  return make_goal(arguments.goal, sizes, *domain);
+  return make_goal(arguments.goal, input.sizes, *domain);
 }
 
 /// The error for a mesh that cannot be refined: the problems of its domain if there are any, otherwise `error`.
@@ -122,19 +120,19 @@ Error why_not_refined(const Arguments& arguments, const Domain& domain, const Er
 }
 
 Result<Meshed> make_mesh(const Arguments& arguments, const Input& input, const Goal& goal, const Options& options) {
-  if (const auto* coarse = std::get_if<CoarseMesh>(&input)) {
+  if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
     Result<Meshed> meshed = refine(coarse->mesh, coarse->max_areas, goal, options);
     if (!meshed) return why_not_refined(arguments, coarse->domain, meshed.error());
     return meshed;
   }
-  Result<Meshed> meshed = mesh(std::get<ValidPslg>(input), goal, options);
+  Result<Meshed> meshed = mesh(std::get<ValidPslg>(input.source), goal, options);
   if (!meshed) return with_name(meshed.error(), arguments.input.string());
   return meshed;
 }
 
 Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal) {
   // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
-  return check(pslg_of(input), meshed.mesh, goal, {.foreign = arguments.refine});
+  return check(input.pslg(), meshed.mesh, goal, {.foreign = arguments.refine});
 }
 
 /// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
@@ -224,12 +222,11 @@ Result<ExitCode> run(Arguments& arguments) {
   const Interrupt interrupt;
 
   MeshRun run;
-  std::vector<double> sizes;
-  const Result<Input> input = read(arguments, sizes, run.seconds);
+  const Result<Input> input = read(arguments, run.seconds);
   if (!input) return input.error();
-  const Pslg& pslg = pslg_of(*input);
+  const Pslg& pslg = input->pslg();
   Stopwatch watch;
-  const Result<Goal> goal = make_goal(arguments, sizes, *input);
+  const Result<Goal> goal = make_goal(arguments, *input);
   if (!goal) return goal.error();
   run.seconds.read += watch.lap();
   if (interrupt.requested()) return interrupted();
