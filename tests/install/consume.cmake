@@ -1,5 +1,5 @@
 # cmake -DPREFIX= -DSOURCE= -DWORK= ... -P consume.cmake: configures, builds and runs the project SOURCE against the
-# installation in PREFIX. Its output must match EXPECTED.
+# installation in PREFIX. PROGRAM ARGUMENTS... is its command line. The output must match EXPECTED.
 function(step)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -9,7 +9,8 @@ step(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK} -G ${GENERATOR} -DCMAKE_PREFIX_PAT
      -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${TYPE}
      "-DCMAKE_CXX_FLAGS=${FLAGS}" ${WITHOUT})
 step(${CMAKE_COMMAND} --build ${WORK})
-execute_process(COMMAND ${WORK}/consumer OUTPUT_VARIABLE output COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(ARGUMENTS UNIX_COMMAND "${ARGUMENTS}")
+execute_process(COMMAND ${WORK}/${PROGRAM} ${ARGUMENTS} OUTPUT_VARIABLE output COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 if(NOT output MATCHES "${EXPECTED}")
-  message(FATAL_ERROR "expected '${EXPECTED}' in the consumer's output:\n${output}")
+  message(FATAL_ERROR "expected '${EXPECTED}' in the program's output:\n${output}")
 endif()
