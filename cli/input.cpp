@@ -106,6 +106,11 @@ Result<MaybeRepaired> validated_or_repaired(Domain domain, const ValidateOptions
   return MaybeRepaired{std::move(valid_domain), std::move(domain.pslg), std::move(repaired->point_map)};
 }
 
+const Pslg& pslg_of(const Source& source) {
+  const auto* domain = std::get_if<ValidPslg>(&source);
+  return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
+}
+
 Error problems_error(const Domain& domain, std::span<const Problem> problems) {
   const int base = domain.pslg.first_id.value;
   if (problems.size() == 1) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "../core/mesh.hpp"
@@ -32,6 +33,11 @@ struct CoarseMesh {
   Domain domain;
 };
 [[nodiscard]] Result<CoarseMesh> read_coarse_mesh(const std::filesystem::path& file);
+
+/// The thing that a run meshes: a valid domain, or a mesh to refine.
+using Source = std::variant<ValidPslg, CoarseMesh>;
+/// The domain itself, or the domain of the mesh.
+[[nodiscard]] const Pslg& pslg_of(const Source& source);
 
 /// Reads one cap per triangle of coarse.mesh from a .area file.
 [[nodiscard]] Status read_caps(CoarseMesh& coarse, const std::filesystem::path& area);

@@ -53,13 +53,8 @@ struct Arguments {
 };
 
 struct Input {
-  std::variant<ValidPslg, CoarseMesh> source;  ///< a valid domain; with --refine a mesh
-  std::vector<double> sizes;                   ///< as read_sizes_of() returns them
-
-  [[nodiscard]] const Pslg& pslg() const {
-    const auto* domain = std::get_if<ValidPslg>(&source);
-    return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
-  }
+  Source source;              ///< with --refine a mesh, otherwise a domain
+  std::vector<double> sizes;  ///< as read_sizes_of() returns them
 };
 
 ValidateOptions how_to_validate(const Arguments& arguments) {
@@ -132,7 +127,7 @@ Result<Meshed> make_mesh(const Arguments& arguments, const Input& input, const G
 
 Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal) {
   // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
-  return check(input.pslg(), meshed.mesh, goal, {.foreign = arguments.refine});
+  return check(pslg_of(input.source), meshed.mesh, goal, {.foreign = arguments.refine});
 }
 
 /// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
@@ -224,7 +219,7 @@ Result<ExitCode> run(Arguments& arguments) {
   MeshRun run;
   const Result<Input> input = read(arguments, run.seconds);
   if (!input) return input.error();
-  const Pslg& pslg = input->pslg();
+  const Pslg& pslg = pslg_of(input->source);
   Stopwatch watch;
   const Result<Goal> goal = make_goal(arguments, *input);
   if (!goal) return goal.error();

@@ -58,15 +58,12 @@ Exit status as for every subcommand (pardel --help). A bound that is missed only
 
 /// The input: a valid domain, or with r a mesh.
 struct Input {
-  std::variant<ValidPslg, CoarseMesh> source;
+  Source source;
   std::optional<Pslg> original;  ///< the domain as read, if it had to be repaired
   std::vector<Index> point_map;  ///< if repaired: maps points of the original to points of the domain
   bool node_was_read = true;
 
-  [[nodiscard]] const Pslg& pslg() const {
-    const auto* domain = std::get_if<ValidPslg>(&source);
-    return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
-  }
+  [[nodiscard]] const Pslg& pslg() const { return pslg_of(source); }
 };
 
 void say(const TriangleSwitches& switches, const std::string& line) {
