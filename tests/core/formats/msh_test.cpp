@@ -9,6 +9,7 @@
 #include "../../../core/formats/mesh_readers.hpp"
 #include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
+#include "broken_text.hpp"
 
 namespace pardel {
 using namespace files;
@@ -61,18 +62,7 @@ $Elements
 $EndElements
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-std::string failure_of(const std::string& text) {
-  const auto mesh = parse_msh(text, "f");
-  if (mesh.ok()) return "(no error)";
-  EXPECT_EQ(mesh.error().kind, ErrorKind::invalid_input);
-  return mesh.error().message;
-}
+std::string failure_of(const std::string& text) { return message_of_invalid(parse_msh(text, "f")); }
 
 /// The sample mesh as the MSH reader returns it: triangles sorted by region, edges sorted by marker, and without the
 /// data that MSH cannot store.

@@ -8,6 +8,7 @@
 
 #include "../../../core/formats.hpp"
 #include "../../temporary_folder.hpp"
+#include "broken_text.hpp"
 
 namespace pardel {
 namespace {
@@ -33,12 +34,7 @@ constexpr const char* everything = R"(# A square with a diagonal, one attribute,
 2 0.25 0.75 0.5        # one value for both
 )";
 
-std::string failure_of(std::string_view text) {
-  const auto pslg = parse_poly(text, "f");
-  if (pslg.ok()) return "(no error)";
-  EXPECT_EQ(pslg.error().kind, ErrorKind::invalid_input);
-  return pslg.error().message;
-}
+std::string failure_of(std::string_view text) { return message_of_invalid(parse_poly(text, "f")); }
 
 /// `everything` with the n-th line (from 1) replaced.
 std::string with_line(int n, const std::string& line) {

@@ -8,6 +8,7 @@
 #include "../../../core/formats/mesh_readers.hpp"
 #include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
+#include "broken_text.hpp"
 
 namespace pardel {
 using namespace files;
@@ -47,18 +48,7 @@ constexpr const char* ascii = R"(<?xml version="1.0"?>
 </VTKFile>
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-std::string failure_of(const std::string& text) {
-  const auto mesh = parse_vtu(text, "f");
-  if (mesh.ok()) return "(no error)";
-  EXPECT_EQ(mesh.error().kind, ErrorKind::invalid_input);
-  return mesh.error().message;
-}
+std::string failure_of(const std::string& text) { return message_of_invalid(parse_vtu(text, "f")); }
 
 TEST(Vtu, reads_back_as_the_same_mesh) {
   const TemporaryFolder folder;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../samples.hpp"
+#include "assessed_sample.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -11,19 +11,9 @@ namespace {
 using Need = Assessment::Need;
 
 /// One triangle with the base from (0, 0) to (8, 0) and the corner `apex`. All its edges are constrained.
-struct Scene {
-  samples::Sample sample;
-  DomainSegments segments;
-  Options options;
-  Criteria criteria;
-  Assessor assessor;
-
+struct Scene : samples::AssessedSample {
   Scene(Point apex, const Goal& goal, const Options& with = {})
-      : sample(samples::triangulated({{0, 0}, {8, 0}, apex})),
-        segments(sample.triangulation.points, sample.constraints),
-        options(with),
-        criteria(goal, Placement::circumcentre, {}),
-        assessor(sample.triangulation, segments, criteria, options) {}
+      : AssessedSample({{0, 0}, {8, 0}, apex}, goal, Placement::circumcentre, with) {}
   [[nodiscard]] const Slot& slot() const { return sample.triangulation.slots[0]; }
   /// The side opposite the apex.
   [[nodiscard]] unsigned base() const {

@@ -5,21 +5,18 @@
 
 #include <algorithm>
 
-#include "../samples.hpp"
+#include "assessed_sample.hpp"
 
 namespace pardel::engine {
 namespace {
 
 /// Random points in the unit square, a task, and indices for 5000 insertions.
-struct Scene {
-  samples::Sample sample = samples::triangulated(samples::uniform_points(300, 5));
-  DomainSegments segments{sample.triangulation.points, sample.constraints};
-  Options options{.min_edge = 1e-6};
-  Criteria criteria{{.min_angle_deg = 25, .max_area = 0.0003}, Placement::off_centre, {}};
-  Assessor assessor{sample.triangulation, segments, criteria, options};
+struct Scene : samples::AssessedSample {
   FreeIndices free;
 
-  explicit Scene(Index insertions = 5000) {
+  explicit Scene(Index insertions = 5000)
+      : AssessedSample(samples::uniform_points(300, 5), {.min_angle_deg = 25, .max_area = 0.0003},
+                       Placement::off_centre, {.min_edge = 1e-6}) {
     const auto vertices = static_cast<Index>(t().points.size()), triangles = static_cast<Index>(t().slots.size());
     free = {IndexPool({{vertices, vertices + insertions}}), IndexPool({{triangles, triangles + 2 * insertions}})};
     t().points.resize(vertices + insertions);

@@ -4,23 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "../../../parallel/concurrency/parallel_for.hpp"
-#include "../samples.hpp"
+#include "../refinement/assessed_sample.hpp"
 
 namespace pardel::engine {
 namespace {
 
-struct Scene {
-  samples::Sample sample;
-  DomainSegments segments;
-  Options options;
-  Criteria criteria;
-  Assessor assessor;
-
-  Scene(const std::vector<Point>& points, const Goal& goal)
-      : sample(samples::triangulated(points)),
-        segments(sample.triangulation.points, sample.constraints),
-        criteria(goal, Placement::off_centre, {}),
-        assessor(sample.triangulation, segments, criteria, options) {}
+struct Scene : samples::AssessedSample {
+  Scene(const std::vector<Point>& points, const Goal& goal) : AssessedSample(points, goal, Placement::off_centre) {}
   [[nodiscard]] InitialAssessment assessment(int threads) const {
     return assess_all(sample.triangulation, criteria, assessor, threads);
   }

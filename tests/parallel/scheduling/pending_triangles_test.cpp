@@ -6,20 +6,16 @@
 #include <algorithm>
 
 #include "../../../parallel/scheduling/initial_assessment.hpp"
-#include "../samples.hpp"
+#include "../refinement/assessed_sample.hpp"
 
 namespace pardel::engine {
 namespace {
 
 /// Random points in the unit square, with most triangles bad.
-struct Scene {
-  samples::Sample sample = samples::triangulated(samples::uniform_points(2000, 3));
-  DomainSegments segments{sample.triangulation.points, sample.constraints};
-  Options options;
-  Criteria criteria{{.min_angle_deg = 30}, Placement::circumcentre, {}};
-  Assessor assessor{sample.triangulation, segments, criteria, options};
+struct Scene : samples::AssessedSample {
   Lattice lattice{{0, 0, 1, 1}, 4, 4};
 
+  Scene() : AssessedSample(samples::uniform_points(2000, 3), {.min_angle_deg = 30}, Placement::circumcentre) {}
   [[nodiscard]] const Triangulation& t() const { return sample.triangulation; }
   [[nodiscard]] PendingTriangles all_bad(int threads) const {
     PendingTriangles pending(t(), assessor, threads);
