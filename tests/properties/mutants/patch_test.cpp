@@ -1,9 +1,10 @@
 #include "../../../properties/mutants/patch.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
+
+#include "../../temporary_folder.hpp"
 
 namespace pardel::mutants {
 namespace {
@@ -12,25 +13,25 @@ namespace fs = std::filesystem;
 /// A project with one folder of sources, and a patched copy of this folder.
 class PatchedCopy : public testing::Test {
  public:
-  PatchedCopy() : folder_(fs::temp_directory_path() / ("pardel-patch-test-" + std::to_string(::getpid()))) {
+  PatchedCopy() {
     fs::create_directories(root() / "properties/mutants/patches");
     source("engine/a.cpp", "first\nsecond\nthird\n");
     source("engine/room/b.hpp", "other\n");
   }
-  ~PatchedCopy() override { fs::remove_all(folder_); }
 
  protected:
   [[nodiscard]] fs::path root() const { return folder_ / "root"; }
-  [[nodiscard]] fs::path copied(const std::string& file) const { return folder_ / "copy" / file; }
+  [[nodiscard]] fs::path copied(const std::string& file) const { return folder_ / ("copy/" + file); }
+  [[nodiscard]] std::string copy_of(const std::string& file) const { return folder_.read("copy/" + file); }
 
-  void source(const std::string& file, const std::string& text) const { write(root() / file, text); }
+  void source(const std::string& file, const std::string& text) const { folder_.write("root/" + file, text); }
   void patch(const std::string& name, const std::string& text) const {
-    write(root() / "properties/mutants/patches" / (name + ".patch"), text);
+    folder_.write("root/properties/mutants/patches/" + name + ".patch", text);
   }
   void registry(const std::vector<std::string>& mutants) const {
     std::string text;
     for (const std::string& mutant : mutants) text += mutant + " | engine/a.cpp | a mistake | program Suite.property\n";
-    write(root() / "properties/mutants/registry", text);
+    folder_.write("root/properties/mutants/registry", text);
   }
   /// Messages without the folder's name.
   [[nodiscard]] std::vector<std::string> errors() const {
@@ -40,17 +41,9 @@ class PatchedCopy : public testing::Test {
         error.erase(at, root().string().size() + 1);
     return errors;
   }
-  [[nodiscard]] static std::string contents(const fs::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
 
  private:
-  static void write(const fs::path& file, const std::string& text) {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << text;
-  }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 using Errors = std::vector<std::string>;
@@ -58,15 +51,15 @@ using Errors = std::vector<std::string>;
 TEST_F(PatchedCopy, contains_every_source_as_it_is_where_no_patch_changes_it) {
   registry({});
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(contents(copied("engine/a.cpp")), "first\nsecond\nthird\n");
-  EXPECT_EQ(contents(copied("engine/room/b.hpp")), "other\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), "first\nsecond\nthird\n");
+  EXPECT_EQ(copy_of("engine/room/b.hpp"), "other\n");
 }
 
 TEST_F(PatchedCopy, contains_what_the_patches_add_and_lacks_what_they_remove) {
   registry({"m"});
   patch("m", "engine/a.cpp\n first\n+if (mutated(\"m\"))\n@@\n-third\n+  fourth\n");
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(contents(copied("engine/a.cpp")), "first\nif (mutated(\"m\"))\nsecond\n  fourth\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), "first\nif (mutated(\"m\"))\nsecond\n  fourth\n");
 }
 
 TEST_F(PatchedCopy, takes_patches_that_share_a_context_line_in_the_order_of_the_registry) {
@@ -74,14 +67,14 @@ TEST_F(PatchedCopy, takes_patches_that_share_a_context_line_in_the_order_of_the_
   patch("m", "engine/a.cpp\n second\n+mutated(\"m\")\n");
   patch("k", "engine/a.cpp\n second\n+mutated(\"k\")\n");
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(contents(copied("engine/a.cpp")), "first\nsecond\nmutated(\"k\")\nmutated(\"m\")\nthird\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), "first\nsecond\nmutated(\"k\")\nmutated(\"m\")\nthird\n");
 }
 
 TEST_F(PatchedCopy, takes_the_patch_of_a_family_once) {
   registry({"family_of_one", "family_of_two"});
   patch("family_", "engine/a.cpp\n-first\n+mutated(\"family_\", name)\n");
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(contents(copied("engine/a.cpp")), "mutated(\"family_\", name)\nsecond\nthird\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), "mutated(\"family_\", name)\nsecond\nthird\n");
 }
 
 TEST_F(PatchedCopy, is_not_made_where_lines_of_a_patch_do_not_occur) {
@@ -150,7 +143,7 @@ TEST_F(PatchedCopy, rewrites_only_files_that_change) {
   fs::last_write_time(copied("engine/room/b.hpp"), long_ago);
   source("engine/a.cpp", "changed\n");
   ASSERT_EQ(errors(), Errors());
-  EXPECT_EQ(contents(copied("engine/a.cpp")), "changed\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), "changed\n");
   EXPECT_GT(fs::last_write_time(copied("engine/a.cpp")), long_ago);
   EXPECT_EQ(fs::last_write_time(copied("engine/room/b.hpp")), long_ago);
 }
