@@ -10,15 +10,11 @@
 #include <string_view>
 
 #include "../checker/check.hpp"
+#include "text_file.hpp"
 
 namespace pardel::mutants {
 namespace {
 namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// For every match: its first group, or its first two groups with a dot between them.
 std::set<std::string> found(const std::string& text, const std::string& pattern) {

@@ -17,6 +17,7 @@
 #include "../checker/check.hpp"
 #include "patch.hpp"
 #include "registry.hpp"
+#include "text_file.hpp"
 
 namespace pardel::mutants {
 namespace {
@@ -103,11 +104,6 @@ std::map<std::string, std::string> places_in_the_patches() {
       places[patch.name + name(static_cast<ViolationKind>(kind))] = patch.changes.string();
   }
   return places;
-}
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(Registry, names_no_mutant_twice) {

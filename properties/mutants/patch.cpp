@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
 
 #include "registry.hpp"
+#include "text_file.hpp"
 
 namespace pardel::mutants {
 namespace {
@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 /// Texts of files, by the path relative to the root.
 using Sources = std::map<fs::path, std::string>;
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Lines split(const std::string& text) {
   Lines lines;
