@@ -7,8 +7,8 @@
 
 int main() {
   using namespace pardel;
-  const Result<Meshed> pipe = mesh(domains::pipe(), {.max_area = 1.54e-4});
-  const Result<Meshed> points = mesh(domains::random_points(3000, 1), {.min_angle_deg = 30});
+  const Result<Meshed> pipe = mesh(domains::pipe(), {.max_area = 1.54e-4}, {.threads = 1});
+  const Result<Meshed> points = mesh(domains::random_points(3000, 1), {.min_angle_deg = 30}, {.threads = 1});
   if (!pipe || !points) return 1;
   std::printf("%zu + %zu triangles\n", pipe->mesh.triangles.size(), points->mesh.triangles.size());
 }

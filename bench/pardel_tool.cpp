@@ -10,7 +10,9 @@ Run mesh_once(const Task& task) {
   Run run;
   const Pslg pslg = make_domain(task);
   const Stopwatch watch;
-  const Result<Meshed> meshed = task.delaunay_only ? triangulate(pslg, true) : mesh(pslg, task.goal);
+  const Options one_thread{.threads = 1};
+  const Result<Meshed> meshed =
+      task.delaunay_only ? triangulate(pslg, true, one_thread) : mesh(pslg, task.goal, one_thread);
   run.seconds = watch.seconds();
   run.peak_rss_bytes = peak_rss_bytes();
   if (!meshed) {

@@ -93,10 +93,11 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
     fmt::print(", Delaunay triangulation alone");
   else
     fmt::print(", angles of at least {}°", task.goal.min_angle_deg);
-  if (std::isfinite(task.goal.max_area)) fmt::print(", areas to {:.4g}", task.goal.max_area);
-  fmt::print("; medians of {} interleaved rounds of a second or more, one thread\n\n", settings.runs);
-  fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", "tool", "mesh s", "× pardel", "triangles",
-             "M tri/s", "B/tri", "the checker's verdict");
+  if (std::isfinite(task.goal.max_area)) fmt::print(", areas of at most {:.4g}", task.goal.max_area);
+  fmt::print("; one thread; {} rounds, in each of which every tool runs for at least a second; medians of all runs\n\n",
+             settings.runs);
+  fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", "tool", "time, s", "time / pardel's time",
+             "triangles", "M tri/s", "B/tri", "the checker's verdict");
   fmt::print("|---|---|---|---|---|---|---|\n");
   const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.tool == "pardel"; });
   for (const Row& row : rows) {
@@ -167,10 +168,12 @@ int main_of_peers(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_flag("--delaunay-only", task.delaunay_only, "Only triangulate the points; no refinement");
-  app.add_option("--tools", settings.tools,
-                 "Tools: pardel, cgal-mesh, cgal-size, cgal-delaunay, gmsh, triangle (default: all that are installed)")
+  app.add_option(
+         "--tools", settings.tools,
+         "Tools: pardel, cgal-mesh (Mesh_2 with a bound on areas), cgal-size (Mesh_2 with a bound on edge lengths), "
+         "cgal-delaunay, gmsh, triangle (default: all that are installed and can do the task)")
       ->delimiter(',');
-  app.add_flag("--no-check", no_check, "Do not check the meshes, which takes long for large ones");
+  app.add_flag("--no-check", no_check, "Do not check the meshes (checking a large mesh takes long)");
   app.add_option("--json", settings.json_file, "Write all runs to this file");
   CLI11_PARSE(app, argc, argv);
   task.check = !no_check;

@@ -13,7 +13,7 @@ namespace {
 void run(benchmark::State& state, const Pslg& pslg, const Goal& goal) {
   std::size_t triangles = 0;
   for (auto _ : state) {
-    const Result<Meshed> meshed = mesh(pslg, goal);
+    const Result<Meshed> meshed = mesh(pslg, goal, {.threads = 1});
     if (!meshed) {
       state.SkipWithError(meshed.error().message.c_str());
       return;

@@ -32,7 +32,7 @@ struct Settings {
 };
 
 struct Row {
-  Run mesh;  ///< its verdict covers all triangles; if there is no mesh, it is the reason
+  Run mesh;  ///< `verdict` is the checker's verdict on the whole mesh, or the reason why there is no mesh
   double check_seconds = 0;
   std::uint64_t peak_with_check = 0;  ///< bytes
 
@@ -143,7 +143,8 @@ int main(int argc, char** argv) {
   bool no_check = false;
   CLI::App app("Meshes one domain at increasing sizes and extrapolates to the largest mesh of the paper");
   app.add_option("--domain", settings.task.domain, "The domain: square, pipe, key, ...")->capture_default_str();
-  app.add_option("--triangles", settings.triangles, "Approximate numbers of triangles, one row each: 100e6,250e6")
+  app.add_option("--triangles", settings.triangles,
+                 "Approximate numbers of triangles, separated by commas; each gives one row")
       ->delimiter(',')
       ->check(CLI::Range(1e3, 536e6))
       ->capture_default_str();

@@ -10,7 +10,7 @@ namespace {
 void run(benchmark::State& state, const Pslg& pslg) {
   std::size_t triangles = 0;
   for (auto _ : state) {
-    const Result<Meshed> meshed = triangulate(pslg, true);
+    const Result<Meshed> meshed = triangulate(pslg, true, {.threads = 1});
     if (!meshed) {
       state.SkipWithError(meshed.error().message.c_str());
       return;

@@ -7,13 +7,18 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "../core/formats.hpp"
 #include "../properties/checker/check.hpp"
 #include "command.hpp"
+#include "findings_text.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
 #include "output.hpp"
+#include "progress_option.hpp"
+#include "rounded_points.hpp"
+#include "verdict.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -24,26 +29,58 @@ struct Arguments {
   GoalOptions goal;
   double max_circumradius = 0;
   std::filesystem::path json;
+  ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
 };
 
+struct Input {
+  ValidPslg domain;
+  Mesh mesh;
+  Goal goal;
+};
+
+Result<Input, Refusal> read(const Arguments& arguments, ProgressBar& bar) {
+  bar.begin("reading " + arguments.domain.string());
+  Result<Domain> read = read_domain(arguments.domain);
+  if (!read) return Refusal(read.error());
+  bar.begin("validating " + arguments.domain.string());
+  Result<ValidPslg, Refusal> domain = validated(std::move(*read), {.convex_hull = arguments.goal.convex_hull});
+  if (!domain) return domain.error();
+  bar.begin("reading " + arguments.mesh.string());
+  Result<Mesh> mesh = read_mesh(arguments.mesh);
+  if (!mesh) return Refusal(mesh.error());
+  const Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+  if (!sizes) return Refusal(sizes.error());
+  Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
+  if (!goal) return Refusal(goal.error());
+  return Input{std::move(*domain), std::move(*mesh), std::move(*goal)};
+}
+
+void print(const Arguments& arguments, const Mesh& mesh, const Certificate& certificate) {
+  const std::string all_in = arguments.json.empty() ? "the file of --json" : arguments.json.string();
+  fmt::print("{}", summary_text(certificate));
+  if (!certificate.valid) fmt::print("{}\n", findings_text(certificate, all_in, arguments.max_circumradius));
+  if (are_input_points_rounded(certificate, mesh)) {
+    fmt::print(
+        "hint    vertices differ from input points by rounding only: {} has too few digits. Gmsh writes exact "
+        "coordinates with -bin -format msh41\n",
+        arguments.mesh.string());
+  }
+}
+
 Result<ExitCode> run(const Arguments& arguments) {
   if (Status folder = check_folder(arguments.json); !folder) return folder.error();
-  Result<Domain> read = read_domain(arguments.domain);
-  if (!read) return read.error();
-  const Result<ValidPslg> domain = validated(std::move(*read), {.convex_hull = arguments.goal.convex_hull});
-  if (!domain) return domain.error();
-  const Result<Mesh> mesh = read_mesh(arguments.mesh);
-  if (!mesh) return mesh.error();
-  const Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
-  if (!sizes) return sizes.error();
-  const Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
-  if (!goal) return goal.error();
+  ProgressBar bar(arguments.progress);
+  const Result<Input, Refusal> input = read(arguments, bar);
+  if (!input) return refused(input.error(), arguments.domain, arguments.json);
 
   // Mesh files do not contain the origin of each vertex.
-  const CheckOptions options{.max_circumradius = arguments.max_circumradius, .foreign = true};
-  const Certificate certificate = check(domain->pslg(), *mesh, *goal, options);
-  if (!arguments.quiet && arguments.json != "-") fmt::print("{}\n", to_text(certificate));
+  const CheckOptions options{
+      .max_violations = most_kept(arguments.json), .max_circumradius = arguments.max_circumradius, .foreign = true};
+  bar.begin("checking");
+  const Certificate certificate = check(input->domain.pslg(), input->mesh, input->goal, options);
+  bar.finish();
+  if (!arguments.quiet && arguments.json != "-") print(arguments, input->mesh, certificate);
   if (!arguments.json.empty()) {
     if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();
   }
@@ -64,11 +101,12 @@ Command add_check(CLI::App& program) {
       ->check(positive_number("a radius"))
       ->type_name("LENGTH")
       ->group("Goal");
-  app->add_option("--json", arguments->json, "Write the certificate as JSON; - is standard output")
+  app->add_option("--json", arguments->json, "Write the certificate as JSON, with all violations; - is standard output")
       ->type_name("FILE|-");
+  add_progress_option(*app, arguments->progress);
   app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the certificate of --json -");
   app->footer(
-      "Exit status 0: the mesh is right; 1: it is wrong, and every violation is listed with its place.\n\n"
+      "Exit status 0: the mesh is right; 1: it is wrong, and the violations are listed with their places.\n\n"
       "Example:\n  pardel check key.poly key.msh --min-angle 30 --max-area 0.001 --json certificate.json");
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -19,6 +19,7 @@ struct Command {
 
 [[nodiscard]] Command add_mesh(CLI::App& program);
 [[nodiscard]] Command add_check(CLI::App& program);
+[[nodiscard]] Command add_convert(CLI::App& program);
 [[nodiscard]] Command add_doctor(CLI::App& program);
 [[nodiscard]] Command add_draw(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);

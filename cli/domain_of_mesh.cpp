@@ -84,10 +84,17 @@ std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
   return best;
 }
 
+/// One region per face whose triangles have an attribute. None at all if the triangles of a face have different
+/// attributes: then attributes do not describe faces.
 std::vector<Region> region_seeds(const Mesh& mesh, const EdgeSet& walls) {
   std::vector<Region> regions;
   if (mesh.region.empty()) return regions;
-  for (const Index t : largest(mesh, faces(mesh, walls))) {
+  const std::vector<Index> face = faces(mesh, walls);
+  const std::vector<Index> best = largest(mesh, face);
+  for (Index t = 0; t < face.size(); ++t) {
+    if (mesh.region[t] != mesh.region[best[face[t]]]) return regions;
+  }
+  for (const Index t : best) {
     if (mesh.region[t] == no_index) continue;
     regions.push_back({.seed = centroid(mesh, mesh.triangles[t]), .attribute = mesh.region_attributes[mesh.region[t]]});
   }

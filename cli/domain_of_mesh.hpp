@@ -8,7 +8,8 @@
 namespace pardel::cli {
 
 /// Returns a Pslg with the points of the mesh, with its constrained edges and boundary edges as segments, with one
-/// point in each hole, and with one region for each face whose triangles have an attribute. Time O(n log n).
+/// point in each hole, and with one region for each face whose triangles have an attribute. If triangles of the same
+/// face have different attributes, there are no regions. Time O(n log n).
 [[nodiscard]] Result<Pslg> domain_of(const Mesh& mesh);
 
 }  // namespace pardel::cli

@@ -1,4 +1,4 @@
-// pardel draw: draws a domain or a mesh as SVG.
+// pardel draw: draws a domain or a mesh as SVG or PNG.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -6,57 +6,97 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../core/formats.hpp"
 #include "choice.hpp"
 #include "command.hpp"
+#include "drawing/canvas.hpp"
+#include "drawing/colouring.hpp"
+#include "drawing/draw_domain.hpp"
+#include "drawing/draw_legend.hpp"
+#include "drawing/draw_mesh.hpp"
+#include "input.hpp"
 #include "names.hpp"
 #include "output.hpp"
-#include "tile_hues.hpp"
+#include "plural.hpp"
+#include "progress_bar.hpp"
+#include "suffix.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;
 namespace {
 
+/// Cairo's images have at most 32,767 rows and columns, margins and legend included.
+constexpr int most_pixels = 20'000;
+
 struct Arguments {
   fs::path input;
   fs::path output;
-  std::optional<HueBy> by;
+  std::optional<ColourBy> by;
   fs::path report;  ///< the report that `by` needs
+  std::vector<double> window;
+  std::optional<int> pixels;
+  bool no_legend = false;
 };
 
-/// A .node file is part of a mesh if a .ele file of the same name exists; otherwise it is a set of points.
-bool is_domain(const fs::path& file) {
-  std::error_code ignored;
-  if (file.extension() == ".node") return !fs::exists(fs::path(file).replace_extension(".ele"), ignored);
-  return file.extension() == ".poly";
+Error usage(const std::string& message) { return {ErrorKind::usage, message}; }
+
+Status check_arguments(const Arguments& arguments, bool domain) {
+  const fs::path suffix = arguments.output.extension();
+  if (suffix != ".svg" && suffix != ".png") return unknown_format(arguments.output, "a picture", ".svg and .png");
+  if (domain && arguments.by)
+    return usage(fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string()));
+  const bool of_work = arguments.by && *arguments.by >= ColourBy::tile;
+  if (of_work && arguments.report.empty())
+    return usage(fmt::format("--by {} needs --report FILE.json", colour_names[*arguments.by]));
+  if (!of_work && !arguments.report.empty()) return usage("--report needs --by tile, --by phase or --by thread");
+  const std::vector<double>& w = arguments.window;
+  if (!w.empty() && !(w[0] < w[2] && w[1] < w[3]))
+    return usage("--window needs X0,Y0,X1,Y1 with X0 below X1 and Y0 below Y1");
+  return check_folder(arguments.output);
 }
 
-Status draw_mesh(const Arguments& arguments) {
+Canvas canvas_for(const Arguments& arguments, std::span<const Point> points) {
+  const std::vector<double>& w = arguments.window;
+  const Window window = w.empty() ? window_around(points) : Window{{w[0], w[1]}, {w[2], w[3]}};
+  const double pixels = arguments.output.extension() == ".png" ? 1600 : 1000;
+  return {arguments.output, window, {arguments.pixels ? *arguments.pixels : pixels, !arguments.no_legend, !w.empty()}};
+}
+
+std::string headline(const Arguments& arguments) { return arguments.input.filename().string(); }
+
+Status draw_mesh(const Arguments& arguments, ProgressBar& bar) {
   const Result<Mesh> mesh = read_mesh(arguments.input);
   if (!mesh) return mesh.error();
-  if (!arguments.by) return write_svg(*mesh, arguments.output);
-  const Result<std::vector<std::uint16_t>> hues = tile_hues(*mesh, arguments.report, *arguments.by);
-  if (!hues) return hues.error();
-  return write_svg(*mesh, *hues, arguments.output);
+  const Result<Colouring> coloured = colouring(*mesh, arguments.by.value_or(ColourBy::region), arguments.report);
+  if (!coloured) return coloured.error();
+  bar.begin("drawing " + arguments.output.string());
+  Canvas canvas = canvas_for(arguments, mesh->points.span());
+  draw_mesh(canvas, *mesh, *coloured);
+  const std::vector<std::string> text = {headline(arguments), plural(mesh->points.size(), "vertex", "vertices"),
+                                         plural(mesh->triangles.size(), "triangle")};
+  if (!arguments.no_legend) draw_legend(canvas, text, coloured.value().legend);
+  return canvas.finish();
 }
 
-Status draw_domain(const Arguments& arguments) {
-  if (arguments.by)
-    return Error{ErrorKind::usage,
-                 fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string())};
-  const Result<Pslg> pslg = read_pslg(arguments.input);
-  if (!pslg) return pslg.error();
-  return write_svg(*pslg, arguments.output);
+Status draw_domain(const Arguments& arguments, ProgressBar& bar) {
+  const Result<Domain> domain = read_domain(arguments.input);
+  if (!domain) return domain.error();
+  bar.begin("drawing " + arguments.output.string());
+  Canvas canvas = canvas_for(arguments, domain->pslg.points);
+  draw_domain(canvas, domain->pslg);
+  if (!arguments.no_legend) draw_legend(canvas, headline(arguments), domain->pslg);
+  return canvas.finish();
 }
 
 Result<ExitCode> run(const Arguments& arguments) {
-  if (arguments.output.extension() != ".svg") {
-    return Error{ErrorKind::usage, fmt::format("{}: pictures are written as .svg", arguments.output.string())};
-  }
-  if (Status folder = check_folder(arguments.output); !folder) return folder.error();
-  const Status drawn = is_domain(arguments.input) ? draw_domain(arguments) : draw_mesh(arguments);
+  const bool domain = is_domain_file(arguments.input);
+  if (Status fine = check_arguments(arguments, domain); !fine) return fine.error();
+  ProgressBar bar(ShowProgress::automatic);
+  bar.begin("reading " + arguments.input.string());
+  const Status drawn = domain ? draw_domain(arguments, bar) : draw_mesh(arguments, bar);
   if (!drawn) return drawn.error();
   return ExitCode::done;
 }
@@ -65,26 +105,35 @@ Result<ExitCode> run(const Arguments& arguments) {
 
 Command add_draw(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = program.add_subcommand("draw", "Draw a domain or a mesh as SVG");
-  app->add_option("IN|MESH", arguments->input, "A domain (.poly, .node) or a mesh (.ele, .msh, .vtu, .off)")
+  CLI::App* app = program.add_subcommand("draw", "Draw a domain or a mesh as SVG or PNG");
+  app->add_option("IN|MESH", arguments->input, "A domain (.poly, .node) or a mesh (.node, .ele, .msh, .vtu, .off)")
       ->required()
       ->type_name("");
-  app->add_option("-o,--output", arguments->output, "The picture to write (required)")
+  app->add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png")
       ->required()
-      ->type_name("FILE.svg");
-  CLI::Option* by =
-      app->add_option("--by", arguments->by, "Colour triangles by the tile, the phase or the thread that made them")
-          ->transform(choice(hue_names))
-          ->type_name("WHAT");
-  CLI::Option* report =
-      app->add_option("--report", arguments->report, "The report that pardel mesh --json wrote with the mesh")
-          ->type_name("FILE.json");
-  by->needs(report);
-  report->needs(by);
+      ->type_name("OUT");
+  app->add_option("--by", arguments->by,
+                  "Colour triangles by quality (smallest angle), size (longest edge), region (the default), or by the "
+                  "tile,\nphase or thread that made them; a tile is a cell of the lattice")
+      ->transform(choice(colour_names))
+      ->type_name("WHAT");
+  app->add_option("--report", arguments->report,
+                  "The report that pardel mesh --json wrote with the mesh, for tile, phase and thread")
+      ->type_name("FILE.json");
+  app->add_option("--window", arguments->window, "Draw only this rectangle of the plane")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X0,Y0,X1,Y1");
+  app->add_option("--pixels", arguments->pixels,
+                  "The longer side of the drawing (default: 1600 for .png, 1000 for .svg); lines and letters scale")
+      ->check(CLI::Range(50, most_pixels).description(""))
+      ->type_name("N");
+  app->add_flag("--no-legend", arguments->no_legend, "Draw no legend");
   app->footer(R"(Examples:
-  pardel draw key.1.ele -o key.svg
+  pardel draw key.1.ele key.svg
+  pardel draw mesh.vtu mesh.png --by quality --window 0,0,1,0.5
   pardel mesh pipe.poly -o mesh.ele --max-area 1e-5 --threads 2 --json report.json
-  pardel draw mesh.ele -o mesh.svg --by thread --report report.json)");
+  pardel draw mesh.ele mesh.svg --by thread --report report.json)");
   return {app, [arguments] { return run(*arguments); }};
 }
 

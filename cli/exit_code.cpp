@@ -1,6 +1,7 @@
 #include "exit_code.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cstdio>
 
@@ -28,6 +29,9 @@ ExitCode report(const Error& error, std::string_view program) {
   return exit_code(error.kind);
 }
 
-void warn(const std::string& message) { fmt::print(stderr, "pardel: {}\n", message); }
+void warn(const std::string& message) {
+  const char* erase_progress_line = isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
+  fmt::print(stderr, "{}pardel: {}\n", erase_progress_line, message);
+}
 
 }  // namespace pardel::cli

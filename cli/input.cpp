@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "../core/formats.hpp"
-#include "../parallel/repair.hpp"
+#include "../parallel/warnings.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
+#include "problems_text.hpp"
+#include "suffix.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;
@@ -24,7 +26,25 @@ long long first_number(std::istream& in, long long fallback) {
   return fallback;
 }
 
-/// The domain of a mesh: the .poly of the same name if it exists and has as many points, otherwise domain_of(mesh).
+}  // namespace
+
+bool has_own_points(const fs::path& poly) {
+  std::ifstream in(poly);
+  return first_number(in, 0) != 0;
+}
+
+Result<Domain> read_domain(const fs::path& file) {
+  if (!is_domain_suffix(file) && !is_mesh_suffix(file)) return unknown_format(file, "a domain", ".poly and .node");
+  if (!is_domain_suffix(file)) {
+    return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly or .node file; meshes are for "
+                                               "'pardel mesh --refine' and 'pardel check'",
+                                               file.string())};
+  }
+  Result<Pslg> pslg = read_pslg(file);
+  if (!pslg) return pslg.error();
+  return Domain{std::move(*pslg), file.string()};
+}
+
 Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
   const fs::path poly = fs::path(file).replace_extension(".poly");
   const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
@@ -34,24 +54,6 @@ Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
     if (!pslg || pslg->points.size() == mesh.points.size()) return pslg;
   }
   return domain_of(mesh);
-}
-
-}  // namespace
-
-bool has_own_points(const fs::path& poly) {
-  std::ifstream in(poly);
-  return first_number(in, 0) != 0;
-}
-
-Result<Domain> read_domain(const fs::path& file) {
-  if (is_mesh_suffix(file) && file.extension() != ".node") {
-    return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly or .node file; meshes are for "
-                                               "'pardel mesh --refine' and 'pardel check'",
-                                               file.string())};
-  }
-  Result<Pslg> pslg = read_pslg(file);
-  if (!pslg) return pslg.error();
-  return Domain{std::move(*pslg), file.string()};
 }
 
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
@@ -89,21 +91,27 @@ void adopt_segments(CoarseMesh& coarse) {
   }
 }
 
-Result<ValidPslg> validated(Domain domain, const ValidateOptions& options) {
+Result<ValidPslg, Refusal> validated(Domain domain, const ValidateOptions& options) {
   Result<ValidPslg, std::vector<Problem>> valid = validate(std::move(domain.pslg), options);
-  if (!valid) return problems_error(domain, valid.error());
+  if (!valid) return refusal_of(domain, valid.error());
   return std::move(valid).value();
 }
 
-Result<MaybeRepaired> validated_or_repaired(Domain domain, const ValidateOptions& options) {
-  Result<ValidPslg, std::vector<Problem>> valid = validate(std::move(domain.pslg), options);
-  if (valid) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}};
-  Result<Repaired> repaired = repair(domain.pslg);
-  if (!repaired) return problems_error(domain, valid.error());
-  for (const std::string& line : repaired->log) warn(fmt::format("{}: repaired: {}", domain.name, line));
-  ValidPslg valid_domain =
-      options.convex_hull ? std::move(repaired->domain).with_convex_hull() : std::move(repaired->domain);
-  return MaybeRepaired{std::move(valid_domain), std::move(domain.pslg), std::move(repaired->point_map)};
+Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options, int threads) {
+  Result<ValidPslg, std::vector<Problem>> valid =
+      validate(std::move(domain.pslg), {.convex_hull = options.convex_hull, .threads = threads});
+  if (valid && options.snap == 0.0) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
+  Result<Repaired> repaired = repair(valid ? valid->pslg() : domain.pslg, options);
+  if (!repaired && repaired.error().kind == ErrorKind::usage) return Refusal(repaired.error());
+  // A valid domain whose gaps cannot be closed is meshed as it is.
+  if (valid && (!repaired || repaired->log.empty()))
+    return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
+  if (!repaired) return refusal_of(domain, valid.error(), true);
+  std::vector<std::string> log;
+  for (const std::string& line : repaired->log) log.push_back(fmt::format("{}: repaired: {}", domain.name, line));
+  Pslg original = valid ? std::move(valid).value().pslg() : std::move(domain.pslg);
+  return MaybeRepaired{std::move(repaired->domain), std::move(original), std::move(repaired->point_map),
+                       std::move(log)};
 }
 
 const Pslg& pslg_of(const Source& source) {
@@ -111,14 +119,15 @@ const Pslg& pslg_of(const Source& source) {
   return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
 }
 
-Error problems_error(const Domain& domain, std::span<const Problem> problems) {
-  const int base = domain.pslg.first_id.value;
-  if (problems.size() == 1) {
-    return {ErrorKind::invalid_input, fmt::format("{}: {}", domain.name, problems.front().message(base))};
-  }
-  std::string message = fmt::format("{}: {} problems", domain.name, problems.size());
-  for (const Problem& problem : problems) message += "\n  " + problem.message(base);
-  return {ErrorKind::invalid_input, message};
+void print_warnings(const ValidPslg& domain, const std::string& name) {
+  for (const Warning& warning : find_warnings(domain))
+    warn(fmt::format("{}: warning: {}", name, warning.message(domain.pslg().first_id.value)));
+}
+
+Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, bool repair_failed) {
+  Error error{ErrorKind::invalid_input, domain.name + ": " + problems_text(problems, domain.pslg.first_id.value) +
+                                            advice(problems, domain.name, repair_failed)};
+  return {std::move(error), std::move(problems), domain.pslg.first_id.value};
 }
 
 Error with_name(const Error& error, const std::string& name) {

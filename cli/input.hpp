@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,7 +10,9 @@
 #include "../core/mesh.hpp"
 #include "../core/pslg.hpp"
 #include "../core/result.hpp"
+#include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
+#include "refusal.hpp"
 
 namespace pardel::cli {
 
@@ -25,8 +26,12 @@ struct Domain {
 /// False if the point section of the .poly is empty; the points are then in the .node file of the same name.
 [[nodiscard]] bool has_own_points(const std::filesystem::path& poly);
 
-/// A mesh to refine. If the mesh is in Triangle's files and a .poly of the same name exists with as many points as the
-/// mesh, this .poly is the domain. Otherwise the domain is made of the mesh's constrained edges and boundary.
+/// The domain of a mesh that was read from `file`. If the mesh is in Triangle's files and a .poly of the same name
+/// exists with as many points as the mesh, this .poly is the domain. Otherwise the domain is made of the mesh's
+/// constrained edges and boundary.
+[[nodiscard]] Result<Pslg> domain_with(const std::filesystem::path& file, const Mesh& mesh);
+
+/// A mesh to refine, and its domain as domain_with() returns it.
 struct CoarseMesh {
   Mesh mesh;
   std::vector<double> max_areas;  ///< one cap per triangle, or empty
@@ -46,20 +51,26 @@ using Source = std::variant<ValidPslg, CoarseMesh>;
 /// vertices of the refined mesh then refer to segments of the domain.
 void adopt_segments(CoarseMesh& coarse);
 
-/// Validates the domain. Its problems become an `invalid_input` error with one line per problem.
-[[nodiscard]] Result<ValidPslg> validated(Domain domain, const ValidateOptions& options);
+/// Validates the domain. Its problems become a refusal whose message has one line per problem.
+[[nodiscard]] Result<ValidPslg, Refusal> validated(Domain domain, const ValidateOptions& options);
 
 struct MaybeRepaired {
   ValidPslg domain;
   std::optional<Pslg> original;  ///< the Pslg as read, if it had to be repaired
   std::vector<Index> point_map;  ///< if repaired: maps points of the original to points of the domain
+  std::vector<std::string> log;  ///< if repaired: one line per change, to be printed
 };
-/// Validates the domain and, if it is invalid, repairs it. Prints one line on stderr for every change. If the repair
-/// fails, the problems of the domain become an `invalid_input` error with one line per problem.
-[[nodiscard]] Result<MaybeRepaired> validated_or_repaired(Domain domain, const ValidateOptions& options);
+/// Repairs the domain if it is invalid or has gaps smaller than the snapping distance. If the repair fails, the
+/// problems of the domain become a refusal whose message has one line per problem.
+[[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
+                                                                   int threads = 1);
 
-/// All problems of a domain as one message, numbered as in its file.
-[[nodiscard]] Error problems_error(const Domain& domain, std::span<const Problem> problems);
+/// Prints the warnings of a domain on stderr, one line each.
+void print_warnings(const ValidPslg& domain, const std::string& name);
+
+/// The problems of a domain as a refusal. The message numbers them as in the file and lists ten of each kind. If a
+/// command or an option can help, the message names it.
+[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, bool repair_failed = false);
 
 /// Puts the name of the input before the message of an error in the input. Other errors do not change.
 [[nodiscard]] Error with_name(const Error& error, const std::string& name);

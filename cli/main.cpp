@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -10,12 +11,13 @@
 #include <memory>
 #include <new>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "help.hpp"
+#include "usage_message.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -29,7 +31,8 @@ constexpr const char* footer = R"(Examples:
   pardel mesh key.poly -o m.node --max-area 0.001       Triangle's files m.node, m.ele and m.poly
   pardel check key.poly key.vtu --min-angle 30          checks that mesh with exact arithmetic
   pardel doctor survey.poly --repair fixed.poly         lists the problems of a domain and repairs it
-  pardel draw key.vtu -o key.svg                        a picture
+  pardel convert key.vtu key.msh                        the same mesh in another format
+  pardel draw key.vtu key.png --by quality              a picture
   pardel triangle -pq30a0.1 key.poly                    like Triangle: writes key.1.node, key.1.ele, key.1.poly
 
 Exit status:
@@ -42,33 +45,39 @@ Exit status:
   6    internal error: a self-check failed; nothing is written
   130  interrupted
 
-Every subcommand has its own --help.)";
+Every command has its own help: pardel help COMMAND, or pardel COMMAND --help.)";
 
-std::string usage_message(const CLI::App* program, const CLI::Error& error) {
-  std::string name = program->get_name();
-  for (const CLI::App* command : program->get_subcommands()) name += ' ' + command->get_name();
-  return fmt::format("{}: {} (see '{} --help')\n", name, error.what(), name);
+/// `help COMMAND` is another form of `COMMAND --help`.
+void expand_help(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  arguments.erase(arguments.begin());
+  arguments.push_back("--help");
 }
 
-Result<ExitCode> run(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "triangle") {
-    return run_triangle(std::vector<std::string>(argv + 2, argv + argc));
+Result<ExitCode> run(std::vector<std::string> arguments) {
+  expand_help(arguments);
+  const std::string first = arguments.empty() ? std::string() : arguments.front();
+  if (first == "triangle") {
+    arguments.erase(arguments.begin());
+    return run_triangle(arguments);
   }
   CLI::App program(description, "pardel");
-  program.set_version_flag("--version", "pardel " PARDEL_VERSION);
+  program.set_version_flag("-V,--version", "pardel " PARDEL_VERSION);
   program.footer(footer);
   program.formatter(std::make_shared<HelpFormatter>());  // subcommands inherit it
   program.failure_message(usage_message);
   program.require_subcommand(1);
-  const std::array commands = {add_mesh(program), add_check(program), add_doctor(program), add_draw(program),
-                               add_generate(program)};
+  const std::array commands = {add_mesh(program),   add_check(program), add_convert(program),
+                               add_doctor(program), add_draw(program),  add_generate(program)};
   program.add_subcommand("triangle", triangle_summary);  // listed in --help; handled above
+  program.add_subcommand("help", "Print the help of a command: pardel help COMMAND");
 
-  const auto is_named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
-  if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(is_named).empty())
-    return Error{ErrorKind::usage, fmt::format("there is no command '{}' (see 'pardel --help')", argv[1])};
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(first); };
+  if (!first.empty() && first[0] != '-' && program.get_subcommands(is_named).empty())
+    return Error{ErrorKind::usage, unknown_command(program, first)};
+  std::ranges::reverse(arguments);  // CLI11 takes the last argument first
   try {
-    program.parse(argc, argv);
+    program.parse(std::move(arguments));
   } catch (const CLI::ParseError& stop) {  // also --help and --version
     return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
   }
@@ -86,7 +95,7 @@ ExitCode flushed(ExitCode code) {
 
 ExitCode guarded(int argc, char** argv) {
   try {
-    const Result<ExitCode> result = run(argc, argv);
+    const Result<ExitCode> result = run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     return flushed(result ? *result : report(result.error()));
   } catch (const std::bad_alloc&) {
     return report({ErrorKind::resources, "out of memory"});

@@ -19,13 +19,17 @@
 #include "../properties/checker/check.hpp"
 #include "choice.hpp"
 #include "command.hpp"
+#include "findings_text.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
 #include "memory.hpp"
 #include "names.hpp"
 #include "output.hpp"
 #include "paranoid.hpp"
+#include "progress_option.hpp"
+#include "refusal.hpp"
 #include "report.hpp"
+#include "snap_option.hpp"
 #include "supervise.hpp"
 #include "verdict.hpp"
 
@@ -39,14 +43,16 @@ struct Arguments {
   std::vector<std::filesystem::path> outputs;
   GoalOptions goal;
   Options options;
-  std::optional<int> threads;
+  int threads = 0;  ///< 0: all cores
   std::vector<Index> cells;
   std::optional<double> max_memory_gib;
   bool refine = false;
   bool repair = false;
+  std::optional<double> snap;
   bool check = false;
   bool paranoid = false;
   bool msh_ascii = false;
+  std::optional<StreamFormat> format;
   std::filesystem::path json;
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
@@ -57,77 +63,97 @@ struct Input {
   std::vector<double> sizes;  ///< as read_sizes_of() returns them
 };
 
+/// Accepts 0 to 4096, and `all`, which is 0.
+CLI::Validator number_of_threads() {
+  return {[](std::string& text) -> std::string {
+            if (text == "all") text = "0";
+            return CLI::Range(0, 4096)(text);
+          },
+          ""};
+}
+
 ValidateOptions how_to_validate(const Arguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
 }
 
-Result<ValidPslg> repair_domain(const Arguments& arguments, Domain domain) {
-  Result<MaybeRepaired> repaired = validated_or_repaired(std::move(domain), how_to_validate(arguments));
+Result<ValidPslg, Refusal> repair_domain(const Arguments& arguments, Domain domain) {
+  Result<MaybeRepaired, Refusal> repaired =
+      validated_or_repaired(std::move(domain), {.snap = arguments.snap, .convex_hull = arguments.goal.convex_hull},
+                            arguments.options.threads);
   if (!repaired) return repaired.error();
+  for (const std::string& line : repaired->log) warn(line);
   if (repaired->original && !arguments.goal.sizes.empty()) {
-    return Error{ErrorKind::usage,
-                 "--sizes refers to the points of the input, which --repair changed; write the repaired "
-                 "domain with 'pardel doctor' and give sizes for its points"};
+    return Refusal({ErrorKind::usage,
+                    "--sizes refers to the points of the input, which --repair changed; write the repaired "
+                    "domain with 'pardel doctor' and give sizes for its points"});
   }
   return std::move(repaired->domain);
 }
 
 /// Reads the input and the sizes, and validates a domain: the only validation of a run.
-Result<Input> read(const Arguments& arguments, Seconds& seconds) {
+Result<Input, Refusal> read(const Arguments& arguments, ProgressBar& bar, Seconds& seconds) {
   Stopwatch watch;
+  bar.begin("reading " + arguments.input.string());
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
-    if (!coarse) return coarse.error();
+    if (!coarse) return Refusal(coarse.error());
     Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
-    if (!sizes) return sizes.error();
+    if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
     return Input{std::move(*coarse), std::move(*sizes)};
   }
   Result<Domain> domain = read_domain(arguments.input);
-  if (!domain) return domain.error();
+  if (!domain) return Refusal(domain.error());
   Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
-  if (!sizes) return sizes.error();
+  if (!sizes) return Refusal(sizes.error());
   seconds.read = watch.lap();
-  Result<ValidPslg> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
-                                             : validated(std::move(*domain), how_to_validate(arguments));
+  bar.begin("validating " + arguments.input.string());
+  Result<ValidPslg, Refusal> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
+                                                      : validated(std::move(*domain), how_to_validate(arguments));
   if (!valid) return valid.error();
+  print_warnings(*valid, arguments.input.string());
   seconds.validate = watch.lap();
   return Input{std::move(*valid), std::move(*sizes)};
 }
 
 /// With --refine only --sizes needs a valid domain, because it triangulates the domain.
-Result<Goal> make_goal(const Arguments& arguments, const Input& input) {
-  if (const auto* domain = std::get_if<ValidPslg>(&input.source))
-    return make_goal(arguments.goal, input.sizes, *domain);
+Result<Goal, Refusal> make_goal(const Arguments& arguments, const Input& input) {
+  const auto with_sizes = [&](const ValidPslg& domain) -> Result<Goal, Refusal> {
+    Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain);
+    if (!goal) return Refusal(goal.error());
+    return std::move(*goal);
+  };
+  if (const auto* domain = std::get_if<ValidPslg>(&input.source)) return with_sizes(*domain);
   if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
-  const Result<ValidPslg> domain = validated(std::get<CoarseMesh>(input.source).domain, how_to_validate(arguments));
+  const Result<ValidPslg, Refusal> domain =
+      validated(std::get<CoarseMesh>(input.source).domain, how_to_validate(arguments));
   if (!domain) return domain.error();
-  return make_goal(arguments.goal, input.sizes, *domain);
+  return with_sizes(*domain);
 }
 
-/// The error for a mesh that cannot be refined: the problems of its domain if there are any, otherwise `error`.
-Error why_not_refined(const Arguments& arguments, const Domain& domain, const Error& error) {
-  if (error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
-    const std::vector<Problem> problems = find_problems(domain.pslg, how_to_validate(arguments));
-    if (!problems.empty()) return problems_error(domain, problems);
+/// Why there is no mesh. For a mesh that cannot be refined: the problems of its domain if there are any, otherwise
+/// `error`.
+Refusal why_not_meshed(const Arguments& arguments, const Input& input, const Error& error) {
+  const auto* coarse = std::get_if<CoarseMesh>(&input.source);
+  if (coarse != nullptr && error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
+    std::vector<Problem> problems = find_problems(coarse->domain.pslg, how_to_validate(arguments));
+    if (!problems.empty()) return refusal_of(coarse->domain, std::move(problems));
   }
-  return with_name(error, domain.name);
+  return with_name(error, arguments.input.string());
 }
 
-Result<Meshed> make_mesh(const Arguments& arguments, const Input& input, const Goal& goal, const Options& options) {
-  if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
-    Result<Meshed> meshed = refine(coarse->mesh, coarse->max_areas, goal, options);
-    if (!meshed) return why_not_refined(arguments, coarse->domain, meshed.error());
-    return meshed;
-  }
-  Result<Meshed> meshed = mesh(std::get<ValidPslg>(input.source), goal, options);
-  if (!meshed) return with_name(meshed.error(), arguments.input.string());
-  return meshed;
+Result<Meshed> make_mesh(const Input& input, const Goal& goal, const Options& options) {
+  if (const auto* coarse = std::get_if<CoarseMesh>(&input.source))
+    return refine(coarse->mesh, coarse->max_areas, goal, options);
+  return mesh(std::get<ValidPslg>(input.source), goal, options);
 }
 
-Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal) {
+Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal,
+                       ProgressBar& bar) {
+  bar.begin("checking");
   // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
-  return check(pslg_of(input.source), meshed.mesh, goal, {.foreign = arguments.refine});
+  return check(pslg_of(input.source), meshed.mesh, goal,
+               {.max_violations = most_kept(arguments.json), .foreign = arguments.refine});
 }
 
 /// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
@@ -144,7 +170,9 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
   bool broken = false;
   if (run.certificate && !run.certificate->valid) {
     broken = !only_bounds_missed(*run.certificate);
-    warn(violations_text(*run.certificate, most_listed));
+    const bool expected = !broken && !run.report.goal_met();
+    warn(run.name + (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
+         findings_text(*run.certificate, "the report of --json"));
   }
   if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--json"));
   if (broken) return ExitCode::violations;
@@ -155,10 +183,8 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
 /// Sets the options whose values depend on several arguments.
 Status complete_options(Arguments& arguments) {
   Options& options = arguments.options;
-  if (arguments.threads) {
-    options.threads = *arguments.threads;
-    omp_set_num_threads(*arguments.threads);  // for reading, writing and checking
-  }
+  if (arguments.threads > 0) omp_set_num_threads(arguments.threads);  // for reading, writing and checking, too
+  options.threads = omp_get_max_threads();
   options.max_memory =
       arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
   if (arguments.cells.empty()) return Done{};
@@ -170,15 +196,18 @@ Status complete_options(Arguments& arguments) {
 
 Status check_outputs(const Arguments& arguments) {
   const std::vector<std::filesystem::path> inputs = {arguments.input};
+  if (Status fine = check_stream_format(arguments.outputs, arguments.format, arguments.json); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }
 
-Status write_outputs(const Arguments& arguments, const Mesh& mesh, const Pslg& pslg, const Interrupt& interrupt) {
+Status write_outputs(const Arguments& arguments, const Mesh& mesh, const Pslg& pslg, ProgressBar& bar,
+                     const Interrupt& interrupt) {
   const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
   for (const auto& output : arguments.outputs) {
     if (interrupt.requested()) return interrupted();
-    if (Status written = write_mesh(mesh, pslg, output, msh); !written) return written;
+    bar.begin("writing " + output.string());
+    if (Status written = write_mesh_to(mesh, pslg, output, msh, arguments.format); !written) return written;
   }
   return Done{};
 }
@@ -194,6 +223,7 @@ void describe(const Arguments& arguments, const Pslg& pslg, const Goal& goal, Me
   run.goal = goal;
   const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
   run.region_caps_unused = !goal.region_caps && std::ranges::any_of(pslg.regions, has_cap);
+  run.hull_by_default = !arguments.refine && !arguments.goal.convex_hull && pslg.segments.empty();
   run.sizes = arguments.goal.sizes;
   run.options = arguments.options;
   run.outputs = arguments.outputs;
@@ -206,7 +236,8 @@ void describe(const Arguments& arguments, const Pslg& pslg, const Goal& goal, Me
 }
 
 Status print(const Arguments& arguments, const MeshRun& run) {
-  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(run));
+  if (!arguments.quiet && arguments.json != "-" && !has_standard_output(arguments.outputs))
+    fmt::print("{}", to_text(run));
   return arguments.json.empty() ? Status(Done{}) : write_text(to_json(run), arguments.json);
 }
 
@@ -215,30 +246,33 @@ Result<ExitCode> run(Arguments& arguments) {
   if (Status complete = complete_options(arguments); !complete) return complete.error();
   if (Status fine = check_outputs(arguments); !fine) return fine.error();
   const Interrupt interrupt;
+  ProgressBar bar(arguments.progress);
 
   MeshRun run;
-  const Result<Input> input = read(arguments, run.seconds);
-  if (!input) return input.error();
+  const auto refuse = [&](const Refusal& why) { return refused(why, arguments.input, arguments.json); };
+  const Result<Input, Refusal> input = read(arguments, bar, run.seconds);
+  if (!input) return refuse(input.error());
   const Pslg& pslg = pslg_of(input->source);
   Stopwatch watch;
-  const Result<Goal> goal = make_goal(arguments, *input);
-  if (!goal) return goal.error();
+  const Result<Goal, Refusal> goal = make_goal(arguments, *input);
+  if (!goal) return refuse(goal.error());
   run.seconds.read += watch.lap();
   if (interrupt.requested()) return interrupted();
 
   Options how = arguments.options;
   if (arguments.paranoid) watch_sweeps(arguments, pslg, *goal, run.sweeps_checked.emplace(0), how);
-  Result<Meshed> meshed = supervise(interrupt, arguments.progress, how, [&](const Options& options) {
-    return make_mesh(arguments, *input, *goal, options);
-  });
-  if (!meshed) return meshed.error();
+  Result<Meshed> meshed =
+      supervise(interrupt, bar, how, [&](const Options& options) { return make_mesh(*input, *goal, options); });
+  if (!meshed) return refuse(why_not_meshed(arguments, *input, meshed.error()));
   watch.lap();
-  if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal);
+  if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal, bar);
   run.seconds.check = watch.lap();
-  if (Status written = write_outputs(arguments, meshed->mesh, pslg, interrupt); !written) return written.error();
+  if (Status written = write_outputs(arguments, meshed->mesh, pslg, bar, interrupt); !written) return written.error();
   run.seconds.write = watch.lap();
 
+  bar.begin("computing statistics");
   describe(arguments, pslg, *goal, *meshed, run);
+  bar.finish();
   run.seconds.total = total.seconds();
   if (Status printed = print(arguments, run); !printed) return printed.error();
   return verdict(run, meshed->mesh);
@@ -262,7 +296,8 @@ Command add_mesh(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options& options = arguments->options;
   CLI::App* app = program.add_subcommand("mesh", "Make a guaranteed-quality mesh of a domain");
-  app->add_option("IN", arguments->input, "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu")
+  app->add_option("IN", arguments->input,
+                  "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu, .off")
       ->required()
       ->type_name("");
   app->add_option("-o,--output", arguments->outputs, "The file to write (required; may be given several times)")
@@ -286,9 +321,10 @@ Command add_mesh(CLI::App& program) {
       ->check(positive_number("an amount of memory"))
       ->type_name("GIB")
       ->group("Limits");
-  app->add_option("--threads", arguments->threads, "Number of threads (default 1); the mesh does not depend on it")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096).description(""))
+  app->add_option("--threads", arguments->threads,
+                  "Number of threads; 0 or all (default): one per core; the mesh does not depend on it")
+      ->type_name("N|all")
+      ->transform(number_of_threads())
       ->group("Limits");
 
   app->add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
@@ -296,29 +332,31 @@ Command add_mesh(CLI::App& program) {
       ->type_name("WHERE");
   app->add_option(
          "--decomposition", options.decomposition,
-         "How the plane is cut into tiles: auto (by work; the default), paper (cells of four circumradii) or none")
+         "How the plane is cut into cells: auto (by work; the default), paper (sides of four circumradii) or none")
       ->transform(choice(decomposition_names))
       ->type_name("HOW");
   app->add_option(
          "--cells", arguments->cells,
-         "Number of columns and rows of tiles (default: by work); another number gives a slightly different mesh")
+         "Number of columns and rows of cells (default: by work); another number gives a slightly different mesh")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1U, most_cells_along).description(""))
       ->type_name("NX,NY");
   app->add_flag("--refine", arguments->refine, "Refine the mesh IN; its vertices stay");
-  app->add_flag("--repair", arguments->repair, "Repair an invalid domain before meshing: merge points, split segments")
-      ->excludes("--refine");
+  CLI::Option* repair = app->add_flag("--repair", arguments->repair,
+                                      "Repair the domain before meshing: merge points, split segments, close tiny gaps")
+                            ->excludes("--refine");
+  add_snap_option(*app, arguments->snap, repair);
   app->add_flag("--check", arguments->check, "Check the mesh with exact arithmetic");
   app->add_flag("--paranoid", arguments->paranoid,
                 "Also check the mesh, except for its bounds, after every sweep; stop at the first violation (slow)");
   app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
-  app->add_option("--json", arguments->json, "Write a report as JSON (pardel.report/1); - is standard output")
+  app->add_option("--format", arguments->format, "Format of the output - (standard output): msh, off, svg or vtu")
+      ->transform(choice(stream_format_names))
+      ->type_name("FORMAT");
+  app->add_option("--json", arguments->json, "Write a report as JSON, also for invalid input; - is standard output")
       ->type_name("FILE|-");
-  app->add_option("--progress", arguments->progress,
-                  "Show a progress bar: auto (default; on a terminal), always or never")
-      ->transform(choice(show_progress_names))
-      ->type_name("WHEN");
+  add_progress_option(*app, arguments->progress);
   app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the report of --json -");
   app->footer(footer);
   return {app, [arguments] { return run(*arguments); }};

@@ -3,8 +3,9 @@
 
 #include "../core/support/enum_names.hpp"
 #include "../parallel/options.hpp"
+#include "drawing/colouring.hpp"
+#include "output.hpp"
 #include "progress_bar.hpp"
-#include "tile_hues.hpp"
 
 namespace pardel::cli {
 
@@ -23,10 +24,20 @@ inline constexpr auto show_progress_names = enum_names<ShowProgress>({
     {ShowProgress::never, "never"},
 });
 
-inline constexpr auto hue_names = enum_names<HueBy>({
-    {HueBy::tile, "tile"},
-    {HueBy::phase, "phase"},
-    {HueBy::thread, "thread"},
+inline constexpr auto stream_format_names = enum_names<StreamFormat>({
+    {StreamFormat::msh, "msh"},
+    {StreamFormat::off, "off"},
+    {StreamFormat::svg, "svg"},
+    {StreamFormat::vtu, "vtu"},
+});
+
+inline constexpr auto colour_names = enum_names<ColourBy>({
+    {ColourBy::quality, "quality"},
+    {ColourBy::size, "size"},
+    {ColourBy::region, "region"},
+    {ColourBy::tile, "tile"},
+    {ColourBy::phase, "phase"},
+    {ColourBy::thread, "thread"},
 });
 
 }  // namespace pardel::cli

@@ -11,6 +11,7 @@
 
 #include "../core/formats.hpp"
 #include "../core/support/output_file.hpp"
+#include "suffix.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;
@@ -18,14 +19,6 @@ namespace {
 
 Error io_error(const fs::path& file, int error) {
   return {ErrorKind::io, fmt::format("{}: {}", file.string(), std::strerror(error))};
-}
-
-/// True for devices, for pipes and for names like /dev/stdout. These cannot be replaced by a finished file.
-bool written_in_place(const fs::path& file) {
-  std::error_code ignored;
-  const std::string name = file.lexically_normal().string();
-  return name.starts_with("/dev/") || name.starts_with("/proc/") ||
-         (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored));
 }
 
 /// Returns the same path for all files that are read or written together, such as Triangle's files with one stem.
@@ -52,6 +45,33 @@ Status write_text(std::string_view text, const fs::path& file) {
   return output.commit();
 }
 
+Status write_mesh_to(const Mesh& mesh, const Pslg& pslg, const fs::path& file, MshEncoding msh,
+                     std::optional<StreamFormat> format) {
+  if (file != "-" || !format) return write_mesh(mesh, pslg, file, msh);
+  switch (*format) {
+    case StreamFormat::msh:
+      return write_msh(mesh, file, msh);
+    case StreamFormat::off:
+      return write_off(mesh, file);
+    case StreamFormat::svg:
+      return write_svg(mesh, file);
+    case StreamFormat::vtu:
+      return write_vtu(mesh, file);
+  }
+  return Done{};
+}
+
+Status check_stream_format(std::span<const fs::path> outputs, std::optional<StreamFormat> format,
+                           const fs::path& json) {
+  if (!has_standard_output(outputs)) {
+    if (format) return Error{ErrorKind::usage, "--format is for the output -; a suffix sets the format of a file"};
+    return Done{};
+  }
+  if (!format) return Error{ErrorKind::usage, "-: standard output has no suffix; set --format msh, off, svg or vtu"};
+  if (json == "-") return Error{ErrorKind::usage, "-: the mesh and --json cannot both go to standard output"};
+  return Done{};
+}
+
 Status check_folder(const fs::path& file) {
   if (file.empty() || file == "-") return Done{};
   std::error_code ignored;
@@ -59,12 +79,12 @@ Status check_folder(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (access(folder.c_str(), F_OK) != 0) return io_error(file, errno);
   if (!fs::is_directory(folder, ignored)) return io_error(file, ENOTDIR);
-  if (access(written_in_place(file) ? file.c_str() : folder.c_str(), W_OK) != 0) return io_error(file, errno);
+  if (access(is_written_directly(file) ? file.c_str() : folder.c_str(), W_OK) != 0) return io_error(file, errno);
   return Done{};
 }
 
 Status check_poly_output(const fs::path& file) {
-  if (file.extension() != ".poly" && !written_in_place(file)) {
+  if (file.extension() != ".poly" && !is_written_directly(file)) {
     return Error{ErrorKind::usage, fmt::format("{}: domains are written as .poly", file.string())};
   }
   return check_folder(file);
@@ -72,10 +92,15 @@ Status check_poly_output(const fs::path& file) {
 
 Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
   for (const fs::path& output : outputs) {
-    if (!is_mesh_suffix(output)) {
+    if (output == "-") continue;
+    if (output.extension().empty() && is_written_directly(output)) {
       return Error{ErrorKind::usage,
-                   fmt::format("{}: the suffix sets the format and must be one of .node .ele .vtu .msh .off .svg",
+                   fmt::format("{}: the name has no suffix, which sets the format; for standard output write "
+                               "'-o - --format FORMAT'",
                                output.string())};
+    }
+    if (!is_mesh_suffix(output)) {
+      return unknown_format(output, "a mesh", ".node, .ele, .vtu, .msh, .off and .svg");
     }
     for (const fs::path& input : inputs) {
       if (family(output) == family(input)) {

@@ -1,20 +1,40 @@
 // Output files: writing text, and checks that detect an unwritable output before the work starts.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "../core/formats.hpp"
 #include "../core/result.hpp"
 
 namespace pardel::cli {
 
+/// True if one of the outputs is standard output. Then no summary may be printed there.
+[[nodiscard]] inline bool has_standard_output(std::span<const std::filesystem::path> outputs) {
+  return std::ranges::find(outputs, std::filesystem::path("-")) != outputs.end();
+}
+
 /// Writes `text` to `file`; "-" is standard output. A regular file gets its name only when it is complete.
 [[nodiscard]] Status write_text(std::string_view text, const std::filesystem::path& file);
 
-/// Checks output files for meshes. Errors: `usage` if a suffix is unknown or an output would replace an input; `io` if
-/// a folder does not exist or is not writable.
+/// The formats of meshes that are a single file and can go to standard output; the option --format selects one.
+enum class StreamFormat : std::uint8_t { msh, off, svg, vtu };
+
+/// Writes a mesh. The suffix of `file` sets the format. If `file` is "-", writes to standard output in `format`.
+[[nodiscard]] Status write_mesh_to(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
+                                   MshEncoding msh, std::optional<StreamFormat> format);
+
+/// Checks the option --format: it is needed if one of the outputs is "-". Then the JSON must go elsewhere.
+[[nodiscard]] Status check_stream_format(std::span<const std::filesystem::path> outputs,
+                                         std::optional<StreamFormat> format, const std::filesystem::path& json);
+
+/// Checks output files for meshes. "-" is accepted. Errors: `usage` if a suffix is unknown or an output would replace
+/// an input; `io` if a folder does not exist or is not writable.
 [[nodiscard]] Status check_mesh_outputs(std::span<const std::filesystem::path> outputs,
                                         std::span<const std::filesystem::path> inputs);
 /// Checks an output file for a domain. Errors: `usage` if the suffix is not .poly (devices are accepted); `io` as

@@ -10,6 +10,7 @@
 
 #include "../core/formats.hpp"
 #include "names.hpp"
+#include "plural.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -19,8 +20,6 @@ std::uint64_t peak_rss_bytes() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux gives the value in KiB
 }
-
-std::string plural(std::uint64_t n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
 
 /// The numbers of exempt triangles by reason, for example "2 nestled, 1 seditious": either those that are justified, or
 /// the others.
@@ -168,9 +167,13 @@ std::string to_text(const MeshRun& run) {
   std::string text =
       fmt::format("{}: {}, {}, {}, {}\n", run.name, plural(run.points, "point"), plural(run.segments, "segment"),
                   plural(run.holes, "hole"), plural(run.regions, "region"));
+  if (run.hull_by_default)
+    text +=
+        "note    the input has no segments, so the domain is the convex hull of its points; --refine refines a mesh\n";
   if (run.region_caps_unused) text += "note    the area caps of the regions are ignored; --regions enables them\n";
-  text += fmt::format("mesh    {} vertices, {} triangles, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
-                      mesh.vertices, mesh.triangles, mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
+  text += fmt::format("mesh    {}, {}, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
+                      plural(mesh.vertices, "vertex", "vertices"), plural(mesh.triangles, "triangle"),
+                      mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
   if (const std::string list = reasons(run.report, true); !list.empty()) {
     text += fmt::format("exempt  {}, each at a small input angle\n", list);
   }
@@ -186,7 +189,10 @@ std::string to_text(const MeshRun& run) {
 
 std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most, std::string_view all_in) {
   if (report.goal_met()) return {};
-  std::string text = fmt::format("the goal is missed at some triangles ({}):", reasons(report, false));
+  const bool ended_early = report.count(ExemptReason::budget) > 0;
+  std::string text = fmt::format("{}the goal is missed at some triangles ({}):",
+                                 ended_early ? "the mesh has as many vertices as it may have (the budget), so " : "",
+                                 reasons(report, false));
   std::size_t listed = 0, left = 0;
   for (const Exemption& exemption : report.exempt) {
     if (justified(exemption.reason)) continue;

@@ -28,6 +28,7 @@ struct MeshRun {
   std::string name;  ///< the name of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
+  bool hull_by_default = false;     ///< the domain has no segments, and --convex-hull is not given
   bool region_caps_unused = false;  ///< regions have area caps, but the goal ignores them
   std::filesystem::path sizes;      ///< the file of goal.size, or empty
   Options options;

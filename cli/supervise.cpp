@@ -6,11 +6,11 @@ namespace pardel::cli {
 
 Error interrupted() { return {ErrorKind::cancelled, "interrupted"}; }
 
-Result<Meshed> supervise(const Interrupt& interrupt, ShowProgress show, Options options,
+Result<Meshed> supervise(const Interrupt& interrupt, ProgressBar& bar, Options options,
                          const std::function<Result<Meshed>(const Options&)>& work) {
-  ProgressBar bar(show);
+  bar.begin("triangulating");
   options.progress = [&](const Progress& progress) {
-    bar.update(progress.triangles, progress.estimate);
+    if (progress.triangles > 0) bar.update(progress.triangles, progress.estimate);
     return !interrupt.requested();
   };
   Result<Meshed> result = work(options);

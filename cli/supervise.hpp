@@ -12,8 +12,9 @@ namespace pardel::cli {
 /// The error that an interrupted command returns.
 [[nodiscard]] Error interrupted();
 
-/// Returns work(options). Sets options.progress to a function that draws the bar and cancels the work at an interrupt.
-[[nodiscard]] Result<Meshed> supervise(const Interrupt& interrupt, ShowProgress show, Options options,
+/// Returns work(options). Sets options.progress to a function that updates the bar and cancels the work at an
+/// interrupt.
+[[nodiscard]] Result<Meshed> supervise(const Interrupt& interrupt, ProgressBar& bar, Options options,
                                        const std::function<Result<Meshed>(const Options&)>& work);
 
 }  // namespace pardel::cli

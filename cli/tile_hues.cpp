@@ -50,9 +50,6 @@ Result<Tiling> read_tiling(const Mesh& mesh, const std::filesystem::path& report
   }
 }
 
-/// Steps of the golden angle keep the hues of the first few numbers far apart.
-std::uint16_t nth_hue(int n) { return static_cast<std::uint16_t>((210 + n % 360 * 137) % 360); }
-
 /// One of twelve hues. The hues of cells that share a side or a corner differ by at least 60 degrees.
 std::uint16_t hue_of_tile(const Tiling& tiling, Index cell) {
   return static_cast<std::uint16_t>((3 * (cell % tiling.columns) + 5 * (cell / tiling.columns)) % 12 * 30);
@@ -63,14 +60,19 @@ std::uint16_t hue_of_cell(const Tiling& tiling, Index cell, HueBy by) {
     case HueBy::tile:
       return hue_of_tile(tiling, cell);
     case HueBy::phase:
-      return static_cast<std::uint16_t>(90 * tiling.colour_of(cell) + 30);
+      return hue_of_phase(static_cast<int>(tiling.colour_of(cell)));
     case HueBy::thread:
-      return tiling.thread_of_cell[cell] < 0 ? no_hue : nth_hue(tiling.thread_of_cell[cell]);
+      return tiling.thread_of_cell[cell] < 0 ? no_hue : hue_of_thread(tiling.thread_of_cell[cell]);
   }
   return no_hue;
 }
 
 }  // namespace
+
+std::uint16_t hue_of_phase(int phase) { return static_cast<std::uint16_t>((90 * phase + 30) % 360); }
+
+// Steps of the golden angle keep the hues of the first few threads far apart.
+std::uint16_t hue_of_thread(int thread) { return static_cast<std::uint16_t>((210 + thread % 360 * 137) % 360); }
 
 Result<std::vector<std::uint16_t>> tile_hues(const Mesh& mesh, const std::filesystem::path& report, HueBy by) {
   const Result<Tiling> tiling = read_tiling(mesh, report);

@@ -1,9 +1,7 @@
 // pardel triangle: reads Triangle's switches and files, and writes the files that Triangle writes.
 #include <fmt/core.h>
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,18 +12,17 @@
 #include "../properties/checker/check.hpp"
 #include "../properties/checker/statistics.hpp"
 #include "command.hpp"
-#include "domain_of_mesh.hpp"
-#include "goal_options.hpp"
 #include "input.hpp"
+#include "large_angle.hpp"
 #include "renumber.hpp"
 #include "report.hpp"
 #include "supervise.hpp"
 #include "triangle_files.hpp"
+#include "triangle_input.hpp"
 #include "triangle_switches.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
-namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* help = R"(pardel triangle [-switches] FILE
@@ -35,7 +32,8 @@ written without spaces: pardel triangle -pq30a0.1 key. The suffix of FILE may be
 Without p, r, q or a: the Delaunay triangulation of FILE.node.
 
   p   reads FILE.poly              r   refines the mesh FILE.node, FILE.ele (with a: FILE.area; with p: FILE.poly)
-  q   smallest angle in degrees (default 20, at most 33)
+  q   smallest angle in degrees (default 20). Above 33 degrees the refinement may not end: if it needs too many
+      vertices, the mesh for 33 degrees is written and the exit status is 4
   a   largest area; without a number: area caps per region, or FILE.area with r; may be given in both forms
   D   conforming Delaunay          c   triangulates the convex hull
   A   triangles carry the attribute of their region
@@ -47,24 +45,15 @@ Without p, r, q or a: the Delaunay triangulation of FILE.node.
   I   no iteration number in names (files that were read are not replaced)
   o2  triangles with six nodes     z   accepted, without effect: output is numbered like the input
   C   checks the result with this program's exact checker
-  Q   quiet                        V   prints more              h   this text
+  Q   prints errors only           V   prints more              h   this text
   i F l s X   accepted, without effect: they choose among Triangle's own algorithms; predicates are always exact
   u v w W     refused: user test, Voronoi diagram, weighted points
 
 Writes FILE.1.node and so on, or FILE.2.* from FILE.1.*. Input vertices come first, in their order. Like Triangle, it
 repairs duplicate points and segments that cross, overlap or contain points; each repair is a line on standard error.
+docs/formats.md lists the differences from Triangle.
 Exit status as for every subcommand (pardel --help). A bound that is missed only because of S or Y is not a failure.
 )";
-
-/// The input: a valid domain, or with r a mesh.
-struct Input {
-  Source source;
-  std::optional<Pslg> original;  ///< the domain as read, if it had to be repaired
-  std::vector<Index> point_map;  ///< if repaired: maps points of the original to points of the domain
-  bool node_was_read = true;
-
-  [[nodiscard]] const Pslg& pslg() const { return pslg_of(source); }
-};
 
 void say(const TriangleSwitches& switches, const std::string& line) {
   if (!switches.quiet) fmt::print("{}\n", line);
@@ -80,41 +69,7 @@ Goal goal_of(const TriangleSwitches& switches) {
   return goal;
 }
 
-/// Triangle accepts coinciding points and crossing segments. Therefore this function repairs an invalid domain.
-Result<Input> read_points(const TriangleSwitches& switches) {
-  const fs::path file = switches.name + (switches.poly ? ".poly" : ".node");
-  say(switches, fmt::format("Opening {}.", file.string()));
-  Result<Domain> domain = read_domain(file);
-  if (!domain) return domain.error();
-  if (switches.no_holes) domain->pslg.holes.clear();
-  if (switches.quality) {
-    if (Status in_range = check_goal(goal_of(switches)); !in_range) return in_range.error();
-  }
-  const bool convex_hull = switches.convex_hull || !switches.poly;
-  Result<MaybeRepaired> valid = validated_or_repaired(std::move(*domain), {.convex_hull = convex_hull});
-  if (!valid) return valid.error();
-  return Input{std::move(valid->domain), std::move(valid->original), std::move(valid->point_map),
-               !switches.poly || !has_own_points(file)};
-}
-
-Result<Input> read_mesh_to_refine(const TriangleSwitches& switches) {
-  say(switches, fmt::format("Opening {0}.node and {0}.ele.", switches.name));
-  Result<Mesh> mesh = read_mesh(switches.name + ".ele");
-  if (!mesh) return mesh.error();
-  // Without the switch p only the outline of the mesh is constrained; the .poly or .edge file is ignored.
-  if (!switches.poly) mesh->constrained_edges.clear();
-  Result<Pslg> pslg = switches.poly ? read_pslg(switches.name + ".poly") : domain_of(*mesh);
-  if (!pslg) return pslg.error();
-  pslg->first_id = mesh->first_id;
-  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), switches.name + ".ele"}};
-  adopt_segments(coarse);
-  if (switches.area_caps) {
-    if (Status read = read_caps(coarse, switches.name + ".area"); !read) return read.error();
-  }
-  return Input{std::move(coarse), std::nullopt, {}, true};
-}
-
-Options options_of(const TriangleSwitches& switches, const Input& input) {
+Options options_of(const TriangleSwitches& switches, const TriangleInput& input) {
   Options options;
   options.no_boundary_splits = switches.no_splits == 1;
   options.no_segment_splits = switches.no_splits > 1;
@@ -124,18 +79,43 @@ Options options_of(const TriangleSwitches& switches, const Input& input) {
   return options;
 }
 
-Result<Meshed> make_mesh(const TriangleSwitches& switches, const Input& input, const Interrupt& interrupt) {
-  const Goal goal = goal_of(switches);
+Result<Meshed> run_mesher(const TriangleSwitches& switches, const TriangleInput& input, const Goal& goal,
+                          const Options& options) {
+  if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
+    Result<Meshed> meshed = refine(coarse->mesh, coarse->max_areas, goal, options);
+    if (!meshed) return with_name(meshed.error(), coarse->domain.name);
+    return meshed;
+  }
+  const ValidPslg& domain = std::get<ValidPslg>(input.source);
+  return switches.quality ? mesh(domain, goal, options) : triangulate(domain, options);
+}
+
+Result<MeshedForAngle> make_mesh(const TriangleSwitches& switches, const TriangleInput& input,
+                                 const Interrupt& interrupt) {
   const ShowProgress show = switches.quiet ? ShowProgress::never : ShowProgress::automatic;
-  return supervise(interrupt, show, options_of(switches, input), [&](const Options& options) -> Result<Meshed> {
-    if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
-      Result<Meshed> meshed = refine(coarse->mesh, coarse->max_areas, goal, options);
-      if (!meshed) return with_name(meshed.error(), coarse->domain.name);
-      return meshed;
-    }
-    const ValidPslg& domain = std::get<ValidPslg>(input.source);
-    return switches.quality ? mesh(domain, goal, options) : triangulate(domain, options);
+  ProgressBar bar(show);
+  return mesh_for_angle(goal_of(switches), options_of(switches, input), [&](const Goal& goal, const Options& how) {
+    return supervise(interrupt, bar, how,
+                     [&](const Options& options) { return run_mesher(switches, input, goal, options); });
   });
+}
+
+/// Checks the mesh. Prints the violations. Returns true if there are none, or if they are only bounds that the report
+/// lists as missed.
+bool is_right(const TriangleSwitches& switches, const TriangleInput& input, const Goal& goal, Meshed& meshed) {
+  // The attributes of a mesh that is refined need not belong to faces. The checker skips attributes that it is not
+  // given.
+  Array<Index> unchecked;
+  if (switches.refine && input.pslg().regions.empty()) unchecked.swap(meshed.mesh.region);
+  const Certificate certificate = check(input.pslg(), meshed.mesh, goal, {.foreign = switches.refine});
+  if (!unchecked.empty()) unchecked.swap(meshed.mesh.region);
+  if (certificate.valid) {
+    say(switches, "Checked: the mesh is right.");
+    return true;
+  }
+  const bool only_reported = !meshed.report.goal_met() && only_bounds_missed(certificate);
+  if (!only_reported || !switches.quiet) warn(violations_text(certificate, most_listed));
+  return only_reported;
 }
 
 /// True if the goal is missed only because of limits that the switches set.
@@ -157,7 +137,7 @@ void set_regions(const TriangleSwitches& switches, Mesh& mesh) {
   }
 }
 
-Status write(const TriangleSwitches& switches, const Input& input, const Mesh& mesh) {
+Status write(const TriangleSwitches& switches, const TriangleInput& input, const Mesh& mesh) {
   const std::string stem = next_name(switches.name, switches.no_iteration);
   const TriangleFiles files = files_to_write(switches, input.pslg().first_id.value, input.node_was_read);
   const std::pair<bool, const char*> written[] = {{files.write_node, ".node"},   {files.write_ele, ".ele"},
@@ -166,14 +146,29 @@ Status write(const TriangleSwitches& switches, const Input& input, const Mesh& m
   for (const auto& [wanted, suffix] : written) {
     if (wanted) say(switches, fmt::format("Writing {}{}.", stem, suffix));
   }
-  if (Status done = write_triangle_files(mesh, input.pslg(), stem, files); !done) return done;
+  Pslg seeds;
+  seeds.holes = input.holes;
+  seeds.regions = input.regions;
+  if (Status done = write_triangle_files(mesh, seeds, stem, files); !done) return done;
   return switches.off ? write_off(mesh, stem + ".off") : Status(Done{});
 }
 
+/// The lines that Triangle prints, too.
+std::string counts(const Mesh& mesh) {
+  std::size_t outer = 0;
+  for (const Triangle& triangle : mesh.triangles) outer += std::count(triangle.n.begin(), triangle.n.end(), no_index);
+  return fmt::format(
+      "Mesh vertices: {}\nMesh triangles: {}\nMesh edges: {}\nMesh exterior boundary edges: {}\n"
+      "Mesh interior boundary edges: {}\nMesh subsegments (constrained edges): {}",
+      mesh.points.size(), mesh.triangles.size(), (3 * mesh.triangles.size() + outer) / 2, outer,
+      mesh.constrained_edges.size() - outer, mesh.constrained_edges.size());
+}
+
 void print_statistics(const TriangleSwitches& switches, const Meshed& meshed) {
+  if (switches.quiet) return;
   const MeshStatistics mesh = statistics(meshed.mesh);
-  say(switches, fmt::format("Mesh vertices: {}\nMesh triangles: {}\nSmallest angle: {:.4g}\nLargest angle: {:.4g}",
-                            mesh.vertices, mesh.triangles, mesh.min_angle_deg, mesh.max_angle_deg));
+  say(switches, counts(meshed.mesh));
+  say(switches, fmt::format("Smallest angle: {:.4g}\nLargest angle: {:.4g}", mesh.min_angle_deg, mesh.max_angle_deg));
   if (switches.verbose == 0) return;
   const Report& report = meshed.report;
   say(switches, fmt::format("Total area: {:.9g}\nInserted inside: {}\nInserted on segments: {}\nRefused: {}", mesh.area,
@@ -186,36 +181,42 @@ void print_statistics(const TriangleSwitches& switches, const Meshed& meshed) {
                             report.refine_seconds));
 }
 
+/// The exit code if the mesh is right. Prints the bounds that are missed; with the switch Q only if that is a failure.
+ExitCode verdict(const TriangleSwitches& switches, const MeshedForAngle& made) {
+  const Report& report = made.meshed.report;
+  if (made.limit) {
+    warn(
+        fmt::format("{}: the smallest angle of {} degrees would need more than {} vertices; the mesh was made for {} "
+                    "degrees",
+                    switches.name, switches.min_angle_deg, *made.limit, made.goal.min_angle_deg));
+  }
+  const bool failed = !report.goal_met() && !missed_by_request(switches, report);
+  if (!report.goal_met() && (failed || !switches.quiet)) warn(missed_bounds(report, made.meshed.mesh, most_listed));
+  return failed || made.limit ? ExitCode::goal_missed : ExitCode::done;
+}
+
 Result<ExitCode> run(const TriangleSwitches& switches) {
   if (switches.verbose > 0) {
     for (const char letter : switches.without_effect)
       say(switches, fmt::format("Switch {} has no effect here.", letter));
   }
+  if (Status in_range = check_goal(goal_of(switches), {.max_vertices = 1}); !in_range) return in_range.error();
   const Interrupt interrupt;
-  Result<Input> input = switches.refine ? read_mesh_to_refine(switches) : read_points(switches);
+  const Result<TriangleInput> input = read_triangle_input(switches);
   if (!input) return input.error();
-  Result<Meshed> meshed = make_mesh(switches, *input, interrupt);
-  if (!meshed) return meshed.error();
+  Result<MeshedForAngle> made = make_mesh(switches, *input, interrupt);
+  if (!made) return made.error();
+  const bool right = !switches.check || is_right(switches, *input, made->goal, made->meshed);
 
-  bool right = true;
-  if (switches.check) {
-    const Certificate certificate = check(input->pslg(), meshed->mesh, goal_of(switches), {.foreign = switches.refine});
-    right = certificate.valid || (!meshed->report.goal_met() && only_bounds_missed(certificate));
-    if (!certificate.valid) warn(violations_text(certificate, most_listed));
-    if (certificate.valid) say(switches, "Checked: the mesh is right.");
-  }
-
-  Mesh& mesh = meshed->mesh;
+  Mesh& mesh = made->meshed.mesh;
   if (input->original) restore_numbering(mesh, *input->original, input->point_map);
   if (switches.jettison) remove_unused_vertices(mesh);
   set_regions(switches, mesh);
   if (interrupt.requested()) return interrupted();
   if (Status written = write(switches, *input, mesh); !written) return written.error();
-  print_statistics(switches, *meshed);
-  if (!meshed->report.goal_met()) warn(missed_bounds(meshed->report, mesh, most_listed));
-  if (!right) return ExitCode::violations;
-  return meshed->report.goal_met() || missed_by_request(switches, meshed->report) ? ExitCode::done
-                                                                                  : ExitCode::goal_missed;
+  print_statistics(switches, made->meshed);
+  const ExitCode code = verdict(switches, *made);
+  return right ? code : ExitCode::violations;
 }
 
 }  // namespace

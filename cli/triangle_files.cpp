@@ -24,8 +24,8 @@ TriangleFiles files_to_write(const TriangleSwitches& switches, int base, bool no
   files.write_edge = switches.edges;
   files.write_neigh = switches.neighbours;
   files.markers = !switches.no_markers;
-  files.holes = !switches.no_holes;
   files.second_order = switches.second_order;
+  files.command = switches.command;
   return files;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -153,7 +154,9 @@ void take_suffix(TriangleSwitches& s) {
 
 Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>& arguments) {
   TriangleSwitches switches;
+  switches.command = "pardel triangle";
   for (const std::string& argument : arguments) {
+    switches.command += ' ' + argument;
     if (argument == "--help") {
       switches.help = true;
     } else if (argument.size() > 1 && argument.front() == '-') {
@@ -167,6 +170,9 @@ Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>&
     }
   }
   if (switches.help) return switches;
+  // The command becomes one line of a file.
+  std::replace_if(
+      switches.command.begin(), switches.command.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   if (switches.name.empty()) return usage("no input file");
   take_suffix(switches);
   if (switches.refine && switches.no_iteration) {

@@ -40,6 +40,7 @@ struct TriangleSwitches {
   bool help = false;                                     ///< h, H or ?
   std::string without_effect;                            ///< i F l s X: they choose among Triangle's own algorithms
   std::string name;                                      ///< FILE without its suffix .node, .poly, .ele or .area
+  std::string command;                                   ///< the command line, as the files that are written quote it
 };
 
 /// Parses all arguments as one list of switches. Error: `usage`; the message names the switch.

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pardel::cli {
 
 bool is_missed_bound(ViolationKind kind) {
   switch (kind) {
+    case ViolationKind::not_conforming:
     case ViolationKind::small_angle:
     case ViolationKind::large_area:
     case ViolationKind::region_area:
@@ -25,6 +27,10 @@ bool only_bounds_missed(const Certificate& certificate) {
     if (certificate.violation_counts[kind] > 0 && !is_missed_bound(static_cast<ViolationKind>(kind))) return false;
   }
   return true;
+}
+
+std::size_t most_kept(const std::filesystem::path& json) {
+  return json.empty() ? most_listed : std::numeric_limits<std::size_t>::max();
 }
 
 std::string violations_text(const Certificate& certificate, std::size_t most) {

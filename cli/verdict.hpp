@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
 #include "../properties/checker/check.hpp"
@@ -10,6 +11,9 @@ namespace pardel::cli {
 
 /// The largest number of triangles or violations that are listed on stderr. The counts include all of them.
 inline constexpr std::size_t most_listed = 10;
+
+/// How many violations of each kind a certificate has to list: all of them if they are written to the file `json`.
+[[nodiscard]] std::size_t most_kept(const std::filesystem::path& json);
 
 /// True for the kinds of violations that a valid mesh has if it misses a bound of the goal.
 [[nodiscard]] bool is_missed_bound(ViolationKind kind);

@@ -1,4 +1,4 @@
-# Installation in two parts. The package `pardel` needs the standard library and OpenMP only. Its component `properties`
+# Installation in two parts. The package `pardel` needs the standard library, OpenMP and zlib only. Its component `properties`
 # (the checker, the domains and their generators) also needs CGAL, so users of the mesher alone do not need CGAL.
 include(CMakePackageConfigHelpers)
 set(PARDEL_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pardel)
@@ -8,7 +8,7 @@ function(pardel_install_libraries export)
   install(EXPORT ${export} NAMESPACE pardel:: DESTINATION ${PARDEL_CMAKE_DIR})
 endfunction()
 
-pardel_install_libraries(pardelTargets pardel_settings pardel_core pardel_parallel)
+pardel_install_libraries(pardelTargets pardel_settings pardel_core pardel_formats pardel_parallel)
 pardel_install_headers(${PARDEL_MESHER_FOLDERS})
 install(FILES ${PROJECT_SOURCE_DIR}/parallel/pardel.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel)
 

@@ -7,7 +7,7 @@ set(PARDEL_MUTATED_SOURCES ${PROJECT_BINARY_DIR}/mutated_sources)
 set(PARDEL_MUTATED_FOLDERS core parallel properties ref tests)
 
 # The libraries that have a mutated twin.
-set(PARDEL_MUTATED "core|parallel|checker|domains|defects|generators|ref|framework|samples")
+set(PARDEL_MUTATED "core|formats|parallel|checker|domains|defects|generators|ref|framework|samples")
 
 # Defines the target mutated_sources, which makes the copy. The target runs again when a source, a patch or the registry
 # changes. It writes only the files that differ, so the build recompiles nothing else.

@@ -1,5 +1,6 @@
 // Goal: the bounds that a mesh must satisfy, in addition to conforming to its Pslg. The mesher refines until they hold;
-// the checker verifies them.
+// the checker verifies them. For a goal without bounds (on angles, areas, edges or sizes) the mesher inserts no point,
+// unless the goal is conforming: then it splits segments until all edges are Delaunay, and inserts no other point.
 #pragma once
 
 #include <functional>
@@ -10,17 +11,20 @@
 namespace pardel {
 
 struct Goal {
-  /// The least angle of a triangle, in degrees, from 0 (no bound) to 33. The default is the proven bound of Ruppert's
-  /// algorithm: arcsin(1 / (2 sqrt 2)) = 20.7 degrees, a ratio of circumradius to shortest edge of at most sqrt 2.
+  /// The least angle of a triangle, in degrees, from 0 (no bound) to 33, or to 45 if Options::max_vertices is set. The
+  /// default is the proven bound of Ruppert's algorithm: arcsin(1 / (2 sqrt 2)) = 20.7 degrees, a ratio of circumradius
+  /// to shortest edge of at most sqrt 2.
   double min_angle_deg = 20.7;
   /// The largest area of a triangle, in squared units of the coordinates, > 0.
   double max_area = std::numeric_limits<double>::infinity();
   /// The longest edge, in units of the coordinates, > 0.
   double max_edge = std::numeric_limits<double>::infinity();
   /// True: the triangles of a region have at most the area Region::max_area. False: Region::max_area is ignored.
-  bool region_caps = true;
-  /// Sizing: returns the longest edge allowed near a point, > 0. A triangle is too large if its longest edge exceeds
-  /// size(centroid). Empty: no such bound. The function must be pure and callable from several threads at once.
+  bool region_caps = false;
+  /// Sizing: returns the longest edge allowed near a point, > 0; infinity means no bound there. A triangle is too large
+  /// if its longest edge exceeds size(centroid). Empty: no such bound. The function must be pure and callable from
+  /// several threads at once. If it throws, or returns a number that is not positive, the mesher returns a `usage`
+  /// error that names the point. The error is the same for any number of threads.
   std::function<double(Point)> size{};
   /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh
   /// must be constrained Delaunay.

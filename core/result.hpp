@@ -11,7 +11,7 @@ namespace pardel {
 
 /// The kind of an error. It determines the exit code of the programs.
 enum class ErrorKind : std::uint8_t {
-  usage,          ///< an argument is out of range (minimum angle 60, negative area)
+  usage,          ///< an argument is out of range (minimum angle 60, negative area), or a function of the caller failed
   invalid_input,  ///< the input is invalid; the message names the place
   io,             ///< a file could not be opened, read or written
   resources,      ///< not enough memory, or more ids than their type can hold

@@ -31,6 +31,6 @@ int main(int argc, char** argv) {
   // Numbers are written so that they read back to the same doubles. The digest ignores the order of triangles.
   const auto again = pardel::read_mesh(folder / "mesh.vtu");
   if (!again) return failed(again.error());
-  std::printf("%zu triangles; the same mesh read back: %s\n", again->triangles.size(),
+  std::printf("%zu triangles; the mesh read from the file is the same: %s\n", again->triangles.size(),
               pardel::digest(*again) == pardel::digest(meshed->mesh) ? "yes" : "no");
 }

@@ -5,7 +5,7 @@
 
 #include "../parallel/repair.hpp"
 #include "../properties/domains/domains.hpp"
-#include "../properties/domains/drawing/paths.hpp"
+#include "../properties/domains/paths.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -78,7 +78,7 @@ class Drawing {
     return static_cast<Index>(pslg_.points.size() - 1);
   }
   void join(Index a, Index b) { pslg_.segments.push_back({a, b, static_cast<int>(pslg_.segments.size() % 5)}); }
-  void polygon(const std::vector<Point>& corners, int marker) { drawing::add_closed(pslg_, corners, marker); }
+  void polygon(const std::vector<Point>& corners, int marker) { domains::add_closed(pslg_, corners, marker); }
 
   Pslg& pslg_;
   Supply& supply_;
@@ -102,6 +102,7 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   Supply supply(bytes);
   MeshCase drawn;
   drawn.pslg.has_segment_markers = true;
+  drawn.goal.region_caps = true;
   drawn.goal.min_angle_deg = angles[supply.below(angles.size())];
   const int side = 4 << supply.below(4);
   if (const int cap = supply.below(8); cap > 3) drawn.goal.max_area = side * side / std::exp2(cap);
@@ -144,11 +145,12 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
 }
 
 Prepared prepare(const MeshCase& drawn) {
-  if (Result<Repaired> repaired = repair(drawn.pslg)) return {std::move(repaired->domain).pslg(), true, false};
+  if (Result<Repaired> repaired = repair(drawn.pslg, {.snap = 0}))
+    return {std::move(repaired->domain).pslg(), true, false};
   Pslg bare = drawn.pslg;
   bare.holes.clear();
   bare.regions.clear();
-  if (Result<Repaired> repaired = repair(bare)) return {std::move(repaired->domain).pslg(), true, true};
+  if (Result<Repaired> repaired = repair(bare, {.snap = 0})) return {std::move(repaired->domain).pslg(), true, true};
   return {};
 }
 

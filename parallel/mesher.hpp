@@ -27,21 +27,23 @@ struct Meshed {
   Report report;
 };
 
-/// The largest Goal::min_angle_deg that mesh() and refine() accept, in degrees.
+/// The largest Goal::min_angle_deg, in degrees, that mesh() and refine() accept without a limit on vertices. Above it,
+/// refinement often does not end by itself, so Options::max_vertices is required.
 inline constexpr double largest_min_angle_deg = 33;
 
 /// Returns a `usage` error if a value of the goal or the options is out of range: a minimum angle outside 0 to 33
-/// degrees, a largest area or edge that is not positive, a negative or infinite Options::min_edge, 0 triangles per
-/// tile. mesh() and refine() begin with this check.
+/// degrees (0 to 45 with Options::max_vertices), a largest area or edge that is not positive, a negative or infinite
+/// Options::min_edge, 0 triangles per tile, a negative number of threads. mesh() and refine() begin with this check.
 [[nodiscard]] Status check_goal(const Goal& goal, const Options& options = {});
 
 /// Makes the quality mesh of a domain: a constrained Delaunay triangulation, refined until every triangle satisfies the
 /// goal or is listed in Report::exempt with the reason. The domain is the convex hull of the points if
 /// domain.convex_hull() or goal.convex_hull is true. A domain that is valid without the hull is also valid with it.
 ///
-/// Errors: `usage` as from check_goal(); `resources` if the mesh would exceed Options::max_memory, the available memory
-/// or 2^29 - 1 triangles; `cancelled` if Options::progress returned false; the error of Options::after_sweep;
-/// `internal` if a self-check of the engine failed.
+/// Errors: `usage` as from check_goal(), or if Goal::size returns a number that is not positive, or if a function of
+/// the goal or the options throws; `resources` if the mesh would exceed Options::max_memory, the available memory or
+/// 2^29 - 1 triangles; `cancelled` if Options::progress returned false; the error of Options::after_sweep; `internal`
+/// if a self-check of the engine failed.
 ///
 /// Time: O(n log n) for the triangulation of n points, then nearly linear in the number of triangles of the result.
 [[nodiscard]] Result<Meshed> mesh(const ValidPslg& domain, const Goal& goal = {}, const Options& options = {});
@@ -49,13 +51,16 @@ inline constexpr double largest_min_angle_deg = 33;
 /// one line per problem, with ids counted from Pslg::first_id. Use validate() to get the problems as values.
 [[nodiscard]] Result<Meshed> mesh(const Pslg& pslg, const Goal& goal = {}, const Options& options = {});
 
-/// Makes the constrained Delaunay triangulation of a domain. Adds no vertex. Errors and time are those of mesh().
+/// Makes the constrained Delaunay triangulation of a domain. Adds no vertex. Errors and time are those of mesh(); of
+/// the options, only the number of threads is used.
 [[nodiscard]] Result<Meshed> triangulate(const ValidPslg& domain, const Options& options = {});
 /// The same, after validation as in mesh(). convex_hull: the domain is the convex hull of the points.
 [[nodiscard]] Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull = false, const Options& options = {});
 
 /// Refines an existing mesh, as Triangle's switch -r does. The vertices stay. The constrained edges stay constraints;
-/// the boundary edges are constraints, too. The mesh is first made constrained Delaunay by flips.
+/// the boundary edges are constraints, too. The mesh is first made constrained Delaunay by flips. A triangle keeps the
+/// region of the face in which it lies. If triangles of the same face have different regions, a triangle of the result
+/// has the region of the triangle of `coarse` that contains its centroid.
 ///
 /// max_areas: empty, or one area cap > 0 per triangle of `coarse`. It applies to the area that this triangle covers.
 ///
@@ -67,11 +72,14 @@ inline constexpr double largest_min_angle_deg = 33;
 /// Makes a function for Goal::size. The function interpolates one edge length per point linearly over the constrained
 /// Delaunay triangulation of the domain. It owns its data, and several threads may call it. A call takes O(log n).
 ///
-/// sizes: one length per point, finite and > 0; anything else gives `invalid_input`.
+/// sizes: one length per point, finite and > 0; anything else gives `invalid_input`. Further errors: those of
+/// triangulate().
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const ValidPslg& domain,
-                                                                     std::span<const double> sizes);
+                                                                     std::span<const double> sizes,
+                                                                     const Options& options = {});
 /// The same, after validation as in mesh().
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
-                                                                     bool convex_hull = false);
+                                                                     bool convex_hull = false,
+                                                                     const Options& options = {});
 
 }  // namespace pardel

@@ -30,13 +30,15 @@ enum class Decomposition : std::uint8_t {
 };
 
 struct Progress {
-  std::uint64_t triangles = 0;  ///< current number, approximately: an insertion counts as two; it never decreases
-  double estimate = 0;          ///< estimated final number of triangles; 0 while unknown
+  /// The current number, approximately: an insertion counts as two; it never decreases. 0 until the refinement starts.
+  std::uint64_t triangles = 0;
+  double estimate = 0;  ///< estimated final number of triangles; 0 while unknown
 };
 
 struct Options {
   Placement placement = Placement::off_centre;
-  int threads = 1;  ///< >= 1; the result does not depend on it
+  /// The number of threads; 0: as many as OpenMP offers, one per core by default. The result does not depend on it.
+  int threads = 0;
   Decomposition decomposition = Decomposition::automatic;
   /// The number of triangles per tile that Decomposition::automatic aims at, > 0. A task works on a box as large as
   /// four tiles. By default the triangles of a box, with their vertices, fill a second-level cache of 1 MiB. Another
@@ -47,16 +49,20 @@ struct Options {
   std::array<Index, 2> cells{0, 0};
   /// As soon as the mesh has this number of vertices, no vertex is inserted any more; 0: no limit.
   std::uint64_t max_vertices = 0;
-  /// A limit on memory in bytes; 0: no limit. A vertex with its two triangles counts as 80 bytes. The mesher returns
-  /// ErrorKind::resources at the start if the mesh that the area and size bounds require cannot fit, and later as soon
-  /// as the mesh exceeds the limit.
+  /// A limit on memory in bytes; 0: no limit. A vertex with its two triangles counts as 80 bytes, so the result does
+  /// not depend on the state of the machine. The mesher returns ErrorKind::resources at the start if the mesh that the
+  /// area and size bounds require cannot fit, and later as soon as the mesh exceeds the limit. A limit on the memory of
+  /// the whole process can be kept with `progress`.
   std::uint64_t max_memory = 0;
   /// No point is inserted that would make an edge shorter than this, or shorter than 2^-42 times the largest
   /// coordinate, the limit of double precision. A length >= 0.
   double min_edge = 0;
   bool no_boundary_splits = false;  ///< do not split segments on the boundary of the domain (Triangle's switch -Y)
   bool no_segment_splits = false;   ///< do not split any segment (Triangle's switch -YY)
-  /// Called from time to time in the calling thread. Return false to stop with ErrorKind::cancelled.
+  // If one of the two functions throws, the mesher returns a `usage` error with the text of the exception.
+  /// Called in the calling thread during the whole run, about every 4 ms. Return false to stop with
+  /// ErrorKind::cancelled: no further task starts, and the mesher returns as soon as each thread has done a few
+  /// insertions more.
   std::function<bool(const Progress&)> progress{};
   /// Called in the calling thread after each sweep, with a copy of the mesh. That mesh is constrained Delaunay and
   /// conforms to the domain; it need not satisfy the goal yet. An Error stops the refinement, and mesh() returns it.

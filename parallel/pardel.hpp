@@ -15,3 +15,4 @@
 #include <pardel/parallel/report.hpp>
 #include <pardel/parallel/sweep.hpp>
 #include <pardel/parallel/validate.hpp>
+#include <pardel/parallel/warnings.hpp>

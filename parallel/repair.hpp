@@ -1,6 +1,9 @@
-// Repair: turns a Pslg with duplicate points, crossing or overlapping segments, or misplaced seeds into a valid domain.
+// Repair: turns a Pslg with duplicate points, crossing or overlapping segments, tiny gaps, or misplaced seeds into a
+// valid domain.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,26 +13,56 @@
 
 namespace pardel {
 
+struct RepairOptions {
+  /// Gaps smaller than this length are closed. Finite, >= 0. Zero: only equal points are merged, and no point or
+  /// segment moves by more than the rounding of crossings. Without a value: default_snap(); if that repair fails, for
+  /// example because the whole domain is narrower, a 16th of it, a 256th, a 4096th, and finally zero.
+  std::optional<double> snap{};
+  /// The domain is the convex hull of the points. An unclosed outline is then no problem.
+  bool convex_hull = false;
+};
+
+/// 2^-38 (3.6e-12) times the largest magnitude of a coordinate. Coordinates of that magnitude are about 2^-53 of it
+/// apart, and the mesher makes no edge shorter than 2^-42 of it (Options::min_edge). A gap of 2^-38 is 16 such edges
+/// wide. Smaller gaps are mostly the rounding of some program, and no mesh could be graded into them.
+[[nodiscard]] double default_snap(const Pslg& pslg);
+
+/// Points or segments that snapping moved.
+struct Moved {
+  std::size_t count = 0;
+  Index farthest = no_index;  ///< the one that moved farthest
+  double distance = 0;        ///< how far it moved
+};
+
 struct Repaired {
   ValidPslg domain;
   std::vector<Index> point_map;    ///< old point -> new point
   std::vector<Index> segment_map;  ///< new segment -> the old segment that contains it, the first if several do
-  /// The changes, one sentence each. Ids are those of the old Pslg, counted from its first_id.
+  /// The changes, one sentence each. Ids are those of the old Pslg, counted from its first_id. Empty if nothing
+  /// changed.
   std::vector<std::string> log;
+  double snap = 0;        ///< the snapping distance that was used
+  Moved moved_points;     ///< old points that were merged into another place
+  Moved bent_segments{};  ///< old segments that were bent to points near them, which are not exactly on them
 };
 
-/// Merges equal points, and points closer than `snap` (a length, finite, >= 0). Drops zero-length and duplicate
-/// segments. Splits segments where they cross, overlap or contain a point. Drops holes and regions that lie outside or
-/// on a segment. Points added at crossings are rounded; their attributes are interpolated and their markers are those
-/// of the segment. Segments move only by the rounding of these points. The segments bound the domain; the convex hull
-/// is not used.
+/// Merges equal points, and points closer than the snapping distance. Drops zero-length and duplicate segments. Splits
+/// segments where they cross, overlap or contain a point. Bends segments to points that are closer than the snapping
+/// distance: a segment touches a point before it could pass over the point, except within about twice the snapping
+/// distance of its ends. Afterwards, no two points are closer than the
+/// snapping distance, and no point is closer than half of it to a segment that does not end there. Drops holes and
+/// regions that lie outside or on a segment, and, if something was snapped, those closer than the snapping distance to
+/// a segment, because their face may have vanished. Of several regions in one face the last one stays, as in Triangle.
+/// Points added at crossings are rounded; their attributes are interpolated and their markers are those of the segment.
+/// Repairing a repaired domain changes nothing.
 ///
-/// Errors: `usage` for a bad `snap`. `invalid_input` if a coordinate, an index, a count or an area cap is unusable, if
-/// no segments enclose a domain, or if rounding the crossings causes new crossings again and again. The message has
-/// one line per problem.
+/// Errors: `usage` for a bad snapping distance. `invalid_input` if a coordinate, an index, a count or an area cap is
+/// unusable, if no segments enclose a domain, or if rounding the crossings causes new crossings again and again. The
+/// message has one line per problem.
 ///
-/// Time: a few searches for conflicts, each O((n + p) log n) on typical input for n points and segments and p
-/// conflicts. Source: after Hobby, "Practical segment intersection with finite precision output", 1999.
-[[nodiscard]] Result<Repaired> repair(const Pslg& pslg, double snap = 0);
+/// Time: a few searches for conflicts, each O((n + p) log n) for n points and segments and p conflicts. Sources: after
+/// Hobby, "Practical segment intersection with finite precision output", 1999; Halperin and Packer, "Iterated snap
+/// rounding", 2002.
+[[nodiscard]] Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options = {});
 
 }  // namespace pardel

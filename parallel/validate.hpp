@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +31,9 @@ enum class ProblemKind : std::uint8_t {
   hole_on_segment,
   region_outside,  ///< the seed is in no face of the domain, or exact arithmetic cannot use its coordinates
   region_on_segment,
-  regions_share_face,  ///< two regions have their seeds in the same face
+  regions_share_face,  ///< two regions, consecutive among those of a face, have their seeds in the same face
   bad_region_cap,      ///< an area cap that is zero, negative or NaN
+  cancelled,           ///< no problem of the Pslg: ValidateOptions::go_on ended the search; this is then the only entry
 };
 /// The enumerator as text: "duplicate_points".
 [[nodiscard]] const char* name(ProblemKind kind);
@@ -58,13 +60,15 @@ struct ValidateOptions {
   /// The largest number of problems of each kind that is returned. The number of crossings can be quadratic. Therefore
   /// the search for crossing_segments, overlapping_segments and point_on_segment ends when one kind has this number.
   std::size_t max_problems = 10'000;
-  int threads = 1;  ///< the largest number of threads; the result does not depend on it
+  /// The largest number of threads; 0 or less: as many as OpenMP offers. The result does not depend on it.
+  int threads = 0;
+  /// Called in the calling thread from time to time, about every 4 ms. Return false to end the search at once.
+  std::function<bool()> go_on{};
 };
 
 /// Finds every problem, sorted by kind, then by ids. A Pslg without problems can be meshed. Exact: there is no
 /// tolerance. Faces (unclosed_outline, no_domain, holes, regions) are examined only if points and segments have no
-/// problem. Time: O((n + p) log n) on typical input for n points and segments and p problems; quadratic if the bounding
-/// boxes of many segments overlap.
+/// problem. Time: O((n + p) log n) for n points and segments and p problems.
 [[nodiscard]] std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options = {});
 
 /// A Pslg that has no problems. Only validate() makes one, so a function that takes a ValidPslg need not check it.

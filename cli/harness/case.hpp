@@ -15,7 +15,8 @@ namespace pardel::harness {
 using generators::Family;
 using generators::LatticeDomain;
 
-/// Identifies the domain number `index` of a family for a seed. Its text form is SEED:FAMILY:INDEX.
+/// Identifies a random domain by the seed, the family, and its index in the family (from 0). Its text form is
+/// SEED:FAMILY:INDEX.
 struct CaseId {
   std::uint64_t seed = 1;
   Family family = Family::general_position;
@@ -26,7 +27,8 @@ struct CaseId {
 [[nodiscard]] Result<CaseId> parse_case(const std::string& text);
 [[nodiscard]] Result<Family> parse_family(std::string_view text);
 
-/// Generates the domain. The result depends only on the id, not on other cases or on the list of families.
+/// Generates the domain. The result depends only on the id, not on other cases or on the families that are selected for
+/// the run.
 [[nodiscard]] LatticeDomain make_case(const CaseId& id);
 
 /// Returns `count` cases that go through the families in turn. Precondition: `families` is not empty.

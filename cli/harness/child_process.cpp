@@ -34,7 +34,7 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
   limit(RLIMIT_FSIZE, limits.file_bytes);
   if (limits.memory_bytes > 0) limit(RLIMIT_AS, limits.memory_bytes);
   execv(argv[0], argv);
-  constexpr char reason[] = "error: it cannot be run: ";
+  constexpr char reason[] = "error: the program cannot be started: ";
   const char* why = strerrordesc_np(errno);
   if (write(2, reason, sizeof reason - 1) > 0 && why != nullptr && write(2, why, std::strlen(why)) > 0) _exit(126);
   _exit(126);

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "../../core/formats.hpp"
-#include "../../properties/domains/drawing/picture.hpp"
+#include "../../core/support/picture.hpp"
 #include "run_cases.hpp"
 #include "shrink.hpp"
 
@@ -61,7 +61,7 @@ Status write_failure(const ReportCard& card, FailureKind& kind, const Trials& tr
 
 Status write_failures(ReportCard& card, const Trials& trials, std::size_t max_runs, int jobs, const fs::path& folder,
                       const fs::path& work) {
-  return run_jobs(card.kinds.size(), jobs, [&](std::size_t k) {
+  return run_tasks(card.kinds.size(), jobs, [&](std::size_t k) {
     return write_failure(card, card.kinds[k], trials, max_runs, folder, work / ("shrink-" + std::to_string(k)));
   });
 }

@@ -31,7 +31,7 @@ const std::vector<Adaptor>& adaptors() {
   static const std::vector<Adaptor> all = {
       // Exit code 4 of pardel means: it wrote a mesh that misses a bound. The checker examines this mesh.
       {"pardel",
-       "pardel mesh {poly} -o {out} --quiet --min-angle {min-angle}",
+       "pardel mesh {poly} -o {out} --quiet --threads 1 --min-angle {min-angle}",
        " --max-area {max-area}",
        "ele",
        {0, 4},
@@ -44,7 +44,7 @@ const std::vector<Adaptor>& adaptors() {
        {0},
        "",
        "it is built with the benchmarks (cmake --preset bench), because CGAL's Mesh_2 is under the GPL"},
-      {"gmsh", "pardel-gmsh {poly} {out}", " {max-area}", "msh", {0}, "gmsh", "scripts/install-packages test"},
+      {"gmsh", "pardel-gmsh {poly} {out}", " {max-area}", "msh", {0}, "gmsh", "run scripts/install-packages test"},
       {"triangle",
        "pardel-triangle {poly} {min-angle}",
        " {max-area}",
@@ -56,7 +56,8 @@ const std::vector<Adaptor>& adaptors() {
   return all;
 }
 
-/// The path of a program of this project: in the folder of this program, or, for the benchmarks', in ../bench.
+/// The path of a program of this project. It is looked up first in the folder of the running executable, then in the
+/// folder ../bench relative to that folder, where the programs of the benchmarks are. Empty if it is in neither.
 fs::path beside_this_program(const std::string& program) {
   std::error_code ignored;
   const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -72,9 +73,10 @@ Result<Mesher> adapted(const Adaptor& adaptor, bool with_area) {
   const fs::path program = beside_this_program(mesher.words[0]);
   const bool lacks = *adaptor.needs != '\0' && on_path(adaptor.needs).empty();
   if (program.empty() || lacks) {
-    return Error{ErrorKind::io, fmt::format("--mesher {}: there is no program '{}' {}; {}", adaptor.name,
-                                            lacks ? adaptor.needs : mesher.words[0],
-                                            lacks ? "on the PATH" : "in the folder of this program", adaptor.obtained)};
+    return Error{ErrorKind::io,
+                 fmt::format("--mesher {}: the program '{}' is not {}; {}", adaptor.name,
+                             lacks ? adaptor.needs : mesher.words[0],
+                             lacks ? "on the PATH" : "in the folder of pardel-harness", adaptor.obtained)};
   }
   mesher.words[0] = program;
   return mesher;
@@ -97,8 +99,8 @@ Result<Mesher> find_mesher(const std::string& command, const std::string& suffix
   if (command.find("{poly}") == std::string::npos || words->front().find("{poly}") != std::string::npos) {
     return Error{
         ErrorKind::usage,
-        fmt::format("--mesher: '{}' is no adaptor, and as a command it has no argument {{poly}} for the name of "
-                    "the input",
+        fmt::format("--mesher: '{}' is neither the name of an adaptor nor a command with the argument {{poly}}, which "
+                    "stands for the name of the input",
                     command)};
   }
   Mesher mesher{*words, suffix, {0}, command};

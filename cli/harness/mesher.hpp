@@ -18,7 +18,7 @@ struct Mesher {
 };
 
 /// Finds a mesher. `command` is either the name of an adaptor ("pardel", "cgal", "gmsh", "triangle"), whose program
-/// must be in the folder of this program, or a command line that split_words() splits. `suffix`: the format that a
+/// must be in the folder of pardel-harness, or a command line that split_words() splits. `suffix`: the format that a
 /// command line writes; an adaptor has its own. `with_area`: the goal has an area bound. Errors: `io` if the program
 /// does not exist, `usage` if the command line has no {poly}.
 [[nodiscard]] Result<Mesher> find_mesher(const std::string& command, const std::string& suffix, bool with_area);

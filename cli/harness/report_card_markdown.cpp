@@ -62,10 +62,12 @@ std::string to_markdown(const ReportCard& card) {
                                  card.counts[static_cast<std::size_t>(Verdict::valid)], card.outcomes.size(),
                                  card.mesher, card.goal, card.limits, card.seed, families_table(card));
   if (all_valid(card)) return text;
-  return text + fmt::format(
-                    "\nmissed: a right mesh, but a bound does not hold, and no small input angle excuses it; wrong: "
-                    "no right mesh of the domain.\n\n{}\nA case again: `{} --replay CASE --keep FOLDER`\n",
-                    kinds_table(card), card.replay);
+  return text +
+         fmt::format(
+             "\nmissed: a correct mesh that misses a bound, although no small input angle makes this unavoidable; "
+             "wrong: not a correct mesh of the domain.\n\n{}\nTo repeat a case: `{} --replay CASE --keep "
+             "FOLDER`\n",
+             kinds_table(card), card.replay);
 }
 
 }  // namespace pardel::harness

@@ -13,37 +13,38 @@ namespace pardel::harness {
 
 namespace fs = std::filesystem;
 
-Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::size_t)>& work) {
+Status run_tasks(std::size_t count, int threads, const std::function<Status(std::size_t)>& task) {
   std::atomic<std::size_t> next = 0;
   std::mutex guard;
   std::optional<Error> first;  // protected by guard
   const auto run = [&] {
     omp_set_num_threads(1);  // for this thread: the checker's parallel loops must not compete for the cores
     for (std::size_t i; (i = next++) < count;) {
-      const Status status = work(i);
+      const Status status = task(i);
       if (status) continue;
       next = count;
       const std::lock_guard<std::mutex> lock(guard);
       if (!first) first = status.error();
     }
   };
-  std::vector<std::jthread> threads;
-  for (int k = 0; k < jobs; ++k) threads.emplace_back(run);
-  threads.clear();  // joins the threads
+  std::vector<std::jthread> pool;
+  for (int k = 0; k < threads; ++k) pool.emplace_back(run);
+  pool.clear();  // joins the threads
   if (first) return *first;
   return Done{};
 }
 
-Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int jobs,
-                                       const fs::path& work, bool keep, const std::function<void(std::size_t)>& done) {
+Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int threads,
+                                       const fs::path& folder, bool keep,
+                                       const std::function<void(std::size_t)>& done) {
   std::vector<Outcome> outcomes(cases.size());
   std::atomic<std::size_t> finished = 0;
-  const Status status = run_jobs(cases.size(), jobs, [&](std::size_t i) -> Status {
+  const Status status = run_tasks(cases.size(), threads, [&](std::size_t i) -> Status {
     const CaseId& id = cases[i];
-    const fs::path folder = work / fmt::format("{}-{}-{}", id.seed, name(id.family), id.index);
-    Result<Outcome> outcome = try_mesher(trials, make_case(id), folder);
+    const fs::path own = folder / fmt::format("{}-{}-{}", id.seed, name(id.family), id.index);
+    Result<Outcome> outcome = try_mesher(trials, make_case(id), own);
     std::error_code ignored;
-    if (!keep) fs::remove_all(folder, ignored);
+    if (!keep) fs::remove_all(own, ignored);
     if (!outcome) return outcome.error();
     outcomes[i] = std::move(*outcome);
     done(++finished);

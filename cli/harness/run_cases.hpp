@@ -10,15 +10,15 @@
 
 namespace pardel::harness {
 
-/// Calls work(0) ... work(count - 1) on `jobs` threads; the calls start in this order. After an error no further call
-/// starts. Returns the first error.
-[[nodiscard]] Status run_jobs(std::size_t count, int jobs, const std::function<Status(std::size_t)>& work);
+/// Calls task(0) ... task(count - 1) on `threads` threads; the calls start in this order. After an error no further
+/// call starts. Returns the first error.
+[[nodiscard]] Status run_tasks(std::size_t count, int threads, const std::function<Status(std::size_t)>& task);
 
-/// Runs the mesher on every case and returns the outcomes in the order of the cases. Each case has its own folder below
-/// `work`; the folder is removed afterwards unless `keep` is true. After each case, one of the threads calls `done`
-/// with the number of finished cases.
-[[nodiscard]] Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int jobs,
-                                                     const std::filesystem::path& work, bool keep,
+/// Runs the mesher on every case, on `threads` threads, and returns the outcomes in the order of the cases. Each case
+/// has its own folder in `folder`. That folder is removed after the case unless `keep` is true. After each case, one of
+/// the threads calls `done` with the number of finished cases.
+[[nodiscard]] Result<std::vector<Outcome>> run_cases(const Trials& trials, std::span<const CaseId> cases, int threads,
+                                                     const std::filesystem::path& folder, bool keep,
                                                      const std::function<void(std::size_t)>& done);
 
 }  // namespace pardel::harness

@@ -23,7 +23,10 @@ Format format_of(const std::filesystem::path& file) {
 }
 
 Error unknown_suffix(const std::filesystem::path& file, const char* known) {
-  return {ErrorKind::usage, file.string() + ": the suffix is not that of a mesh format; known are " + known};
+  const std::string suffix = file.extension().string();
+  const std::string what =
+      suffix.empty() ? "the name has no suffix, which sets the format" : "'" + suffix + "' is not a known format";
+  return {ErrorKind::usage, file.string() + ": " + what + "; the formats of a mesh are " + known};
 }
 
 }  // namespace

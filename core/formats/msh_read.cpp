@@ -1,4 +1,4 @@
-// Reads Gmsh's MSH: version 4.1 in ASCII and binary, version 2.x in ASCII. Triangles become the mesh, lines become its
+// Reads Gmsh's MSH: versions 4.1 and 2.x, in ASCII and binary. Triangles become the mesh, lines become its
 // constrained edges. A physical group named `region X` or `marker N` gives the attribute X or the marker N; a group
 // `domain` means no region; any other group gives its tag. Vertices are in the order of their tags; z is ignored.
 #include <algorithm>
@@ -52,8 +52,7 @@ class MshReader {
     const bool binary = in_.integer("0 for ASCII or 1 for binary", 0, 1) == 1;
     in_.integer("the size of a number, 8", 8, 8);
     const bool version_2 = version_ >= 2 && version_ < 3;
-    if (!version_2 && version_ != 4.1) in_.fail("expected version 4.1 (or 2.x as ASCII) of the format");
-    if (version_2 && binary) in_.fail("expected version 2.x of the format as ASCII, found it as binary");
+    if (!version_2 && version_ != 4.1) in_.fail("expected version 4.1 or 2.x of the format");
     if (binary) {
       source_.set_binary();
       source_.open_section();
@@ -240,7 +239,9 @@ class MshReader {
   void read_corners(std::size_t n, double value) {
     std::array<Index, 3> v{};
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t tag = source_.size("a node's tag");
+      const std::size_t tag = version_ > 4
+                                  ? source_.size("a node's tag")
+                                  : static_cast<std::size_t>(source_.integer("a node's tag", 0, any_marker_high));
       v[i] = nodes_.find(tag);
       if (v[i] == no_index) in_.fail("there is no node " + std::to_string(tag));
     }
@@ -262,32 +263,52 @@ class MshReader {
     expect_end("$EndElements");
   }
 
-  /// Version 2: `tag x y z`.
+  /// Version 2: `tag x y z`. The number of nodes is text, also in binary files.
   void read_nodes_2() {
     in_.expect_line("the number of nodes");
     const std::size_t n = in_.count("the number of nodes");
     if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
-    for (std::size_t i = 0; i < n && in_.expect_record("node", i, n); ++i) read_node(node_tag());
+    source_.open_section();
+    for (std::size_t i = 0; i < n && source_.record("node", i, n); ++i) {
+      read_node(static_cast<std::size_t>(source_.integer("a node's tag", 1, any_marker_high)));
+    }
     finish_nodes(n);
   }
 
-  /// Version 2: `tag type number-of-tags tags... corners`; the first tag is the physical group, 0 for none.
+  /// Version 2: `tag type number-of-tags tags... corners`. In binary files, type and number of tags are given once for
+  /// several elements: `type number-of-elements number-of-tags`, then for each element `tag tags... corners`.
   void read_elements_2() {
     in_.expect_line("the number of elements");
     const std::size_t n = in_.count("the number of elements");
-    for (std::size_t i = 0; i < n && in_.expect_record("element", i, n); ++i) {
-      in_.count("an element's tag");
-      const std::size_t corners = read_type();
-      const std::size_t tags = in_.count("the number of tags");
-      std::int64_t physical = 0;
-      for (std::size_t k = 0; k < tags && !in_.failed(); ++k) {
-        const std::int64_t tag = in_.integer("a tag", -any_marker_high, any_marker_high);
-        if (k == 0) physical = std::abs(tag);
-      }
-      const std::int64_t dimension = static_cast<std::int64_t>(corners) - 1;
-      read_corners(corners, physical == 0 ? no_region : group_value(dimension, physical));
+    source_.open_section();
+    std::size_t found = 0;
+    while (found < n && source_.record("element", found, n)) found += read_block_2();
+    finish_elements(n, found);
+  }
+
+  /// Reads one element or, in a binary file, several. Returns their number, at least 1.
+  std::size_t read_block_2() {
+    if (!source_.binary()) source_.integer("an element's tag", 0, any_marker_high);
+    const std::size_t corners = read_type();
+    const std::int64_t in_block =
+        source_.binary() ? source_.integer("the number of elements in the block", 1, any_marker_high) : 1;
+    const std::int64_t tags = source_.integer("the number of tags", 0, any_marker_high);
+    for (std::int64_t i = 0; i < in_block && !in_.failed(); ++i) {
+      if (source_.binary()) source_.integer("an element's tag", 0, any_marker_high);
+      read_element_2(corners, tags);
     }
-    finish_elements(n, n);
+    return static_cast<std::size_t>(in_block);
+  }
+
+  /// The first tag is the physical group, 0 for none.
+  void read_element_2(std::size_t corners, std::int64_t tags) {
+    std::int64_t physical = 0;
+    for (std::int64_t k = 0; k < tags && !in_.failed(); ++k) {
+      const std::int64_t tag = source_.integer("a tag", -any_marker_high, any_marker_high);
+      if (k == 0) physical = std::abs(tag);
+    }
+    const std::int64_t dimension = static_cast<std::int64_t>(corners) - 1;
+    read_corners(corners, physical == 0 ? no_region : group_value(dimension, physical));
   }
 
   using Key = std::pair<std::int64_t, std::int64_t>;  ///< dimension and tag

@@ -65,30 +65,42 @@ void put_fill(Bytes& to, std::size_t hue) {
     to << "fill=\"hsl(" << hue << ",60%,88%)\"";
 }
 
+/// The most shapes of one path. Readers refuse attributes above 10 MB; a shape takes less than 100 bytes.
+constexpr std::size_t shapes_of_a_path = 5000;
+
+/// Draws n shapes, as several paths if there are many; format(bytes, i) appends the commands of shape i.
+template <class Format>
+void draw_paths(OutputFile& out, std::size_t n, std::string_view style, const Format& format) {
+  for (std::size_t first = 0; first < n; first += shapes_of_a_path) {
+    out.write("<path ");
+    out.write(style);
+    out.write(" d=\"\n");
+    write_records(out, std::min(shapes_of_a_path, n - first), [&](Bytes& to, std::size_t i) { format(to, first + i); });
+    out.write("\"/>\n");
+  }
+}
+
 /// Draws segments or constrained edges.
 template <class Edges, class Points>
 void draw_lines(OutputFile& out, const Canvas& canvas, const Edges& edges, const Points& points) {
-  out.write("<path fill=\"none\" stroke=\"#202020\" stroke-width=\"1.5\" stroke-linecap=\"round\" d=\"\n");
-  write_records(out, edges.size(), [&](Bytes& to, std::size_t i) {
-    canvas.put(to << 'M', points[edges[i].a]);
-    canvas.put(to << 'L', points[edges[i].b]) << '\n';
-  });
-  out.write("\"/>\n");
+  draw_paths(out, edges.size(), "fill=\"none\" stroke=\"#202020\" stroke-width=\"1.5\" stroke-linecap=\"round\"",
+             [&](Bytes& to, std::size_t i) {
+               canvas.put(to << 'M', points[edges[i].a]);
+               canvas.put(to << 'L', points[edges[i].b]) << '\n';
+             });
 }
 
-/// Draws the triangles of one hue as one path.
+/// Draws the triangles of one hue.
 void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std::span<const Index> triangles,
                     std::size_t hue) {
-  Bytes head;
-  put_fill(head << "<path stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" ", hue);
-  out.write((head << " d=\"\n").view());
-  write_records(out, triangles.size(), [&](Bytes& to, std::size_t i) {
+  Bytes style;
+  put_fill(style << "stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" ", hue);
+  draw_paths(out, triangles.size(), style.view(), [&](Bytes& to, std::size_t i) {
     const auto& v = mesh.triangles[triangles[i]].v;
     canvas.put(to << 'M', mesh.points[v[0]]);
     canvas.put(to << 'L', mesh.points[v[1]]);
     canvas.put(to << 'L', mesh.points[v[2]]) << "Z\n";
   });
-  out.write("\"/>\n");
 }
 
 }  // namespace
@@ -119,15 +131,12 @@ Status write_svg(const Pslg& pslg, const std::filesystem::path& file) {
   const Canvas canvas(pslg.points);
   canvas.open(out);
   draw_lines(out, canvas, pslg.segments, pslg.points);
-  out.write("<path stroke=\"#205090\" stroke-width=\"4\" stroke-linecap=\"round\" d=\"\n");
-  write_records(out, pslg.points.size(),
-                [&](Bytes& to, std::size_t i) { canvas.put(to << 'M', pslg.points[i]) << "h0\n"; });
-  out.write("\"/>\n<path stroke=\"#c02020\" stroke-width=\"2\" d=\"\n");
-  write_records(out, pslg.holes.size(), [&](Bytes& to, std::size_t i) {
+  draw_paths(out, pslg.points.size(), "stroke=\"#205090\" stroke-width=\"4\" stroke-linecap=\"round\"",
+             [&](Bytes& to, std::size_t i) { canvas.put(to << 'M', pslg.points[i]) << "h0\n"; });
+  draw_paths(out, pslg.holes.size(), "stroke=\"#c02020\" stroke-width=\"2\"", [&](Bytes& to, std::size_t i) {
     canvas.put(to << 'M', pslg.holes[i], -6, -6) << "l12 12";
     canvas.put(to << 'M', pslg.holes[i], -6, 6) << "l12 -12\n";
   });
-  out.write("\"/>\n");
   write_records(out, pslg.regions.size(), [&](Bytes& to, std::size_t i) {
     canvas.put(to << "<path fill=\"#208040\" d=\"M", pslg.regions[i].seed, 0, -6) << "l6 6l-6 6l-6 -6Z\"/>\n";
     canvas.put(to << "<text font-size=\"14\" transform=\"translate(", pslg.regions[i].seed, 9, 5)

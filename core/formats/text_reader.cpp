@@ -25,8 +25,8 @@ Result<std::string> read_file(const std::filesystem::path& file) {
   const auto failure = [&](const char* what) {
     return Error{ErrorKind::io, file.string() + ": " + what + ": " + std::strerror(errno)};
   };
-  const auto close = [](std::FILE* f) { std::fclose(f); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "rb"), close);
+  const auto close = [](std::FILE* f) { f == stdin ? 0 : std::fclose(f); };
+  const std::unique_ptr<std::FILE, decltype(close)> stream(file == "-" ? stdin : std::fopen(file.c_str(), "rb"), close);
   if (!stream) return failure("cannot be opened");
 
   std::string bytes;
@@ -177,8 +177,7 @@ bool TextReader::room_for(std::size_t n, std::size_t bytes_each, std::string_vie
   if (failed_) return false;
   // The text counts as one byte longer, because the newline of the last record may be missing.
   if (n <= (rest().size() + 1) / bytes_each) return true;
-  fail("announces " + std::to_string(n) + " " + std::string(what) + ", more than the " + std::to_string(rest().size()) +
-       " bytes that follow can hold");
+  fail("announces " + std::to_string(n) + " " + std::string(what) + ", but the rest of the file is too short for that");
   return false;
 }
 

@@ -1,5 +1,6 @@
 // Reads a mesh from Triangle's files .node and .ele, and from the .poly, .edge and .neigh of the same name.
 #include <string>
+#include <vector>
 
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"
@@ -13,10 +14,12 @@ namespace fs = std::filesystem;
 struct ReadMesh {
   Mesh mesh;
   int base = 1;
+  std::vector<bool>
+      is_middle;  ///< per node: true for the middle of an edge; empty if there are three nodes per triangle
 };
 
 /// Format: `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
-/// Of six nodes, only the first three (the corners) are kept. The first attribute is the attribute of the region.
+/// The first three nodes are the corners. The first attribute is the attribute of the region.
 void read_elements(TextReader& in, ReadMesh& read) {
   Mesh& mesh = read.mesh;
   in.expect_line("the number of triangles");
@@ -29,6 +32,7 @@ void read_elements(TextReader& in, ReadMesh& read) {
   if (!in.room_for(n, text_bytes(static_cast<std::size_t>(nodes) + 1 + attributes), "triangles")) return;
 
   mesh.triangles.resize(n);
+  if (nodes == 6) read.is_middle.resize(mesh.points.size());
   Array<double> region(attributes > 0 ? n : 0);
   for (std::size_t t = 0; t < n && in.expect_record("triangle", t, n); ++t) {
     read_number(in, "triangle", t, read.base);
@@ -36,7 +40,8 @@ void read_elements(TextReader& in, ReadMesh& read) {
       corner = read_point_index(in, "a corner of a triangle", mesh.points.size(), read.base);
     }
     for (std::int64_t i = 3; i < nodes; ++i) {
-      read_point_index(in, "a middle node of a triangle", mesh.points.size(), read.base);
+      const Index middle = read_point_index(in, "a middle node of a triangle", mesh.points.size(), read.base);
+      if (!in.failed()) read.is_middle[middle] = true;
     }
     for (std::size_t k = 0; k < attributes; ++k) {
       const double attribute = in.number("a triangle's attribute");
@@ -89,6 +94,39 @@ void check_neighbours(TextReader& in, const ReadMesh& read) {
   }
 }
 
+/// Removes the nodes that are only middles of edges: no corner of a triangle and no end of a constrained edge.
+void remove_middles(ReadMesh& read) {
+  Mesh& mesh = read.mesh;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const Index corner : triangle.v) read.is_middle[corner] = false;
+  }
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) {
+    read.is_middle[edge.a] = read.is_middle[edge.b] = false;
+  }
+  std::vector<Index> number(mesh.points.size(), no_index);
+  const std::size_t width = mesh.attributes_per_point;
+  Index kept = 0;
+  for (std::size_t node = 0; node < number.size(); ++node) {
+    if (read.is_middle[node]) continue;
+    mesh.points[kept] = mesh.points[node];
+    if (!mesh.point_markers.empty()) mesh.point_markers[kept] = mesh.point_markers[node];
+    for (std::size_t k = 0; k < width; ++k) {
+      mesh.point_attributes[kept * width + k] = mesh.point_attributes[node * width + k];
+    }
+    number[node] = kept++;
+  }
+  mesh.points.resize(kept);
+  mesh.point_attributes.resize(kept * width);
+  if (!mesh.point_markers.empty()) mesh.point_markers.resize(kept);
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& corner : triangle.v) corner = number[corner];
+  }
+  for (ConstrainedEdge& edge : mesh.constrained_edges) {
+    edge.a = number[edge.a];
+    edge.b = number[edge.b];
+  }
+}
+
 /// Reads `file` with reader(in).
 template <class Reader>
 Status read_with(const fs::path& file, const Reader& reader) {
@@ -119,6 +157,7 @@ Result<Mesh> read_triangle_mesh(const fs::path& file) {
   if (present(".poly")) read_beside(".poly", [&](TextReader& in) { has_segments = read_own_segments(in, read); });
   if (!has_segments && present(".edge")) read_beside(".edge", [&](TextReader& in) { read_edges(in, read); });
   if (!status.ok()) return status.error();
+  if (!read.is_middle.empty()) remove_middles(read);
 
   const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size());
   if (surplus == 0 && present(".neigh")) read_beside(".neigh", [&](TextReader& in) { check_neighbours(in, read); });

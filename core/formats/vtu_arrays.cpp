@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "expand.hpp"
 #include "text_reader.hpp"
 
 namespace pardel::files {
@@ -13,9 +14,11 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
+}  // namespace
+
 /// An XML start tag; text[at] is its '<'. XML entities are not decoded, because no attribute that is read here needs
 /// this.
-struct Tag {
+struct VtuFile::Tag {
   std::string_view name;
   std::string_view attributes;
   std::size_t end = 0;  ///< the position after the '>' of the tag
@@ -33,8 +36,10 @@ struct Tag {
   }
 };
 
-Tag tag_at(std::string_view text, std::size_t at) {
-  Tag tag;
+namespace {
+
+VtuFile::Tag tag_at(std::string_view text, std::size_t at) {
+  VtuFile::Tag tag;
   const std::size_t close = std::min(text.find('>', at), text.size());
   std::string_view inside = text.substr(at + 1, close - at - 1);
   tag.end = std::min(close + 1, text.size());
@@ -51,6 +56,10 @@ std::int64_t whole(std::string_view text, std::int64_t otherwise) {
   std::int64_t value = 0;
   const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   return status == std::errc() && stop == text.data() + text.size() && value >= 0 ? value : -1;
+}
+
+bool is_section(std::string_view name) {
+  return name == "Points" || name == "Cells" || name == "CellData" || name == "PointData" || name == "FieldData";
 }
 
 int base64_digit(char c) {
@@ -139,71 +148,97 @@ Error VtuFile::error_at(std::size_t at, const std::string& message) const {
   return {ErrorKind::invalid_input, name_ + ":" + std::to_string(line) + ": " + message};
 }
 
+std::optional<Error> VtuFile::read_root(const Tag& tag, std::size_t at) {
+  constexpr std::string_view native = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+  if (tag["type"] != "UnstructuredGrid") {
+    return error_at(at, "expected type=\"UnstructuredGrid\", found " + in_quotes(tag["type"]));
+  }
+  if (!tag["byte_order"].empty() && tag["byte_order"] != native) {
+    return error_at(at, "expected byte_order=\"" + std::string(native) + "\", found " + in_quotes(tag["byte_order"]));
+  }
+  compressed_ = !tag["compressor"].empty();
+  if (compressed_ && tag["compressor"] != "vtkZLibDataCompressor") {
+    return error_at(at, "expected no compressor or vtkZLibDataCompressor, found " + in_quotes(tag["compressor"]));
+  }
+  if (tag["header_type"] == "UInt64") header_bytes_ = 8;
+  found_root_ = true;
+  return std::nullopt;
+}
+
+std::optional<Error> VtuFile::read_piece(const Tag& tag, std::size_t at) {
+  if (found_piece_) return error_at(at, "expected one piece, found a second");
+  found_piece_ = true;
+  const std::int64_t points = whole(tag["NumberOfPoints"], -1);
+  const std::int64_t cells = whole(tag["NumberOfCells"], -1);
+  if (points < 0) return error_at(at, "expected the number of points, found " + in_quotes(tag["NumberOfPoints"]));
+  if (cells < 0) return error_at(at, "expected the number of cells, found " + in_quotes(tag["NumberOfCells"]));
+  points_ = static_cast<std::size_t>(points);
+  cells_ = static_cast<std::size_t>(cells);
+  return std::nullopt;
+}
+
+/// Sets `at` to the end of the content of the array.
+std::optional<Error> VtuFile::read_array(const Tag& tag, std::string_view section, std::size_t& at) {
+  VtuArray array{section, tag["Name"], tag["type"], tag["format"], 1, 0, tag.end, tag.end};
+  const std::int64_t components = whole(tag["NumberOfComponents"], 1);
+  const std::int64_t offset = whole(tag["offset"], 0);
+  if (components < 1)
+    return error_at(at, "expected a number of components, found " + in_quotes(tag["NumberOfComponents"]));
+  if (offset < 0) return error_at(at, "expected an offset, found " + in_quotes(tag["offset"]));
+  array.components = static_cast<std::size_t>(components);
+  array.offset = static_cast<std::size_t>(offset);
+  if (!tag.closed) {
+    const std::size_t close = text_.find("</DataArray", tag.end);
+    if (close == std::string_view::npos) return error_at(at, "this DataArray does not end");
+    // VTK writes inner elements (InformationKey) after the values, other programs before them.
+    const std::size_t inner = text_.find('<', tag.end);
+    const bool values_first = text_.find_first_not_of(blanks, tag.end) < inner;
+    array.begin = values_first ? tag.end : std::max(tag.end, text_.rfind('>', close) + 1);
+    array.end = values_first ? inner : close;
+    at = close;
+  } else {
+    at = tag.end;
+  }
+  arrays_.push_back(array);
+  return std::nullopt;
+}
+
+std::optional<Error> VtuFile::read_appended(const Tag& tag, std::size_t at) {
+  appended_raw_ = tag["encoding"] == "raw";
+  appended_ = text_.find('_', tag.end);
+  if (appended_ == std::string_view::npos) return error_at(at, "expected appended data, found none");
+  ++appended_;
+  return std::nullopt;
+}
+
 Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
   VtuFile file;
   file.text_ = text;
   file.name_ = name;
-  constexpr std::string_view native = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
   std::string_view section;
-  bool found_grid = false;
-  bool found_piece = false;
   for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at)) {
     const Tag tag = tag_at(text, at);
+    std::size_t end = tag.end;
+    std::optional<Error> error;
     if (tag.name == "VTKFile") {
-      if (tag["type"] != "UnstructuredGrid") {
-        return file.error_at(at, "expected type=\"UnstructuredGrid\", found " + in_quotes(tag["type"]));
-      }
-      if (!tag["byte_order"].empty() && tag["byte_order"] != native) {
-        return file.error_at(
-            at, "expected byte_order=\"" + std::string(native) + "\", found " + in_quotes(tag["byte_order"]));
-      }
-      if (!tag["compressor"].empty()) {
-        return file.error_at(
-            at, "the file is compressed (" + std::string(tag["compressor"]) + "): write it without compression");
-      }
-      if (tag["header_type"] == "UInt64") file.header_bytes_ = 8;
-      found_grid = true;
+      error = file.read_root(tag, at);
     } else if (tag.name == "Piece") {
-      if (found_piece) return file.error_at(at, "expected one piece, found a second");
-      found_piece = true;
-      const std::int64_t points = whole(tag["NumberOfPoints"], -1);
-      const std::int64_t cells = whole(tag["NumberOfCells"], -1);
-      if (points < 0)
-        return file.error_at(at, "expected the number of points, found " + in_quotes(tag["NumberOfPoints"]));
-      if (cells < 0) return file.error_at(at, "expected the number of cells, found " + in_quotes(tag["NumberOfCells"]));
-      file.points_ = static_cast<std::size_t>(points);
-      file.cells_ = static_cast<std::size_t>(cells);
+      error = file.read_piece(tag, at);
     } else if (tag.name == "DataArray") {
-      VtuArray array{section, tag["Name"], tag["type"], tag["format"], 1, 0, tag.end, tag.end};
-      const std::int64_t components = whole(tag["NumberOfComponents"], 1);
-      const std::int64_t offset = whole(tag["offset"], 0);
-      if (components < 1)
-        return file.error_at(at, "expected a number of components, found " + in_quotes(tag["NumberOfComponents"]));
-      if (offset < 0) return file.error_at(at, "expected an offset, found " + in_quotes(tag["offset"]));
-      array.components = static_cast<std::size_t>(components);
-      array.offset = static_cast<std::size_t>(offset);
-      if (!tag.closed) {
-        array.end = text.find("</DataArray", tag.end);
-        if (array.end == std::string_view::npos) return file.error_at(at, "this DataArray does not end");
-        // Inner elements (VTK's InformationKey) come before the values.
-        array.begin = std::max(tag.end, text.rfind('>', array.end) + 1);
-      }
-      file.arrays_.push_back(array);
-      at = array.end;
-      continue;
+      end = at;
+      error = file.read_array(tag, section, end);
     } else if (tag.name == "AppendedData") {
-      file.appended_raw_ = tag["encoding"] == "raw";
-      file.appended_ = text.find('_', tag.end);
-      if (file.appended_ == std::string_view::npos) return file.error_at(at, "expected appended data, found none");
-      ++file.appended_;
-      break;  // the rest is not XML
-    } else if (!tag.name.starts_with('/') && !tag.name.starts_with('?') && !tag.name.starts_with('!')) {
+      error = file.read_appended(tag, at);
+      end = text.size();  // the rest is not XML
+    } else if (is_section(tag.name)) {
       section = tag.name;
     }
-    at = tag.end;
+    if (error) return *error;
+    at = end;
   }
-  if (!found_grid) return file.error_at(0, "expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
-  if (!found_piece) return file.error_at(0, "expected a <Piece>, found none");
+  if (!file.found_root_)
+    return file.error_at(0, "expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
+  if (!file.found_piece_) return file.error_at(0, "expected a <Piece>, found none");
   return file;
 }
 
@@ -214,7 +249,7 @@ const VtuArray* VtuFile::find(std::string_view section, std::string_view name) c
   return nullptr;
 }
 
-Result<std::string_view> VtuFile::bytes_of(const VtuArray& array, std::string& decoded) const {
+Result<VtuFile::Data> VtuFile::data_of(const VtuArray& array) const {
   const bool appended = array.format == "appended";
   if (!appended && array.format != "binary") {
     return error_at(array.begin, "expected format ascii, binary or appended, found " + in_quotes(array.format));
@@ -222,25 +257,70 @@ Result<std::string_view> VtuFile::bytes_of(const VtuArray& array, std::string& d
   if (appended && (appended_ == 0 || array.offset > text_.size() - appended_)) {
     return error_at(array.begin, "there are no appended data at offset " + std::to_string(array.offset));
   }
-  const bool raw = appended && appended_raw_;
-  const std::string_view source =
-      appended ? text_.substr(appended_ + array.offset) : text_.substr(array.begin, array.end - array.begin);
+  return Data{appended ? text_.substr(appended_ + array.offset) : text_.substr(array.begin, array.end - array.begin),
+              appended && appended_raw_,
+              {}};
+}
 
-  // The data begin with their length, an integer of header_bytes_ bytes.
-  if (!raw) decoded = decode_base64(source, header_bytes_);
-  const std::string_view header = raw ? source.substr(0, header_bytes_) : std::string_view(decoded);
-  std::uint64_t length = 0;
-  if (header.size() < header_bytes_) return error_at(array.begin, "the data of this array are cut off");
-  std::memcpy(&length, header.data(), header_bytes_);  // for little-endian machines
-  if constexpr (std::endian::native == std::endian::big) length >>= 8 * (sizeof(length) - header_bytes_);
-  if (length > source.size()) {
+std::string_view VtuFile::Data::first(std::size_t n) {
+  if (raw) return source.substr(0, n);
+  if (decoded.size() < n) decoded = decode_base64(source, n);
+  return std::string_view(decoded).substr(0, n);
+}
+
+std::uint64_t VtuFile::header_number(std::string_view header, std::size_t i) const {
+  std::uint64_t number = 0;
+  std::memcpy(&number, header.data() + i * header_bytes_, header_bytes_);  // for little-endian machines
+  if constexpr (std::endian::native == std::endian::big) number >>= 8 * (sizeof(number) - header_bytes_);
+  return number;
+}
+
+Error VtuFile::cut_off(const VtuArray& array) const {
+  return error_at(array.begin, "the data of this array are cut off");
+}
+
+/// The data begin with their length, an integer of header_bytes_ bytes.
+Result<std::string_view> VtuFile::plain_bytes(const VtuArray& array, Data& data) const {
+  const std::string_view header = data.first(header_bytes_);
+  if (header.size() < header_bytes_) return cut_off(array);
+  const std::uint64_t length = header_number(header, 0);
+  if (length > data.source.size()) {
     return error_at(array.begin, "this array announces " + std::to_string(length) + " bytes, but " +
-                                     std::to_string(source.size()) + " follow");
+                                     std::to_string(data.source.size()) + " follow");
   }
-  if (!raw) decoded = decode_base64(source, header_bytes_ + length);
-  const std::string_view data = (raw ? source : std::string_view(decoded)).substr(header_bytes_, length);
-  if (data.size() < length) return error_at(array.begin, "the data of this array are cut off");
-  return data;
+  const std::string_view bytes = data.first(header_bytes_ + length).substr(header_bytes_);
+  if (bytes.size() < length) return cut_off(array);
+  return bytes;
+}
+
+/// Compressed data begin with the number of blocks, the size of a block, the size of the last block if it is smaller
+/// (0 if it is not), and the compressed size of each block.
+Result<std::string_view> VtuFile::expanded_bytes(const VtuArray& array, Data& data, std::string& expanded) const {
+  const std::string_view start = data.first(3 * header_bytes_);
+  if (start.size() < 3 * header_bytes_) return cut_off(array);
+  const std::uint64_t blocks = header_number(start, 0), block = header_number(start, 1), last = header_number(start, 2);
+  if (blocks > data.source.size() / header_bytes_ - 3) return cut_off(array);
+  const std::size_t header_size = (3 + blocks) * header_bytes_;
+  const std::string header(data.first(header_size));
+  if (header.size() < header_size) return cut_off(array);
+  std::size_t at = header_size;
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    const std::uint64_t compressed = header_number(header, 3 + i);
+    if (compressed > data.source.size() - at) return cut_off(array);
+    at += compressed;
+  }
+  const std::string_view bytes = data.first(at);
+  if (bytes.size() < at) return cut_off(array);
+  at = header_size;
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    const std::uint64_t compressed = header_number(header, 3 + i);
+    const std::uint64_t size = i + 1 == blocks && last != 0 ? last : block;
+    if (!append_expanded(bytes.substr(at, compressed), size, expanded))
+      return error_at(array.begin, "block " + std::to_string(i) + " of this array does not expand to " +
+                                       std::to_string(size) + " bytes");
+    at += compressed;
+  }
+  return std::string_view(expanded);
 }
 
 template <class Value>
@@ -250,8 +330,10 @@ Result<Array<Value>> VtuFile::values(const VtuArray& array) const {
     in.skip(array.begin);
     return parse_values<Value>(in);
   }
-  std::string decoded;
-  const auto bytes = bytes_of(array, decoded);
+  Result<Data> data = data_of(array);
+  if (!data.ok()) return data.error();
+  std::string expanded;
+  const auto bytes = compressed_ ? expanded_bytes(array, *data, expanded) : plain_bytes(array, *data);
   if (!bytes.ok()) return bytes.error();
   Array<Value> values;
   if (!convert(*bytes, array.type, values)) {

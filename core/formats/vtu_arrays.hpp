@@ -1,6 +1,7 @@
-// Reads the arrays of a VTU file in every place and encoding that the format allows, except compressed ones.
+// Reads the arrays of a VTU file in every place and encoding that the format allows.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,9 +26,9 @@ struct VtuArray {
 /// The elements of a VTU file. The text must outlive the object.
 class VtuFile {
  public:
-  /// Supported: one piece of an UnstructuredGrid, without compression, in the byte order of this machine; arrays as
-  /// text, as base64 (inline or appended), or as appended raw bytes; headers of 32 and 64 bits. Any other file is an
-  /// error of kind `invalid_input` that names the unsupported part.
+  /// Supported: one piece of an UnstructuredGrid, not compressed or compressed by zlib, in the byte order of this
+  /// machine; arrays as text, as base64 (inline or appended), or as appended raw bytes; headers of 32 and 64 bits. Any
+  /// other file is an error of kind `invalid_input` that names the unsupported part.
   static Result<VtuFile> parse(std::string_view text, const std::string& name);
 
   [[nodiscard]] std::size_t points() const { return points_; }
@@ -44,10 +45,30 @@ class VtuFile {
   /// An error at byte `at` of the text: `NAME:LINE: message`.
   [[nodiscard]] Error error_at(std::size_t at, const std::string& message) const;
 
+  struct Tag;
+
  private:
   VtuFile() = default;
-  /// The bytes of an array that is not text. If they must be decoded, the result refers to `decoded`.
-  Result<std::string_view> bytes_of(const VtuArray& array, std::string& decoded) const;
+
+  /// The data of an array that is not text: raw bytes or base64.
+  struct Data {
+    std::string_view source;
+    bool raw = false;
+    std::string decoded;  ///< the beginning of the data, if they are base64
+    /// The first n bytes; fewer if there are fewer. Invalidates earlier results.
+    std::string_view first(std::size_t n);
+  };
+
+  std::optional<Error> read_root(const Tag& tag, std::size_t at);
+  std::optional<Error> read_piece(const Tag& tag, std::size_t at);
+  std::optional<Error> read_array(const Tag& tag, std::string_view section, std::size_t& at);
+  std::optional<Error> read_appended(const Tag& tag, std::size_t at);
+
+  [[nodiscard]] Result<Data> data_of(const VtuArray& array) const;
+  Result<std::string_view> plain_bytes(const VtuArray& array, Data& data) const;
+  Result<std::string_view> expanded_bytes(const VtuArray& array, Data& data, std::string& expanded) const;
+  [[nodiscard]] std::uint64_t header_number(std::string_view header, std::size_t i) const;
+  [[nodiscard]] Error cut_off(const VtuArray& array) const;
 
   std::string_view text_;
   std::string name_;
@@ -57,6 +78,9 @@ class VtuFile {
   std::size_t appended_ = 0;  ///< the first byte of the appended data, after the `_`
   bool appended_raw_ = false;
   std::size_t header_bytes_ = 4;
+  bool compressed_ = false;
+  bool found_root_ = false;
+  bool found_piece_ = false;
 };
 
 }  // namespace pardel::files

@@ -1,5 +1,5 @@
 // Reads VTU: triangles become triangles of the mesh, lines become its constrained edges, vertices are ignored. The
-// arrays of write_vtu() (region, marker, attributes, constrained_edges) are read if they are present. z is ignored.
+// arrays of write_vtu() (region, marker, attributes) are read if they are present. z is ignored.
 #include <optional>
 #include <string>
 
@@ -21,6 +21,7 @@ class VtuMesh {
     read_points();
     read_cells();
     read_regions();
+    read_markers_of_lines();
     read_point_data();
     read_constrained_edges();
     if (error_) return *error_;
@@ -106,6 +107,7 @@ class VtuMesh {
       } else if (types[c] == vtk_line) {
         const Index a = point_index(corners_array, corners, first);
         mesh_.constrained_edges.push_back({a, point_index(corners_array, corners, first + 1), no_index, 0});
+        cell_of_line_.push_back(c);
       }
       first += n;
     }
@@ -120,6 +122,14 @@ class VtuMesh {
     set_regions(mesh_, by_triangle.span());
   }
 
+  void read_markers_of_lines() {
+    if (cell_of_line_.empty()) return;
+    const VtuArray* array = file_.find("CellData", "marker");
+    const auto by_cell = values<std::int64_t>(array, file_.cells());
+    for (std::size_t i = 0; i < cell_of_line_.size() && !by_cell.empty(); ++i)
+      mesh_.constrained_edges[i].marker = marker(array, by_cell, cell_of_line_[i]);
+  }
+
   void read_point_data() {
     const VtuArray* markers_array = file_.find("PointData", "marker");
     const auto markers = values<std::int64_t>(markers_array, file_.points());
@@ -132,6 +142,7 @@ class VtuMesh {
       fail(*attributes, "expected as many values at every point");
   }
 
+  /// Earlier versions of write_vtu() stored the constrained edges as field data instead of cells.
   void read_constrained_edges() {
     const VtuArray* ends_array = file_.find("FieldData", "constrained_edges");
     const VtuArray* markers_array = file_.find("FieldData", "constrained_edge_markers");
@@ -148,6 +159,7 @@ class VtuMesh {
   const VtuFile& file_;
   Mesh mesh_;
   std::vector<std::size_t> cell_of_triangle_;
+  std::vector<std::size_t> cell_of_line_;
   std::optional<Error> error_;
 };
 

@@ -19,7 +19,6 @@ struct AppendedArray {
   std::string type;
   std::string name;
   std::size_t components;
-  std::size_t tuples;
   std::size_t bytes;
   std::function<void(OutputFile&)> write;
 };
@@ -32,11 +31,7 @@ std::string type_name() {
 /// n tuples of `components` values of type T; format(bytes, i) appends tuple i.
 template <class T, class Format>
 AppendedArray array_of(std::string name, std::size_t components, std::size_t n, Format format) {
-  return {type_name<T>(),
-          std::move(name),
-          components,
-          n,
-          n * components * sizeof(T),
+  return {type_name<T>(), std::move(name), components, n * components * sizeof(T),
           [n, format = std::move(format)](OutputFile& out) { write_records(out, n, format); }};
 }
 
@@ -57,18 +52,27 @@ double smallest_angle(const std::array<Point, 3>& p) {
 
 using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
-/// Corners and offsets as integers of type Id. If 32 bits suffice, the file is half as large as with 64 bits.
+std::size_t cell_count(const Mesh& mesh) { return mesh.triangles.size() + mesh.constrained_edges.size(); }
+
+/// The cells: first the triangles, then the constrained edges as lines. Corners and offsets are integers of type Id. If
+/// 32 bits suffice, the file is half as large as with 64 bits.
 template <class Id>
 Section cells(const Mesh& mesh) {
-  const std::size_t n = mesh.triangles.size();
+  const std::size_t n = mesh.triangles.size(), corners = 3 * n;
   Section section{"Cells", {}};
-  section.second.push_back(array_of<Id>("connectivity", 1, n * 3, [&mesh](Bytes& to, std::size_t i) {
-    to.raw(static_cast<Id>(mesh.triangles[i / 3].v[i % 3]));
-  }));
   section.second.push_back(
-      array_of<Id>("offsets", 1, n, [](Bytes& to, std::size_t i) { to.raw(static_cast<Id>(3 * (i + 1))); }));
-  static constexpr std::uint8_t vtk_triangle = 5;
-  section.second.push_back(array_of<std::uint8_t>("types", 1, n, [](Bytes& to, std::size_t) { to.raw(vtk_triangle); }));
+      array_of<Id>("connectivity", 1, corners + 2 * mesh.constrained_edges.size(), [&mesh](Bytes& to, std::size_t i) {
+        const std::size_t of_triangles = 3 * mesh.triangles.size();
+        if (i < of_triangles) return void(to.raw(static_cast<Id>(mesh.triangles[i / 3].v[i % 3])));
+        const ConstrainedEdge& edge = mesh.constrained_edges[(i - of_triangles) / 2];
+        to.raw(static_cast<Id>((i - of_triangles) % 2 == 0 ? edge.a : edge.b));
+      }));
+  section.second.push_back(array_of<Id>("offsets", 1, cell_count(mesh), [n](Bytes& to, std::size_t i) {
+    to.raw(static_cast<Id>(i < n ? 3 * (i + 1) : 3 * n + 2 * (i - n + 1)));
+  }));
+  static constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;
+  section.second.push_back(array_of<std::uint8_t>(
+      "types", 1, cell_count(mesh), [n](Bytes& to, std::size_t i) { to.raw(i < n ? vtk_triangle : vtk_line); }));
   return section;
 }
 
@@ -76,11 +80,18 @@ Section cell_data(const Mesh& mesh) {
   const std::size_t n = mesh.triangles.size();
   Section section{"CellData", {}};
   if (!mesh.region.empty()) {
-    section.second.push_back(array_of<double>("region", 1, n, [&mesh](Bytes& to, std::size_t t) {
-      to.raw(mesh.region[t] == no_index ? 0.0 : mesh.region_attributes[mesh.region[t]]);
+    section.second.push_back(array_of<double>("region", 1, cell_count(mesh), [&mesh, n](Bytes& to, std::size_t t) {
+      to.raw(t >= n || mesh.region[t] == no_index ? 0.0 : mesh.region_attributes[mesh.region[t]]);
     }));
   }
-  section.second.push_back(array_of<double>("quality", 1, n, [&mesh](Bytes& to, std::size_t t) {
+  if (!mesh.constrained_edges.empty()) {
+    section.second.push_back(
+        array_of<std::int32_t>("marker", 1, cell_count(mesh), [&mesh, n](Bytes& to, std::size_t i) {
+          to.raw(static_cast<std::int32_t>(i < n ? 0 : mesh.constrained_edges[i - n].marker));
+        }));
+  }
+  section.second.push_back(array_of<double>("quality", 1, cell_count(mesh), [&mesh, n](Bytes& to, std::size_t t) {
+    if (t >= n) return void(to.raw(std::numeric_limits<double>::quiet_NaN()));
     const auto& v = mesh.triangles[t].v;
     to.raw(smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]}));
   }));
@@ -101,30 +112,13 @@ Section point_data(const Mesh& mesh, const Array<int>& markers) {
   return section;
 }
 
-/// The constrained edges. They are neither point data nor cell data. Viewers ignore them; read_mesh() reads them.
-Section field_data(const Mesh& mesh) {
-  const auto& edges = mesh.constrained_edges;
-  Section section{"FieldData", {}};
-  if (edges.empty()) return section;
-  section.second.push_back(array_of<std::int64_t>("constrained_edges", 2, edges.size(), [&](Bytes& to, std::size_t i) {
-    to.raw(std::int64_t{edges[i].a}).raw(std::int64_t{edges[i].b});
-  }));
-  section.second.push_back(
-      array_of<std::int32_t>("constrained_edge_markers", 1, edges.size(),
-                             [&](Bytes& to, std::size_t i) { to.raw(static_cast<std::int32_t>(edges[i].marker)); }));
-  return section;
-}
-
 /// Appends the elements of a section. `offset` is the start of its first array and becomes the end of its last array.
 void put_section(Bytes& to, const Section& section, std::size_t& offset) {
   const auto& [name, arrays] = section;
   to << "<" << name << ">\n";
   for (const AppendedArray& array : arrays) {
     to << "<DataArray type=\"" << array.type << "\" Name=\"" << array.name << "\" NumberOfComponents=\""
-       << array.components << "\" format=\"appended\" offset=\"" << offset << "\"";
-    // The lengths of other arrays follow from the numbers of points and cells.
-    if (name == "FieldData") to << " NumberOfTuples=\"" << array.tuples << "\"";
-    to << "/>\n";
+       << array.components << "\" format=\"appended\" offset=\"" << offset << "\"/>\n";
     offset += sizeof(std::uint64_t) + array.bytes;
   }
   to << "</" << name << ">\n";
@@ -140,22 +134,17 @@ Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
   points.second.push_back(array_of<double>(
       "Points", 3, n, [&](Bytes& to, std::size_t i) { to.raw(mesh.points[i].x).raw(mesh.points[i].y).raw(0.0); }));
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-  const bool small = n <= most && 3 * mesh.triangles.size() <= most;
-  const std::vector<Section> sections{field_data(mesh), points,
-                                      small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh), cell_data(mesh),
-                                      point_data(mesh, markers)};
+  const bool small = n <= most && 3 * cell_count(mesh) <= most;
+  const std::vector<Section> sections{points, small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh),
+                                      cell_data(mesh), point_data(mesh, markers)};
 
   Bytes header;
   header << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
          << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian")
-         << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+         << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << n << "\" NumberOfCells=\""
+         << cell_count(mesh) << "\">\n";
   std::size_t offset = 0;
-  for (const Section& section : sections) {
-    put_section(header, section, offset);
-    if (section.first == "FieldData") {
-      header << "<Piece NumberOfPoints=\"" << n << "\" NumberOfCells=\"" << mesh.triangles.size() << "\">\n";
-    }
-  }
+  for (const Section& section : sections) put_section(header, section, offset);
   header << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   out.write(header.view());
   for (const Section& section : sections) {

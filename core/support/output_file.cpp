@@ -1,6 +1,10 @@
 #include "output_file.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
+#include <charconv>
+#include <optional>
 #include <system_error>
 
 namespace pardel {
@@ -8,32 +12,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if `file` must be written directly: it exists and is not a regular file, or its name refers to an open file
-/// (/dev/stdout, /proc/self/fd/1), which a rename does not replace.
-bool is_special(const fs::path& file) {
-  std::error_code missing;
-  const fs::file_status status = fs::status(file, missing);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return true;
-  const std::string name = file.lexically_normal().string();
-  return name.starts_with("/dev/") || name.starts_with("/proc/");
+/// The open file that the name stands for: 1 for `-` and /dev/stdout, N for /dev/fd/N.
+std::optional<int> descriptor_of(const fs::path& file) {
+  std::string name = file.lexically_normal().string();
+  if (name == "-" || name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!name.starts_with(folder)) continue;
+    int number = -1;
+    const auto [stop, status] = std::from_chars(name.data() + folder.size(), name.data() + name.size(), number);
+    if (status == std::errc() && stop == name.data() + name.size()) return number;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& file) : name_(file), target_(file) {
-  std::error_code dangling;
-  if (is_special(file)) {
-    written_ = target_;
+bool is_written_directly(const fs::path& file) {
+  if (descriptor_of(file)) return true;
+  std::error_code missing;
+  const fs::file_status status = fs::status(file, missing);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+OutputFile::OutputFile(const fs::path& file)
+    : name_(file == "-" ? "standard output" : file), target_(file), written_(file) {
+  if (const auto descriptor = descriptor_of(file)) {
+    // A duplicate has the same position. So text that is printed later follows, also if the output is a regular file.
+    const int copy = dup(*descriptor);
+    stream_ = copy < 0 ? nullptr : fdopen(copy, "wb");
   } else {
-    if (fs::is_symlink(file, dangling)) {
-      const fs::path pointed_to = fs::canonical(file, dangling);
-      if (!dangling) target_ = pointed_to;
-    }
-    written_ = target_;
-    written_ += ".partial";
+    if (!is_written_directly(file)) write_aside();
+    stream_ = std::fopen(written_.c_str(), "wb");
   }
-  stream_ = std::fopen(written_.c_str(), "wb");
   if (stream_ == nullptr) fail("cannot be opened for writing", errno);
+}
+
+void OutputFile::write_aside() {
+  std::error_code dangling;
+  if (fs::is_symlink(target_, dangling)) {
+    const fs::path pointed_to = fs::canonical(target_, dangling);
+    if (!dangling) target_ = pointed_to;
+  }
+  written_ = target_;
+  written_ += ".partial";
 }
 
 OutputFile::~OutputFile() {

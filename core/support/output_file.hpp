@@ -11,10 +11,13 @@
 
 namespace pardel {
 
+/// True if the file exists and is not a regular file (a pipe, a device), or if the name stands for an open file: `-`
+/// and /dev/stdout for standard output, /dev/fd/N.
+[[nodiscard]] bool is_written_directly(const std::filesystem::path& file);
+
 /// Writes to `NAME.partial` in the folder of NAME. commit() renames that file to NAME; without commit() the destructor
-/// removes it. If NAME exists and is not a regular file (a pipe, a device), or lies below /dev or /proc, it is written
-/// directly. A symbolic link is followed: the file that it points to is replaced. The object stores the first failure,
-/// and close() reports it.
+/// removes it. A file for which is_written_directly() is true is written directly. A symbolic link is followed: the
+/// file that it points to is replaced. The object stores the first failure, and close() reports it.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
@@ -32,6 +35,7 @@ class OutputFile {
 
  private:
   void fail(const char* what, int error_number);
+  void write_aside();
 
   std::filesystem::path name_;     ///< as given by the caller, for messages
   std::filesystem::path target_;   ///< the file to replace

@@ -3,7 +3,7 @@
 #include <pardel/parallel/mesher.hpp>
 
 int main() {
-  pardel::Pslg plate;  // a unit square with a square hole
+  pardel::Pslg plate;  // a planar straight-line graph: a unit square with a square hole
   plate.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
   plate.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
   plate.holes = {{0.5, 0.5}};

@@ -11,7 +11,7 @@ namespace pardel::engine {
 /// The smallest closed box that contains point_of(i) for all i < n; `empty_box` if n is 0. Uses up to `threads`
 /// threads. The number of threads does not change the result. O(n).
 template <class PointOf>
-[[nodiscard]] Box bounding_box(int threads, std::size_t n, const PointOf& point_of) {
+[[nodiscard]] Box bounding_box(const Threads& threads, std::size_t n, const PointOf& point_of) {
   std::vector<Box> of_block(block_count(n));
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
     Box box = empty_box;

@@ -56,17 +56,20 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 
 /// Radix sort by the upper half of each word, with digits of 11 bits, least significant digit first. It is stable, so
 /// the number of parts does not change the result.
-void radix_sort_by_key(Array<std::uint64_t>& words, int threads) {
+void radix_sort_by_key(Array<std::uint64_t>& words, const Threads& threads) {
   Array<std::uint64_t> sorted;
   sorted.resize_uninitialised(words.size());
-  const std::size_t parts = std::min(block_count(words.size()), static_cast<std::size_t>(std::max(1, threads)));
+  const std::size_t parts = std::min(block_count(words.size()), static_cast<std::size_t>(threads.count));
   std::vector<std::array<std::size_t, 2048>> next(parts);
   for (unsigned shift = 32; shift < 64; shift += 11) {
     const auto in_parts = [&](const auto& visit) {
       parallel_for(threads, parts, [&](std::size_t part, int) {
+        SparseAsk ask(threads.stop);
         const std::size_t last = words.size() * (part + 1) / parts;
-        for (std::size_t i = words.size() * part / parts; i < last; ++i)
+        for (std::size_t i = words.size() * part / parts; i < last; ++i) {
+          ask();
           visit(words[i], next[part][words[i] >> shift & 2047U]);
+        }
       });
     };
     for (auto& counts : next) counts.fill(0);
@@ -83,7 +86,7 @@ void order_by_coordinates(std::span<const Point> points, std::span<Index> ids) {
   std::sort(ids.begin(), ids.end(), [&](Index a, Index b) { return lexicographically_less(points[a], points[b]); });
 }
 
-void order_along_curve(std::span<const Point> points, std::span<Index> ids, int threads) {
+void order_along_curve(std::span<const Point> points, std::span<Index> ids, const Threads& threads) {
   if (ids.size() <= 16) return order_by_coordinates(points, ids);
   const Box box = bounding_box(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
   const double side = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
@@ -107,13 +110,14 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, int 
     const std::size_t start = continued[i] - 1;
     std::size_t stop = start + 1;
     for (; i < continued.size() && continued[i] == stop; ++i) ++stop;
+    threads.ask();
     order_along_curve(points, ids.subspan(start, stop - start), threads);
   }
 }
 
 }  // namespace
 
-Array<Index> hilbert_order(std::span<const Point> points, int threads) {
+Array<Index> hilbert_order(std::span<const Point> points, const Threads& threads) {
   Array<Index> ids = make_array(threads, points.size(), [](std::size_t i) { return static_cast<Index>(i); });
   order_along_curve(points, ids.span(), threads);
   return ids;

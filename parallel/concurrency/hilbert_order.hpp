@@ -5,6 +5,7 @@
 
 #include "../../core/array.hpp"
 #include "../../core/pslg.hpp"
+#include "threads.hpp"
 
 namespace pardel::engine {
 
@@ -12,6 +13,6 @@ namespace pardel::engine {
 /// square. Points in one cell are ordered recursively, along a curve through that cell. The order depends on
 /// coordinates only, not on the order of the input, except among equal points. The number of threads does not change
 /// the order. O(n) on typical input.
-[[nodiscard]] Array<Index> hilbert_order(std::span<const Point> points, int threads = 1);
+[[nodiscard]] Array<Index> hilbert_order(std::span<const Point> points, const Threads& threads = {});
 
 }  // namespace pardel::engine

@@ -13,7 +13,7 @@ namespace pardel::engine {
 
 /// Appends the blocks, which are lists or spans of T, to `all`, in the order of the blocks.
 template <class Block, class T>
-void append_blocks(int threads, const std::vector<Block>& blocks, Array<T>& all) {
+void append_blocks(const Threads& threads, const std::vector<Block>& blocks, Array<T>& all) {
   std::vector<std::size_t> start(blocks.size() + 1, all.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) start[b + 1] = start[b] + blocks[b].size();
   all.resize_uninitialised(start.back());
@@ -23,7 +23,7 @@ void append_blocks(int threads, const std::vector<Block>& blocks, Array<T>& all)
 
 /// The indices i < n with satisfies(i), in ascending order.
 template <class Satisfies>
-[[nodiscard]] Array<Index> indices_where(int threads, std::size_t n, const Satisfies& satisfies) {
+[[nodiscard]] Array<Index> indices_where(const Threads& threads, std::size_t n, const Satisfies& satisfies) {
   std::vector<std::vector<Index>> found(block_count(n));
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
     for (std::size_t i = first; i < last; ++i)
@@ -36,7 +36,7 @@ template <class Satisfies>
 
 /// The array of make(0), ..., make(n - 1).
 template <class Make>
-[[nodiscard]] auto make_array(int threads, std::size_t n, const Make& make) {
+[[nodiscard]] auto make_array(const Threads& threads, std::size_t n, const Make& make) {
   Array<decltype(make(std::size_t{}))> made;
   made.resize_uninitialised(n);
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t) {
@@ -49,18 +49,22 @@ template <class Make>
 /// ascending order of i; the calls for different cells may be concurrent. Each thread is responsible for a range of
 /// cells and reads all of cell_of, which costs little compared with the visits.
 template <class Visit>
-void visit_by_cell(int threads, std::span<const Index> cell_of, std::size_t cells, const Visit& visit) {
-  const std::size_t groups = std::min(cells, static_cast<std::size_t>(std::max(1, threads)));
+void visit_by_cell(const Threads& threads, std::span<const Index> cell_of, std::size_t cells, const Visit& visit) {
+  const std::size_t groups = std::min(cells, static_cast<std::size_t>(threads.count));
   parallel_for(threads, groups, [&](std::size_t group, int) {
     const std::size_t first = cells * group / groups, last = cells * (group + 1) / groups;
-    for (std::size_t i = 0; i < cell_of.size(); ++i)
+    SparseAsk ask(threads.stop);
+    for (std::size_t i = 0; i < cell_of.size(); ++i) {
+      ask();
       if (cell_of[i] >= first && cell_of[i] < last) visit(cell_of[i], i);
+    }
   });
 }
 
 /// The same for all i < n, with a function cell_of(i) instead of an array. It is called once for each i.
 template <class CellOf, class Visit>
-void visit_by_cell(int threads, std::size_t n, std::size_t cells, const CellOf& cell_of, const Visit& visit) {
+void visit_by_cell(const Threads& threads, std::size_t n, std::size_t cells, const CellOf& cell_of,
+                   const Visit& visit) {
   const Array<Index> cell = make_array(threads, n, cell_of);
   visit_by_cell(threads, cell.span(), cells, visit);
 }

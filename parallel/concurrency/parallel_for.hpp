@@ -5,27 +5,97 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
-#include <new>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+
+#include "threads.hpp"
 
 namespace pardel::engine {
 
-/// Calls body(i, thread) exactly once for each i in [0, n), on up to `threads` threads. Thread 0 is the caller's. Idle
-/// threads take the items one at a time, in ascending order. If a body throws std::bad_alloc, the remaining items are
-/// skipped and std::bad_alloc is thrown.
-template <class Body>
-void parallel_for(int threads, std::size_t n, const Body& body) {
-  std::atomic<bool> out_of_memory{false};
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1 && n > 1)
-  for (std::size_t i = 0; i < n; ++i) {
-    if (out_of_memory.load(std::memory_order_relaxed)) continue;
+/// The number of threads to use: `wanted`, or as many as OpenMP offers if `wanted` is not positive.
+[[nodiscard]] inline int thread_count(int wanted) { return wanted > 0 ? wanted : omp_get_max_threads(); }
+
+/// Of the exceptions that the items of a loop throw: the exception of the first item.
+class FirstException {
+ public:
+  /// True if an item before item i has thrown.
+  [[nodiscard]] bool is_before(std::size_t i) const { return item_.load(std::memory_order_relaxed) < i; }
+  /// Calls work(), a part of item i, and keeps its exception.
+  template <class Work>
+  void guard(std::size_t i, const Work& work) {
     try {
-      body(i, omp_get_thread_num());
-    } catch (const std::bad_alloc&) {
-      out_of_memory.store(true, std::memory_order_relaxed);
+      work();
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      if (i >= item_) return;
+      item_ = i;
+      exception_ = std::current_exception();
     }
   }
-  if (out_of_memory.load()) throw std::bad_alloc();
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::atomic<std::size_t> item_{SIZE_MAX};
+  std::exception_ptr exception_;
+  std::mutex mutex_;
+};
+
+/// Lets the caller's thread wait for the other threads of a loop.
+class Finish {
+ public:
+  /// The other threads call this at the end.
+  void thread_finished() {
+    const std::scoped_lock lock(mutex_);
+    ++finished_;
+    last_finished_.notify_one();
+  }
+  /// Waits until `others` threads have finished. Calls ask() meanwhile: only the caller's thread can ask the caller.
+  template <class Ask>
+  void wait_for(int others, const Ask& ask) {
+    std::unique_lock lock(mutex_);
+    while (!last_finished_.wait_for(lock, StopSignal::usual_interval, [&] { return finished_ >= others; })) {
+      lock.unlock();
+      ask();
+      lock.lock();
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable last_finished_;
+  int finished_ = 0;
+};
+
+/// Calls body(i, thread) exactly once for each i in [0, n), on up to `threads` threads. Thread 0 is the caller's. Idle
+/// threads take the items one at a time, in ascending order. If a body throws, later items are skipped, and the loop
+/// throws the exception of the first item that throws. So the exception does not depend on the number of threads. Asks
+/// before each item (Threads::ask); if the run has to end, no further item starts, and the loop throws Stopped.
+template <class Body>
+void parallel_for(const Threads& threads, std::size_t n, const Body& body) {
+  FirstException first;
+  Finish finish;
+#pragma omp parallel num_threads(threads.count) if (threads.count > 1 && n > 1)
+  {
+    const int thread = omp_get_thread_num();
+#pragma omp for schedule(dynamic, 1) nowait
+    for (std::size_t i = 0; i < n; ++i) {
+      if (first.is_before(i)) continue;
+      first.guard(i, [&] {
+        threads.ask();
+        body(i, thread);
+      });
+    }
+    if (thread > 0)
+      finish.thread_finished();
+    else if (threads.stop != nullptr)
+      finish.wait_for(omp_get_num_threads() - 1, [&] { first.guard(n, [&] { threads.ask(); }); });
+  }
+  first.rethrow();
 }
 
 inline constexpr std::size_t items_in_block = 16'384;
@@ -34,7 +104,7 @@ inline constexpr std::size_t items_in_block = 16'384;
 /// Calls body(first, last, block) for the blocks of consecutive items [first, last) of [0, n), in parallel. The blocks
 /// depend on n alone, so a result that is combined block by block does not depend on the number of threads.
 template <class Body>
-void parallel_blocks(int threads, std::size_t n, const Body& body) {
+void parallel_blocks(const Threads& threads, std::size_t n, const Body& body) {
   parallel_for(threads, block_count(n), [&](std::size_t block, int) {
     const std::size_t first = block * items_in_block;
     body(first, std::min(first + items_in_block, n), block);

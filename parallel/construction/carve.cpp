@@ -9,8 +9,9 @@ namespace pardel::engine {
 namespace {
 
 /// Labels all triangles that can be reached from the triangles on the stack without crossing a constrained edge.
-void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>& label, Index value) {
+void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>& label, Index value, SparseAsk& ask) {
   while (!stack.empty()) {
+    ask();
     const TriangleId id = stack.back();
     stack.pop_back();
     if (label[id] == value) continue;
@@ -21,9 +22,10 @@ void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>&
 }
 
 /// Constrains the edges of the convex hull and returns those that were not constrained before.
-std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const TriangleId> ghosts) {
+std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const TriangleId> ghosts, SparseAsk& ask) {
   std::vector<Constraint> fresh;
   for (const TriangleId id : ghosts) {
+    ask();
     const Slot slot = t.slots[id];
     const unsigned corner = slot.corner_of(ghost);
     if (slot.n[corner].constrained()) continue;
@@ -35,16 +37,20 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
 
 /// Removes the triangles with the label `removed`, and moves the last remaining triangles into the free slots. All
 /// other triangles keep their order, which follows a space-filling curve.
-void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, int threads) {
+void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, const Threads& threads) {
   const Array<TriangleId> holes =
       indices_where(threads, t.slots.size(), [&](std::size_t id) { return label[id] == removed; });
-  for (const TriangleId id : holes)
+  SparseAsk ask(threads.stop);
+  for (const TriangleId id : holes) {
+    ask();
     for (const EdgeRef out : t.slots[id].n)
       if (label[out.triangle()] != removed) t.slots[out.triangle()].n[out.side()] = EdgeRef();
+  }
   const std::size_t kept = t.slots.size() - holes.size();
   auto last = static_cast<TriangleId>(t.slots.size());
   for (const TriangleId hole : holes) {
     if (hole >= kept) break;
+    ask();
     do --last;
     while (label[last] == removed);
     t.move_triangle(last, hole);
@@ -56,11 +62,12 @@ void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, int t
 
 }  // namespace
 
-std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads) {
+std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const Threads& threads) {
   const std::size_t n = t.slots.size();
   const Array<TriangleId> ghosts = indices_where(threads, n, [&](std::size_t id) { return t.slots[id].is_ghost(); });
+  SparseAsk ask(threads.stop);
   std::vector<Constraint> hull;
-  if (rules.convex_hull) hull = constrain_hull(t, ghosts.span());
+  if (rules.convex_hull) hull = constrain_hull(t, ghosts.span(), ask);
 
   constexpr Index unlabelled = no_index, removed = no_index - 1;
   Array<Index> label = make_array(threads, n, [](std::size_t) { return unlabelled; });
@@ -68,13 +75,17 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int th
   auto inside = static_cast<TriangleId>(n - 1);
   while (t.slots[inside].is_ghost()) --inside;
   std::vector<TriangleId> stack(ghosts.begin(), ghosts.end());
-  for (const Point hole : rules.holes) stack.push_back(locate(t, hole, inside));
-  flood(t, stack, label, removed);
+  for (const Point hole : rules.holes) {
+    threads.ask();  // a walk through a large triangulation takes long
+    stack.push_back(locate(t, hole, inside));
+  }
+  flood(t, stack, label, removed, ask);
   for (std::size_t r = 0; r < rules.region_seeds.size(); ++r) {
+    threads.ask();
     const TriangleId seed = locate(t, rules.region_seeds[r], inside);
     if (label[seed] == removed) continue;
     stack.push_back(seed);
-    flood(t, stack, label, static_cast<Index>(r));
+    flood(t, stack, label, static_cast<Index>(r), ask);
   }
 
   remove_labelled(t, label, removed, threads);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "../concurrency/threads.hpp"
 #include "../triangulation/constraint.hpp"
 #include "../triangulation/triangulation.hpp"
 
@@ -20,6 +21,6 @@ struct DomainRules {
 /// sets Triangulation::region of each triangle to the index of the last seed from which it can be reached without
 /// crossing a constraint, or to no_index. With convex_hull, returns the hull edges that became constraints. The number
 /// of threads does not change the result.
-[[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, int threads = 1);
+[[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const Threads& threads = {});
 
 }  // namespace pardel::engine

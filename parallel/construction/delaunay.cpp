@@ -37,7 +37,7 @@ struct Rounds {
 /// The biased randomized insertion order. The last round holds nearly all points, and each round before it about a
 /// sixteenth of the next one. A hash of the point's position on the Hilbert curve selects the round, so neither the
 /// order nor the scale of the input matters.
-Rounds biased_random_order(std::size_t n, int threads) {
+Rounds biased_random_order(std::size_t n, const Threads& threads) {
   // First the number of points of each round in each block, then the position of the next of these points.
   std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
   const auto for_each_point = [&](const auto& visit) {
@@ -86,13 +86,13 @@ constexpr TriangleId triangle_count(std::size_t n) { return static_cast<Triangle
 /// Inserts the points round by round. A position is an index into the order of insertion.
 class RoundInserter {
  public:
-  RoundInserter(Triangulation& t, const Array<VertexId>& order, int threads, std::size_t per_tile)
+  RoundInserter(Triangulation& t, const Array<VertexId>& order, const Threads& threads, std::size_t per_tile)
       : t_(t),
         order_(order),
         bounds_(bounding_box(threads, t.points.size(), [&](std::size_t v) { return t.points[v]; })),
-        threads_(std::max(1, threads)),
+        threads_(threads),
         per_tile_(per_tile) {
-    for (int i = 0; i < threads_; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
+    for (int i = 0; i < threads_.count; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
   }
 
   /// Inserts the points at the positions [first, last). Precondition: those before `first` have been inserted.
@@ -181,8 +181,10 @@ class RoundInserter {
 
   void run(Tile& tile, const Box& box, BowyerWatson& worker) const {
     worker.start(box, tile.near);
+    SparseAsk ask(threads_.stop);
     std::erase_if(tile.positions, [&](Index position) {
       if (tile.error) return false;
+      ask();
       const VertexId v = order_[position];
       const Inserted inserted = worker.insert(v, triangle_count(position));
       if (inserted == Inserted::duplicate)
@@ -202,14 +204,14 @@ class RoundInserter {
   Triangulation& t_;
   const Array<VertexId>& order_;
   Box bounds_;
-  int threads_;
+  Threads threads_;
   std::size_t per_tile_;
   std::vector<std::unique_ptr<BowyerWatson>> workers_;
 };
 
 }  // namespace
 
-Result<Delaunay> delaunay(std::span<const Point> points, int threads, std::size_t per_tile) {
+Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads, std::size_t per_tile) {
   if (points.size() < 3) return Error{ErrorKind::invalid_input, "fewer than three points span no triangle"};
   if (points.size() > max_engine_triangles / 2 - 2)
     return Error{ErrorKind::resources, "more points than the triangulation can number"};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../../core/result.hpp"
+#include "../concurrency/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
@@ -30,7 +31,7 @@ inline constexpr std::size_t points_per_tile = 8'000;
 /// The number of threads does not change the result; `per_tile` can change it if points are cocircular. Precondition:
 /// the coordinates are in the range of the predicates. Errors: invalid_input for two equal points and for points that
 /// are all collinear; resources for more points than the engine can number.
-[[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points, int threads = 1,
+[[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads = {},
                                         std::size_t per_tile = points_per_tile);
 
 }  // namespace pardel::engine

@@ -13,11 +13,16 @@ namespace {
 
 class ConstraintInserter {
  public:
-  explicit ConstraintInserter(Triangulation& t) : t_(t), triangle_of_(t.points.size(), no_index) {
-    for (TriangleId id = 0; id < t.slots.size(); ++id) remember(id);
+  ConstraintInserter(Triangulation& t, const Threads& threads)
+      : t_(t), threads_(threads), ask_(threads.stop), triangle_of_(t.points.size(), no_index) {
+    for (TriangleId id = 0; id < t.slots.size(); ++id) {
+      ask_();
+      remember(id);
+    }
   }
 
   Status insert(Constraint c) {
+    ask_();
     Result<EdgeRef> first = first_crossing(c);
     if (!first) return first.error();
     if (first->none()) return Done{};  // the edge exists already
@@ -29,7 +34,7 @@ class ConstraintInserter {
     for (const auto& [u, v] : fresh_)
       if (const EdgeRef e = edge(u, v); !e.none()) suspects_.push_back(e);
     changed_.clear();
-    restore_delaunay(t_, suspects_, changed_);
+    restore_delaunay(t_, suspects_, changed_, threads_);
     for (const TriangleId id : changed_) remember(id);
     return Done{};
   }
@@ -110,6 +115,7 @@ class ConstraintInserter {
   Status collect_crossings(Constraint c, EdgeRef e) {
     const Point a = t_.points[c.a], b = t_.points[c.b];
     for (;;) {
+      ask_();
       const Slot& slot = t_.slot(e);
       const EdgeRef across = slot.n[e.side()];
       if (across.constrained())
@@ -132,6 +138,7 @@ class ConstraintInserter {
     fresh_.clear();
     const Point a = t_.points[c.a], b = t_.points[c.b];
     while (!crossing_.empty()) {
+      ask_();
       const auto [u, v] = crossing_.front();
       crossing_.pop_front();
       const EdgeRef e = edge(u, v);
@@ -156,6 +163,8 @@ class ConstraintInserter {
   }
 
   Triangulation& t_;
+  Threads threads_;
+  SparseAsk ask_;
   std::vector<TriangleId> triangle_of_;  ///< for each vertex, one of its triangles
   std::deque<VertexPair> crossing_;      ///< the edges that cross the constraint
   std::vector<VertexPair> fresh_;        ///< edges that flips made and that do not cross the constraint
@@ -165,14 +174,18 @@ class ConstraintInserter {
 
 }  // namespace
 
-Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints) {
+Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints, const Threads& threads) {
   if (constraints.empty()) return Done{};
   // Sort by vertices, which are numbered by coordinates. The result then does not depend on the order of the input.
   std::vector<std::pair<VertexId, VertexId>> ordered;
   ordered.reserve(constraints.size());
   for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));
-  std::sort(ordered.begin(), ordered.end());
-  ConstraintInserter inserter(t);
+  SparseAsk ask(threads.stop);
+  std::sort(ordered.begin(), ordered.end(), [&](const auto& c, const auto& d) {
+    ask();
+    return c < d;
+  });
+  ConstraintInserter inserter(t, threads);
   for (const auto& [a, b] : ordered)
     if (Status inserted = inserter.insert({a, b}); !inserted) return inserted;
   return Done{};

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "../../core/result.hpp"
+#include "../concurrency/threads.hpp"
 #include "../triangulation/constraint.hpp"
 #include "../triangulation/triangulation.hpp"
 
@@ -11,7 +12,9 @@ namespace pardel::engine {
 
 /// Makes every constraint an edge and restores the constrained Delaunay property (Sloan, "A fast algorithm for
 /// generating constrained Delaunay triangulations", 1993). Ghost triangles remain. Returns invalid_input if a
-/// constraint crosses another one or passes through a vertex; validate() reports both beforehand.
-[[nodiscard]] Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints);
+/// constraint crosses another one or passes through a vertex; validate() reports both beforehand. Runs on
+/// one thread.
+[[nodiscard]] Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints,
+                                        const Threads& threads = {});
 
 }  // namespace pardel::engine

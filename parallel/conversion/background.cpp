@@ -24,22 +24,27 @@ double nearest_fraction(Point a, Point b, Point p) {
 
 }  // namespace
 
-Background::Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles)
+Background::Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles,
+                       const Threads& threads)
     : points_(points.begin(), points.end()), leaf_count_(std::bit_ceil(std::max<std::size_t>(1, triangles.size()))) {
+  SparseAsk ask(threads.stop);
   std::vector<Point> centre;
   centre.reserve(triangles.size());
   for (const auto& v : triangles) {
+    ask();
     const Point a = points_[v[0]], b = points_[v[1]], c = points_[v[2]];
     centre.push_back({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
   }
-  number_ = hilbert_order(centre);
+  number_ = hilbert_order(centre, threads);
   boxes_.assign(2 * leaf_count_, empty_box);
   for (std::size_t i = 0; i < number_.size(); ++i) {
+    ask();
     triangles_.push_back(triangles[number_[i]]);
     Box& box = boxes_[leaf_count_ + i];
     for (const Index v : triangles_.back()) box.cover(Box::around(points_[v]));
   }
   for (std::size_t i = leaf_count_ - 1; i > 0; --i) {
+    ask();
     boxes_[i].cover(boxes_[2 * i]);
     boxes_[i].cover(boxes_[2 * i + 1]);
   }

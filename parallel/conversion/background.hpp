@@ -8,6 +8,7 @@
 #include "../../core/array.hpp"
 #include "../../core/mesh.hpp"
 #include "../concurrency/lattice.hpp"
+#include "../concurrency/threads.hpp"
 
 namespace pardel::engine {
 
@@ -23,7 +24,7 @@ struct Located {
 class Background {
  public:
   /// O(n log n).
-  Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles);
+  Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles, const Threads& threads = {});
 
   /// The triangle that contains p, and the weights of p in it. Close to a boundary, no triangle may contain p because
   /// of rounding: then a nearest triangle, and the weights of its point nearest to p. O(log n) on typical input.

@@ -10,15 +10,18 @@
 namespace pardel::engine {
 namespace {
 
-std::vector<Index> inverse(std::span<const Index> permutation) {
+std::vector<Index> inverse(std::span<const Index> permutation, SparseAsk& ask) {
   std::vector<Index> result(permutation.size());
-  for (std::size_t i = 0; i < permutation.size(); ++i) result[permutation[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < permutation.size(); ++i) {
+    ask();
+    result[permutation[i]] = static_cast<Index>(i);
+  }
   return result;
 }
 
 }  // namespace
 
-Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hull, int threads) {
+Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hull, const Threads& threads) {
   Result<Delaunay> triangulated = delaunay(pslg.points, threads);
   if (!triangulated) return triangulated.error();
   DomainTriangulation domain;
@@ -28,8 +31,10 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
 
   std::vector<Constraint> constraints;
   if (!pslg.segments.empty()) {
-    const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex.span());
+    SparseAsk ask(threads.stop);
+    const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex.span(), ask);
     for (Index s = 0; s < pslg.segments.size(); ++s) {
+      ask();
       const Segment& segment = pslg.segments[s];
       if (segment.a >= pslg.points.size() || segment.b >= pslg.points.size())
         return Error{ErrorKind::invalid_input, "segment " + std::to_string(s) + " names a point that does not exist"};
@@ -38,7 +43,7 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
       domain.segment_marker.push_back(segment.marker);
     }
   }
-  if (Status inserted = insert_constraints(t, constraints); !inserted) return inserted.error();
+  if (Status inserted = insert_constraints(t, constraints, threads); !inserted) return inserted.error();
 
   DomainRules rules{convex_hull || pslg.segments.empty(), pslg.holes, {}};
   for (const Region& region : pslg.regions) rules.region_seeds.push_back(region.seed);
@@ -51,14 +56,16 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
     return Error{ErrorKind::invalid_input,
                  "the domain is empty: the segments enclose no area, or the holes remove all of it"};
   t.origin = make_array(threads, t.points.size(), [](std::size_t) { return input_vertex; });
-  domain.segments = DomainSegments(t.points, constraints);
+  domain.segments = DomainSegments(t.points, constraints, threads);
   return domain;
 }
 
-std::vector<std::array<Index, 3>> input_corners(const DomainTriangulation& domain) {
+std::vector<std::array<Index, 3>> input_corners(const DomainTriangulation& domain, const Threads& threads) {
   std::vector<std::array<Index, 3>> result;
+  SparseAsk ask(threads.stop);
   result.reserve(domain.triangulation.slots.size());
   for (const Slot& slot : domain.triangulation.slots) {
+    ask();
     std::array<Index, 3> v = slot.v;
     for (Index& corner : v)
       if (corner < domain.input_of_vertex.size()) corner = domain.input_of_vertex[corner];

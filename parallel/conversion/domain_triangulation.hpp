@@ -6,6 +6,7 @@
 
 #include "../../core/pslg.hpp"
 #include "../../core/result.hpp"
+#include "../concurrency/threads.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 
@@ -23,9 +24,11 @@ struct DomainTriangulation {
 /// Triangulates the domain of a Pslg. The domain is the convex hull of the points if `convex_hull` is true or there are
 /// no segments. The number of threads does not change the result. Precondition: the Pslg is valid (validate.hpp). For
 /// an invalid Pslg the result can be the error invalid_input.
-[[nodiscard]] Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hull, int threads = 1);
+[[nodiscard]] Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hull,
+                                                             const Threads& threads = {});
 
 /// The corners of each triangle, as indices of input points.
-[[nodiscard]] std::vector<std::array<Index, 3>> input_corners(const DomainTriangulation& domain);
+[[nodiscard]] std::vector<std::array<Index, 3>> input_corners(const DomainTriangulation& domain,
+                                                              const Threads& threads = {});
 
 }  // namespace pardel::engine

@@ -1,6 +1,8 @@
 #include "export_mesh.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <vector>
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "background.hpp"
@@ -22,7 +24,7 @@ ConstrainedEdge constrained_edge(const DomainTriangulation& domain, const Slot& 
 }
 
 /// Converts the triangles in place, and lists the constrained edges in the order of the triangles.
-void export_triangles(DomainTriangulation& domain, Mesh& mesh, int threads) {
+void export_triangles(DomainTriangulation& domain, Mesh& mesh, const Threads& threads) {
   const auto vertex = [&](VertexId v) { return mesh_vertex(domain, v); };
   const auto neighbour = [](EdgeRef out) { return out.none() ? no_index : out.triangle(); };
   Array<Triangle> triangles = Array<Triangle>::recast(std::move(domain.triangulation.slots));
@@ -46,7 +48,7 @@ void export_triangles(DomainTriangulation& domain, Mesh& mesh, int threads) {
 }
 
 /// Moves the input points back to the positions that they have in the input.
-void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points, int threads) {
+void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points, const Threads& threads) {
   const Array<Point> moved = make_array(threads, input_of_vertex.size(), [&](std::size_t v) { return points[v]; });
   parallel_blocks(threads, moved.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v) points[input_of_vertex[v]] = moved[v];
@@ -54,7 +56,7 @@ void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points,
 }
 
 /// For each vertex inside a domain segment, replaces the index of this segment by the input segment or hull_vertex.
-void export_origins(DomainTriangulation& domain, Mesh& mesh, int threads) {
+void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& threads) {
   Array<Index>& origin = domain.triangulation.origin;
   parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v)
@@ -66,27 +68,55 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, int threads) {
   mesh.origin = std::move(origin);
 }
 
-/// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of a segment on which
-/// the vertex lies. If there is none, it is 1 on the boundary and 0 elsewhere.
-void mark_vertices(Mesh& mesh, const PointData& data, int threads) {
-  mesh.point_markers = make_array(threads, mesh.points.size(), [](std::size_t) { return 0; });
+/// The edges of segments that have a marker in the input, in the order of the segments.
+std::vector<const ConstrainedEdge*> edges_with_own_marker(const DomainTriangulation& domain, const Mesh& mesh) {
+  std::vector<bool> has_marker;
+  for (std::size_t s = 0; s < domain.segment_marker.size(); ++s) {
+    const Index input = domain.input_segment[s];
+    if (domain.segment_marker[s] == 0 || input == no_index) continue;
+    if (has_marker.size() <= input) has_marker.resize(std::size_t{input} + 1, false);
+    has_marker[input] = true;
+  }
+  std::vector<const ConstrainedEdge*> edges;
   for (const ConstrainedEdge& e : mesh.constrained_edges)
+    if (e.segment < has_marker.size() && has_marker[e.segment]) edges.push_back(&e);
+  std::ranges::stable_sort(edges, {}, &ConstrainedEdge::segment);
+  return edges;
+}
+
+/// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of the first segment
+/// with a marker on which the vertex lies. If there is none, it is 1 on the boundary and 0 elsewhere.
+void mark_vertices(Mesh& mesh, const DomainTriangulation& domain, const PointData& data, const Threads& threads) {
+  mesh.point_markers = make_array(threads, mesh.points.size(), [](std::size_t) { return 0; });
+  const auto mark = [&](const ConstrainedEdge& e) {
     for (const Index v : {e.a, e.b})
-      if (e.marker != 0 && (mesh.point_markers[v] == 0 || (e.segment != no_index && mesh.point_markers[v] == 1)))
-        mesh.point_markers[v] = e.marker;
+      if (mesh.point_markers[v] == 0) mesh.point_markers[v] = e.marker;
+  };
+  SparseAsk ask(threads.stop);
+  for (const ConstrainedEdge* e : edges_with_own_marker(domain, mesh)) {
+    ask();
+    mark(*e);
+  }
+  for (const ConstrainedEdge& e : mesh.constrained_edges) {
+    ask();
+    mark(e);
+  }
   for (std::size_t v = 0; v < data.markers.size(); ++v)
     if (data.markers[v] != 0) mesh.point_markers[v] = data.markers[v];
 }
 
-void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::array<Index, 3>> background) {
+void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::array<Index, 3>> background,
+                            const Threads& threads) {
   const std::size_t k = data.attributes_per_point;
   if (k == 0) return;
   const std::size_t inputs = data.attributes.size() / k;
   mesh.attributes_per_point = k;
   mesh.point_attributes.reserve(mesh.points.size() * k);
   mesh.point_attributes.append(data.attributes);
-  const Background on(mesh.points.span().first(inputs), std::move(background));
+  const Background on(mesh.points.span().first(inputs), std::move(background), threads);
+  SparseAsk ask(threads.stop);
   for (std::size_t v = inputs; v < mesh.points.size(); ++v) {
+    ask();
     const Located at = on.locate(mesh.points[v]);
     for (std::size_t a = 0; a < k; ++a) {
       double value = 0;
@@ -99,7 +129,7 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
 }  // namespace
 
 Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes, const PointData& data,
-                 std::vector<std::array<Index, 3>> background, int threads) {
+                 std::vector<std::array<Index, 3>> background, const Threads& threads) {
   Mesh mesh;
   export_triangles(domain, mesh, threads);  // first, because it reads the origins of the vertices
   export_origins(domain, mesh, threads);
@@ -107,8 +137,8 @@ Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attrib
   mesh.points = std::move(domain.triangulation.points);
   mesh.region = std::move(domain.triangulation.region);
   mesh.region_attributes = std::move(region_attributes);
-  mark_vertices(mesh, data, threads);
-  interpolate_attributes(mesh, data, std::move(background));
+  mark_vertices(mesh, domain, data, threads);
+  interpolate_attributes(mesh, data, std::move(background), threads);
   return mesh;
 }
 

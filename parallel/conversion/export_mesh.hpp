@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
+#include "../concurrency/threads.hpp"
 #include "domain_triangulation.hpp"
 
 namespace pardel::engine {
@@ -21,6 +22,7 @@ struct PointData {
 /// order of the input; the new vertices follow in the order of their insertion. Attributes are interpolated on the
 /// triangles `background` (corners as indices of input points); it may be empty if there are no attributes.
 [[nodiscard]] Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes,
-                               const PointData& data, std::vector<std::array<Index, 3>> background, int threads = 1);
+                               const PointData& data, std::vector<std::array<Index, 3>> background,
+                               const Threads& threads = {});
 
 }  // namespace pardel::engine

@@ -23,8 +23,9 @@ unsigned side_between(const Triangle& triangle, VertexId from, VertexId to) {
 }
 
 /// Copies the triangles and links each side to the neighbour's side. Returns an error if the mesh is inconsistent.
-Status link_neighbours(const Mesh& mesh, Triangulation& t) {
+Status link_neighbours(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
   for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
+    ask();
     const Triangle& triangle = mesh.triangles[id];
     for (const Index v : triangle.v)
       if (v >= mesh.points.size()) return bad_mesh(id, "names a vertex that does not exist");
@@ -45,10 +46,11 @@ Status link_neighbours(const Mesh& mesh, Triangulation& t) {
 }
 
 /// Marks the mesh's constrained edges and all boundary edges in the triangulation, and returns them.
-std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t) {
+std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
   std::vector<ConstrainedEdge> subsegments;
   const ConstrainedEdgeIndex constrained(mesh);
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
     for (unsigned side = 0; side < 3; ++side) {
       const EdgeRef across = t.slots[id].n[side];
       if (!across.none() && across.triangle() < id) continue;  // handled from the other side
@@ -58,36 +60,40 @@ std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t)
       t.constrain(EdgeRef(id, side));
       subsegments.push_back(listed == nullptr ? ConstrainedEdge{a, b, no_index, 0} : *listed);
     }
+  }
   return subsegments;
 }
 
 }  // namespace
 
-Result<DomainTriangulation> import_mesh(const Mesh& mesh) {
+Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads) {
   if (mesh.triangles.size() > max_engine_triangles) return too_many_triangles();
   if (mesh.triangles.empty()) return Error{ErrorKind::invalid_input, "the mesh has no triangles"};
   for (const ConstrainedEdge& e : mesh.constrained_edges)
     if (e.a >= mesh.points.size() || e.b >= mesh.points.size())
       return Error{ErrorKind::invalid_input, "a constrained edge of the mesh names a vertex that does not exist"};
+  SparseAsk ask(threads.stop);
   DomainTriangulation domain;
   Triangulation& t = domain.triangulation;
   t.points = mesh.points;
-  if (Status linked = link_neighbours(mesh, t); !linked) return linked.error();
+  if (Status linked = link_neighbours(mesh, t, ask); !linked) return linked.error();
   if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
-  JoinedSegments joined = join_subsegments(mesh, constrain_edges(mesh, t));
+  JoinedSegments joined = join_subsegments(mesh, constrain_edges(mesh, t, ask), threads);
   t.origin = std::move(joined.origin);
-  domain.segments = DomainSegments(t.points, joined.segments);
+  domain.segments = DomainSegments(t.points, joined.segments, threads);
   domain.input_segment = std::move(joined.input_segment);
   domain.segment_marker = std::move(joined.segment_marker);
   domain.input_of_vertex.resize(t.points.size());
   for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
 
   std::vector<EdgeRef> suspects;
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
     for (unsigned side = 0; side < 3; ++side)
       if (!locally_delaunay(t, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
+  }
   std::vector<TriangleId> changed;
-  restore_delaunay(t, std::move(suspects), changed);
+  restore_delaunay(t, std::move(suspects), changed, threads);
   return domain;
 }
 

@@ -3,6 +3,7 @@
 
 #include "../../core/mesh.hpp"
 #include "../../core/result.hpp"
+#include "../concurrency/threads.hpp"
 #include "domain_triangulation.hpp"
 
 namespace pardel::engine {
@@ -10,7 +11,8 @@ namespace pardel::engine {
 /// Makes the domain that a mesh covers. Its segments are the constrained edges and the boundary edges of the mesh. They
 /// are joined to whole segments as far as the origins of the vertices allow (join_subsegments.hpp). Edges that are not
 /// locally Delaunay are flipped. Errors: invalid_input if the mesh is not a manifold of positively oriented triangles
-/// with consistent neighbours; resources if it has more triangles than the engine can number.
-[[nodiscard]] Result<DomainTriangulation> import_mesh(const Mesh& mesh);
+/// with consistent neighbours; resources if it has more triangles than the engine can number. Runs on one
+/// thread.
+[[nodiscard]] Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads = {});
 
 }  // namespace pardel::engine

@@ -7,17 +7,20 @@ namespace {
 
 class Joiner {
  public:
-  Joiner(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments)
+  Joiner(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments, const Threads& threads)
       : mesh_(mesh),
         subsegments_(subsegments),
         has_origins_(mesh.origin.size() == mesh.points.size()),
         at_(mesh.points.size()),
-        done_(subsegments.size(), false) {
-    for (Index s = 0; s < subsegments.size(); ++s)
+        done_(subsegments.size(), false),
+        ask_(threads.stop) {
+    for (Index s = 0; s < subsegments.size(); ++s) {
+      ask_();
       for (const Index v : {subsegments[s].a, subsegments[s].b}) {
         if (at_[v].count < 2) at_[v].subsegments[at_[v].count] = s;
         ++at_[v].count;
       }
+    }
     result_.origin.resize(mesh.points.size(), input_vertex);
     for (std::size_t v = 0; has_origins_ && v < mesh.points.size(); ++v)
       if (mesh.origin[v] == interior_vertex) result_.origin[v] = interior_vertex;
@@ -60,6 +63,7 @@ class Joiner {
     const Index first = s;
     Index v = start;
     for (;;) {
+      ask_();
       done_[s] = true;
       v = subsegments_[s].a == v ? subsegments_[s].b : subsegments_[s].a;
       if (!is_inside_segment(v)) break;
@@ -80,13 +84,15 @@ class Joiner {
   bool has_origins_;
   std::vector<Incident> at_;
   std::vector<bool> done_;
+  SparseAsk ask_;
   JoinedSegments result_;
 };
 
 }  // namespace
 
-JoinedSegments join_subsegments(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments) {
-  return Joiner(mesh, subsegments).run();
+JoinedSegments join_subsegments(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments,
+                                const Threads& threads) {
+  return Joiner(mesh, subsegments, threads).run();
 }
 
 }  // namespace pardel::engine

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
+#include "../concurrency/threads.hpp"
 #include "../triangulation/constraint.hpp"
 
 namespace pardel::engine {
@@ -20,6 +21,7 @@ struct JoinedSegments {
 
 /// Two subsegments are joined at a vertex if the mesher inserted the vertex on their common segment (or hull edge) and
 /// no other subsegment ends there. In a mesh without origins every subsegment is a segment. O(vertices + subsegments).
-[[nodiscard]] JoinedSegments join_subsegments(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments);
+[[nodiscard]] JoinedSegments join_subsegments(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments,
+                                              const Threads& threads = {});
 
 }  // namespace pardel::engine

@@ -15,7 +15,7 @@ void check_counts(const Pslg& pslg, Findings& found) {
     found.add(ProblemKind::wrong_count, {}, {});
 }
 
-void check_coordinates(const Pslg& pslg, int threads, Findings& found) {
+void check_coordinates(const Pslg& pslg, const Threads& threads, Findings& found) {
   const auto unusable = [&](std::size_t i) { return !is_usable(pslg.points[i]); };
   for (const Index i : indices_where(threads, pslg.points.size(), unusable)) {
     const Point p = pslg.points[i];
@@ -24,18 +24,21 @@ void check_coordinates(const Pslg& pslg, int threads, Findings& found) {
   }
 }
 
-void check_indices(const Pslg& pslg, Findings& found) {
-  for (Index s = 0; s < pslg.segments.size(); ++s)
+void check_indices(const Pslg& pslg, const Threads& threads, Findings& found) {
+  SparseAsk ask(threads.stop);
+  for (Index s = 0; s < pslg.segments.size(); ++s) {
+    ask();
     if (std::max(pslg.segments[s].a, pslg.segments[s].b) >= pslg.points.size())
       found.add(ProblemKind::index_out_of_range, {s}, {});
+  }
 }
 
 }  // namespace
 
-void check_values(const Pslg& pslg, int threads, Findings& found) {
+void check_values(const Pslg& pslg, const Threads& threads, Findings& found) {
   check_counts(pslg, found);
   check_coordinates(pslg, threads, found);
-  check_indices(pslg, found);
+  check_indices(pslg, threads, found);
 }
 
 void check_region_caps(const Pslg& pslg, Findings& found) {

@@ -7,7 +7,7 @@
 namespace pardel::engine {
 
 /// Adds non_finite_coordinate, coordinate_out_of_range, wrong_count and index_out_of_range. O(n).
-void check_values(const Pslg& pslg, int threads, Findings& found);
+void check_values(const Pslg& pslg, const Threads& threads, Findings& found);
 
 /// Adds bad_region_cap. Separate from check_values(), because faces can be examined in spite of a bad cap.
 void check_region_caps(const Pslg& pslg, Findings& found);

@@ -12,10 +12,11 @@ namespace {
 /// The points that are extreme in eight directions, counter-clockwise. Rounding can pick points that are not quite
 /// extreme. This does no harm: a point strictly to the left of all sides of a closed polygon is inside the polygon's
 /// hull.
-std::array<Point, 8> octagon(std::span<const Point> points) {
+std::array<Point, 8> octagon(std::span<const Point> points, SparseAsk& ask) {
   std::array<Point, 8> corner;
   corner.fill(points[0]);
   for (const Point& p : points) {
+    ask();
     const auto improve = [&](std::size_t i, double value, double best) {
       if (value > best) corner[i] = p;
     };
@@ -32,8 +33,8 @@ std::array<Point, 8> octagon(std::span<const Point> points) {
 }
 
 /// The points that can be on the hull, sorted lexicographically, without duplicates.
-std::vector<Index> candidates(std::span<const Point> points) {
-  const std::array<Point, 8> corner = octagon(points);
+std::vector<Index> candidates(std::span<const Point> points, SparseAsk& ask) {
+  const std::array<Point, 8> corner = octagon(points, ask);
   const auto is_inside = [&](Point p) {
     for (std::size_t i = 0; i < corner.size(); ++i) {
       const Point a = corner[i], b = corner[(i + 1) % corner.size()];
@@ -42,9 +43,12 @@ std::vector<Index> candidates(std::span<const Point> points) {
     return true;
   };
   std::vector<Index> chosen;
-  for (Index i = 0; i < points.size(); ++i)
+  for (Index i = 0; i < points.size(); ++i) {
+    ask();
     if (!is_inside(points[i])) chosen.push_back(i);
+  }
   std::ranges::sort(chosen, [&](Index i, Index j) {
+    ask();
     return lexicographically_less(points[i], points[j]) || (points[i] == points[j] && i < j);
   });
   const auto equal = [&](Index i, Index j) { return points[i] == points[j]; };
@@ -54,16 +58,22 @@ std::vector<Index> candidates(std::span<const Point> points) {
 
 }  // namespace
 
-bool all_collinear(std::span<const Point> points) {
+bool all_collinear(std::span<const Point> points, const Threads& threads) {
+  SparseAsk ask(threads.stop);
   const auto other = std::ranges::find_if(points, [&](Point p) { return p != points[0]; });
-  return std::ranges::all_of(other, points.end(), [&](Point p) { return orient2d(points[0], *other, p) == 0; });
+  return std::ranges::all_of(other, points.end(), [&](Point p) {
+    ask();
+    return orient2d(points[0], *other, p) == 0;
+  });
 }
 
 /// By Andrew's monotone chains (1979).
-std::vector<Index> convex_hull(std::span<const Point> points) {
-  const std::vector<Index> sorted = candidates(points);
+std::vector<Index> convex_hull(std::span<const Point> points, const Threads& threads) {
+  SparseAsk ask(threads.stop);
+  const std::vector<Index> sorted = candidates(points, ask);
   std::vector<Index> hull;
   const auto extend = [&](std::size_t chain_begin, Index next) {
+    ask();
     while (hull.size() >= chain_begin + 2 &&
            orient2d(points[hull[hull.size() - 2]], points[hull.back()], points[next]) < 0)
       hull.pop_back();

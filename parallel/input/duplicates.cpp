@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <unordered_map>
+#include <utility>
 
 #include "../../core/array.hpp"
 #include "../../core/support/hash.hpp"
@@ -48,7 +48,7 @@ class Table {
 
 }  // namespace
 
-std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads) {
+std::vector<Duplicate> find_duplicates(std::span<const Point> points, const Threads& threads) {
   // Parts of about a thousand points: their tables stay in the first-level cache.
   const std::size_t parts = std::bit_ceil(std::clamp<std::size_t>(points.size() / 1024, 1, 4096));
   const Array<Index> part_of = make_array(threads, points.size(), [&](std::size_t i) {
@@ -79,34 +79,67 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points, int thread
   return duplicates;
 }
 
-std::vector<Duplicate> find_close(std::span<const Point> points, double distance) {
-  // The width ensures that a coordinate divided by it has an integer part of fewer than 53 bits.
-  double width = distance;
-  for (const Point& p : points) width = std::max(width, 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y)));
-  const auto cell_of = [&](Point p) { return Point{std::floor(p.x / width), std::floor(p.y / width)}; };
+namespace {
 
-  struct Hash {
-    std::size_t operator()(Point cell) const { return hash_of(cell); }
-  };
-  std::unordered_map<Point, std::vector<Index>, Hash> kept;
+/// Points in square cells. Points of several cells can share a list, so the distance must be tested.
+class CellLists {
+ public:
+  CellLists(std::size_t points, double width)
+      : width_(width), first_(std::bit_ceil(2 * points + 1), no_index), next_(points) {}
+
+  void insert(Index i, Point p) { next_[i] = std::exchange(first_[list_of(cell(p.x), cell(p.y))], i); }
+
+  /// Calls visit(i) at least for the inserted points closer to p than `distance`, which must be at most the width.
+  template <class Visit>
+  void for_each_near(Point p, double distance, const Visit& visit) const {
+    for (double x = cell(p.x - distance); x <= cell(p.x + distance); ++x)
+      for (double y = cell(p.y - distance); y <= cell(p.y + distance); ++y)
+        for (Index i = first_[list_of(x, y)]; i != no_index; i = next_[i]) visit(i);
+  }
+
+ private:
+  [[nodiscard]] double cell(double coordinate) const { return std::floor(coordinate / width_); }
+  [[nodiscard]] std::size_t list_of(double x, double y) const { return hash_of(Point{x, y}) & (first_.size() - 1); }
+
+  double width_;
+  std::vector<Index> first_, next_;
+};
+
+}  // namespace
+
+std::vector<Duplicate> find_close(std::span<const Point> points, double distance) {
+  // The width ensures that a coordinate divided by it has an integer part of fewer than 53 bits. Cells are wider than
+  // the distance, so that most points have their whole neighbourhood in one cell.
+  double width = 8 * distance;
+  for (const Point& p : points) width = std::max(width, 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y)));
+  CellLists kept(points.size(), width);
   std::vector<Duplicate> duplicates;
   for (Index i = 0; i < points.size(); ++i) {
-    const Point p = points[i], cell = cell_of(p);
+    const Point p = points[i];
     Index first = no_index;
-    for (const double dx : {-1.0, 0.0, 1.0}) {
-      for (const double dy : {-1.0, 0.0, 1.0}) {
-        const auto near = kept.find({cell.x + dx, cell.y + dy});
-        if (near == kept.end()) continue;
-        for (const Index j : near->second)
-          if (points[j] == p || std::hypot(points[j].x - p.x, points[j].y - p.y) < distance) first = std::min(first, j);
-      }
-    }
+    kept.for_each_near(p, distance, [&](Index j) {
+      if (points[j] == p || std::hypot(points[j].x - p.x, points[j].y - p.y) < distance) first = std::min(first, j);
+    });
     if (first == no_index)
-      kept[cell].push_back(i);
+      kept.insert(i, p);
     else
       duplicates.push_back({first, i});
   }
   return duplicates;
+}
+
+std::vector<Ends> sorted_ends(std::span<const Segment> segments, std::size_t points) {
+  std::vector<Index> place(points + 1);  // of the next segment with this low end
+  for (const Segment& s : segments) ++place[std::min(s.a, s.b) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<Ends> all(segments.size());
+  for (Index s = 0; s < segments.size(); ++s) {
+    const auto [low, high] = std::minmax(segments[s].a, segments[s].b);
+    all[place[low]++] = {low, high, s};
+  }
+  for (std::size_t begin = 0, p = 0; p < points; begin = place[p++])
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(place[p]));
+  return all;
 }
 
 }  // namespace pardel::engine

@@ -1,10 +1,12 @@
 // Search for points that are equal or closer than a distance.
 #pragma once
 
+#include <compare>
 #include <span>
 #include <vector>
 
 #include "../../core/pslg.hpp"
+#include "../concurrency/threads.hpp"
 
 namespace pardel::engine {
 
@@ -18,12 +20,21 @@ struct Duplicate {
 /// One entry for every point that equals an earlier point, in ascending order of `again`. -0 equals 0. A point with a
 /// NaN equals no point. Expected time O(n): the points are partitioned by hash, and each part, which fits the cache,
 /// gets a hash table of its own. The parts are processed in parallel.
-[[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points, int threads = 1);
+[[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points, const Threads& threads = {});
 
 /// Points are visited in ascending order. A point that is equal to an earlier point, or closer to it than `distance`
 /// (> 0, finite), becomes a duplicate of the earlier point, unless the earlier point is a duplicate itself. If there
 /// are several such earlier points, the one with the lowest index is used. So all points that are not duplicates are at
 /// least `distance` apart. Precondition: coordinates are in the range of the predicates. Expected time O(n).
 [[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance);
+
+/// A segment and its ends; `low` is the smaller index.
+struct Ends {
+  Index low, high, segment;
+  friend auto operator<=>(const Ends&, const Ends&) = default;  // NOLINT(modernize-use-nullptr)
+};
+/// The ends of all segments, sorted: segments with the same ends are neighbours, in ascending order. Precondition: the
+/// ends are smaller than `points`. O(n log n); linear if few segments meet at each point.
+[[nodiscard]] std::vector<Ends> sorted_ends(std::span<const Segment> segments, std::size_t points);
 
 }  // namespace pardel::engine

@@ -1,4 +1,4 @@
-// Collects the problems that the checks find.
+// The search for problems: the list that collects them, and the whole search as a part of a run.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "../concurrency/threads.hpp"
 #include "../validate.hpp"
 
 namespace pardel::engine {
@@ -34,5 +35,10 @@ class Findings {
   std::array<std::size_t, static_cast<std::size_t>(ProblemKind::bad_region_cap) + 1> count_{};
   std::vector<Problem> problems_;
 };
+
+/// pardel::find_problems() as a part of a run. The threads replace options.threads and options.go_on. Throws Stopped if
+/// the run has to end.
+[[nodiscard]] std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options,
+                                                 const Threads& threads);
 
 }  // namespace pardel::engine

@@ -30,6 +30,7 @@ constexpr auto kind_names = enum_names<ProblemKind>({
     {ProblemKind::region_on_segment, "region_on_segment"},
     {ProblemKind::regions_share_face, "regions_share_face"},
     {ProblemKind::bad_region_cap, "bad_region_cap"},
+    {ProblemKind::cancelled, "cancelled"},
 });
 
 std::string text(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
@@ -100,6 +101,8 @@ std::string Problem::message(int base) const {
       return "Regions " + id + " lie in one face, the second at " + at + ".";
     case ProblemKind::bad_region_cap:
       return "Region " + id + " at " + at + " has an area cap that is not a positive number.";
+    case ProblemKind::cancelled:
+      return "The caller asked to stop the search for problems.";
   }
   return name(kind);
 }

@@ -25,6 +25,10 @@ double sine(double x) {
 }
 double cosine(double x) { return 1 - 2 * squared(sine(x / 2)); }
 
+bool any_finite(const std::vector<double>& caps) {
+  return std::ranges::any_of(caps, [](double cap) { return cap < INFINITY; });
+}
+
 /// A function fitted to 200,000 random triangles, refined at 5 to 33 degrees with off-centres. Its error is below 10 %.
 double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / (22 * (53.5 - min_angle_deg)); }
 
@@ -32,9 +36,10 @@ double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / 
 
 Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
                    std::function<double(Point)> area_cap)
-    : squared_sine_(squared(sine(radians(goal.min_angle_deg))) / stricter),
-      squared_lens_cosine_(
-          goal.conforming ? 0 : squared(cosine(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
+    : conforming_(goal.conforming),
+      squared_sine_(squared(sine(radians(goal.min_angle_deg))) / stricter),
+      squared_lens_cosine_(conforming_ ? 0
+                                       : squared(cosine(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
       twice_max_area_(2 * goal.max_area * stricter),
       squared_max_edge_(squared(goal.max_edge) * stricter),
       triangles_by_shape_(shape_factor(goal.min_angle_deg)),
@@ -42,9 +47,11 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       size_(goal.size),
       area_cap_(std::move(area_cap)),
       has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ ||
-                      (goal.region_caps && !twice_region_cap_.empty())) {
+                      (goal.region_caps && any_finite(twice_region_cap_))) {
   if (!goal.region_caps) twice_region_cap_.clear();
   for (double& cap : twice_region_cap_) cap *= 2 * stricter;
+  const bool has_bounds = goal.min_angle_deg > 0 || has_size();
+  if (!has_bounds) squared_lens_cosine_ = INFINITY;
   if (placement == Placement::circumcentre) return;
   fills_ = has_size();
   // Measured: above 31 degrees, size points for bounds on area make the mesh larger; those for lengths never do.

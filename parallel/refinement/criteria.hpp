@@ -31,7 +31,7 @@ class Criteria {
   [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {
     return m.twice_area > twice_max_area_;
   }
-  /// True if the goal has a bound on area or on edges.
+  /// True if the goal has a bound on areas or on edges.
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
   /// True if the goal has bounds on edges, or bounds that depend on the place. too_large() does not test these bounds.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
@@ -39,8 +39,9 @@ class Criteria {
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
   /// True if the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
-  /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3).
-  /// `dot`: Measure::dot_at the corner. The other parameters: the squared lengths of the two sides at this corner.
+  /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3). If
+  /// the goal has no bounds, no corner encroaches: nothing is refined, so no point will come close to the side. `dot`:
+  /// Measure::dot_at the corner. The other parameters: the squared lengths of the two sides at this corner.
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
@@ -49,7 +50,7 @@ class Criteria {
   /// random points.
   [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
 
-  [[nodiscard]] bool conforming() const { return squared_lens_cosine_ == 0; }
+  [[nodiscard]] bool conforming() const { return conforming_; }
 
   /// The point that splits the bad triangle with the shortest side qr and the opposite corner a, counter-clockwise. It
   /// is the nearest to the side qr of these candidates:
@@ -81,8 +82,9 @@ class Criteria {
   /// a triangle that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
 
-  double squared_sine_;  ///< of the smallest angle allowed
-  double squared_lens_cosine_;
+  bool conforming_;
+  double squared_sine_;         ///< of the smallest angle allowed
+  double squared_lens_cosine_;  ///< infinity if no corner encroaches
   double twice_max_area_;
   double squared_max_edge_;
   double triangles_by_shape_;

@@ -6,7 +6,7 @@
 namespace pardel::engine {
 
 std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
-                                  const Options& options, bool budget_reached) {
+                                  const Options& options, bool budget_reached, const Threads& threads) {
   const Assessor assessor(t, segments, criteria, options);
   Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
@@ -32,8 +32,11 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
     return {id, outcome == Outcome::encroaches ? why_edge_not_split(insertion.blocker()) : reason_of(outcome)};
   };
   std::vector<Exemption> result;
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
+  SparseAsk ask(threads.stop);
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
     if (assessor.breaks_goal(id)) result.push_back(why_not_split(id));
+  }
   return result;
 }
 

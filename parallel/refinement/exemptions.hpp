@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "../concurrency/threads.hpp"
 #include "../options.hpp"
 #include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
@@ -12,8 +13,10 @@
 namespace pardel::engine {
 
 /// Lists the triangles that break the criteria, in ascending order, with the reason why each was not split.
-/// `budget_reached`: the refinement ended at options.max_vertices. The triangulation is not changed. O(n).
+/// `budget_reached`: the refinement ended at options.max_vertices. The triangulation is not changed. Runs on
+/// one thread. O(n).
 [[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments,
-                                                const Criteria& criteria, const Options& options, bool budget_reached);
+                                                const Criteria& criteria, const Options& options, bool budget_reached,
+                                                const Threads& threads = {});
 
 }  // namespace pardel::engine

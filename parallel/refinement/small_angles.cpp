@@ -46,17 +46,27 @@ bool same_shell(Point apex, Point u, Point v) {
   return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
 }
 
+/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle.
+VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b) {
+  constexpr double at_60_degrees = 0.5;
+  const double at_a = 1 - segment.cosine_at(a), at_b = 1 - segment.cosine_at(b);  // these grow with the angles
+  const double smaller = std::min(at_a, at_b), larger = std::max(at_a, at_b);
+  if (smaller >= at_60_degrees) return no_index;
+  const bool two_similar_apexes = larger < at_60_degrees && smaller >= 0.5 * larger;
+  if (two_similar_apexes) return no_index;
+  return at_a < at_b ? a : b;
+}
+
 }  // namespace
 
 Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b) {
-  const bool shell_at_a = (a == segment.a && segment.acute_at_a) || (a == segment.b && segment.acute_at_b);
-  const bool shell_at_b = (b == segment.a && segment.acute_at_a) || (b == segment.b && segment.acute_at_b);
+  const VertexId centre = centre_of_shell(segment, a, b);
   const Point pa = t.points[a], pb = t.points[b];
   double fraction = 0.5;
-  if (shell_at_a != shell_at_b) {
+  if (centre != no_index) {
     const double length = distance(pa, pb);
     fraction = shell(length) / length;
-    if (shell_at_b) fraction = 1 - fraction;
+    if (centre == b) fraction = 1 - fraction;
   }
   const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
   const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);

@@ -12,10 +12,11 @@
 namespace pardel::engine {
 
 /// The point that splits the constrained edge a-b, a part of `segment`. It is the midpoint, with one exception. An end
-/// of a segment is an apex if another segment leaves there at an acute angle. If exactly one of a and b is an apex of
-/// the segment, the distance of the point from the apex is a power of two, between 1/3 and 2/3 of the edge. The edges
-/// around one apex then end on common circles (shells), and the vertices of one segment do not encroach on another. The
-/// point lies on the segment up to the rounding of its coordinates.
+/// of a segment is an apex if another segment leaves there at an angle below 60 degrees. If a or b is an apex of the
+/// segment, the distance of the point from the apex is a power of two, between 1/3 and 2/3 of the edge. The edges
+/// around one apex then end on common circles (shells), and the vertices of one segment do not encroach on another. If
+/// both are apexes, the one with the much smaller angle is used; for similar angles, the point is the midpoint.
+/// Measured: this gives the smallest meshes. The point lies on the segment up to the rounding of its coordinates.
 [[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b);
 
 /// The small input angle that exempts a triangle.

@@ -5,7 +5,7 @@
 namespace pardel::engine {
 
 void Task::start(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-                 FreeIndices& free) {
+                 FreeIndices& free, const Report& report) {
   lattice_ = &lattice;
   cell_ = cell;
   box_ = lattice.box_of(cell);
@@ -13,7 +13,10 @@ void Task::start(const Lattice& lattice, Index cell, std::span<const QueuedTrian
   free_ = &free;
   insertion_.start(free);
   result_ = {};
-  for (const QueuedTriangle seed : seeds) consider(seed.id());
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    if (report && i % steps_between_reports == 0) report(0);
+    consider(seeds[i].id());
+  }
 }
 
 bool Task::step() {
@@ -30,16 +33,14 @@ bool Task::step() {
 }
 
 TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-                     FreeIndices& free, const std::function<bool(std::uint64_t)>& go_on) {
-  start(lattice, cell, seeds, later, free);
-  constexpr std::uint64_t steps_between_reports = 1024;
+                     FreeIndices& free, const Report& report) {
+  start(lattice, cell, seeds, later, free, report);
   std::uint64_t reported = 0;
   for (std::uint64_t steps = 1; step(); ++steps) {
     if (steps % steps_between_reports != 0) continue;
     const std::uint64_t made = result_.inserted + result_.segment_splits;
-    if (!go_on(made - std::exchange(reported, made))) break;
+    report(made - std::exchange(reported, made));
   }
-  while (!queue_.empty()) hand_on_to_own_cell(queue_.pop());
   return finish();
 }
 

@@ -38,15 +38,19 @@ class Task {
   Task(Triangulation& t, const Assessor& assessor, const Criteria& criteria, double min_edge, bool own_cell_only)
       : t_(t), assessor_(assessor), insertion_(t, criteria, min_edge), own_cell_only_(own_cell_only) {}
 
-  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. Calls go_on(n) from
-  /// time to time, where n is the number of vertices inserted since the last call. The run ends early if go_on returns
-  /// false.
+  /// Called with the number of vertices inserted since the last call. May throw; the exception ends the run, and the
+  /// triangulation stays consistent.
+  using Report = std::function<void(std::uint64_t)>;
+  /// The largest number of insertions, and of seeds examined, between two calls of a Report: about 0.1 ms.
+  static constexpr std::uint64_t steps_between_reports = 64;
+
+  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box.
   TaskResult run(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-                 FreeIndices& free, const std::function<bool(std::uint64_t)>& go_on);
+                 FreeIndices& free, const Report& report);
 
   /// run() in single steps: call start(), then step() until it returns false, then finish().
   void start(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-             FreeIndices& free);
+             FreeIndices& free, const Report& report = {});
   [[nodiscard]] bool step();
   [[nodiscard]] TaskResult finish() { return std::move(result_); }
 

@@ -14,7 +14,8 @@ constexpr double triangles_per_input_triangle = 1.7;
 
 }  // namespace
 
-InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor, int threads) {
+InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
+                             const Threads& threads) {
   const std::size_t blocks = block_count(t.slots.size());
   std::vector<TriangleEstimates> estimates(blocks);
   std::vector<std::vector<Deferred>> bad(blocks);

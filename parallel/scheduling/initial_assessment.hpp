@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../../core/array.hpp"
+#include "../concurrency/threads.hpp"
 #include "../refinement/deferral.hpp"
 
 namespace pardel::engine {
@@ -21,6 +22,6 @@ struct InitialAssessment {
 
 /// Assesses all triangles. Precondition: all their indices are in use. O(n).
 [[nodiscard]] InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
-                                           int threads);
+                                           const Threads& threads);
 
 }  // namespace pardel::engine

@@ -17,7 +17,13 @@ constexpr double peak_bytes_per_vertex = 2 * 40;
 
 double allowed_memory(const Options& options) { return static_cast<double>(options.max_memory); }
 
-std::string gibibytes(double bytes) { return shortest(std::round(bytes * 0x1p-30 * 100) / 100) + " GiB"; }
+/// In the largest unit in which it is at least 1, with two decimals.
+std::string amount_of_memory(double bytes) {
+  const auto in = [&](double unit, const char* name) { return shortest(std::round(bytes / unit * 100) / 100) + name; };
+  if (bytes >= 0x1p30) return in(0x1p30, " GiB");
+  if (bytes >= 0x1p20) return in(0x1p20, " MiB");
+  return bytes >= 0x1p10 ? in(0x1p10, " KiB") : in(1, " bytes");
+}
 
 }  // namespace
 
@@ -28,8 +34,8 @@ Status check_size(double needed, const Options& options) {
   const double bytes = triangles * bytes_per_triangle;
   if (options.max_memory == 0 || bytes <= allowed_memory(options)) return Done{};
   return Error{ErrorKind::resources, "the mesh will have more than " + shortest(std::round(triangles / 1e4) / 100) +
-                                         " million triangles, which take at least " + gibibytes(bytes) +
-                                         " of memory; there are " + gibibytes(allowed_memory(options))};
+                                         " million triangles, which take at least " + amount_of_memory(bytes) +
+                                         " of memory; there are " + amount_of_memory(allowed_memory(options))};
 }
 
 bool outgrows_memory(std::uint64_t vertices, const Options& options) {
@@ -41,7 +47,8 @@ Error too_many_triangles() {
 }
 
 Error too_much_memory(const Options& options) {
-  return {ErrorKind::resources, "the mesh has outgrown the available memory, " + gibibytes(allowed_memory(options))};
+  return {ErrorKind::resources,
+          "the mesh has outgrown the available memory, " + amount_of_memory(allowed_memory(options))};
 }
 
 }  // namespace pardel::engine

@@ -20,13 +20,17 @@ void PendingTriangles::set_aside(const Deferral& later) {
 }
 
 void PendingTriangles::bring_back() {
-  set_aside_.append(deferred_.span());
+  append_blocks(threads_, std::vector{deferred_.span()}, set_aside_);
   deferred_ = std::exchange(set_aside_, {});
 }
 
 unsigned PendingTriangles::median_key() const {
   std::vector<std::size_t> count(BucketQueue::last + 1, 0);
-  for (const Deferred& d : deferred_) ++count[d.key];
+  SparseAsk ask(threads_.stop);
+  for (const Deferred& d : deferred_) {
+    ask();
+    ++count[d.key];
+  }
   unsigned key = 0;
   for (std::size_t up_to = count[0]; up_to <= deferred_.size() / 2 && key < BucketQueue::last;) up_to += count[++key];
   return key;

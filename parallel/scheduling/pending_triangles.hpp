@@ -15,7 +15,7 @@ namespace pardel::engine {
 /// need a larger box, which a coarser lattice processes. Entries may be stale (refinement/queued_triangle.hpp).
 class PendingTriangles {
  public:
-  PendingTriangles(const Triangulation& t, const Assessor& assessor, int threads)
+  PendingTriangles(const Triangulation& t, const Assessor& assessor, const Threads& threads)
       : t_(t), assessor_(assessor), threads_(threads) {}
 
   void defer(Array<Deferred> triangles) { deferred_ = std::move(triangles); }
@@ -46,7 +46,7 @@ class PendingTriangles {
 
   const Triangulation& t_;
   const Assessor& assessor_;
-  int threads_;
+  Threads threads_;
   Array<Deferred> deferred_, set_aside_;
   std::vector<QueuedTriangle> needs_larger_box_;
 };

@@ -31,16 +31,16 @@ double most_insertions(const Deferral& later, double area) {
 }  // namespace
 
 PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
-                         const Schedule& schedule)
+                         const Threads& threads, const Schedule& schedule)
     : t_(t),
       assessor_(assessor),
       criteria_(criteria),
       options_(options),
       schedule_(schedule),
-      threads_(std::max(1, options.threads)),
+      threads_(threads),
       vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
       triangles_(static_cast<Index>(t.slots.size()), max_engine_triangles) {
-  for (int i = 0; i < threads_; ++i) tasks_.push_back(new_task());
+  for (int i = 0; i < threads_.count; ++i) tasks_.push_back(new_task());
 }
 
 std::unique_ptr<Task> PhaseRunner::new_task() {
@@ -66,15 +66,18 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
   std::vector<double> wanted(seeds.size(), 0);
   if (!criteria_.has_size()) return wanted;
   parallel_for(threads_, seeds.size(), [&](std::size_t cell, int) {
-    for (const QueuedTriangle seed : seeds[cell])
+    SparseAsk ask(threads_.stop);
+    for (const QueuedTriangle seed : seeds[cell]) {
+      ask();
       if (seed.is_current(t_))
         wanted[cell] += criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()));
+    }
   });
   return wanted;
 }
 
 void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
-                      const GoOn& go_on) {
+                      const Task::Report& report) {
   const double most = most_insertions(later, 4 * lattice.width() * lattice.height());
   parallel_for(threads_, tasks.size(), [&](std::size_t i, int) {
     tasks[i].insertions = std::min(tasks[i].insertions, most);
@@ -89,7 +92,7 @@ void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, c
   if (schedule_.next)
     run_interleaved(lattice, tasks, later);
   else
-    run_on_threads(lattice, tasks, later, go_on);
+    run_on_threads(lattice, tasks, later, report);
   if (schedule_.after_phase) schedule_.after_phase();
 
   for (const PlannedTask& task : tasks) {
@@ -115,7 +118,9 @@ void PhaseRunner::select_seeds(PlannedTask& task, const Lattice& lattice) const 
   const Box box = lattice.box_of(task.cell);
   constexpr double insertions_per_seed = 2.5, spare = 32;
   task.insertions += spare;
+  SparseAsk ask(threads_.stop);
   std::erase_if(task.seeds, [&](QueuedTriangle seed) {
+    ask();
     if (!seed.is_current(t_)) return true;
     for (const VertexId v : t_.slots[seed.id()].v)
       if (!box.contains_half_open(t_.points[v])) {
@@ -146,7 +151,7 @@ void PhaseRunner::assign_indices(std::vector<PlannedTask>& tasks) {
 }
 
 void PhaseRunner::run_on_threads(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
-                                 const GoOn& go_on) {
+                                 const Task::Report& report) {
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -157,8 +162,7 @@ void PhaseRunner::run_on_threads(const Lattice& lattice, std::vector<PlannedTask
     PlannedTask& planned = tasks[order[i]];
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
     planned.thread = thread;
-    planned.result = task.run(lattice, planned.cell, planned.seeds, later, planned.free,
-                              [&](std::uint64_t made) { return go_on(thread, made); });
+    planned.result = task.run(lattice, planned.cell, planned.seeds, later, planned.free, report);
   });
 }
 

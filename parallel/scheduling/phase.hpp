@@ -1,11 +1,11 @@
 // One phase of a sweep: runs the tasks of all cells of one colour on all threads.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "../concurrency/index_allocator.hpp"
+#include "../concurrency/threads.hpp"
 #include "../refinement/task.hpp"
 #include "schedule.hpp"
 
@@ -26,25 +26,21 @@ struct PlannedTask {
 /// For each cell of a lattice, the triangles with which the cell's next task starts (seeds).
 using SeedsByCell = std::vector<std::vector<QueuedTriangle>>;
 
-/// go_on(thread, n) is called from time to time while tasks run; n is the number of vertices that the thread has
-/// inserted since its last call. Returns false to end the tasks early.
-using GoOn = std::function<bool(int, std::uint64_t)>;
-
 /// Runs phases. Owns the allocators of vertex and triangle indices, and one Task per thread.
 class PhaseRunner {
  public:
   PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
-              const Schedule& schedule);
+              const Threads& threads, const Schedule& schedule);
 
   /// Plans one task for each cell of the colour that has seeds. Moves the seeds into the tasks.
   [[nodiscard]] std::vector<PlannedTask> plan(const Lattice& lattice, unsigned colour, SeedsByCell& seeds) const;
 
-  /// Runs the tasks. Precondition: their cells have one colour, so that their boxes are disjoint.
-  void run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later, const GoOn& go_on);
+  /// Runs the tasks. Each calls `report` from time to time. Precondition: their cells have one colour, so that their
+  /// boxes are disjoint.
+  void run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later, const Task::Report& report);
 
   [[nodiscard]] const IndexAllocator& vertices() const { return vertices_; }
   [[nodiscard]] const IndexAllocator& triangles() const { return triangles_; }
-  [[nodiscard]] int threads() const { return threads_; }
 
  private:
   [[nodiscard]] std::vector<double> triangles_wanted(const SeedsByCell& seeds) const;
@@ -52,7 +48,7 @@ class PhaseRunner {
   [[nodiscard]] bool violates_t1(TriangleId id, Index cell, const Lattice& lattice) const;
   void assign_indices(std::vector<PlannedTask>& tasks);
   void run_on_threads(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
-                      const GoOn& go_on);
+                      const Task::Report& report);
   void run_interleaved(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later);
   [[nodiscard]] std::unique_ptr<Task> new_task();
 
@@ -61,7 +57,7 @@ class PhaseRunner {
   const Criteria& criteria_;
   const Options& options_;
   const Schedule& schedule_;
-  int threads_;
+  Threads threads_;
   std::vector<std::unique_ptr<Task>> tasks_;  ///< one per thread
   IndexAllocator vertices_, triangles_;
 };

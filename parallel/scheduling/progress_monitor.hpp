@@ -1,40 +1,45 @@
-// Counts the work of the tasks while they run, reports it to the caller, and stops the refinement.
+// Counts the work of a run, reports it to the caller, and ends the run at the caller's request or at its limits.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 
+#include "../concurrency/threads.hpp"
 #include "../options.hpp"
 
 namespace pardel::engine {
 
-/// The progress of one refinement. It is cancelled by the caller (options.progress returns false), by cancel(), or when
-/// the mesh outgrows options.max_memory.
+/// The progress of one run, from the validation to the export. The run ends if options.progress returns false, if the
+/// mesh outgrows options.max_memory, or if a caller stops the signal of threads().
 class ProgressMonitor {
  public:
-  explicit ProgressMonitor(const Options& options) : options_(options) {}
+  /// interval: the time between two calls of options.progress.
+  explicit ProgressMonitor(const Options& options, StopSignal::Clock::duration interval = StopSignal::usual_interval);
 
-  /// `estimate`: the expected number of triangles of the final mesh, 0 if unknown.
+  /// The threads of the run. Their loops call options.progress; only the thread that made the monitor calls it.
+  [[nodiscard]] Threads threads() { return {options_.threads, &stop_}; }
+
+  /// Starts the refinement. `estimate`: the expected number of triangles of the final mesh, 0 if unknown.
   void start(double estimate, std::uint64_t vertices, std::uint64_t triangles);
-  /// Replaces the counts of the running tasks by the exact numbers after a phase, and reports to the caller.
+  /// Tasks call this: they have inserted `vertices_made` vertices since the last call. Throws Stopped if the run has to
+  /// end. Thread-safe.
+  void report(std::uint64_t vertices_made);
+  /// Replaces the counts of the running tasks by the exact numbers after a phase, and reports to the caller. Throws
+  /// Stopped if the run has to end.
   void phase_ended(std::uint64_t vertices, std::uint64_t triangles);
 
-  /// Tasks call this: `thread` has inserted `vertices_made` vertices since its last call. Returns false if the tasks
-  /// have to end. Thread-safe. options.progress is called on thread 0 only, the thread that called the mesher.
-  bool report(int thread, std::uint64_t vertices_made);
-
-  void cancel() { cancelled_ = true; }
-  [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   /// The number of vertices when the last phase ended.
   [[nodiscard]] std::uint64_t vertices() const { return vertices_; }
 
  private:
+  [[nodiscard]] std::optional<Error> ask_caller();
+
   const Options& options_;
+  StopSignal stop_;
   double estimate_ = 0;
   std::uint64_t vertices_ = 0, triangles_ = 0;  ///< when the last phase ended
   std::atomic<std::uint64_t> made_{0};          ///< triangles made since then, as far as tasks have reported them
   std::uint64_t shown_ = 0;                     ///< the number last shown to the caller
-  std::atomic<bool> cancelled_{false};
 };
 
 }  // namespace pardel::engine

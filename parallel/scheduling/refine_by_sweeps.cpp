@@ -1,7 +1,6 @@
 #include "refine_by_sweeps.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,7 +13,6 @@
 #include "limits.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
-#include "progress_monitor.hpp"
 #include "tiling_record.hpp"
 
 namespace pardel::engine {
@@ -35,16 +33,16 @@ Error t1_violated(const Sweep& sweep) {
 class Refinement {
  public:
   Refinement(Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options,
-             const Schedule& schedule, const Watcher& watcher)
+             ProgressMonitor& progress, const Schedule& schedule, const Watcher& watcher)
       : t_(t),
         criteria_(criteria),
         options_(options),
         watcher_(watcher),
         assessor_(t, segments, criteria, options),
-        runner_(t, assessor_, criteria, options, schedule),
-        threads_(runner_.threads()),
+        threads_(progress.threads()),
+        runner_(t, assessor_, criteria, options, threads_, schedule),
         pending_(t, assessor_, threads_),
-        progress_(options) {}
+        progress_(progress) {}
 
   Status run() {
     InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_);
@@ -64,8 +62,6 @@ class Refinement {
     // A triangle is left over if its split point lies in no triangle, or if the refinement ended early.
     counts_.left_alone = counts_.left_alone || pending_.any_needs_larger_box();
     counts_.tiling = std::move(record_).take();
-    if (failure_) return *failure_;
-    if (progress_.cancelled()) return Error{ErrorKind::cancelled, "the caller asked to stop"};
     return Done{};
   }
 
@@ -120,15 +116,14 @@ class Refinement {
     sweep_to_fixpoint(lattice, pending_.take_due_by_cell(lattice, later), later);
   }
 
-  [[nodiscard]] bool go_on() const { return !progress_.cancelled() && !counts_.budget_reached; }
-
   void sweep_to_fixpoint(const Lattice& lattice, SeedsByCell seeds, const Deferral& later) {
     const auto waiting = [&] {
-      return std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); });
+      return !counts_.budget_reached &&
+             std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); });
     };
     // A triangle may need a point in one cell, then a point in another cell. Two tasks could hand it on to each other
     // for ever. After two sweeps without an insertion both have tried, and the triangle needs a larger box.
-    for (int idle = 0; idle < 2 && waiting() && go_on();) idle = sweep(lattice, seeds, later) > 0 ? 0 : idle + 1;
+    for (int idle = 0; idle < 2 && waiting();) idle = sweep(lattice, seeds, later) > 0 ? 0 : idle + 1;
     for (const std::vector<QueuedTriangle>& of_cell : seeds) pending_.add_needing_larger_box(of_cell);
   }
 
@@ -136,23 +131,19 @@ class Refinement {
   std::uint64_t sweep(const Lattice& lattice, SeedsByCell& seeds, const Deferral& later) {
     Stopwatch watch;
     Sweep done{lattice.columns(), lattice.rows()};
-    for (unsigned colour = 0; colour < Lattice::colours && go_on(); ++colour)
-      run_phase(lattice, colour, seeds, later, done);
+    for (unsigned colour = 0; colour < Lattice::colours; ++colour) run_phase(lattice, colour, seeds, later, done);
     done.seconds = watch.seconds();
     record_.add_sweep(done);
     if (runner_.vertices().available() == 0) counts_.budget_reached = counts_.left_alone = true;
-    if (Status fine = check_after(done); !fine) {
-      failure_ = fine.error();
-      progress_.cancel();
-    }
+    if (Status fine = check_after(done); !fine) throw Stopped{fine.error()};
     return done.inserted;
   }
 
   void run_phase(const Lattice& lattice, unsigned colour, SeedsByCell& seeds, const Deferral& later, Sweep& done) {
     std::vector<PlannedTask> tasks = runner_.plan(lattice, colour, seeds);
-    runner_.run(lattice, tasks, later,
-                [this](int thread, std::uint64_t made) { return progress_.report(thread, made); });
+    runner_.run(lattice, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
     for (const PlannedTask& task : tasks) {
+      threads_.ask();
       for (const HandedOn& h : task.result.handed_on) seeds[h.cell].push_back(h.triangle);
       collect(task, done);
       record_.add_task(lattice, task.cell, task.thread);
@@ -165,7 +156,7 @@ class Refinement {
     if (runner_.triangles().available() < 2) return too_many_triangles();
     if (outgrows_memory(progress_.vertices(), options_)) return too_much_memory(options_);
     if (sweep.against_promise > 0) return t1_violated(sweep);
-    if (!watcher_ || progress_.cancelled()) return Done{};
+    if (!watcher_) return Done{};
     return watcher_(compacted_copy(t_, runner_.vertices(), runner_.triangles(), threads_), sweep);
   }
 
@@ -189,22 +180,24 @@ class Refinement {
   const Options& options_;
   const Watcher& watcher_;
   Assessor assessor_;
+  Threads threads_;
   PhaseRunner runner_;
-  int threads_;
   PendingTriangles pending_;
-  ProgressMonitor progress_;
+  ProgressMonitor& progress_;
   TilingRecord record_;
   RefineCounts counts_;
-  std::optional<Error> failure_;
 };
 
 }  // namespace
 
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
-                                      const Options& options, const Schedule& schedule, const Watcher& watcher) {
-  Refinement refinement(t, segments, criteria, options, schedule, watcher);
+                                      const Options& options, ProgressMonitor& progress, const Schedule& schedule,
+                                      const Watcher& watcher) try {
+  Refinement refinement(t, segments, criteria, options, progress, schedule, watcher);
   if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
+} catch (const Stopped& stopped) {
+  return stopped.error;
 }
 
 }  // namespace pardel::engine

@@ -25,6 +25,7 @@
 #include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
+#include "progress_monitor.hpp"
 #include "schedule.hpp"
 
 namespace pardel::engine {
@@ -41,9 +42,11 @@ using Watcher = std::function<Status(Triangulation&& copy, const Sweep&)>;
 
 /// Refines the triangulation in place. Precondition: it is a constrained Delaunay triangulation without ghosts, and all
 /// its boundary edges are constrained. The result depends neither on options.threads nor on the schedule. Fails with
-/// `cancelled`, `resources` or `internal`, or with the error that the watcher returned.
+/// `cancelled`, `resources` or `internal`, or with the error that the watcher returned; the triangulation is then not
+/// usable.
 [[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
                                                     const Criteria& criteria, const Options& options,
-                                                    const Schedule& schedule = {}, const Watcher& watcher = {});
+                                                    ProgressMonitor& progress, const Schedule& schedule = {},
+                                                    const Watcher& watcher = {});
 
 }  // namespace pardel::engine

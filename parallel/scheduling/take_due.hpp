@@ -14,7 +14,8 @@ namespace pardel::engine {
 /// Removes the entries that `later` does not certainly defer (Deferral::defers_by_keys), and returns converted(entry)
 /// for each of them. Both lists keep their order. The number of threads does not change the result.
 template <class Converted>
-[[nodiscard]] auto take_due(int threads, Array<Deferred>& deferred, const Deferral& later, const Converted& converted) {
+[[nodiscard]] auto take_due(const Threads& threads, Array<Deferred>& deferred, const Deferral& later,
+                            const Converted& converted) {
   const std::size_t n = deferred.size();
   std::vector<std::size_t> due_before(block_count(n) + 1, 0);
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
@@ -37,6 +38,7 @@ template <class Converted>
   // The entries that stay are now at the front of each block. Move them together.
   std::size_t kept = 0;
   for (std::size_t block = 0, first = 0; first < n; ++block, first += items_in_block) {
+    threads.ask();
     const std::size_t stay = std::min(items_in_block, n - first) - (due_before[block + 1] - due_before[block]);
     std::copy_n(deferred.begin() + first, stay, deferred.begin() + kept);
     kept += stay;

@@ -15,8 +15,8 @@ struct Corner {
   double square = 0;  ///< squared distance from p
 };
 
-/// States for two triangles if p lies in their circumdisks. Both answers are bits of one number. The number stays in a
-/// register, so a branch on it does not wait for memory.
+/// Two answers, one for each of two triangles: does p lie in its circumdisk? Both answers are bits of one number. The
+/// number stays in a register, so a branch on it does not wait for memory.
 struct InDisks {
   unsigned bits = 0;
 
@@ -27,7 +27,8 @@ struct InDisks {
   [[nodiscard]] bool second() const { return (bits & 2) != 0; }
 };
 
-/// The answers for the triangles behind two edges: if p lies in their disks, and the far corner of each triangle.
+/// The answers for the two triangles behind two edges, and the far corner of each triangle: its corner opposite the
+/// edge.
 struct DisksAndCorners {
   InDisks in_disk;
   std::array<Corner, 2> corner;
@@ -38,12 +39,13 @@ struct DisksAndCorners {
 /// - is_own(v): true if a triangle with the far corner v may be changed. The far corner of a triangle is the one
 ///   opposite the edge through which the walk enters it.
 /// - corner(v): the vertex v relative to p.
-/// - first_and_behind(slot, corners, e): whether p lies in the disk of the walk's first triangle and in that of the
-///   triangle of e. `slot` is the slot of the first triangle, `corners` are its corners relative to p. The edge e is
-///   shared by both triangles and joins the corners 0 and 1 of the first one.
-/// - both(u, w, v, right, left): the answers for the triangles of `right` and `left`. The edge `right` runs from u
-///   to w, the edge `left` from w to v.
-///
+/// - first_and_behind(slot, corners, e): the answers for the walk's first triangle and for e.triangle(). `slot` is the
+///   stored record of the first triangle (triangulation.hpp); `corners` are the corners of this triangle relative to p.
+///   The edge between its corners 0 and 1 separates it from the next triangle. If this edge is not constrained, e is
+///   the edge as a side of the next triangle. If it is constrained, the walk does not cross it: e is then the edge as a
+///   side of the first triangle, and the caller ignores the second answer.
+/// - both(u, w, v, right, left): the answers for the triangles right.triangle() and left.triangle(). The corners u, w
+///   and v are relative to p. The edge `right` joins u and w, the edge `left` joins w and v.
 template <class Query>
 concept CavityQuery = requires(const Query& query, VertexId v, const Slot& slot, const std::array<Corner, 3>& corners,
                                const Corner& corner, EdgeRef e) {

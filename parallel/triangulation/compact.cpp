@@ -21,7 +21,7 @@ class Moves {
   [[nodiscard]] Index now(Index index) const { return moved_to_[index - in_use_]; }
 
   template <class Body>
-  void for_each(int threads, const Body& body) const {
+  void for_each(const Threads& threads, const Body& body) const {
     parallel_blocks(threads, moves_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t i = first; i < last; ++i) body(moves_[i].from, moves_[i].to);
     });
@@ -33,7 +33,7 @@ class Moves {
   std::vector<Index> moved_to_;
 };
 
-void compact_triangles(Triangulation& t, const IndexAllocator& indices, int threads) {
+void compact_triangles(Triangulation& t, const IndexAllocator& indices, const Threads& threads) {
   const Moves moves(indices);
   moves.for_each(threads, [&](TriangleId from, TriangleId to) {
     t.slots[to] = t.slots[from];
@@ -55,7 +55,7 @@ void compact_triangles(Triangulation& t, const IndexAllocator& indices, int thre
   if (!t.region.empty()) t.region.resize(moves.in_use());
 }
 
-void compact_vertices(Triangulation& t, const IndexAllocator& indices, int threads) {
+void compact_vertices(Triangulation& t, const IndexAllocator& indices, const Threads& threads) {
   const Moves moves(indices);
   moves.for_each(threads, [&](VertexId from, VertexId to) {
     t.points[to] = t.points[from];
@@ -73,7 +73,8 @@ void compact_vertices(Triangulation& t, const IndexAllocator& indices, int threa
 
 }  // namespace
 
-void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, int threads) {
+void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles,
+             const Threads& threads) {
   compact_triangles(t, triangles, threads);
   compact_vertices(t, vertices, threads);
   t.slots.shrink_to_fit();
@@ -83,7 +84,7 @@ void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAlloca
 }
 
 Triangulation compacted_copy(const Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles,
-                             int threads) {
+                             const Threads& threads) {
   Triangulation copy = t;
   compact(copy, vertices, triangles, threads);
   return copy;

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "../concurrency/index_allocator.hpp"
+#include "../concurrency/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
 
 /// Moves the last vertices and triangles into the unused indices, shortens the arrays, and releases the memory that
 /// they no longer need. Precondition: both allocators are settled. Time: linear in the number of triangles.
-void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, int threads);
+void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, const Threads& threads);
 
 /// A copy of the triangulation, compacted. Precondition and time as for compact().
 [[nodiscard]] Triangulation compacted_copy(const Triangulation& t, const IndexAllocator& vertices,
-                                           const IndexAllocator& triangles, int threads);
+                                           const IndexAllocator& triangles, const Threads& threads);
 
 }  // namespace pardel::engine

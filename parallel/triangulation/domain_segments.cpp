@@ -8,10 +8,13 @@
 
 namespace pardel::engine {
 
-DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints) {
+DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints,
+                               const Threads& threads) {
+  SparseAsk ask(threads.stop);
   segments_.reserve(constraints.size());
   start_.assign(points.size() + 1, 0);
   for (const Constraint c : constraints) {
+    ask();
     segments_.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
     ++start_[c.a + 1U];
     ++start_[c.b + 1U];
@@ -20,12 +23,14 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
   incident_.resize(2 * segments_.size());
   std::vector<Index> next = start_;
   for (Index l = 0; l < segments_.size(); ++l) {
+    ask();
     incident_[next[segments_[l].a]++] = l;
     incident_[next[segments_[l].b]++] = l;
   }
 
   // The smallest angles at a vertex lie between segments that are adjacent in the angular order around it.
   for (VertexId v = 0; v < points.size(); ++v) {
+    ask();
     const auto first = incident_.begin() + start_[v], last = incident_.begin() + start_[v + 1U];
     if (last - first < 2) continue;
     const auto far = [&](Index l) { return points[other_end(l, v)]; };
@@ -36,9 +41,11 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
     });
     for (auto it = first; it != last; ++it) {
       const Index here = *it, next_segment = it + 1 == last ? *first : *(it + 1);
-      if (cosine_at(points, v, here, next_segment) <= 0) continue;
-      for (const Index l : {here, next_segment})
-        (segments_[l].a == v ? segments_[l].acute_at_a : segments_[l].acute_at_b) = true;
+      const double cosine = cosine_at(points, v, here, next_segment);
+      for (const Index l : {here, next_segment}) {
+        double& largest = segments_[l].a == v ? segments_[l].cosine_at_a : segments_[l].cosine_at_b;
+        largest = std::max(largest, cosine);
+      }
     }
   }
 }

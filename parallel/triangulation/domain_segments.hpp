@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "../concurrency/threads.hpp"
 #include "constraint.hpp"
 #include "triangulation.hpp"
 
@@ -15,15 +16,18 @@ namespace pardel::engine {
 /// coordinates. So the direction of the segment in the input does not influence how points on it are rounded.
 struct DomainSegment {
   VertexId a, b;
-  bool acute_at_a = false;  ///< another segment makes an angle below 90 degrees with this one at a
-  bool acute_at_b = false;  ///< the same at b
+  double cosine_at_a = -1;  ///< of the smallest angle with another segment at a; -1 if there is no other segment
+  double cosine_at_b = -1;  ///< the same at b
+
+  /// The cosine of the smallest angle with another segment at v; -1 if v is a vertex inside the segment.
+  [[nodiscard]] double cosine_at(VertexId v) const { return v == a ? cosine_at_a : v == b ? cosine_at_b : -1; }
 };
 
 class DomainSegments {
  public:
   DomainSegments() = default;
   /// `points` holds the coordinates of the vertices. O(points + k log k) for k constraints.
-  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints);
+  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints, const Threads& threads = {});
 
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }

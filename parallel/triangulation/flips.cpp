@@ -33,8 +33,11 @@ bool delaunay_across(const Triangulation& t, EdgeRef e) {
   return !in_circumdisk(t, slot, t.points[q]);
 }
 
-void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed) {
+void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed,
+                      const Threads& threads) {
+  SparseAsk ask(threads.stop);
   while (!suspects.empty()) {
+    ask();
     const EdgeRef e = suspects.back();
     suspects.pop_back();
     if (t.slot(e).is_ghost() || t.slot(e).n[e.side()].constrained()) continue;

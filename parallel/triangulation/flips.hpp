@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "../concurrency/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
@@ -21,7 +22,9 @@ void flip(Triangulation& t, EdgeRef e);
 [[nodiscard]] bool delaunay_across(const Triangulation& t, EdgeRef e);
 
 /// Flips `suspects`, and the edges around each flip, until all unconstrained ones are locally Delaunay (Lawson 1977).
-/// Appends every triangle that a flip changed to `changed`, possibly several times.
-void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed);
+/// Appends every triangle that a flip changed to `changed`, possibly several times. Runs on
+/// one thread.
+void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed,
+                      const Threads& threads = {});
 
 }  // namespace pardel::engine

@@ -16,7 +16,7 @@ double sharp_radius_bound(double ratio, double area) {
   return 2 * ratio * ratio * std::sqrt(area) / std::sqrt(std::sqrt(squared_cotangent));
 }
 
-Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, int threads) {
+Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, const Threads& threads) {
   const std::vector<IndexRange>& holes = triangles.holes();
   std::vector<Radii> largest(block_count(triangles.end()));
   parallel_blocks(threads, triangles.end(), [&](std::size_t first, std::size_t last, std::size_t block) {

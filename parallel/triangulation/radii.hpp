@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../concurrency/index_allocator.hpp"
+#include "../concurrency/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
@@ -17,6 +18,6 @@ struct Radii {
   double radius = 0, ratio = 0, area = 0;
 };
 /// The largest values over the triangles whose indices are in use. Precondition: the allocator is settled. O(n).
-[[nodiscard]] Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, int threads);
+[[nodiscard]] Radii largest_radii(const Triangulation& t, const IndexAllocator& triangles, const Threads& threads);
 
 }  // namespace pardel::engine

@@ -25,11 +25,29 @@ std::string right_aligned(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }
 
-std::string goal_text(const Goal& goal) {
+/// "1 triangle", "2 triangles"
+std::string counted(std::uint64_t n, const char* one, const char* several) {
+  return to_text(n) + ' ' + (n == 1 ? one : several);
+}
+
+/// The caps of the regions, for example ", areas up to 0.1 in region 0, 0.02 in region 2".
+std::string region_caps_text(const std::vector<double>& caps) {
+  constexpr std::size_t most_named = 10;
+  std::string text;
+  std::size_t capped = 0;
+  for (std::size_t r = 0; r < caps.size(); ++r) {
+    if (!std::isfinite(caps[r]) || ++capped > most_named) continue;
+    text += (capped == 1 ? ", areas up to " : ", ") + to_text(caps[r]) + " in region " + to_text(r);
+  }
+  if (capped > most_named) text += " and caps in " + to_text(capped - most_named) + " more";
+  return text;
+}
+
+std::string goal_text(const Goal& goal, const std::vector<double>& region_caps) {
   std::string text = "angles of at least " + to_text(goal.min_angle_deg) + " degrees";
   if (std::isfinite(goal.max_area)) text += ", areas up to " + to_text(goal.max_area);
   if (std::isfinite(goal.max_edge)) text += ", edges up to " + to_text(goal.max_edge);
-  if (!goal.region_caps) text += ", no caps by region";
+  text += region_caps_text(region_caps);
   if (goal.size) text += ", sizes by position";
   text += goal.conforming ? ", Delaunay" : ", constrained Delaunay";
   if (goal.convex_hull) text += ", the convex hull";
@@ -74,7 +92,8 @@ void append_justified(std::string& text, const std::vector<Justified>& justified
     summary.input_angle = std::min(summary.input_angle, j.input_angle_deg);
     summary.angle = std::min(summary.angle, j.angle_deg);
   }
-  text += to_text(justified.size()) + " triangles below the angle bound, justified by small input angles\n";
+  text +=
+      counted(justified.size(), "triangle", "triangles") + " below the angle bound, justified by small input angles\n";
   constexpr std::size_t shown = 20;
   std::size_t lines = 0;
   for (const auto& [apex, summary] : by_apex) {
@@ -128,11 +147,12 @@ Json to_json(const Violation& violation) {
 
 }  // namespace
 
-std::string to_text(const Certificate& certificate) {
+std::string summary_text(const Certificate& certificate) {
   std::string text = certificate.valid ? "valid" : "NOT VALID";
-  text += ": " + to_text(certificate.vertices) + " vertices, " + to_text(certificate.triangles) + " triangles, " +
-          to_text(certificate.constrained_edges) + " constrained edges\n";
-  text += "goal: " + goal_text(certificate.goal) + '\n';
+  text += ": " + counted(certificate.vertices, "vertex", "vertices") + ", " +
+          counted(certificate.triangles, "triangle", "triangles") + ", " +
+          counted(certificate.constrained_edges, "constrained edge", "constrained edges") + '\n';
+  text += "goal: " + goal_text(certificate.goal, certificate.region_caps) + '\n';
   append_extreme(text, "smallest angle", certificate.min_angle_deg);
   append_extreme(text, "largest angle", certificate.max_angle_deg);
   append_extreme(text, "shortest edge", certificate.min_edge);
@@ -144,6 +164,11 @@ std::string to_text(const Certificate& certificate) {
   append_histogram(text, certificate.angle_histogram);
   append_justified(text, certificate.justified);
   text += "digest " + to_string(certificate.digest) + '\n';
+  return text;
+}
+
+std::string to_text(const Certificate& certificate) {
+  std::string text = summary_text(certificate);
   append_violations(text, certificate);
   return text;
 }

@@ -35,6 +35,7 @@ struct Justified {
 /// measured values.
 struct Certificate {
   Goal goal;                                    ///< the goal that the mesh was checked against
+  std::vector<double> region_caps;              ///< by region: the area cap that was checked; empty without region_caps
   bool valid = false;                           ///< true if no violation was found
   std::vector<Violation> violations;            ///< sorted by kind; violations of one kind in the order of discovery
   std::vector<std::uint64_t> violation_counts;  ///< by kind; the vector has violation_kinds entries
@@ -48,6 +49,8 @@ struct Certificate {
 
 /// Plain text for people, several lines.
 [[nodiscard]] std::string to_text(const Certificate& certificate);
+/// The same without the list of violations.
+[[nodiscard]] std::string summary_text(const Certificate& certificate);
 
 /// JSON, schema pardel.certificate/1. An infinite bound, and an index that is no_index, is written as null.
 [[nodiscard]] std::string to_json(const Certificate& certificate);

@@ -12,6 +12,8 @@ using namespace checker;
 Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options) {
   Certificate certificate;
   certificate.goal = goal;
+  for (const Region& region : pslg.regions)
+    if (goal.region_caps) certificate.region_caps.push_back(region.max_area);
   certificate.vertices = mesh.points.size();
   certificate.triangles = mesh.triangles.size();
   certificate.constrained_edges = mesh.constrained_edges.size();

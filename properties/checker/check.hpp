@@ -1,7 +1,9 @@
 // The independent checker: decides whether a mesh is a correct mesh of a Pslg and meets a Goal.
 //
-// The checker shares no code with the mesher. They have only the plain data types of core/ in common. The
-// checker does not rely on anything that the mesh states about itself.
+// The checker shares no code with the mesher. They have only the plain data types of core/ in common. The checker does
+// not rely on anything that the mesh states about itself. If several paths of edges lie on a segment up to rounding, it
+// prefers the path that the mesh lists as constrained. Files contain this list, too. So a mesh and its file get the
+// same verdict.
 //
 //     const pardel::Certificate certificate = pardel::check(pslg, mesh, goal);
 //     if (!certificate.valid) std::cerr << to_text(certificate);
@@ -21,8 +23,8 @@ namespace pardel {
 ///
 /// A mesh may have any content: indices out of range, coordinates that are not finite and arrays of the wrong length
 /// are reported, and rules that can then not be checked are skipped. For a Pslg that is not valid (see validate()) the
-/// function is safe, but the certificate has no meaning. goal.size must be pure and must not throw; it is called from
-/// several threads.
+/// function is safe, but the certificate has no meaning. goal.size must be pure; it is called from several threads. A
+/// triangle at whose centroid it throws, or returns a number that is not positive, is reported as size_exceeded.
 ///
 /// Predicates on coordinates and comparisons with bounds are exact: CGAL's filtered predicates, or intervals and then
 /// rational numbers. There are four exceptions, in which a verdict depends on rounded values:

@@ -11,9 +11,9 @@ struct CheckOptions {
   /// An upper bound on circumradii, in the unit of the coordinates; compared exactly. A value that is
   /// zero, negative, NaN or infinite means: no bound.
   double max_circumradius = 0;
-  /// The mesh comes from another program. Then input points are matched with vertices by equal coordinates instead of
-  /// equal index, and arrays that such a mesh lacks (`origin`, markers, regions, neighbours, constrained edges) may be
-  /// empty: the checker skips the rules about them.
+  /// The mesh comes from a file or from another program. Then input points are matched with vertices by equal
+  /// coordinates, unless the vertices begin with the input points in their order. Arrays that such a mesh lacks
+  /// (`origin`, markers, regions, neighbours, constrained edges) may be empty: the checker skips the rules about them.
   bool foreign = false;
 };
 

@@ -31,6 +31,7 @@ constexpr auto names = enum_names<ViolationKind>({
     {ViolationKind::wrong_region, "wrong_region"},
     {ViolationKind::wrong_origin, "wrong_origin"},
     {ViolationKind::not_delaunay, "not_delaunay"},
+    {ViolationKind::not_conforming, "not_conforming"},
     {ViolationKind::small_angle, "small_angle"},
     {ViolationKind::large_area, "large_area"},
     {ViolationKind::region_area, "region_area"},

@@ -35,8 +35,9 @@ enum class ViolationKind : std::uint8_t {
   wrong_vertex_marker,
   wrong_region,
   wrong_origin,
-  not_delaunay,  ///< an unconstrained edge (for a conforming goal: any edge) is not locally Delaunay
-  small_angle,   ///< an angle is below the bound, and no small input angle justifies it (see Justified)
+  not_delaunay,    ///< an unconstrained edge is not locally Delaunay
+  not_conforming,  ///< a constrained edge is not locally Delaunay, and the goal is conforming
+  small_angle,     ///< an angle is below the bound, and no small input angle justifies it (see Justified)
   large_area,
   region_area,  ///< the area of a triangle exceeds the cap of its region
   long_edge,

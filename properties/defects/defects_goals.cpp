@@ -156,7 +156,7 @@ constexpr Defect group[] = {
          return true;
        });
      }},
-    {"an edge of a segment is not Delaunay although the goal is conforming", not_delaunay,
+    {"an edge of a segment is not Delaunay although the goal is conforming", not_conforming,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        if (goal.conforming) return false;
        const auto walls = edit::constrained(mesh);

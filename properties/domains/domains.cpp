@@ -7,13 +7,10 @@
 #include <tuple>
 #include <utility>
 
-#include "drawing/paths.hpp"
 #include "generators/random.hpp"
+#include "paths.hpp"
 
 namespace pardel::domains {
-
-using namespace drawing;
-
 namespace {
 
 /// A number in [0, 1), a multiple of 2^-40.

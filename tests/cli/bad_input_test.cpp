@@ -1,4 +1,5 @@
 // Invalid input gives one message that names the place, the right exit code, and no output file.
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,51 @@ TEST_F(BadInput, a_file_that_does_not_exist_is_an_io_error) {
   EXPECT_EQ(ran.exit_code, 5) << ran;
   EXPECT_TRUE(holds(ran.err, {"nowhere.poly", "No such file"}));
   EXPECT_EQ(files(), Files{});
+}
+
+TEST_F(BadInput, an_unknown_suffix_is_a_usage_error_that_lists_the_known_ones) {
+  write("model.stl", square_poly);
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"mesh", "model.stl", "-o", "out.vtu"}, {"check", "model.stl", "model.vtu"}, {"doctor", "model.stl"}}) {
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(
+        holds(ran.err, {"model.stl: '.stl' is not a known format; the formats of a domain are .poly and .node"}));
+  }
+  const Ran mesh = pardel({"draw", "model.stl", "-o", "m.svg"});
+  EXPECT_EQ(mesh.exit_code, 2) << mesh;
+  EXPECT_TRUE(holds(mesh.err, {"'.stl' is not a known format", ".node, .ele, .msh, .vtu and .off"}));
+}
+
+TEST_F(BadInput, the_message_names_the_command_or_the_option_that_helps) {
+  is_refused(with_more("5 0.25 0.5\n6 0.75 0.5\n", "5 5 6\n6 1 3\n", 6),
+             {"'pardel mesh --repair'", "'pardel doctor bad.poly --repair FIXED.poly'"});
+  is_refused("4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n", {"--convex-hull"});
+  write("out_of_range.poly", with_point("1e300"));
+  EXPECT_EQ(pardel({"mesh", "out_of_range.poly", "-o", "out.vtu"}).err.find("--repair"), std::string::npos);
+}
+
+TEST_F(BadInput, the_advice_is_right) {
+  write("bad.poly", with_more("5 0.25 0.5\n6 0.75 0.5\n", "5 5 6\n6 1 3\n", 6));
+  EXPECT_EQ(pardel({"mesh", "--repair", "bad.poly", "-o", "out.vtu"}).exit_code, 0);
+  EXPECT_EQ(pardel({"doctor", "bad.poly", "--repair", "fixed.poly"}).exit_code, 0);
+  EXPECT_EQ(pardel({"mesh", "fixed.poly", "-o", "out.vtu"}).exit_code, 0);
+  write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n");
+  EXPECT_EQ(pardel({"mesh", "--convex-hull", "open.poly", "-o", "out.vtu"}).exit_code, 0);
+}
+
+TEST_F(BadInput, at_most_ten_problems_of_a_kind_are_printed_and_all_are_in_the_json) {
+  std::string points;
+  for (int i = 0; i < 12; ++i) points += std::to_string(5 + i) + " 0." + std::to_string(10 + 5 * i) + " 0\n";
+  write("many.poly", "16 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n" + points + "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const Ran ran = pardel({"mesh", "many.poly", "-o", "out.vtu", "--json", "many.json"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"12 problems", "Point 5 ", "Point 14 ", "... and 2 more (point_on_segment)"}));
+  EXPECT_EQ(ran.err.find("Point 15 "), std::string::npos);
+  const auto json = nlohmann::json::parse(read("many.json"));
+  ASSERT_EQ(json["problems"].size(), 12U);
+  EXPECT_EQ(json["problems"][11]["kind"], "point_on_segment");
+  EXPECT_EQ(json["problems"][11]["ids"][0], 16);
 }
 
 TEST_F(BadInput, an_empty_file_is_refused) { is_refused("", {"bad.poly:1:", "end of the file"}); }

@@ -81,6 +81,26 @@ TEST_F(BadOutput, a_report_on_a_full_disk_is_an_io_error) {
   EXPECT_TRUE(holds(ran.err, {"/dev/full", "No space left"}));
 }
 
+TEST_F(BadOutput, a_mesh_goes_to_standard_output_in_the_format_that_is_named) {
+  for (const std::string format : {"vtu", "msh", "off", "svg"}) {
+    ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m." + format}).exit_code, 0);
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "-", "--format", format});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_EQ(ran.out, read("m." + format));
+    EXPECT_FALSE(exists("-"));
+    EXPECT_FALSE(exists("-.partial"));
+  }
+  const Ran without = pardel({"mesh", "square.poly", "-o", "-"});
+  EXPECT_EQ(without.exit_code, 2) << without;
+  EXPECT_TRUE(holds(without.err, {"--format", "vtu"}));
+  EXPECT_TRUE(holds(pardel({"mesh", "square.poly", "-o", "/dev/stdout"}).err, {"/dev/stdout", "'-o - --format"}));
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu", "--format", "vtu"}).exit_code, 2);
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "-", "--format", "vtu", "--json", "-"}).exit_code, 2);
+  const Ran full = pardel({"mesh", "square.poly", "-o", "-", "--format", "vtu"}, {.out_file = "/dev/full"});
+  EXPECT_EQ(full.exit_code, 5) << full;
+  EXPECT_TRUE(holds(full.err, {"standard output", "No space left"}));
+}
+
 TEST_F(BadOutput, standard_output_on_a_full_disk_is_an_io_error) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--json", "-"}, {.out_file = "/dev/full"});
   EXPECT_EQ(ran.exit_code, 5) << ran;

@@ -23,6 +23,11 @@ TEST_F(DoctorCommand, a_valid_domain_has_no_problem) {
   EXPECT_TRUE(holds(ran.out, {"square.poly", "4 points", "no problem"}));
 }
 
+TEST_F(DoctorCommand, one_hole_is_not_called_1_holes) {
+  write("hole.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n1\n1 7 8\n");
+  EXPECT_TRUE(holds(pardel({"doctor", "hole.poly"}).out, {"4 points, 4 segments, 1 hole, 0 regions: 1 problem\n"}));
+}
+
 TEST_F(DoctorCommand, problems_are_listed_with_kind_numbers_and_place) {
   write("ill.poly", ill);
   const Ran ran = pardel({"doctor", "ill.poly"});
@@ -65,6 +70,38 @@ TEST_F(DoctorCommand, points_closer_than_the_snap_are_merged) {
   EXPECT_EQ(pardel({"doctor", "near.poly", "--repair", "well.poly", "--snap", "1e-6"}).exit_code, 0);
   EXPECT_EQ(table("well.poly")[0][0], 4);
   EXPECT_EQ(pardel({"mesh", "well.poly", "-o", "m.vtu"}).exit_code, 0);
+}
+
+constexpr const char* gap =
+    "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-15\n6 0.5 0.5\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n0\n";
+
+TEST_F(DoctorCommand, a_gap_of_one_rounding_is_closed_unless_the_snap_is_zero) {
+  write("gap.poly", gap);
+  const Ran by_default = pardel({"doctor", "gap.poly", "--repair", "closed.poly"});
+  EXPECT_EQ(by_default.exit_code, 0) << by_default;
+  EXPECT_TRUE(
+      holds(by_default.out, {"repaired: Segments bent to points near them: 1", "segment 1 from (0, 0)", "1e-15"}));
+  EXPECT_EQ(table("closed.poly")[7][0], 6);
+  EXPECT_EQ(pardel({"doctor", "gap.poly", "--repair", "open.poly", "--snap", "0"}).exit_code, 0);
+  EXPECT_EQ(table("open.poly")[7][0], 5);
+  EXPECT_EQ(pardel({"doctor", "gap.poly", "--repair", "open.poly", "--snap", "-1"}).exit_code, 2);
+}
+
+TEST_F(DoctorCommand, an_open_outline_is_repaired_for_its_convex_hull) {
+  write("open.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n");
+  EXPECT_EQ(pardel({"doctor", "open.poly", "--repair", "well.poly", "--convex-hull"}).exit_code, 0);
+  EXPECT_EQ(pardel({"mesh", "well.poly", "--convex-hull", "-o", "m.vtu"}).exit_code, 0);
+}
+
+TEST_F(DoctorCommand, and_mesh_warn_of_an_outline_that_is_not_closed_beside_a_closed_one) {
+  write("beside.poly",
+        "7 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 2 0\n6 3 0\n7 3 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n0\n");
+  const std::string warning = "beside.poly: warning: 2 segments, the first of them segment 5, are joined";
+  const Ran doctor = pardel({"doctor", "beside.poly"}), mesh = pardel({"mesh", "beside.poly", "-o", "m.vtu"});
+  EXPECT_EQ(doctor.exit_code, 0) << doctor;
+  EXPECT_EQ(mesh.exit_code, 0) << mesh;
+  EXPECT_TRUE(holds(doctor.err, {warning}));
+  EXPECT_TRUE(holds(mesh.err, {warning}));
 }
 
 TEST_F(DoctorCommand, a_failed_repair_is_reported) {

@@ -35,9 +35,32 @@ TEST_F(Help, no_line_of_help_is_wider_than_a_page) {
 }
 
 TEST_F(Help, the_version_is_printed) {
-  const Ran ran = pardel({"--version"});
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_TRUE(holds(ran.out, {"pardel "}));
+  for (const char* option : {"--version", "-V"}) {
+    const Ran ran = pardel({option});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_TRUE(holds(ran.out, {"pardel "}));
+  }
+}
+
+TEST_F(Help, the_command_help_prints_what_the_option_prints) {
+  EXPECT_EQ(pardel({"help"}).out, pardel({"--help"}).out);
+  for (const std::string command : {"mesh", "check", "doctor", "draw", "generate", "triangle"}) {
+    const Ran ran = pardel({"help", command});
+    EXPECT_EQ(ran.exit_code, 0) << command;
+    EXPECT_EQ(ran.out, pardel({command, "--help"}).out) << command;
+  }
+  EXPECT_EQ(pardel({"help", "fly"}).exit_code, 2);
+}
+
+TEST_F(Help, a_mistyped_command_or_option_gets_a_suggestion) {
+  EXPECT_TRUE(holds(pardel({"chekc"}).err, {"there is no command 'chekc'; did you mean 'check'?"}));
+  EXPECT_TRUE(holds(pardel({"mesh", "a.poly", "-o", "b.vtu", "--min-agle=30"}).err,
+                    {"pardel mesh: there is no option '--min-agle'; did you mean '--min-angle'?"}));
+  // The mistyped option is named, not the required option that is missing because of it.
+  EXPECT_TRUE(holds(pardel({"mesh", "a.poly", "--ouput", "b.vtu"}).err, {"did you mean '--output'?"}));
+  const std::string far = pardel({"mesh", "a.poly", "-o", "b.vtu", "--zzzzzz"}).err;
+  EXPECT_TRUE(holds(far, {"there is no option '--zzzzzz' (see"})) << far;
+  EXPECT_TRUE(holds(pardel({"doctor", "a.poly", "b.poly"}).err, {"unexpected argument 'b.poly'"}));
 }
 
 TEST_F(Help, a_missing_or_unknown_command_and_an_unknown_option_are_usage_errors) {
@@ -56,7 +79,7 @@ TEST_F(Help, a_missing_or_unknown_command_and_an_unknown_option_are_usage_errors
 }
 
 TEST_F(Help, a_usage_error_names_the_command_the_option_and_its_help) {
-  EXPECT_EQ(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "0"}).exit_code, 2);
+  EXPECT_EQ(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "-1"}).exit_code, 2);
   EXPECT_TRUE(holds(pardel({"mesh", "a.poly", "-o", "b.vtu", "--threads", "many"}).err,
                     {"pardel mesh: ", "--threads", "many", "pardel mesh --help"}));
   EXPECT_TRUE(holds(pardel({"fly"}).err, {"there is no command 'fly'", "pardel --help"}));
@@ -70,7 +93,7 @@ TEST_F(Help, a_wrong_choice_gives_a_message_with_the_right_ones) {
   EXPECT_TRUE(holds(message("--decomposition"), {"'foo' is not one of auto, none, paper (see"}));
   EXPECT_TRUE(holds(message("--progress"), {"'foo' is not one of always, auto, never (see"}));
   EXPECT_TRUE(holds(pardel({"draw", "a.node", "-o", "a.svg", "--report", "r.json", "--by", "foo"}).err,
-                    {"'foo' is not one of phase, thread, tile (see"}));
+                    {"'foo' is not one of phase, quality, region, size, thread, tile (see"}));
 }
 
 }  // namespace

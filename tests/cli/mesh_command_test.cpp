@@ -1,4 +1,6 @@
 // pardel mesh: its files, its summary and its report, for goals that can be met and for goals that cannot.
+#include <omp.h>
+
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -91,7 +93,7 @@ TEST_F(MeshCommand, the_report_has_every_key_of_its_schema) {
     ASSERT_TRUE(r.contains(object)) << object;
     for (const std::string& member : members) EXPECT_TRUE(r[object].contains(member)) << object << '.' << member;
   }
-  EXPECT_EQ(r["threads"], 1);
+  EXPECT_EQ(r["threads"], omp_get_max_threads());
   EXPECT_GT(r["peak_rss_bytes"], 1'000'000);
   EXPECT_EQ(r["digest"].get<std::string>().size(), 32U);
   EXPECT_EQ(r["goal"]["min_angle_deg"], 25.0);
@@ -209,6 +211,13 @@ TEST_F(MeshCommand, a_limit_on_edges_gives_code_4_where_it_prevents_a_bound) {
   EXPECT_GT(r["refine"]["exempt"]["min_edge"], 0);
 }
 
+TEST_F(MeshCommand, a_conforming_goal_that_is_missed_gives_code_4_with_a_check_too) {
+  write("rhombus.poly", "4 2 0 0\n1 0 0\n2 5 -1\n3 10 0\n4 5 1\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 3\n0\n");
+  const json r =
+      report({"rhombus.poly", "-o", "m.vtu", "--conforming", "--min-angle", "0", "--min-edge", "20", "--check"}, 4);
+  EXPECT_EQ(r["certificate"]["violation_counts"], (json{{"not_conforming", 1}}));
+}
+
 TEST_F(MeshCommand, small_input_angles_are_exempt_and_reported_with_code_0) {
   write("needle.poly", "3 2 0 0\n1 0 0\n2 10 0\n3 10 0.5\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
   const json r = report({"needle.poly", "-o", "m.vtu", "--check"});
@@ -275,6 +284,16 @@ TEST_F(MeshCommand, an_invalid_domain_is_repaired_on_request) {
   EXPECT_TRUE(holds(ran.err, {"crossed.poly: repaired"}));
 }
 
+TEST_F(MeshCommand, a_gap_of_one_rounding_is_closed_by_repair_unless_the_snap_is_zero) {
+  write("gap.poly",
+        "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-15\n6 0.5 0.5\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n0\n");
+  const Ran closed = pardel({"mesh", "gap.poly", "-o", "m.vtu", "--repair", "--check"});
+  EXPECT_EQ(closed.exit_code, 0) << closed;
+  EXPECT_TRUE(holds(closed.err, {"gap.poly: repaired: Segments bent to points near them: 1"}));
+  EXPECT_EQ(pardel({"mesh", "gap.poly", "-o", "m.vtu", "--repair", "--snap", "0"}).exit_code, 4);
+  EXPECT_EQ(pardel({"mesh", "gap.poly", "-o", "m.vtu", "--snap", "0"}).exit_code, 2);
+}
+
 TEST_F(MeshCommand, a_conforming_mesh_passes_the_stricter_check) {
   ASSERT_EQ(pardel({"mesh", "key.poly", "-o", "m.node", "--conforming"}).exit_code, 0);
   EXPECT_TRUE(certified("key.poly", "m.node", {"--conforming"}));
@@ -319,11 +338,45 @@ TEST_F(MeshCommand, the_number_of_threads_changes_nothing_but_the_report) {
   EXPECT_EQ(one["digest"], two["digest"]);
 }
 
+TEST_F(MeshCommand, all_threads_are_the_default) {
+  const auto threads = [&](const std::vector<std::string>& option) {
+    std::vector<std::string> arguments = {"square.poly", "-o", "a.vtu"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    return report(arguments)["threads"].get<int>();
+  };
+  const int all = threads({});
+  EXPECT_EQ(all, omp_get_max_threads());
+  EXPECT_EQ(threads({"--threads", "all"}), all);
+  EXPECT_EQ(threads({"--threads", "0"}), all);
+  for (const char* wrong : {"-1", "5000", "two"}) {
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "a.vtu", "--threads", wrong});
+    EXPECT_EQ(ran.exit_code, 2) << wrong;
+    EXPECT_TRUE(holds(ran.err, {"--threads"})) << ran;
+  }
+}
+
+TEST_F(MeshCommand, a_check_says_that_bounds_are_missed_because_the_budget_ended) {
+  const Ran ran =
+      pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.001", "--max-vertices", "50", "--check"});
+  EXPECT_EQ(ran.exit_code, 4) << ran;
+  EXPECT_TRUE(holds(ran.err, {"missed bounds only", "as many vertices as it may have (the budget)"})) << ran;
+  EXPECT_FALSE(holds(ran.err, {"found violations"})) << ran;
+}
+
 TEST_F(MeshCommand, holes_of_a_mesh_are_found_again_without_its_domain) {
   ASSERT_EQ(pardel({"mesh", "pipe.poly", "-o", "m.vtu"}).exit_code, 0);
   const json r = report({"m.vtu", "--refine", "-o", "fine.node", "--max-area", "0.01", "--check"});
   EXPECT_EQ(r["input"]["holes"], 7);
   EXPECT_TRUE(r["certificate"]["valid"]);
+}
+
+TEST_F(MeshCommand, a_goal_without_bounds_inserts_nothing) {
+  write("flat.poly", "4 2 0 0\n0 0 0\n1 1 0\n2 2 0.001\n3 0.3 0.001\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+  for (const char* also : {"--quiet", "--conforming", "--regions"}) {
+    EXPECT_EQ(report({"flat.poly", "-o", "m.ele", "--min-angle", "0", also})["mesh"]["triangles"], 2) << also;
+  }
+  ASSERT_EQ(pardel({"triangle", "-pQ", "flat"}).exit_code, 0);
+  EXPECT_EQ(table("flat.1.ele")[0][0], 2);
 }
 
 TEST_F(MeshCommand, an_area_file_with_the_name_of_the_mesh_caps_each_triangle) {
@@ -342,6 +395,24 @@ TEST_F(MeshCommand, progress_is_shown_on_request_and_erased_at_the_end) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.00002", "--progress", "always"});
   EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K"}));
   EXPECT_TRUE(ran.err.ends_with("\r\033[K"));
+}
+
+TEST_F(MeshCommand, a_note_says_that_points_alone_mean_their_convex_hull) {
+  write("points.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  const Ran points = pardel({"mesh", "points.node", "-o", "m.off"});
+  EXPECT_TRUE(holds(points.out, {"0 segments", "note", "the domain is the convex hull of its points", "--refine"}));
+  EXPECT_TRUE(holds(points.out, {"3 vertices, 1 triangle, "}));
+  EXPECT_EQ(pardel({"mesh", "points.node", "-o", "m.off", "--convex-hull"}).out.find("note"), std::string::npos);
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.off"}).out.find("note"), std::string::npos);
+}
+
+TEST_F(MeshCommand, progress_names_every_step) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--check", "--progress", "always"});
+  EXPECT_TRUE(holds(ran.err, {"reading square.poly", "validating square.poly", "triangulating", "checking",
+                              "writing m.vtu", "computing statistics"}));
+  const Ran check = pardel({"check", "square.poly", "m.vtu", "--progress", "always"});
+  EXPECT_TRUE(holds(check.err, {"reading square.poly", "validating", "reading m.vtu", "checking"}));
+  EXPECT_TRUE(check.err.ends_with("\r\033[K"));
 }
 
 TEST_F(MeshCommand, no_progress_is_written_to_a_pipe) {
@@ -365,7 +436,7 @@ TEST_F(MeshCommand, progress_of_long_work_is_shown_on_a_terminal_and_Ctrl_C_stop
 TEST_F(MeshCommand, refuses_a_mesh_that_memory_cannot_hold) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-8", "--max-memory", "0.5"});
   EXPECT_EQ(ran.exit_code, 5) << ran;
-  EXPECT_TRUE(holds(ran.err, {"million triangles", "GiB", "0.5 GiB"}));
+  EXPECT_TRUE(holds(ran.err, {"million triangles", "GiB", "512 MiB"}));
   EXPECT_FALSE(files().contains("out.vtu"));
 }
 

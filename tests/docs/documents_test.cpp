@@ -221,8 +221,8 @@ TEST_F(QuickStart, of_the_readme_runs) {
   const std::string folder = fs::path(PARDEL_PROGRAM).parent_path().string();
   const Ran ran = run("sh", {"-c", "set -e; PATH='" + folder + "':$PATH\n" + blocks.at(0)});
   EXPECT_EQ(ran.exit_code, 0) << ran;
-  EXPECT_EQ(files(), (Files{"key.1.ele", "key.1.node", "key.1.poly", "key.poly", "key.vtu", "mesh.ele", "mesh.node",
-                            "mesh.poly", "mesh.svg"}));
+  EXPECT_EQ(files(), (Files{"key.1.ele", "key.1.node", "key.1.poly", "key.msh", "key.poly", "key.vtu", "mesh.ele",
+                            "mesh.node", "mesh.poly", "mesh.png"}));
 }
 
 TEST(DocumentsControl, a_missing_file_or_heading_is_found) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../../parallel/report.hpp"
+#include "../../parallel/validate.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../cli/program.hpp"
 #include "json_schema.hpp"
@@ -73,6 +74,34 @@ TEST_F(ReportSchema, describes_the_certificate_that_pardel_check_writes) {
   const Ran ran = pardel({"check", "square.poly", "mesh.vtu", "--max-area", "0.01", "--json", "-"});
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_EQ(schema_violations(of_certificate, Json::parse(ran.out)), Strings());
+}
+
+TEST_F(ReportSchema, describes_what_is_written_for_invalid_input) {
+  Json of_error = schema();
+  of_error = {{"$ref", "#/$defs/error"}, {"$defs", of_error.at("$defs")}};
+  write("crossing.poly", "4 2 0 0\n1 0 0\n2 1 1\n3 1 0\n4 0 1\n2 0\n1 1 2\n2 3 4\n0\n");
+  write("cut.poly", "4 2 0 0\n1 0 0\n");
+  for (const char* file : {"crossing.poly", "cut.poly"}) {
+    for (const char* command : {"mesh", "check"}) {
+      Strings arguments = {command, file, "--json", "e.json"};
+      if (arguments[0] == "mesh") arguments.insert(arguments.end(), {"-o", "m.vtu"});
+      if (arguments[0] == "check") arguments.insert(arguments.begin() + 2, "none.vtu");
+      EXPECT_EQ(pardel(arguments).exit_code, 3);
+      const Json error = Json::parse(read("e.json"));
+      EXPECT_EQ(schema_violations(of_error, error), Strings()) << error;
+      EXPECT_EQ(error.at("problems").empty(), file == std::string("cut.poly"));
+    }
+  }
+  Json wrong = Json::parse(read("e.json"));
+  wrong.erase("problems");
+  EXPECT_FALSE(schema_violations(of_error, wrong).empty());
+}
+
+TEST_F(ReportSchema, lists_every_kind_of_problem) {
+  Json kinds = Json::array();
+  for (int i = 0; i <= static_cast<int>(ProblemKind::bad_region_cap); ++i)
+    kinds.push_back(name(static_cast<ProblemKind>(i)));
+  EXPECT_EQ(schema().at("$defs").at("problem_kind").at("enum"), kinds);
 }
 
 TEST_F(ReportSchema, rejects_a_report_that_lacks_a_key) {

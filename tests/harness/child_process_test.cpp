@@ -85,7 +85,7 @@ TEST_F(ChildProcess, that_cannot_be_run_exits_with_126_and_logs_the_reason) {
   const ChildRun run = run_child({folder_.write("no-program", "")}, folder_ / "log", {}, never);
   EXPECT_EQ(run.ending, Ending::exited);
   EXPECT_EQ(run.number, 126);
-  EXPECT_NE(said().find("error: it cannot be run: Permission denied"), std::string::npos) << said();
+  EXPECT_NE(said().find("error: the program cannot be started: Permission denied"), std::string::npos) << said();
 }
 
 }  // namespace

@@ -196,6 +196,23 @@ TEST(Usage, is_the_error_for_a_goal_out_of_range) {
   }
 }
 
+TEST(Usage, of_angles_from_33_to_45_degrees_requires_a_limit_on_vertices) {
+  const Goal goal{.min_angle_deg = 34};
+  EXPECT_FALSE(mesh(domains::square(), goal));
+  const Result<Meshed> meshed = mesh(domains::square(), goal, {.max_vertices = 100});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(meshed->report.goal_met());
+  const Result<Meshed> endless = mesh(domains::key(), {.min_angle_deg = 44}, {.max_vertices = 500});
+  ASSERT_TRUE(endless) << endless.error().message;
+  EXPECT_EQ(endless->mesh.points.size(), 500U);
+  EXPECT_GT(endless->report.count(ExemptReason::budget), 0U);
+  for (const double angle : {45.01, 60.0}) {
+    const Result<Meshed> refused = mesh(domains::square(), {.min_angle_deg = angle}, {.max_vertices = 100});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("0 and 45 degrees"), std::string::npos) << refused.error().message;
+  }
+}
+
 TEST(InvalidInput, is_an_error_that_names_the_place) {
   Pslg bad_point = domains::square();
   bad_point.points[2].x = nan;

@@ -2,8 +2,10 @@
 #include "../../parallel/mesher.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -129,10 +131,42 @@ INSTANTIATE_TEST_SUITE_P(Every, Domain, testing::ValuesIn(domains::names()), tes
 
 TEST(Mesher, applies_the_caps_of_regions_only_where_the_goal_says_so) {
   const Pslg pslg = domain("regions");
-  const Meshed capped = expect_met(pslg, {});
-  const Meshed free = expect_met(pslg, {.region_caps = false});
+  const Meshed capped = expect_met(pslg, {.region_caps = true});
+  const Meshed free = expect_met(pslg, {});
   EXPECT_GT(capped.mesh.triangles.size(), free.mesh.triangles.size());
-  EXPECT_FALSE(check(pslg, free.mesh, {}).valid);
+  EXPECT_FALSE(check(pslg, free.mesh, {.region_caps = true}).valid);
+}
+
+TEST(Mesher, refuses_a_negative_number_of_threads) {
+  const Pslg pslg = domains::square();
+  const Result<ValidPslg, std::vector<Problem>> valid = validate(pslg);
+  ASSERT_TRUE(valid);
+  const Options options{.threads = -1};
+  const Result<Meshed> coarse = mesh(pslg);
+  ASSERT_TRUE(coarse);
+  for (const Result<Meshed>& refused :
+       {mesh(pslg, {}, options), mesh(*valid, {}, options), triangulate(pslg, false, options),
+        triangulate(*valid, options), refine(coarse->mesh, {}, {}, options)}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::usage);
+    EXPECT_EQ(refused.error().message, "the number of threads must be zero or positive, not -1");
+  }
+}
+
+TEST(Mesher, uses_all_threads_by_default) {
+  omp_set_num_threads(3);
+  std::atomic<int> most{0};
+  const Goal goal{.size = [&](Point) {
+    if (omp_get_num_threads() > most) most = omp_get_num_threads();
+    return 0.005;
+  }};
+  const Result<Meshed> all = mesh(domains::pipe(), goal);
+  EXPECT_EQ(most, 3);
+  most = 0;
+  const Result<Meshed> one = mesh(domains::pipe(), goal, {.threads = 1});
+  EXPECT_EQ(most, 1);
+  ASSERT_TRUE(all && one);
+  EXPECT_EQ(all->mesh, one->mesh);
 }
 
 TEST(Mesher, grades_from_sizes_at_the_input_points) {
@@ -181,6 +215,22 @@ TEST(Mesher, records_the_origin_of_every_vertex_and_constrained_edge) {
   }
   for (const ConstrainedEdge& e : m.constrained_edges)
     EXPECT_EQ(e.marker, e.segment == no_index ? 1 : static_cast<int>(10 + e.segment));
+}
+
+TEST(Mesher, marks_a_vertex_as_the_first_marked_segment_on_which_it_lies) {
+  Pslg pslg = domains::square();
+  pslg.has_segment_markers = true;
+  const std::vector<int> of_segment = {0, 1, 9, 5};
+  for (Index s = 0; s < 4; ++s) pslg.segments[s].marker = of_segment[s];
+  pslg.segments.push_back({0, 2, 7});
+  const Mesh m = expect_met(pslg, {.max_area = 0.1}).mesh;
+  const std::vector<int> inside_segment = {1, 1, 9, 5, 7};
+  const std::vector<int> corners(m.point_markers.begin(), m.point_markers.begin() + 4);
+  EXPECT_EQ(corners, (std::vector<int>{5, 1, 1, 9}));
+  for (std::size_t v = 4; v < m.points.size(); ++v) {
+    const Index segment = m.origin[v];
+    EXPECT_EQ(m.point_markers[v], segment == interior_vertex ? 0 : inside_segment[segment]) << v;
+  }
 }
 
 TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -66,6 +67,26 @@ TEST(RefineMesh, applies_a_cap_per_triangle) {
   }
   EXPECT_GT(inside, 100U);
   EXPECT_LT(fine->mesh.triangles.size(), 10'000U) << "only that triangle is refined, and a graded ring around it";
+}
+
+/// Left and right half of a mesh have different regions, but no constrained edge separates them.
+TEST(RefineMesh, takes_regions_that_are_not_faces_from_the_triangle_at_the_centroid) {
+  Mesh coarse = coarse_square();
+  coarse.region_attributes = {5, 8};
+  const auto middle = [](const Mesh& m, const Triangle& t) {
+    return (m.points[t.v[0]].x + m.points[t.v[1]].x + m.points[t.v[2]].x) / 3;
+  };
+  std::array<double, 2> before{}, after{};
+  for (const Triangle& t : coarse.triangles) {
+    coarse.region.push_back(middle(coarse, t) < 0.5 ? 0 : 1);
+    before[coarse.region.back()] += area(coarse, t);
+  }
+  const Result<Meshed> fine = refine(coarse, {}, {.min_angle_deg = 30, .max_area = 1e-4});
+  ASSERT_TRUE(fine);
+  ASSERT_EQ(fine->mesh.region.size(), fine->mesh.triangles.size());
+  for (std::size_t t = 0; t < fine->mesh.triangles.size(); ++t)
+    after[fine->mesh.region[t]] += area(fine->mesh, fine->mesh.triangles[t]);
+  for (const int r : {0, 1}) EXPECT_NEAR(after[r], before[r], 0.02) << "only triangles on the border can differ";
 }
 
 /// A mesh that satisfies the goal does not change, on any domain. Exempt triangles stay exempt.

@@ -13,6 +13,7 @@ Goal goal_of(double max_area, double max_edge = std::numeric_limits<double>::inf
   Goal goal;
   goal.min_angle_deg = 20.7;
   goal.max_area = max_area;
+  goal.region_caps = true;
   goal.max_edge = max_edge;
   goal.conforming = true;
   return goal;

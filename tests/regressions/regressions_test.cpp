@@ -1,6 +1,7 @@
 // Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt
-// triangles occur only at small input angles. Each file of repair/ is repaired; new points lie on their segments up to
-// rounding.
+// triangles occur only at small input angles. Without bounds, no point is inserted. Each file of repair/ is repaired;
+// new points lie on their segments up to rounding. Each file of written/ is meshed, and the mesh is written and read;
+// the checker's verdict stays the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "../../parallel/repair.hpp"
 #include "../../parallel/validate.hpp"
 #include "../../properties/checker/check.hpp"
+#include "../properties/checker/written_mesh.hpp"
 
 namespace pardel {
 namespace {
@@ -27,14 +29,14 @@ std::vector<fs::path> inputs(const fs::path& folder) {
   return files;
 }
 
-std::string test_name(const testing::TestParamInfo<fs::path>& info) {
+std::string test_name(const ::testing::TestParamInfo<fs::path>& info) {
   std::string name = info.param.stem().string();
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
   return name;
 }
 
-class Regression : public testing::TestWithParam<fs::path> {
+class Regression : public ::testing::TestWithParam<fs::path> {
  protected:
   void mesh_and_certify(const Goal& goal) {
     SCOPED_TRACE(GetParam().filename().string() + " at " + std::to_string(goal.min_angle_deg) + " degrees");
@@ -56,15 +58,24 @@ TEST_P(Regression, is_meshed_and_certified_as_a_conforming_mesh) {
   mesh_and_certify({.min_angle_deg = 25, .conforming = true});
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Regression, testing::ValuesIn(inputs(PARDEL_REGRESSIONS)), test_name);
+TEST_P(Regression, gets_no_point_from_a_goal_without_bounds) {
+  const Result<Pslg> pslg = read_pslg(GetParam());
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  const Result<Meshed> meshed = mesh(*pslg, {.min_angle_deg = 0});
+  const Result<Meshed> triangulated = triangulate(*pslg);
+  ASSERT_TRUE(meshed && triangulated);
+  EXPECT_EQ(meshed->mesh, triangulated->mesh);
+}
 
-class RepairRegression : public testing::TestWithParam<fs::path> {};
+INSTANTIATE_TEST_SUITE_P(Files, Regression, ::testing::ValuesIn(inputs(PARDEL_REGRESSIONS)), test_name);
+
+class RepairRegression : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(RepairRegression, is_repaired_up_to_rounding) {
   const Result<Pslg> pslg = read_pslg(GetParam());
   ASSERT_TRUE(pslg) << pslg.error().message;
   EXPECT_FALSE(find_problems(*pslg).empty());
-  const Result<Repaired> repaired = repair(*pslg);
+  const Result<Repaired> repaired = repair(*pslg, {.snap = 0});
   ASSERT_TRUE(repaired) << repaired.error().message;
   EXPECT_TRUE(find_problems(repaired->domain.pslg()).empty());
   for (std::size_t i = 0; i < repaired->segment_map.size(); ++i) {
@@ -78,7 +89,30 @@ TEST_P(RepairRegression, is_repaired_up_to_rounding) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, RepairRegression, testing::ValuesIn(inputs(PARDEL_REGRESSIONS "/repair")), test_name);
+INSTANTIATE_TEST_SUITE_P(Files, RepairRegression, ::testing::ValuesIn(inputs(PARDEL_REGRESSIONS "/repair")), test_name);
+
+class WrittenRegression : public ::testing::TestWithParam<fs::path> {};
+
+TEST_P(WrittenRegression, has_the_same_verdict_in_memory_and_in_every_format) {
+  const Result<Pslg> pslg = read_pslg(GetParam());
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  for (const double angle : {5.0, 20.7}) {
+    const Goal goal{.min_angle_deg = angle};
+    Options options;
+    options.max_vertices = 400;
+    const Result<Meshed> meshed = mesh(*pslg, goal, options);
+    ASSERT_TRUE(meshed) << meshed.error().message;
+    const Certificate certificate = check(*pslg, meshed->mesh, goal);
+    auto formats = testing::formats_with_constrained_edges();
+    formats.push_back({"mesh.off"});
+    for (const testing::WrittenAs& format : formats)
+      EXPECT_EQ(testing::verdict_on_file(*pslg, meshed->mesh, goal, format), testing::verdict(certificate))
+          << format.file;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, WrittenRegression, ::testing::ValuesIn(inputs(PARDEL_REGRESSIONS "/written")),
+                         test_name);
 
 }  // namespace
 }  // namespace pardel

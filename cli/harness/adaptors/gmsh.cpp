@@ -16,14 +16,13 @@
 
 #include "../../../core/formats.hpp"
 #include "../../../core/support/output_file.hpp"
-#include "../../../properties/checker/model/domain.hpp"
+#include "../../../properties/checker/domain_faces.hpp"
 
 namespace pardel::harness {
 namespace {
 
 namespace fs = std::filesystem;
-using checker::Domain;
-using checker::Side;
+using checker::DomainFaces;
 
 /// A segment with a direction, and its number in the .geo: 1 + its index, negative for the reverse direction.
 struct Line {
@@ -73,20 +72,19 @@ double doubled_area(const Loop& loop, const std::vector<Point>& points) {
 }
 
 /// The surfaces by face, without faces outside the domain.
-std::map<Index, Surface> surfaces_of(const Pslg& pslg, const Domain& domain) {
+std::map<Index, Surface> surfaces_of(const Pslg& pslg, const DomainFaces& domain) {
   std::map<Index, Surface> surfaces;
   std::map<Index, std::vector<Line>> boundaries;
-  const auto segments = domain.segments();
-  for (Index s = 0; s < segments.size(); ++s) {
-    const Index left = domain.faces().face(s, Side::left), right = domain.faces().face(s, Side::right);
-    const auto [a, b, marker] = segments[s];
+  for (Index s = 0; s < domain.segments.size(); ++s) {
+    const auto [left, right] = domain.sides[s];
+    const auto [a, b, marker] = domain.segments[s];
     const int number = static_cast<int>(s) + 1;
     if (left == right) {
-      if (domain.inside(left)) surfaces[left].cracks.push_back(s);
+      if (left != no_index) surfaces[left].cracks.push_back(s);
       continue;
     }
-    if (domain.inside(left)) boundaries[left].push_back({number, a, b});
-    if (domain.inside(right)) boundaries[right].push_back({-number, b, a});
+    if (left != no_index) boundaries[left].push_back({number, a, b});
+    if (right != no_index) boundaries[right].push_back({-number, b, a});
   }
   for (const auto& [face, boundary] : boundaries) {
     std::vector<Loop>& loops = surfaces[face].loops = simple_loops(boundary);
@@ -95,11 +93,7 @@ std::map<Index, Surface> surfaces_of(const Pslg& pslg, const Domain& domain) {
     });
     std::iter_swap(loops.begin(), outer);
   }
-  for (Index p = 0; p < pslg.points.size(); ++p) {
-    if (!domain.faces().incident(p).empty()) continue;
-    const Index face = domain.faces().face_at(pslg.points[p]);
-    if (domain.inside(face)) surfaces[face].points.push_back(p);
-  }
+  for (const auto& [point, face] : domain.isolated_points) surfaces[face].points.push_back(point);
   return surfaces;
 }
 
@@ -110,13 +104,13 @@ std::string one_based(const std::vector<Index>& indices) {
 }
 
 std::string geometry(const Pslg& pslg, double edge) {
-  const Domain domain(pslg, pslg.segments.empty());
+  const DomainFaces domain = checker::faces_of_domain(pslg, pslg.segments.empty());
   std::string text;
   for (std::size_t i = 0; i < pslg.points.size(); ++i)
     text += fmt::format("Point({}) = {{{}, {}, 0}};\n", i + 1, pslg.points[i].x, pslg.points[i].y);
-  for (Index s = 0; s < domain.segments().size(); ++s) {
-    if (!domain.has(s)) continue;
-    text += fmt::format("Line({}) = {{{}, {}}};\n", s + 1, domain.segments()[s].a + 1, domain.segments()[s].b + 1);
+  for (Index s = 0; s < domain.segments.size(); ++s) {
+    if (domain.sides[s].left == no_index && domain.sides[s].right == no_index) continue;
+    text += fmt::format("Line({}) = {{{}, {}}};\n", s + 1, domain.segments[s].a + 1, domain.segments[s].b + 1);
   }
   int loop_count = 0;
   for (const auto& [face, surface] : surfaces_of(pslg, domain)) {

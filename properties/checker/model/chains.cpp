@@ -2,27 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <unordered_map>
 
 #include "../arithmetic/exact.hpp"
 
 namespace pardel::checker {
 namespace {
 
-/// The distance of p from line ab in floating point. It ranks allowed edges; it does not allow or forbid one.
-double rough_distance(Point p, Point a, Point b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  return std::abs(dx * (p.y - a.y) - dy * (p.x - a.x)) / std::hypot(dx, dy);
-}
-
-class Walk {
+/// Finds the cheapest path of mesh edges from one end of a segment to the other (Dijkstra's algorithm). Equal costs are
+/// decided by the numbers of vertices, so the path depends neither on the order of triangles nor on that of edges.
+class ChainSearch {
  public:
-  Walk(Index segment, const Domain& domain, const Mesh& mesh, const Adjacency& adjacency, const InputVertices& inputs,
-       Strictness strictness)
+  ChainSearch(Index segment, const Domain& domain, const MeshEdges& mesh, const InputVertices& inputs,
+              Strictness strictness)
       : segment_(segment),
+        on_boundary_(domain.on_boundary(segment)),
         tolerance_(domain.tolerance()),
         mesh_(mesh),
-        adjacency_(adjacency),
         inputs_(inputs),
         strictness_(strictness),
         first_(inputs.vertex(domain.segments()[segment].a)),
@@ -30,96 +27,117 @@ class Walk {
 
   std::vector<ChainEdge> run() {
     if (first_ == no_index || last_ == no_index || first_ == last_) return {};
-    // Start at the end with fewer triangles. If many segments meet in one point, no walk searches the triangles there.
-    const bool backward = adjacency_.corners(last_) < adjacency_.corners(first_);
+    // Start at the end with fewer triangles. If many segments meet in one point, no search visits the triangles there.
+    const bool backward = mesh_.adjacency.corners(last_) < mesh_.adjacency.corners(first_);
     if (backward) std::swap(first_, last_);
     a_ = mesh_.points[first_];
     b_ = mesh_.points[last_];
+    length_ = std::hypot(b_.x - a_.x, b_.y - a_.y);
+    if (!search()) return {};
     std::vector<ChainEdge> chain;
-    for (Index at = first_; at != last_;) {
-      const ChainEdge edge = next_edge(at);
-      if (edge.to == no_index) return {};
-      chain.push_back(edge);
-      at = edge.to;
-    }
-    if (backward) {
-      std::reverse(chain.begin(), chain.end());
-      for (ChainEdge& edge : chain) edge = {edge.to, edge.from, edge.segment, edge.right, edge.left};
-    }
+    for (Index at = last_; at != first_; at = reached_.at(at).from) chain.push_back(edge(reached_.at(at).from, at));
+    if (!backward) std::reverse(chain.begin(), chain.end());
+    for (ChainEdge& edge : chain)
+      if (backward) edge = {edge.to, edge.from, edge.segment, edge.right, edge.left};
     return chain;
   }
 
  private:
-  bool has_this_origin(Index vertex) const { return vertex < mesh_.origin.size() && mesh_.origin[vertex] == segment_; }
+  struct Reached {
+    double cost;  ///< of the cheapest path that is known
+    Index from;   ///< the vertex before this one on that path
+    bool settled = false;
+  };
+
+  /// True if last_ was reached. Afterwards reached_ contains the cheapest path to it.
+  bool search() {
+    using Entry = std::pair<double, Index>;  // (cost, vertex)
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    reached_[first_] = {0, no_index};
+    for (queue.emplace(0, first_); !queue.empty();) {
+      const auto [cost, at] = queue.top();
+      queue.pop();
+      if (at == last_) return true;
+      if (std::exchange(reached_.at(at).settled, true)) continue;
+      visit_edges(at, [&, cost = cost, at = at](Index to, bool one_sided) {
+        if (!is_allowed(at, to)) return;
+        const double there = cost + cost_of(at, to, one_sided);
+        const auto [known, is_new] = reached_.try_emplace(to, Reached{there, at});
+        if (!is_new && !(there < known->second.cost)) return;
+        known->second = {there, at};
+        queue.emplace(there, to);
+      });
+    }
+    return false;
+  }
+
+  /// Calls visit(to, one_sided) once for each mesh edge at the vertex `at`.
+  template <class Visit>
+  void visit_edges(Index at, const Visit& visit) const {
+    mesh_.adjacency.visit_fans(at, [&](Index t, int corner) {
+      const Triangle& triangle = mesh_.adjacency.triangles()[t];
+      visit(triangle.v[next(corner)], triangle.n[previous(corner)] == no_index);
+      if (triangle.n[next(corner)] == no_index) visit(triangle.v[previous(corner)], true);
+    });
+  }
+
+  /// A marked edge costs nothing, and every other edge its squared length. So the search follows the marked edges.
+  /// Where there are none it takes short steps: rounding makes slivers along a segment, and the long side of a sliver
+  /// skips a vertex of the chain. An edge of the boundary costs as much as the whole segment if the segment is not
+  /// there.
+  double cost_of(Index at, Index to, bool one_sided) const {
+    const double misplaced = one_sided == on_boundary_ ? 0 : 1;
+    if (mesh_.marked.contains(at, to)) return misplaced;
+    const Point p = mesh_.points[at], q = mesh_.points[to];
+    const double share = std::hypot(q.x - p.x, q.y - p.y) / length_;
+    return misplaced + std::min(1.0, share * share);
+  }
 
   /// True if the chain may go from `at` to `to`.
   bool is_allowed(Index at, Index to) const {
-    const Point from = mesh_.points[at];
+    if (to != last_ && inputs_.input(to) != no_index) return false;
+    const bool far = !is_near(mesh_.points[to]) || !is_near(mesh_.points[at]);
+    if (far && (strictness_ == Strictness::exact || !mesh_.marked.contains(at, to))) return false;
     const Point p = mesh_.points[to];
-    if (to == last_) return exactly::progress(from, p, a_, b_) > 0;
-    if (inputs_.input(to) != no_index) return false;
-    const double distance = rough_distance(p, a_, b_);
-    const double length = std::hypot(b_.x - a_.x, b_.y - a_.y);
-    if (strictness_ == Strictness::loose) {
-      if (!has_this_origin(to) && !(distance <= 1e-6 * length)) return false;
-    } else {
-      // The rounding error of `distance` is a few units in the last place, and the tolerance is two such units. So a
-      // distance above 64 tolerances needs no exact comparison.
-      if (distance > 64 * tolerance_ || exactly::line_distance_exceeds(p, a_, b_, tolerance_)) return false;
-    }
-    return exactly::progress(from, p, a_, b_) > 0 && exactly::progress(p, b_, a_, b_) > 0;
+    return exactly::progress(mesh_.points[at], p, a_, b_) > 0 && (to == last_ || exactly::progress(p, b_, a_, b_) > 0);
   }
 
-  /// True if the edge to `to` is preferred to the edge to `than`. Rounding makes slivers along a segment, and the long
-  /// side of a sliver skips a vertex of the chain. A vertex whose origin is this segment is preferred; if both have
-  /// this origin, the nearer vertex is preferred, so that no vertex is skipped.
-  bool is_better(Index at, Index to, Index than) const {
-    if (than == no_index) return true;
-    if (strictness_ == Strictness::exact && (has_this_origin(to) || has_this_origin(than))) {
-      if (has_this_origin(to) != has_this_origin(than)) return has_this_origin(to);
-      return exactly::compare_lengths(mesh_.points[at], mesh_.points[to], mesh_.points[at], mesh_.points[than]) < 0;
-    }
-    if (to == last_) return true;
-    if (than == last_) return false;
-    if (has_this_origin(to) != has_this_origin(than)) return has_this_origin(to);
-    return rough_distance(mesh_.points[to], a_, b_) < rough_distance(mesh_.points[than], a_, b_);
+  bool is_near(Point p) const {
+    if (p == a_ || p == b_) return true;
+    const double distance = std::abs((b_.x - a_.x) * (p.y - a_.y) - (b_.y - a_.y) * (p.x - a_.x)) / length_;
+    if (strictness_ == Strictness::loose) return distance <= 1e-6 * length_;
+    // The rounding error of `distance` is a few units in the last place, and the tolerance is two such units. So a
+    // distance above 64 tolerances needs no exact comparison.
+    return !(distance > 64 * tolerance_) && !exactly::line_distance_exceeds(p, a_, b_, tolerance_);
   }
 
-  ChainEdge next_edge(Index at) const {
-    ChainEdge best{at, no_index, segment_, {}, {}};
-    adjacency_.visit_fans(at, [&](Index t, int corner) {
-      const Triangle& triangle = adjacency_.triangles()[t];
-      const Index right = triangle.v[next(corner)];     // t lies on the left of the edge to `right`,
-      const Index left = triangle.v[previous(corner)];  // and on the right of the edge to `left`
-      for (const Index to : {right, left}) {
-        if (to == best.to || !is_better(at, to, best.to) || !is_allowed(at, to)) continue;
-        best = {at, to, segment_, {}, {}};
-      }
+  ChainEdge edge(Index from, Index to) const {
+    ChainEdge edge{from, to, segment_, {}, {}};
+    mesh_.adjacency.visit_fans(from, [&](Index t, int corner) {
+      const Triangle& triangle = mesh_.adjacency.triangles()[t];
+      if (triangle.v[next(corner)] == to) edge.left = {t, previous(corner)};
+      if (triangle.v[previous(corner)] == to) edge.right = {t, next(corner)};
     });
-    if (best.to == no_index) return best;
-    adjacency_.visit_fans(at, [&](Index t, int corner) {
-      const Triangle& triangle = adjacency_.triangles()[t];
-      if (triangle.v[next(corner)] == best.to) best.left = {t, previous(corner)};
-      if (triangle.v[previous(corner)] == best.to) best.right = {t, next(corner)};
-    });
-    return best;
+    return edge;
   }
 
   Index segment_;
+  bool on_boundary_;
   double tolerance_;
-  const Mesh& mesh_;
-  const Adjacency& adjacency_;
+  const MeshEdges& mesh_;
   const InputVertices& inputs_;
   Strictness strictness_;
   Index first_, last_;
   Point a_, b_;
+  double length_ = 0;
+  std::unordered_map<Index, Reached> reached_;
 };
 
 }  // namespace
 
-std::vector<ChainEdge> walk_chain(Index segment, const Domain& domain, const Mesh& mesh, const Adjacency& adjacency,
+std::vector<ChainEdge> find_chain(Index segment, const Domain& domain, const MeshEdges& mesh,
                                   const InputVertices& inputs, Strictness strictness) {
-  return Walk(segment, domain, mesh, adjacency, inputs, strictness).run();
+  return ChainSearch(segment, domain, mesh, inputs, strictness).run();
 }
 
 }  // namespace pardel::checker

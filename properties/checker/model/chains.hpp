@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "../../../core/mesh.hpp"
 #include "adjacency.hpp"
 #include "domain.hpp"
 #include "input_vertices.hpp"
+#include "marked_edges.hpp"
 
 namespace pardel::checker {
 
@@ -27,20 +29,28 @@ struct Chains {
   [[nodiscard]] bool has(Index triangle, int edge) const { return (on_chain[triangle] >> edge & 1) != 0; }
 };
 
+/// The parts of a mesh from which chains are found. Files of meshes contain all of them. So a mesh in memory and the
+/// same mesh read from a file have the same chains. Mesh::origin is not among them, because no file contains it.
+struct MeshEdges {
+  std::span<const Point> points;
+  const Adjacency& adjacency;
+  MarkedEdges marked;
+};
+
 /// How far a vertex of a chain may lie from the segment.
 enum class Strictness : std::uint8_t {
   exact,  ///< up to Domain::tolerance(), compared exactly
-  /// Up to a millionth of the segment's length; any distance if the segment is the vertex's origin. Used to distinguish
-  /// a chain that leaves its segment from a chain that does not exist.
+  /// Up to a millionth of the segment's length; any distance along marked edges. Used to distinguish a chain
+  /// that leaves its segment from a chain that does not exist.
   loose,
 };
 
-/// Walks along mesh edges from end a of a segment to end b, always forward and never through another input vertex.
-/// Returns the edges of the walk, each in the direction from a to b; empty if there is no such walk. With
-/// Strictness::exact the origins of vertices have no influence on which edges are allowed; they only select one of
-/// several allowed edges.
-[[nodiscard]] std::vector<ChainEdge> walk_chain(Index segment, const Domain& domain, const Mesh& mesh,
-                                                const Adjacency& adjacency, const InputVertices& inputs,
-                                                Strictness strictness);
+/// Finds a path of mesh edges from end a of a segment to end b, always forward and never through another input vertex.
+/// Returns its edges, each in the direction from a to b; empty if there is no such path. With Strictness::exact the
+/// marked edges have no influence on which edges are allowed; they only select one of several allowed paths: between
+/// segments that nearly coincide, edges of one segment are allowed for the other, too. Time: O(k log k) for k edges
+/// within the tolerance, plus the triangles at their ends.
+[[nodiscard]] std::vector<ChainEdge> find_chain(Index segment, const Domain& domain, const MeshEdges& mesh,
+                                                const InputVertices& inputs, Strictness strictness);
 
 }  // namespace pardel::checker

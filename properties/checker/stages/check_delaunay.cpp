@@ -24,8 +24,9 @@ void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Ch
           *std::find_if(across.v.begin(), across.v.end() - 1, [=](Index v) { return v != from && v != to; });
       const Point d = subject.mesh.points[apex];
       if (exactly::in_circle(a, b, c, d) <= 0) continue;
-      if (mine.admit(ViolationKind::not_delaunay))
-        mine.keep({ViolationKind::not_delaunay,
+      const ViolationKind kind = chains.has(t, edge) ? ViolationKind::not_conforming : ViolationKind::not_delaunay;
+      if (mine.admit(kind))
+        mine.keep({kind,
                    {from, to, t, other},
                    {subject.mesh.points[from], subject.mesh.points[to]},
                    "edge " + edge_text(from, to) + " of triangles " + to_text(t) + " and " + to_text(other) +

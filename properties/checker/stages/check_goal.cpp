@@ -1,6 +1,7 @@
 // Checks the bounds of the goal. All comparisons are exact, except those with the sizing function.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
@@ -107,15 +108,25 @@ class GoalCheck {
   void check_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
     if (!subject_.goal.size) return;
     const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
-    const double size = subject_.goal.size(centroid);
+    const std::optional<double> size = size_at(centroid);
     const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
-    if (longest <= size * (1 + size_tolerance)) return;
+    if (size && longest <= *size * (1 + size_tolerance)) return;
     if (found.admit(ViolationKind::size_exceeded))
       found.keep({ViolationKind::size_exceeded,
                   ids(t),
                   {p.begin(), p.end()},
-                  "triangle " + to_text(t) + " has an edge of length " + to_text(longest) + " > " + to_text(size) +
-                      ", the size at its centroid"});
+                  "triangle " + to_text(t) + " has an edge of length " + to_text(longest) +
+                      (size ? " > " + to_text(*size) + ", the size at its centroid"
+                            : ", and the size function threw an exception at its centroid")});
+  }
+
+  /// Nothing if the function throws. No exception may leave the parallel loop of the checker.
+  [[nodiscard]] std::optional<double> size_at(Point p) const {
+    try {
+      return subject_.goal.size(p);
+    } catch (...) {
+      return std::nullopt;
+    }
   }
 
   void check_circumradius(Index t, const std::array<Point, 3>& p, Findings& found) const {

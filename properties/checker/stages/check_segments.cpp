@@ -4,14 +4,30 @@
 #include "stages.hpp"
 
 namespace pardel::checker {
+namespace {
+
+/// True if the vertices of the mesh begin with the input points, in their order, and each point of the domain has a
+/// triangle. Then the numbers tell which vertices are input points, also if another vertex has the same coordinates.
+bool is_numbered_as_input(const Subject& subject, const Domain& domain, std::span<const Index> corners) {
+  const auto& points = subject.pslg.points;
+  if (subject.mesh.points.size() < points.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(subject.mesh.points[i] == points[i])) return false;
+    if (corners[i] == 0 && domain.has_point(static_cast<Index>(i))) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 InputVertices check_input_vertices(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                    Findings& found) {
   const Mesh& mesh = subject.mesh;
   const auto& points = subject.pslg.points;
   const std::span<const Index> corners = adjacency.corners();
-  InputVertices inputs = subject.options.foreign ? InputVertices::by_coordinates(points, mesh.points.span(), corners)
-                                                 : InputVertices::by_index(points.size(), mesh.points.size());
+  const bool by_index = !subject.options.foreign || is_numbered_as_input(subject, domain, corners);
+  InputVertices inputs = by_index ? InputVertices::by_index(points.size(), mesh.points.size())
+                                  : InputVertices::by_coordinates(points, mesh.points.span(), corners);
   check_each(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
@@ -71,6 +87,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
   chains.segment_of.resize(subject.mesh.points.size(), no_index);
   chains.on_chain.resize(subject.mesh.triangles.size(), 0);
   const std::size_t segments = domain.segments().size();
+  const MeshEdges mesh{subject.mesh.points.span(), adjacency, MarkedEdges(subject.mesh, adjacency)};
 
   // Chains are found in blocks of segments, each block on all threads. Only the chains of one block are stored twice.
   constexpr std::size_t block = 4096;
@@ -81,9 +98,9 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
       const auto s = static_cast<Index>(first + i);
       walked[i].clear();
       if (!domain.has(s)) return;
-      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::exact);
+      walked[i] = find_chain(s, domain, mesh, inputs, Strictness::exact);
       if (!walked[i].empty()) return;
-      walked[i] = walk_chain(s, domain, subject.mesh, adjacency, inputs, Strictness::loose);
+      walked[i] = find_chain(s, domain, mesh, inputs, Strictness::loose);
       if (walked[i].empty())
         report_broken(s, subject, domain, mine);
       else

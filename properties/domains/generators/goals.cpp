@@ -17,7 +17,7 @@ double area_of_bounding_box(const LatticeDomain& domain) {
 
 std::ostream& operator<<(std::ostream& out, const LatticeGoal& goal) {
   return out << "angles >= " << goal.min_angle_deg << ", areas <= " << goal.max_area
-             << (goal.region_caps ? "" : ", no caps") << (goal.conforming ? ", conforming" : "");
+             << (goal.region_caps ? "" : ", area caps of regions ignored") << (goal.conforming ? ", conforming" : "");
 }
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.domain << "; " << c.goal; }

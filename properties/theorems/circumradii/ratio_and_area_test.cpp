@@ -166,7 +166,7 @@ constexpr const char* triangle_families =
     "integer triangles: general, needles, caps, isosceles, right, nearly equilateral; at the origin and far from it; "
     "bounds that are attained and bounds that are not attained";
 
-PARDEL_PROPERTY(T3, the_circumradius_is_at_most_twice_the_ratio_to_the_three_halves_times_the_root_of_the_area,
+PARDEL_PROPERTY(T3, bounds_on_ratio_and_area_bound_the_circumradius,
                 {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ bounds its "
                               "area, then r ≤ 2 ρ̄^(3/2) sqrt(Δ̄).",
                  .source = "[CC]; THEORY.md, T3",
@@ -175,7 +175,7 @@ PARDEL_PROPERTY(T3, the_circumradius_is_at_most_twice_the_ratio_to_the_three_hal
   RC_ASSERT(fourth_power(given.triangle.radius) <= paper_bound(given.ratio, given.area));
 }
 
-PARDEL_PROPERTY(T3Sharp, the_circumradius_is_at_most_that_of_the_isosceles_triangle_which_alone_attains_it,
+PARDEL_PROPERTY(T3Sharp, the_isosceles_triangle_has_the_largest_circumradius,
                 {.statement = "If ρ̄ bounds the ratio of circumradius to shortest edge of a triangle and Δ̄ bounds its "
                               "area, then r ≤ 2 ρ̄² sqrt(Δ̄) / (4ρ̄² - 1)^(1/4). Equality holds if and only if both "
                               "bounds are attained and the two shorter sides are equal.",
@@ -212,8 +212,9 @@ PARDEL_FACT(T3Sharp, the_isosceles_triangle_attains_the_bound_at_every_ratio,
 }
 
 PARDEL_FACT(T3, only_the_equilateral_triangle_attains_the_bound,
-            {.statement = "The equilateral triangle attains the bound of T3, at ρ̄ = 1/sqrt(3). For every larger ρ̄ "
-                          "the bound of T3-sharp is smaller, so no triangle attains the bound of T3.",
+            {.statement = "The equilateral triangle, with ρ̄ = 1/sqrt(3), attains the bound of T3. For every larger "
+                          "ρ̄ the bound of T3-sharp is below the bound of T3. So no other triangle attains the bound "
+                          "of T3.",
              .source = "THEORY.md, T3",
              .families = "402 exact values of ρ̄² from 1/3 to 1000"}) {
   for (const Number& ratio : ratios()) {
@@ -257,10 +258,10 @@ PARDEL_FACT(T3Sharp, fails_if_a_bound_is_too_small,
   }
 }
 
-PARDEL_FACT(T3Sharp, the_bound_grows_with_the_ratio_from_the_equilateral_triangle_on,
-            {.statement = "The bound of T3-sharp decreases in ρ̄ between 1/2 and 1/sqrt(3), where no triangle has "
-                          "such a ratio, and increases from there on. So it holds for every upper bound ρ̄ on the "
-                          "ratios.",
+PARDEL_FACT(T3Sharp, the_bound_grows_with_the_ratio,
+            {.statement = "The bound of T3-sharp increases with ρ̄ for ρ̄ ≥ 1/sqrt(3). The ratio of every triangle "
+                          "is at least 1/sqrt(3). So T3-sharp holds for every upper bound ρ̄ of the ratio. Between "
+                          "1/2 and 1/sqrt(3) the bound decreases.",
              .source = "THEORY.md, T3-sharp",
              .families = "402 exact values of ρ̄² from 1/3 to 1000, and 80 from 1/4 to 1/3"}) {
   const std::vector<Number> grid = ratios();
@@ -311,7 +312,8 @@ PARDEL_FACT(T3Sharp, holds_for_whole_meshes,
       ++facts.cases;
       facts.notes.push_back(std::string(name) + ", area ≤ " + std::to_string(area) + ": largest circumradius " +
                             std::to_string(std::pow(CGAL::to_double(fourth_power(most.radius) / most.area), 0.25)) +
-                            " sqrt(Δ̄) of 2.459 sqrt(Δ̄), " + std::to_string(mesh->triangles.size()) + " triangles");
+                            " sqrt(Δ̄), at most 2.459 sqrt(Δ̄) as proved, " + std::to_string(mesh->triangles.size()) +
+                            " triangles");
     }
 }
 

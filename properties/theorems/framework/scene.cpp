@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <ostream>
 
+#include "../../../core/support/picture.hpp"
 #include "../../../ref/constrained.hpp"
 #include "../../../ref/independent.hpp"
-#include "../../domains/drawing/picture.hpp"
 
 namespace pardel::properties {
 using drawing::Circle;

@@ -46,11 +46,11 @@ inline void require_valid(const Certificate& certificate) {
   if (!certificate.valid) RC_FAIL(to_text(certificate));
 }
 
-/// Random options: the placement of points, the decomposition of the plane, and the number of triangles per tile. With
-/// a small number, even small domains have many tiles and several levels of lattices.
+/// Random options for one thread: the placement of points, the decomposition of the plane, and the number of triangles
+/// per tile. With a small number, even small domains have many tiles and several levels of lattices.
 inline Options some_options() {
   constexpr auto tiny = 4U;
-  Options options;
+  Options options{.threads = 1};
   options.placement = *rc::gen::element(Placement::off_centre, Placement::circumcentre);
   options.decomposition = *rc::gen::element(Decomposition::automatic, Decomposition::paper, Decomposition::none);
   options.triangles_per_tile = *rc::gen::element(options.triangles_per_tile, tiny);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -63,10 +64,10 @@ double estimated_triangles(const Problem& problem, const Mesh& mesh) {
   return sum;
 }
 
-PARDEL_PROPERTY(Refinement, ends_with_a_number_of_triangles_that_the_feature_size_bounds,
+PARDEL_PROPERTY(Refinement, ends_and_the_feature_size_bounds_the_number_of_triangles,
                 {.statement = "Refinement ends. The number of triangles is at most 64 plus 256 times the integral of "
-                              "1 / lfs^2, or of 1 / (area bound) where that is larger; lfs is the local feature size. "
-                              "The factor is large because the integral does not account for small input angles.",
+                              "max(1 / lfs^2, 1 / area bound) over the domain. lfs is the local feature size. The "
+                              "factor is large because the integral does not account for small input angles.",
                  .source = "Ruppert 1995, Theorem 2; the factor as measured",
                  .families = every_family}) {
   const Problem problem = some_problem(exhibit);
@@ -78,8 +79,8 @@ PARDEL_PROPERTY(Refinement, ends_with_a_number_of_triangles_that_the_feature_siz
 
 PARDEL_PROPERTY(Refinement, gives_a_mesh_that_the_checker_certifies,
                 {.statement = "The mesh of a valid domain conforms to it, is (constrained) Delaunay, and satisfies the "
-                              "bounds on angles, areas and regions, except for angles that a small input angle "
-                              "justifies.",
+                              "bounds on angles, areas and regions. Exception: an angle below the bound is allowed "
+                              "if a small angle of the input causes it.",
                  .source = "properties/THEORY.md, refinement",
                  .families = every_family}) {
   const Problem problem = some_problem(exhibit);
@@ -128,9 +129,59 @@ PARDEL_PROPERTY(Refinement, does_not_depend_on_threads,
   RC_ASSERT(value_of(mesh(problem.pslg, problem.goal, options)).mesh == one);
 }
 
-PARDEL_FACT(Refinement, at_thirty_degrees_may_halve_triangles_down_to_the_floor,
-            {.statement = "There is a domain without small angles in which refinement at a bound of 30 degrees stops "
-                          "only at the floor on edge lengths. The report lists the triangles that miss the bound.",
+/// Is an angle opposite to a segment 138 degrees or more? Then its corner lies in the diametral lens of the segment
+/// (the points that see it at more than a given angle), even in the narrowest lens that the engine uses.
+bool has_a_vertex_in_a_lens(const Mesh& mesh) {
+  std::set<std::pair<Index, Index>> segments;
+  for (const ConstrainedEdge& e : mesh.constrained_edges) segments.insert(std::minmax(e.a, e.b));
+  return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index from = t.v[(i + 1) % 3], to = t.v[(i + 2) % 3];
+      if (!segments.contains(std::minmax(from, to))) continue;
+      const Point p = mesh.points[t.v[i]], a = mesh.points[from], b = mesh.points[to];
+      const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+      if (std::atan2(ax * by - ay * bx, ax * bx + ay * by) >= 138 * std::numbers::pi / 180) return true;
+    }
+    return false;
+  });
+}
+
+PARDEL_PROPERTY(Refinement, without_bounds_gives_the_triangulation,
+                {.statement = "A goal without bounds gives the constrained Delaunay triangulation, without any "
+                              "inserted point.",
+                 .source = "properties/THEORY.md, refinement without bounds",
+                 .families = every_family}) {
+  const Pslg pslg = to_pslg(some_case(exhibit).domain);
+  const Mesh expected = value_of(triangulate(pslg)).mesh;
+  RC_CLASSIFY(has_a_vertex_in_a_lens(expected), "some segment is encroached upon");
+  const Meshed found = value_of(mesh(pslg, {.min_angle_deg = 0, .region_caps = false}));
+  RC_ASSERT(found.mesh == expected);
+  RC_ASSERT(found.report.exempt.empty());
+}
+
+PARDEL_PROPERTY(Refinement, without_bounds_splits_only_segments_that_a_conforming_goal_forbids,
+                {.statement = "A conforming goal without bounds gives a mesh in which every edge is locally Delaunay. "
+                              "Points are inserted on segments only, and only if some segment of the constrained "
+                              "Delaunay triangulation is not locally Delaunay.",
+                 .source = "properties/THEORY.md, refinement without bounds",
+                 .families = every_family}) {
+  const Pslg pslg = to_pslg(some_case(exhibit).domain);
+  const Goal goal{.min_angle_deg = 0, .region_caps = false, .conforming = true};
+  const Mesh before = value_of(triangulate(pslg)).mesh;
+  const bool is_delaunay = check(pslg, before, goal).valid;
+  RC_CLASSIFY(!is_delaunay, "some segment is not Delaunay");
+  RC_CLASSIFY(is_delaunay && has_a_vertex_in_a_lens(before), "Delaunay, but some segment is encroached upon");
+  const Meshed found = value_of(mesh(pslg, goal));
+  exhibit.show(pslg, found.mesh);
+  require_valid(check(pslg, found.mesh, goal));
+  RC_ASSERT(found.report.inserted == 0U && found.report.exempt.empty());
+  RC_ASSERT((found.report.segment_splits == 0U) == is_delaunay);
+}
+
+PARDEL_FACT(Refinement, at_thirty_degrees_may_continue_until_edges_have_the_smallest_length,
+            {.statement = "There is a domain without small angles in which refinement with a bound of 30 degrees ends "
+                          "only because edges may not be shorter than a smallest length (Options::min_edge). The "
+                          "report lists the triangles that miss the bound.",
              .source = "properties/THEORY.md, refinement"}) {
   const Result<Pslg> domain = read_pslg(PARDEL_WITNESSES "/halved_down_to_the_floor_at_thirty_degrees.poly");
   ASSERT_TRUE(domain);

@@ -44,7 +44,7 @@ TEST(Off, errors_name_the_line_and_the_fault) {
             "m.off:4: expected a corner of a face, a whole number from 0 to 0, found \"1\"");
   EXPECT_EQ(failure("OFF\n2 0 0\n0 0 0\n"), "m.off:4: expected vertex 2 of 2, found the end of the file");
   EXPECT_EQ(failure("OFF\n4000000000 0 0\n0 0 0\n"),
-            "m.off:2: announces 4000000000 vertices, more than the 9 bytes that follow can hold");
+            "m.off:2: announces 4000000000 vertices, but the rest of the file is too short for that");
 }
 
 }  // namespace

@@ -41,6 +41,27 @@ TEST(Svg, of_a_mesh_with_hues_fills_each_triangle_with_its_own) {
   EXPECT_EQ(count(svg, "Z\n"), 4u);
 }
 
+TEST(Svg, of_many_triangles_has_no_attribute_above_one_megabyte) {
+  const TemporaryFolder folder;
+  Mesh mesh;
+  for (int i = 0; i < 200'002; ++i) mesh.points.push_back({double(i), i % 2 == 0 ? 0.0 : 150'000.25});
+  for (Index i = 0; i < 200'000; ++i) {
+    mesh.triangles.push_back({{i, i + 1, i + 2}, {}});
+    mesh.constrained_edges.push_back({i, i + 2, no_index, 1});
+  }
+  ASSERT_TRUE(write_svg(mesh, folder / "m.svg").ok());
+  const std::string svg = folder.read("m.svg");
+  std::size_t longest = 0;
+  for (std::size_t at = svg.find('"'); at != std::string::npos; at = svg.find('"', at + 1)) {
+    const std::size_t end = svg.find('"', at + 1);
+    longest = std::max(longest, end - at);
+    at = end;
+  }
+  EXPECT_LT(longest, 1'000'000u);
+  EXPECT_EQ(std::count(svg.begin(), svg.end(), 'Z'), 200'000);
+  EXPECT_EQ(std::count(svg.begin(), svg.end(), 'M'), 400'000);
+}
+
 TEST(Svg, has_y_upwards_and_fits_its_canvas_even_far_from_the_origin) {
   const TemporaryFolder folder;
   Mesh mesh = sample_mesh();

@@ -104,7 +104,7 @@ TEST(TextReader, fails_at_a_count_that_is_too_large_for_the_text) {
   TextReader exact("1 2\n3 4", "f");  // two records of two fields, the last without its newline
   EXPECT_TRUE(exact.room_for(2, text_bytes(2), "things"));
   EXPECT_FALSE(exact.room_for(3, text_bytes(2), "things"));
-  EXPECT_EQ(exact.error().message, "f:1: announces 3 things, more than the 7 bytes that follow can hold");
+  EXPECT_EQ(exact.error().message, "f:1: announces 3 things, but the rest of the file is too short for that");
   TextReader absurd("1\n", "f");
   EXPECT_FALSE(absurd.room_for(std::numeric_limits<std::size_t>::max(), text_bytes(2), "things"));
 }

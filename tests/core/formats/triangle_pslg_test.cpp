@@ -193,16 +193,16 @@ TEST(Poly, with_too_large_a_count_misses_its_last_record) {
 
 TEST(Poly, with_an_absurd_count_is_an_error_before_memory_is_allocated) {
   EXPECT_EQ(failure_of("4000000000 2 0 0\n1 0 0\n"),
-            "f:1: announces 4000000000 points, more than the 7 bytes that follow can hold");
+            "f:1: announces 4000000000 points, but the rest of the file is too short for that");
   EXPECT_EQ(failure_of("1 2 2000000000 0\n1 0 0\n"),
-            "f:1: announces 1 points, more than the 7 bytes that follow can hold");
+            "f:1: announces 1 points, but the rest of the file is too short for that");
   EXPECT_EQ(failure_of("9223372036854775807\n1 0 0\n"), "f:1: announces more than 4294967292 points");
   EXPECT_EQ(failure_of("1\n1 0 0\n1000000000000 1\n"),
-            "f:3: announces 1000000000000 segments, more than the 1 bytes that follow can hold");
+            "f:3: announces 1000000000000 segments, but the rest of the file is too short for that");
   EXPECT_EQ(failure_of("1\n1 0 0\n0\n1000000000000\n"),
-            "f:4: announces 1000000000000 holes, more than the 1 bytes that follow can hold");
+            "f:4: announces 1000000000000 holes, but the rest of the file is too short for that");
   EXPECT_EQ(failure_of("1\n1 0 0\n0\n0\n1000000000000\n"),
-            "f:5: announces 1000000000000 regions, more than the 1 bytes that follow can hold");
+            "f:5: announces 1000000000000 regions, but the rest of the file is too short for that");
 }
 
 TEST(Poly, may_have_any_text_after_its_last_section) {

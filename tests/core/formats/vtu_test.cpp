@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "../../../core/formats.hpp"
@@ -123,6 +127,68 @@ TEST(Vtu, may_have_base64_with_the_length_encoded_separately_or_not) {
   EXPECT_EQ(mesh->points[2], (Point{0, 1}));
 }
 
+TEST(Vtu, by_VTK_has_elements_after_the_values_of_an_array) {
+  const std::string inner =
+      "<InformationKey name=\"L2_NORM_RANGE\" length=\"1\"><Value index=\"0\">0</Value></InformationKey>";
+  const std::string values = "0 0 0  1 0 0\n          1 1 7  0 1 0\n        ";
+  ASSERT_NE(std::string(ascii).find(values), std::string::npos);
+  const auto mesh = parse_vtu(replaced(ascii, values.c_str(), (values + inner).c_str()), "f");
+  ASSERT_FALSE(mesh.ok()) << "the elements are before and after the values";
+  const std::string before = std::string(ascii).substr(std::string(ascii).find("<InformationKey"));
+  const std::string first = before.substr(0, before.find("</InformationKey>") + 17);
+  const std::string after = replaced(replaced(ascii, first.c_str(), ""), values.c_str(), (values + inner).c_str());
+  const auto by_vtk = parse_vtu(after, "f");
+  ASSERT_TRUE(by_vtk.ok()) << by_vtk.error().message;
+  EXPECT_EQ(*by_vtk, *parse_vtu(ascii, "f"));
+}
+
+/// A square in four triangles in two regions, with two constrained edges.
+void expect_square(const Mesh& mesh, const char* file) {
+  EXPECT_EQ(mesh.points.size(), 5u) << file;
+  EXPECT_EQ(mesh.points[4], (Point{0.5, 0.5})) << file;
+  ASSERT_EQ(mesh.triangles.size(), 4u) << file;
+  EXPECT_EQ(mesh.triangles[3].v, (std::array<Index, 3>{3, 0, 4})) << file;
+  EXPECT_EQ(mesh.region_attributes, (std::vector<double>{2.5, 7})) << file;
+  EXPECT_EQ(mesh.constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 3}, {1, 2, no_index, 4}})) << file;
+}
+
+TEST(Vtu, compressed_by_zlib_is_read_inline_and_appended_in_one_block_and_in_several) {
+  for (const char* file : {"zlib_by_meshio.vtu", "zlib_appended_raw.vtu", "zlib_appended_base64.vtu"}) {
+    const auto mesh = read_mesh(std::filesystem::path(PARDEL_FORMATS_DATA) / file);
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    expect_square(*mesh, file);
+    EXPECT_EQ(mesh->point_markers[4], -5) << file;
+  }
+}
+
+TEST(Vtu, compressed_by_zlib_and_damaged_is_refused) {
+  std::ifstream in(PARDEL_FORMATS_DATA "/zlib_appended_raw.vtu", std::ios::binary);
+  const std::string file{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::size_t data = file.find("\n_") + 2;
+  std::string damaged = file;
+  damaged[data + 8 * 7 + 5] ^= 0x55;  // in the first block, after four sizes of blocks
+  EXPECT_NE(failure_of(damaged).find("block 0 of this array does not expand to 32 bytes"), std::string::npos);
+  damaged = file;
+  damaged[data + 8 + 7] = 0x7f;  // the size of a block
+  EXPECT_NE(failure_of(damaged).find("does not expand to"), std::string::npos);
+  damaged = file;
+  damaged[data + 7] = 0x7f;  // the number of blocks
+  EXPECT_NE(failure_of(damaged).find("the data of this array are cut off"), std::string::npos);
+  for (std::size_t length = data; length < file.size() - 30; ++length)
+    EXPECT_FALSE(parse_vtu(std::string_view(file).substr(0, length), "f").ok()) << length;
+}
+
+TEST(Vtu, has_the_constrained_edges_as_lines_with_their_markers) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
+  const std::string file = folder.read("m.vtu");
+  const std::size_t cells = sample_mesh().triangles.size() + sample_mesh().constrained_edges.size();
+  EXPECT_NE(file.find("NumberOfCells=\"" + std::to_string(cells) + "\""), std::string::npos);
+  const std::size_t cell_data = file.find("<CellData>");
+  EXPECT_LT(file.find("Name=\"marker\"", cell_data), file.find("</CellData>"));
+  EXPECT_EQ(read_mesh(folder / "m.vtu")->constrained_edges, sample_mesh().constrained_edges);
+}
+
 TEST(Vtu, errors_name_the_line_and_the_fault) {
   const auto failure = [&](const char* from, const char* to) { return failure_of(replaced(ascii, from, to)); };
   EXPECT_EQ(failure_of(""), "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
@@ -131,8 +197,8 @@ TEST(Vtu, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("'UnstructuredGrid'", "\"PolyData\""),
             "f:3: expected type=\"UnstructuredGrid\", found \"PolyData\"");
   EXPECT_EQ(failure("LittleEndian", "BigEndian"), "f:3: expected byte_order=\"LittleEndian\", found \"BigEndian\"");
-  EXPECT_EQ(failure("version=\"0.1\"", "version=\"0.1\" compressor=\"vtkZLibDataCompressor\""),
-            "f:3: the file is compressed (vtkZLibDataCompressor): write it without compression");
+  EXPECT_EQ(failure("version=\"0.1\"", "version=\"0.1\" compressor=\"vtkLZ4DataCompressor\""),
+            "f:3: expected no compressor or vtkZLibDataCompressor, found \"vtkLZ4DataCompressor\"");
   EXPECT_EQ(failure("Piece Num", "Peace Num"), "f:1: expected a <Piece>, found none");
   EXPECT_EQ(failure("</UnstructuredGrid>", "<Piece/>"), "f:30: expected one piece, found a second");
   EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),

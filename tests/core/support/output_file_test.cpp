@@ -72,6 +72,38 @@ TEST(OutputFile, writes_to_devices_directly) {
   EXPECT_FALSE(fs::is_regular_file("/dev/null"));
 }
 
+TEST(OutputFile, below_dev_is_written_aside_if_it_is_a_regular_file) {
+  if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is no /dev/shm";
+  const fs::path file = "/dev/shm/pardel-test-" + std::to_string(::getpid());
+  OutputFile out(file);
+  out.write("x");
+  EXPECT_FALSE(fs::exists(file)) << "the file appears under its name before it is complete";
+  EXPECT_TRUE(fs::exists(file.string() + ".partial"));
+  EXPECT_TRUE(out.commit().ok());
+  EXPECT_TRUE(fs::is_regular_file(file));
+  fs::remove(file);
+}
+
+TEST(OutputFile, of_an_open_file_continues_where_the_file_is) {
+  const TemporaryFolder folder;
+  std::FILE* open = std::fopen((folder / "a").c_str(), "wb");
+  ASSERT_NE(open, nullptr);
+  std::fputs("first ", open);
+  std::fflush(open);
+  OutputFile out("/dev/fd/" + std::to_string(fileno(open)));
+  out.write("second ");
+  EXPECT_TRUE(out.commit().ok());
+  std::fputs("third", open);
+  std::fclose(open);
+  EXPECT_EQ(folder.read("a"), "first second third");
+  EXPECT_EQ(folder.names(), "a ");
+}
+
+TEST(OutputFile, that_is_not_open_is_an_io_error) {
+  OutputFile out("/dev/fd/987");
+  EXPECT_EQ(out.commit().error().message, "/dev/fd/987: cannot be opened for writing: Bad file descriptor");
+}
+
 TEST(Writers, report_a_full_disk) {
   const Mesh mesh = sample_mesh();
   const fs::path full = "/dev/full";

@@ -19,7 +19,7 @@ const Mesh& refined_square() {
     pslg.segments.push_back({0, 2, 9});
     pslg.regions = {{{3, 1}, 1.5, 0.3}, {{1, 3}, 2.5, 0.2}};
     pslg.point_markers = {0, 3, 0, 0};
-    return std::move(pardel::mesh(pslg, {.min_angle_deg = 25}).value().mesh);
+    return std::move(pardel::mesh(pslg, {.min_angle_deg = 25, .region_caps = true}).value().mesh);
   }();
   return mesh;
 }

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
+#include "../../../parallel/mesher.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../shapes.hpp"
 
@@ -17,8 +21,8 @@ using testing::square;
 using Ids = std::vector<Index>;
 
 /// Expects that the repaired domain is valid.
-Repaired repaired(const Pslg& pslg, double snap = 0) {
-  Result<Repaired> result = repair(pslg, snap);
+Repaired repaired(const Pslg& pslg, std::optional<double> snap = 0) {
+  Result<Repaired> result = repair(pslg, {.snap = snap});
   EXPECT_TRUE(result.ok()) << result.error().message;
   for (const Problem& p : find_problems(result->domain.pslg())) ADD_FAILURE() << p.message();
   return std::move(result).value();
@@ -65,10 +69,132 @@ TEST(Repair, closes_gaps_that_are_smaller_than_the_snapping_distance) {
   EXPECT_EQ(result.point_map, (Ids{0, 1, 1, 2, 2, 0}));
 }
 
+TEST(Repair, closes_gaps_of_one_rounding_by_default_and_says_what_moved) {
+  Pslg pslg = square(4);
+  pslg.points.insert(pslg.points.end(), {{1, 1}, {3, 1 + 4e-15}, {3, 1}, {3, 3}, {4, 4 - 1e-13}, {2, 3.5}});
+  pslg.segments.insert(pslg.segments.end(), {{4, 5}, {6, 7}, {8, 9}});
+  pslg.first_id = {1};
+  const Repaired result = repaired(pslg, std::nullopt);
+  EXPECT_EQ(result.snap, 0x1p-38 * 4);
+  EXPECT_EQ(result.point_map, (Ids{0, 1, 2, 3, 4, 5, 5, 6, 2, 7}));
+  EXPECT_EQ(result.moved_points.count, 2);
+  EXPECT_EQ(result.moved_points.farthest, 8);
+  EXPECT_EQ(result.moved_points.distance, 4 - (4 - 1e-13));
+  EXPECT_EQ(result.bent_segments.count, 0);
+  ASSERT_EQ(result.log.size(), 2);
+  EXPECT_TRUE(result.log[1].starts_with("Points moved: 2; the farthest, point 9 at (4, 3.9999999999999), moved by"));
+}
+
+TEST(Repair, bends_a_segment_to_a_point_one_rounding_beside_it) {
+  Pslg pslg = square(4);
+  pslg.points.insert(pslg.points.end(), {{1, 1}, {3, 2}, {2, 1.5 + 1e-15}, {2, 3}, {2, 5e-13}, {3, 1}});
+  pslg.segments.insert(pslg.segments.end(), {{4, 5}, {6, 7}, {8, 9}});
+  EXPECT_EQ(repaired(pslg).domain.pslg(), pslg);  // without snapping it is valid
+  const Repaired result = repaired(pslg, std::nullopt);
+  EXPECT_EQ(result.domain.pslg().points, pslg.points);
+  EXPECT_EQ(result.domain.pslg().segments,
+            (std::vector<Segment>{{0, 8}, {8, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 6}, {6, 5}, {6, 7}, {8, 9}}));
+  EXPECT_EQ(result.bent_segments.count, 2);
+  EXPECT_EQ(result.bent_segments.farthest, 0);
+  EXPECT_EQ(result.bent_segments.distance, 5e-13);
+  EXPECT_EQ(result.moved_points.count, 0);
+}
+
+TEST(Repair, bends_steep_and_flat_segments_alike) {
+  for (int degrees = 0; degrees < 180; degrees += 5) {
+    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    Pslg pslg;
+    add_square(pslg, 4, {-2, -2});
+    pslg.points.insert(pslg.points.end(), {{-c, -s}, {c, s}, {-1e-13 * s, 1e-13 * c}, {-s, c}});
+    pslg.segments.insert(pslg.segments.end(), {{4, 5}, {6, 7}});
+    EXPECT_EQ(repaired(pslg, std::nullopt).domain.pslg().segments.size(), 7) << degrees;
+    EXPECT_EQ(repaired(pslg, 5e-14).domain.pslg().segments.size(), 6) << degrees;
+  }
+}
+
+TEST(Repair, never_moves_a_segment_over_a_point_without_touching_it) {
+  // Point 4 merges into point 0. Its segment then passes on the other side of point 6, at a distance below 0.01.
+  Pslg pslg;
+  pslg.points = {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0.009, 0}, {10, 0.2}, {0.3, 0.003}};
+  pslg.points[6].y = 0.2 / 10 * 0.3 - 0.0001;
+  pslg.segments = {{0, 1}, {1, 5}, {5, 2}, {2, 3}, {3, 0}, {4, 5}};
+  const double at_point = 0.2 / (10 - 0.009) * (0.3 - 0.009);
+  ASSERT_GT(pslg.points[6].y, at_point);        // above the segment from 4 to 5
+  ASSERT_LT(pslg.points[6].y, 0.2 / 10 * 0.3);  // below the segment from 0 to 5
+  const Repaired result = repaired(pslg, 0.01);
+  const Index through = result.point_map[6];
+  const auto ends_there = [&](const Segment& s) { return s.a == through || s.b == through; };
+  EXPECT_GE(std::ranges::count_if(result.domain.pslg().segments, ends_there), 2);
+}
+
+/// A grid of walls that end on other walls, rotated, so that most ends are one rounding beside the walls.
+Pslg rotated_walls(int n) {
+  const double c = std::cos(0.5), s = std::sin(0.5);
+  Pslg pslg;
+  const auto add = [&](double x, double y, double to_x, double to_y) {
+    const auto first = static_cast<Index>(pslg.points.size());
+    pslg.points.insert(pslg.points.end(), {{c * x - s * y, s * x + c * y}, {c * to_x - s * to_y, s * to_x + c * to_y}});
+    pslg.segments.push_back({first, first + 1});
+  };
+  for (int i = 0; i <= n; ++i) {
+    add(0, i, n, i);
+    for (int j = 0; i < n && j <= n; ++j) add(j, i, j, i + 1);
+  }
+  return pslg;
+}
+
+TEST(Repair, makes_a_rotated_grid_of_t_junctions_meshable_at_30_degrees) {
+  constexpr int n = 8;
+  const Pslg pslg = rotated_walls(n);
+  const Repaired with_gaps = repaired(pslg), without = repaired(pslg, std::nullopt);
+  EXPECT_EQ(without.domain.pslg().points.size(), (n + 1) * (n + 1));
+  EXPECT_EQ(without.domain.pslg().segments.size(), 2 * n * (n + 1));
+  for (const double angle : {20.7, 30.0}) {
+    const Result<Meshed> meshed = mesh(without.domain, {.min_angle_deg = angle});
+    ASSERT_TRUE(meshed);
+    EXPECT_TRUE(meshed->report.goal_met());
+    EXPECT_LT(meshed->mesh.triangles.size(), 1000);
+  }
+  EXPECT_FALSE(mesh(with_gaps.domain, {.min_angle_deg = 20.7})->report.goal_met());
+}
+
+TEST(Repair, uses_a_smaller_default_for_a_domain_narrower_than_the_default) {
+  Pslg pslg;
+  pslg.points = {{1000, 0}, {1001, 0}, {1001, 1e-9}, {1000, 1e-9}, {1000.5, 1e-13}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 2}};
+  EXPECT_FALSE(repair(pslg, {.snap = default_snap(pslg)}));
+  const Repaired result = repaired(pslg, std::nullopt);
+  EXPECT_EQ(result.snap, default_snap(pslg) * 0x1p-4);
+  EXPECT_EQ(result.bent_segments.count, 1);
+  EXPECT_TRUE(repair(result.domain.pslg())->log.empty());
+}
+
+TEST(Repair, drops_a_hole_whose_face_closes_and_keeps_the_face_beside_it) {
+  Pslg pslg = square(4);
+  pslg.points.insert(pslg.points.end(), {{1, 1}, {3, 1}, {3, 1 + 1e-13}, {1, 1 + 1e-13}});
+  pslg.segments.insert(pslg.segments.end(), {{4, 5}, {5, 6}, {6, 7}, {7, 4}});
+  pslg.holes = {{2, 1 + 5e-14}};
+  EXPECT_EQ(repaired(pslg).domain.pslg().holes.size(), 1);
+  const Repaired result = repaired(pslg, std::nullopt);
+  EXPECT_TRUE(result.domain.pslg().holes.empty());
+  EXPECT_TRUE(result.log.back().starts_with("Dropped: Hole 0 at (2, 1.00000000000005) is closer to a segment"));
+}
+
+TEST(Repair, accepts_an_open_outline_if_the_domain_is_the_convex_hull) {
+  Pslg pslg = square(4);
+  pslg.segments.pop_back();
+  pslg.points.push_back({2, 0});
+  EXPECT_FALSE(repair(pslg));
+  const Result<Repaired> result = repair(pslg, {.convex_hull = true});
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->domain.convex_hull());
+  EXPECT_EQ(result->domain.pslg().segments.size(), 4);
+}
+
 TEST(Repair, does_not_snap_points_as_far_apart_as_the_distance) {
   Pslg pslg = square(1);
   EXPECT_EQ(repaired(pslg, 1).domain.pslg(), pslg);
-  EXPECT_FALSE(repair(pslg, 1.0001).ok());
+  EXPECT_FALSE(repair(pslg, {.snap = 1.0001}).ok());
 }
 
 TEST(Repair, drops_segments_without_length_and_duplicates) {
@@ -135,8 +261,17 @@ TEST(Repair, drops_holes_and_regions_that_have_no_face_of_their_own) {
   pslg.regions = {{{4, 4}, 1}, {{0.5, 0.5}, 2}, {{0.25, 0.5}, 3}, {{2, 1.5}, 4}, {{-1, 0}, 5}};
   const Repaired result = repaired(pslg);
   EXPECT_EQ(result.domain.pslg().holes, (std::vector<Point>{{2, 2}}));
-  EXPECT_EQ(result.domain.pslg().regions, (std::vector<Region>{{{0.5, 0.5}, 2}}));
+  EXPECT_EQ(result.domain.pslg().regions, (std::vector<Region>{{{0.25, 0.5}, 3}}));
   EXPECT_EQ(result.log.size(), 6);
+}
+
+TEST(Repair, keeps_the_last_of_several_regions_in_one_face) {
+  Pslg pslg = square(4);
+  pslg.regions = {{{1, 1}, 1, 0.5}, {{2, 2}, 2, 0.25}, {{3, 3}, 3}};
+  const Repaired result = repaired(pslg);
+  EXPECT_EQ(result.domain.pslg().regions, (std::vector<Region>{{{3, 3}, 3}}));
+  EXPECT_EQ(result.log, (std::vector<std::string>{"Dropped: Regions 0 and 1 lie in one face, the second at (2, 2).",
+                                                  "Dropped: Regions 1 and 2 lie in one face, the second at (3, 3)."}));
 }
 
 TEST(Repair, splits_many_segments_that_cross_near_one_point) {
@@ -191,7 +326,7 @@ TEST(Repair, refuses_unusable_values_and_domains_without_an_outline) {
 
 TEST(Repair, refuses_a_snapping_distance_that_is_not_a_length) {
   for (const double snap : {-1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)})
-    EXPECT_EQ(repair(square(1), snap).error().kind, ErrorKind::usage);
+    EXPECT_EQ(repair(square(1), {.snap = snap}).error().kind, ErrorKind::usage);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@
 #include <set>
 #include <variant>
 
-#include "../../../parallel/input/conflicts.hpp"
-#include "../../../parallel/input/faces.hpp"
-#include "../../../parallel/input/segment_index.hpp"
 #include "../../../parallel/repair.hpp"
+#include "../../../parallel/segments/conflicts.hpp"
+#include "../../../parallel/segments/faces.hpp"
+#include "../../../parallel/segments/plane_sweep.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "invalid_domains.hpp"
@@ -72,21 +72,20 @@ std::vector<Index> points_of_no_segment(const Pslg& pslg) {
 
 PARDEL_PROPERTY(Conflicts, are_those_of_the_definition,
                 {.statement = "the conflicts found are those that pairwise intersection in rational arithmetic finds",
-                 .source = "parallel/input/conflicts.hpp",
+                 .source = "parallel/segments/conflicts.hpp",
                  .families = messes}) {
   const Pslg pslg = some_mess(exhibit);
-  const SegmentIndex index(pslg.points, pslg.segments);
-  RC_ASSERT(find_conflicts(pslg.points, pslg.segments, points_of_no_segment(pslg), index) ==
-            conflicts_by_definition(pslg));
+  const std::vector<Index> loose = points_of_no_segment(pslg);
+  const Swept swept = sweep_plane({.points = pslg.points, .segments = pslg.segments, .candidates = loose});
+  RC_ASSERT(swept.conflicts == conflicts_by_definition(pslg));
 }
 
 PARDEL_PROPERTY(Conflicts, have_their_crossing_where_rational_arithmetic_has_it,
                 {.statement = "the place of a crossing is the exact intersection up to rounding of each coordinate",
-                 .source = "parallel/input/conflicts.hpp",
+                 .source = "parallel/segments/conflicts.hpp",
                  .families = messes}) {
   const Pslg pslg = some_mess(exhibit);
-  const SegmentIndex index(pslg.points, pslg.segments);
-  for (const Conflict& c : find_conflicts(pslg.points, pslg.segments, {}, index)) {
+  for (const Conflict& c : sweep_plane({.points = pslg.points, .segments = pslg.segments}).conflicts) {
     if (c.kind != ConflictKind::crossing) continue;
     const auto common = CGAL::intersection(exact(pslg, c.first), exact(pslg, c.second));
     const K::Point_2 truth = *boost::get<K::Point_2>(&*common);
@@ -101,7 +100,7 @@ PARDEL_PROPERTY(Conflicts, have_their_crossing_where_rational_arithmetic_has_it,
 /// Random segments after repair. The faces have all shapes, with islands and dangling ends.
 Pslg some_planar_graph(Exhibit& exhibit) {
   const Pslg pslg = some_mess(exhibit);
-  Result<Repaired> result = repair(pslg);
+  Result<Repaired> result = repair(pslg, {.snap = 0});
   RC_ASSERT(result.ok());
   return std::move(result->domain).pslg();
 }
@@ -124,27 +123,29 @@ Index number_of_components(const Pslg& pslg, Index& vertices) {
 
 PARDEL_PROPERTY(Faces, are_as_many_as_eulers_formula_says,
                 {.statement = "faces + vertices = segments + 1 + components",
-                 .source = "parallel/input/faces.hpp",
+                 .source = "parallel/segments/faces.hpp",
                  .families = messes}) {
   const Pslg pslg = some_planar_graph(exhibit);
-  const SegmentIndex index(pslg.points, pslg.segments);
+  const Swept swept = sweep_plane({.points = pslg.points, .segments = pslg.segments});
   Index vertices = 0;
   const Index components = number_of_components(pslg, vertices);
-  RC_ASSERT(Faces(pslg.points, pslg.segments, index).count() + vertices == pslg.segments.size() + 1 + components);
+  RC_ASSERT(Faces(pslg.points, pslg.segments, swept.below).count() + vertices == pslg.segments.size() + 1 + components);
 }
 
 PARDEL_PROPERTY(Faces, change_across_a_segment_and_nowhere_else,
                 {.statement = "along a straight walk, the face changes at the segments that are crossed, from one of "
                               "their sides to the other",
-                 .source = "parallel/input/faces.hpp",
+                 .source = "parallel/segments/faces.hpp",
                  .families = messes}) {
   const Pslg pslg = some_planar_graph(exhibit);
-  const SegmentIndex index(pslg.points, pslg.segments);
-  const Faces faces(pslg.points, pslg.segments, index);
   const double extent = pslg.points.back().y;
   const auto anywhere = rc::gen::map(rc::gen::inRange(-50, 1100), [=](int k) { return k * 0.001 * extent; });
   const Point p{*anywhere, *anywhere}, q{*anywhere, *anywhere};
-  RC_PRE(p != q && index.through(p) == no_index && index.through(q) == no_index);
+  const std::vector<Point> places{p, q, {-extent, *anywhere}};
+  const Swept swept = sweep_plane({.points = pslg.points, .segments = pslg.segments, .queries = places});
+  RC_PRE(p != q && swept.through[0] == no_index && swept.through[1] == no_index);
+  const Faces faces(pslg.points, pslg.segments, swept.below);
+  const auto containing = [&](std::size_t place) { return faces.above(swept.below[pslg.points.size() + place]); };
 
   // Walk from p to q across the segments between them, but not through their ends.
   const K::Segment_2 walk(exact(p), exact(q));
@@ -159,15 +160,15 @@ PARDEL_PROPERTY(Faces, change_across_a_segment_and_nowhere_else,
     crossed.emplace_back(CGAL::squared_distance(exact(p), *point), s);
   }
   std::ranges::sort(crossed);
-  Index face = faces.containing(p);
+  Index face = containing(0);
   for (const auto& [distance, s] : crossed) {
     const K::Segment_2 segment = exact(pslg, s);
     const bool p_is_left = CGAL::left_turn(segment.source(), segment.target(), exact(p));
     RC_ASSERT((p_is_left ? faces.left_of(s) : faces.right_of(s)) == face);
     face = p_is_left ? faces.right_of(s) : faces.left_of(s);
   }
-  RC_ASSERT(face == faces.containing(q));
-  RC_ASSERT(faces.containing({-extent, *anywhere}) == Faces::exterior);
+  RC_ASSERT(face == containing(1));
+  RC_ASSERT(containing(2) == Faces::exterior);
 }
 
 double distance_to(const Pslg& pslg, Index s, Point p) {
@@ -179,17 +180,17 @@ double distance_to(const Pslg& pslg, Index s, Point p) {
 
 PARDEL_PROPERTY(Repair, leaves_no_problem,
                 {.statement = "the repaired domain is valid", .source = "parallel/repair.hpp", .families = messes}) {
-  const Result<Repaired> result = repair(some_mess(exhibit));
+  const Result<Repaired> result = repair(some_mess(exhibit), {.snap = 0});
   RC_ASSERT(result.ok());
   RC_ASSERT(find_problems(result->domain.pslg()).empty());
 }
 
-PARDEL_PROPERTY(Repair, done_twice_is_done_once,
-                {.statement = "repairing what is repaired changes nothing",
+PARDEL_PROPERTY(Repair, repairing_twice_changes_nothing,
+                {.statement = "repairing a repaired domain changes nothing",
                  .source = "parallel/repair.hpp",
                  .families = messes}) {
   const Pslg once = some_planar_graph(exhibit);
-  const Result<Repaired> twice = repair(once);
+  const Result<Repaired> twice = repair(once, {.snap = 0});
   RC_ASSERT(twice.ok());
   RC_ASSERT(twice->domain.pslg() == once);
   RC_ASSERT(twice->log.empty());
@@ -200,7 +201,7 @@ PARDEL_PROPERTY(Repair, moves_no_point,
                  .source = "parallel/repair.hpp",
                  .families = messes}) {
   const Pslg mess = some_mess(exhibit);
-  const Result<Repaired> result = repair(mess);
+  const Result<Repaired> result = repair(mess, {.snap = 0});
   RC_ASSERT(result.ok());
   for (std::size_t i = 0; i < mess.points.size(); ++i)
     RC_ASSERT(result->domain.pslg().points[result->point_map[i]] == mess.points[i]);
@@ -211,7 +212,7 @@ PARDEL_PROPERTY(Repair, keeps_every_segment_as_a_chain_within_rounding,
                  .source = "parallel/repair.hpp",
                  .families = messes}) {
   const Pslg mess = some_mess(exhibit);
-  const Result<Repaired> result = repair(mess);
+  const Result<Repaired> result = repair(mess, {.snap = 0});
   RC_ASSERT(result.ok());
   const double rounding = 1e-14 * mess.points.back().y;
   for (Index s = 0; s < mess.segments.size(); ++s) {
@@ -236,7 +237,7 @@ PARDEL_PROPERTY(
      .source = "parallel/repair.hpp",
      .families = messes}) {
   const Pslg mess = some_mess(exhibit);
-  const Result<Repaired> result = repair(mess);
+  const Result<Repaired> result = repair(mess, {.snap = 0});
   RC_ASSERT(result.ok());
   const double rounding = 1e-14 * mess.points.back().y;
   RC_ASSERT(result->segment_map.size() == result->domain.pslg().segments.size());
@@ -255,7 +256,7 @@ PARDEL_PROPERTY(Repair, with_a_snapping_distance_leaves_no_two_points_closer,
                  .families = messes}) {
   const Pslg mess = some_mess(exhibit);
   const double snap = 0.003 * mess.points.back().y;
-  const Result<Repaired> result = repair(mess, snap);
+  const Result<Repaired> result = repair(mess, {.snap = snap});
   RC_ASSERT(result.ok());
   RC_ASSERT(find_problems(result->domain.pslg()).empty());
   const std::vector<Point>& points = result->domain.pslg().points;
@@ -265,6 +266,69 @@ PARDEL_PROPERTY(Repair, with_a_snapping_distance_leaves_no_two_points_closer,
   for (std::size_t i = 0; i < mess.points.size(); ++i) {
     const Point moved = points[result->point_map[i]];
     RC_ASSERT(std::hypot(moved.x - mess.points[i].x, moved.y - mess.points[i].y) < snap);
+  }
+}
+
+/// A mess in which each end of a segment is a point of its own, a few roundings beside the common point.
+Pslg some_torn_mess(Exhibit& exhibit) {
+  const Pslg mess = *testing::mess();
+  const double rounding = mess.points.back().y * 0x1p-50;
+  const auto offset = rc::gen::map(rc::gen::inRange(-4, 5), [=](int k) { return k * rounding; });
+  Pslg torn;
+  torn.points = mess.points;
+  for (Segment s : mess.segments) {
+    for (Index* end : {&s.a, &s.b}) {
+      const Point p = mess.points[*end];
+      *end = static_cast<Index>(torn.points.size());
+      torn.points.push_back({p.x + *offset, p.y + *offset});
+    }
+    torn.segments.push_back(s);
+  }
+  exhibit.show(torn);
+  return torn;
+}
+
+constexpr const char* torn_messes = "the same, with ends torn apart by a few roundings";
+
+PARDEL_PROPERTY(Repair, by_default_closes_all_tiny_gaps_and_then_changes_nothing,
+                {.statement = "after repair with the default snapping distance, no two points are closer than the "
+                              "distance, no point and segment closer than half of it, and a second repair changes "
+                              "nothing",
+                 .source = "parallel/repair.hpp",
+                 .families = torn_messes}) {
+  const Result<Repaired> result = repair(some_torn_mess(exhibit));
+  RC_ASSERT(result.ok());
+  const Pslg& pslg = result->domain.pslg();
+  RC_ASSERT(find_problems(pslg).empty());
+  const double least = result->snap * (1 - 1e-3);
+  for (Index p = 0; p < pslg.points.size(); ++p) {
+    for (Index q = 0; q < p; ++q)
+      RC_ASSERT(std::hypot(pslg.points[p].x - pslg.points[q].x, pslg.points[p].y - pslg.points[q].y) >= least);
+    for (Index s = 0; s < pslg.segments.size(); ++s)
+      RC_ASSERT(p == pslg.segments[s].a || p == pslg.segments[s].b ||
+                distance_to(pslg, s, pslg.points[p]) >= least / 2);
+  }
+  const Result<Repaired> twice = repair(pslg);
+  RC_ASSERT(twice.ok());
+  RC_ASSERT(twice->domain.pslg() == pslg);
+  RC_ASSERT(twice->log.empty());
+}
+
+PARDEL_PROPERTY(Repair, by_default_moves_points_and_segments_by_little_more_than_the_distance,
+                {.statement = "no point moves by twice the default snapping distance, and no segment by four times",
+                 .source = "parallel/repair.hpp",
+                 .families = torn_messes}) {
+  const Pslg torn = some_torn_mess(exhibit);
+  const Result<Repaired> result = repair(torn);
+  RC_ASSERT(result.ok());
+  for (std::size_t i = 0; i < torn.points.size(); ++i) {
+    const Point moved = result->domain.pslg().points[result->point_map[i]];
+    RC_ASSERT(std::hypot(moved.x - torn.points[i].x, moved.y - torn.points[i].y) < 2 * result->snap);
+  }
+  for (std::size_t i = 0; i < result->segment_map.size(); ++i) {
+    const Segment& piece = result->domain.pslg().segments[i];
+    for (const Index end : {piece.a, piece.b})
+      RC_ASSERT(distance_to(torn, result->segment_map[i], result->domain.pslg().points[end]) < 4 * result->snap);
   }
 }
 

@@ -70,7 +70,7 @@ TEST(Assessor, leaves_a_triangle_with_an_edge_shorter_than_the_minimum_alone) {
 }
 
 TEST(Assessor, splits_no_edge_that_is_forbidden_or_too_short) {
-  const Goal goal{.min_angle_deg = 0};
+  const Goal goal{.min_angle_deg = 5};
   for (const Options& options :
        {Options{.no_boundary_splits = true}, Options{.no_segment_splits = true}, Options{.min_edge = 4.001}}) {
     const Scene scene({4, 1}, goal, options);

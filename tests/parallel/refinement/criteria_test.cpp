@@ -79,7 +79,7 @@ TEST(TooLarge, is_every_triangle_above_a_cap_and_no_other) {
 }
 
 TEST(TooLarge, depends_on_the_place_where_the_goal_does) {
-  Goal goal{.max_edge = 2};
+  Goal goal{.max_edge = 2, .region_caps = true};
   goal.size = [](Point p) { return p.x < 0 ? 0.5 : 10.0; };
   const Criteria criteria(goal, Placement::circumcentre, {0.25, 100.0}, [](Point p) { return p.y > 50 ? 0.01 : 1e9; });
   ASSERT_TRUE(criteria.has_local_size());
@@ -121,8 +121,35 @@ TEST(Encroachment, of_a_constrained_goal_is_the_diametral_lens) {
     EXPECT_TRUE(encroaches(criteria, {0, 0.999 * tip}, {-1, 0}, {1, 0})) << bound;
     EXPECT_FALSE(encroaches(criteria, {0, 1.001 * tip}, {-1, 0}, {1, 0})) << bound;
   }
-  const Criteria none({.min_angle_deg = 0}, Placement::circumcentre, {});
-  EXPECT_TRUE(encroaches(none, {0, 0.37}, {-1, 0}, {1, 0})) << "the lens is never thinner than with the proven bound";
+  const Criteria low({.min_angle_deg = 5}, Placement::circumcentre, {});
+  EXPECT_TRUE(encroaches(low, {0, 0.37}, {-1, 0}, {1, 0})) << "the lens is never thinner than with the proven bound";
+}
+
+/// A point so close to the middle of the segment that it encroaches for every goal with a bound.
+bool encroaches_from_nearby(const Criteria& criteria) { return encroaches(criteria, {0, 0x1p-100}, {-1, 0}, {1, 0}); }
+
+TEST(Encroachment, needs_a_goal_with_a_bound) {
+  const Placement off = Placement::off_centre;
+  const std::vector<double> no_caps{INFINITY, INFINITY}, one_cap{INFINITY, 1.0};
+  for (const bool conforming : {false, true}) {
+    const Goal none{.min_angle_deg = 0, .region_caps = true, .conforming = conforming};
+    EXPECT_FALSE(encroaches_from_nearby(Criteria(none, off, {})));
+    EXPECT_FALSE(encroaches_from_nearby(Criteria(none, off, no_caps)));
+    EXPECT_TRUE(encroaches_from_nearby(Criteria(none, off, one_cap))) << "one region has a cap";
+    EXPECT_TRUE(encroaches_from_nearby(Criteria(none, off, {}, [](Point) { return 1.0; }))) << "a cap by place";
+    EXPECT_EQ(Criteria(none, off, no_caps).conforming(), conforming);
+
+    const auto with = [&](auto Goal::*bound, auto value) {
+      Goal goal = none;
+      goal.*bound = value;
+      return encroaches_from_nearby(Criteria(goal, off, one_cap));
+    };
+    EXPECT_FALSE(with(&Goal::region_caps, false));
+    EXPECT_TRUE(with(&Goal::min_angle_deg, 0.001));
+    EXPECT_TRUE(with(&Goal::max_area, 1e9));
+    EXPECT_TRUE(with(&Goal::max_edge, 1e9));
+    EXPECT_TRUE(with(&Goal::size, [](Point) { return 1e9; }));
+  }
 }
 
 TEST(SplitPoint, is_the_circumcentre) {
@@ -172,9 +199,10 @@ TEST(SplitPoint, of_a_triangle_that_is_too_large_makes_one_that_fills_the_bound_
   const Shape s = tall();
   for (const double cap : {0.3, 0.4, 0.5}) {
     const auto at_most = [&](Point) { return cap; };
-    const std::vector<std::pair<Criteria, Index>> places{{{{.max_area = cap}, Placement::off_centre, {}}, no_index},
-                                                         {{{}, Placement::off_centre, {9.0, cap}}, 1},
-                                                         {{{}, Placement::off_centre, {}, at_most}, no_index}};
+    const std::vector<std::pair<Criteria, Index>> places{
+        {{{.max_area = cap}, Placement::off_centre, {}}, no_index},
+        {{{.region_caps = true}, Placement::off_centre, {9.0, cap}}, 1},
+        {{{}, Placement::off_centre, {}, at_most}, no_index}};
     for (const auto& [criteria, region] : places) {
       const double area = made_of_the_shortest_side(criteria, s, region).twice_area / 2;
       EXPECT_LT(area, cap);

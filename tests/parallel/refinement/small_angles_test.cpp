@@ -37,7 +37,7 @@ struct Corner {
   }
 };
 
-TEST(EdgeSplitPoint, of_a_segment_acute_at_one_end_lies_on_a_shell_between_a_third_and_two_thirds) {
+TEST(EdgeSplitPoint, of_a_segment_with_a_small_angle_at_one_end_lies_on_a_shell_between_a_third_and_two_thirds) {
   for (double length = 0.01; length < 100; length *= 1.07) {
     Corner corner({0, 0}, {length, 0}, {1, 0.5}, {length, length});
     const Point p = edge_split_point(corner.t, corner.segments[0], 0, 1);
@@ -49,11 +49,31 @@ TEST(EdgeSplitPoint, of_a_segment_acute_at_one_end_lies_on_a_shell_between_a_thi
   }
 }
 
-TEST(EdgeSplitPoint, of_a_segment_that_is_acute_nowhere_or_at_both_ends_is_its_midpoint) {
+TEST(EdgeSplitPoint, of_a_segment_without_an_angle_below_60_degrees_is_its_midpoint) {
   Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
   EXPECT_EQ(edge_split_point(blunt.t, blunt.segments[0], 0, 1), (Point{2.5, 0}));
-  Corner acute({0, 0}, {5, 0}, {3, 1}, {2, 1});
-  EXPECT_EQ(edge_split_point(acute.t, acute.segments[0], 0, 1), (Point{2.5, 0}));
+  Corner sixty_one({0, 0}, {5, 0}, {1, 1.81}, {4, 1.81});
+  EXPECT_EQ(edge_split_point(sixty_one.t, sixty_one.segments[0], 0, 1), (Point{2.5, 0}));
+}
+
+TEST(EdgeSplitPoint, of_a_segment_with_two_different_small_angles_lies_on_a_shell_around_the_smaller_one) {
+  Corner at_first({0, 0}, {5, 0}, {3, 0.5}, {2, 1});
+  EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 0, 1).x, 2, 1e-15);
+  EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 1, 0).x, 2, 1e-15);
+  Corner at_second({0, 0}, {5, 0}, {3, 1}, {2, 0.5});
+  EXPECT_NEAR(edge_split_point(at_second.t, at_second.segments[0], 0, 1).x, 3, 1e-15);
+}
+
+TEST(EdgeSplitPoint, of_a_segment_with_two_similar_small_angles_is_its_midpoint) {
+  Corner equal({0, 0}, {5, 0}, {3, 1}, {2, 1});
+  EXPECT_EQ(edge_split_point(equal.t, equal.segments[0], 0, 1), (Point{2.5, 0}));
+  Corner similar({0, 0}, {5, 0}, {3, 1}, {2, 1.2});
+  EXPECT_EQ(edge_split_point(similar.t, similar.segments[0], 0, 1), (Point{2.5, 0}));
+}
+
+TEST(EdgeSplitPoint, of_a_segment_with_one_small_angle_ignores_the_larger_angle_at_its_other_end) {
+  Corner corner({0, 0}, {5, 0}, {1.2, 2}, {4.9, 2});  // 59 and 87 degrees
+  EXPECT_NEAR(edge_split_point(corner.t, corner.segments[0], 0, 1).x, 2, 1e-15);
 }
 
 TEST(EdgeSplitPoint, of_a_right_angle_is_the_midpoint) {

@@ -28,7 +28,9 @@ struct Scene : samples::AssessedSample {
     return static_cast<Index>(sample.triangulation.slots.size() - free.triangles.left());
   }
   /// Runs the task of a cell with all bad triangles in the cell's box.
-  TaskResult run(const Lattice& lattice, Index cell, const Deferral& later = {}, std::uint64_t calls = 1000) {
+  TaskResult run(
+      const Lattice& lattice, Index cell, const Deferral& later = {},
+      const Task::Report& report = [](std::uint64_t) {}) {
     const Box box = lattice.box_of(cell);
     std::vector<QueuedTriangle> seeds;
     for (TriangleId id = 0; id < triangles(); ++id) {
@@ -37,7 +39,7 @@ struct Scene : samples::AssessedSample {
         seeds.push_back(QueuedTriangle::now(t(), EdgeRef(id, 0)));
     }
     Task task(t(), assessor, criteria, options.min_edge, /*own_cell_only=*/false);
-    return task.run(lattice, cell, seeds, later, free, [&](std::uint64_t) { return calls-- > 0; });
+    return task.run(lattice, cell, seeds, later, free, report);
   }
   [[nodiscard]] std::vector<TriangleId> bad() const {
     std::vector<TriangleId> bad;
@@ -108,12 +110,33 @@ TEST(Task, hands_the_rest_on_to_its_own_cell_where_its_indices_are_used_up) {
   }
 }
 
-TEST(Task, hands_the_rest_on_where_it_has_to_end_early) {
+TEST(Task, reports_after_64_insertions_at_the_latest) {
   Scene scene;
-  const TaskResult result = scene.run(everywhere, 0, {}, 0);
-  EXPECT_GT(result.inserted, 0U);
-  EXPECT_FALSE(scene.bad().empty());
-  EXPECT_FALSE(result.handed_on.empty());
+  std::uint64_t reported = 0, largest = 0;
+  const TaskResult result = scene.run(everywhere, 0, {}, [&](std::uint64_t made) {
+    reported += made;
+    largest = std::max(largest, made);
+  });
+  const std::uint64_t made = result.inserted + result.segment_splits;
+  EXPECT_GT(made, 1024U);
+  EXPECT_LE(largest, Task::steps_between_reports);
+  EXPECT_LE(made - reported, Task::steps_between_reports);
+}
+
+TEST(Task, ends_at_once_if_its_report_throws_even_among_the_seeds) {
+  for (const int call : {1, 2, 5, 12}) {
+    Scene scene;
+    int calls = 0;
+    const auto run = [&] {
+      (void)scene.run(everywhere, 0, {}, [&](std::uint64_t) {
+        if (++calls == call) throw Stopped{};
+      });
+    };
+    const std::size_t left = scene.free.vertices.left();
+    EXPECT_THROW(run(), Stopped);
+    EXPECT_EQ(calls, call);
+    EXPECT_LE(left - scene.free.vertices.left(), Task::steps_between_reports * static_cast<std::uint64_t>(call));
+  }
 }
 
 TEST(Task, makes_the_same_mesh_in_single_steps) {

@@ -54,7 +54,8 @@ inline Refined refined(const Case& c, const Options& options, const Schedule& sc
     caps.push_back(region.max_area);
   }
   const Criteria criteria(c.goal, options.placement, caps);
-  auto counts = refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, schedule);
+  ProgressMonitor progress(options);
+  auto counts = refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, schedule);
   EXPECT_TRUE(counts);
   return {export_mesh(std::move(domain).value(), attributes, {}, {}, options.threads), std::move(counts).value()};
 }

@@ -1,12 +1,15 @@
-// Tests progress: the numbers that the caller gets, and the three ways to stop a refinement.
+// Tests progress: the numbers that the caller gets, and the ways to stop a run.
 #include "../../../parallel/scheduling/progress_monitor.hpp"
 
 #include <gtest/gtest.h>
 
+#include <thread>
 #include <vector>
 
 namespace pardel::engine {
 namespace {
+
+using namespace std::chrono_literals;
 
 TEST(ProgressMonitor, shows_two_triangles_per_vertex_and_the_exact_number_after_a_phase) {
   std::vector<std::uint64_t> shown;
@@ -16,10 +19,10 @@ TEST(ProgressMonitor, shows_two_triangles_per_vertex_and_the_exact_number_after_
     shown.push_back(progress.triangles);
     return true;
   };
-  ProgressMonitor monitor(options);
+  ProgressMonitor monitor(options, 0s);
   monitor.start(500, 60, 100);
-  EXPECT_TRUE(monitor.report(0, 10));
-  EXPECT_TRUE(monitor.report(0, 5));
+  monitor.report(10);
+  monitor.report(5);
   monitor.phase_ended(80, 140);
   EXPECT_EQ(shown, (std::vector<std::uint64_t>{120, 130, 140}));
   EXPECT_EQ(monitor.vertices(), 80U);
@@ -33,45 +36,66 @@ TEST(ProgressMonitor, never_shows_fewer_triangles_than_before) {
     last = progress.triangles;
     return true;
   };
-  ProgressMonitor monitor(options);
+  ProgressMonitor monitor(options, 0s);
   monitor.start(0, 3, 1);
-  EXPECT_TRUE(monitor.report(0, 10));
+  monitor.report(10);
   monitor.phase_ended(13, 11);  // ten splits of boundary edges
   EXPECT_EQ(last, 21U);
 }
 
-TEST(ProgressMonitor, calls_the_caller_from_thread_0_only) {
+TEST(ProgressMonitor, calls_the_caller_from_its_own_thread_only) {
   int calls = 0;
   Options options;
   options.progress = [&](const Progress&) { return ++calls > 0; };
-  ProgressMonitor monitor(options);
+  ProgressMonitor monitor(options, 0s);
   monitor.start(0, 3, 1);
-  EXPECT_TRUE(monitor.report(1, 10));
-  EXPECT_TRUE(monitor.report(7, 10));
+  std::thread([&] { monitor.report(10); }).join();
   EXPECT_EQ(calls, 0);
-  EXPECT_TRUE(monitor.report(0, 10));
+  monitor.report(10);
   EXPECT_EQ(calls, 1);
 }
 
-TEST(ProgressMonitor, is_cancelled_by_the_caller_by_cancel_and_by_memory) {
+TEST(ProgressMonitor, calls_the_caller_at_once_and_then_once_per_interval) {
+  int calls = 0;
   Options options;
-  options.progress = [](const Progress&) { return false; };
-  ProgressMonitor by_caller(options);
-  EXPECT_FALSE(by_caller.report(0, 1));
-  EXPECT_TRUE(by_caller.cancelled());
-  EXPECT_FALSE(by_caller.report(1, 1)) << "all threads have to end";
+  options.progress = [&](const Progress&) { return ++calls > 0; };
+  ProgressMonitor monitor(options, 24h);
+  for (int i = 0; i < 1000; ++i) monitor.report(1);
+  EXPECT_EQ(calls, 1);
+  monitor.phase_ended(1000, 2000);
+  EXPECT_EQ(calls, 2) << "the end of a phase does not wait for the interval";
+}
 
-  const Options none;
-  ProgressMonitor by_cancel(none);
-  EXPECT_FALSE(by_cancel.cancelled());
-  by_cancel.cancel();
-  EXPECT_FALSE(by_cancel.report(0, 0));
+TEST(ProgressMonitor, stops_all_threads_if_the_caller_says_so) {
+  int calls = 0;
+  Options options;
+  options.progress = [&](const Progress&) { return ++calls < 3; };
+  ProgressMonitor monitor(options, 0s);
+  monitor.report(1);
+  monitor.report(1);
+  try {
+    monitor.report(1);
+    FAIL() << "must throw";
+  } catch (const Stopped& stopped) {
+    EXPECT_EQ(stopped.error.kind, ErrorKind::cancelled);
+  }
+  std::thread([&] { EXPECT_THROW(monitor.report(1), Stopped); }).join();
+  EXPECT_THROW(monitor.threads().ask(), Stopped);
+  EXPECT_EQ(calls, 3) << "the caller is not asked again";
+}
 
+TEST(ProgressMonitor, stops_a_mesh_that_outgrows_the_memory) {
   const Options limited{.max_memory = 80 * 1000};
-  ProgressMonitor by_memory(limited);
-  by_memory.start(0, 900, 1800);
-  EXPECT_TRUE(by_memory.report(1, 100));
-  EXPECT_FALSE(by_memory.report(2, 1)) << "80 bytes per vertex";
+  ProgressMonitor monitor(limited);
+  monitor.start(0, 900, 1800);
+  monitor.report(100);
+  try {
+    monitor.report(1);
+    FAIL() << "80 bytes per vertex";
+  } catch (const Stopped& stopped) {
+    EXPECT_EQ(stopped.error.kind, ErrorKind::resources);
+    EXPECT_NE(stopped.error.message.find("78.13 KiB"), std::string::npos) << stopped.error.message;
+  }
 }
 
 TEST(ProgressMonitor, expects_no_more_triangles_than_the_budget_of_vertices_allows) {
@@ -83,7 +107,7 @@ TEST(ProgressMonitor, expects_no_more_triangles_than_the_budget_of_vertices_allo
   };
   ProgressMonitor monitor(options);
   monitor.start(500, 3, 1);
-  EXPECT_TRUE(monitor.report(0, 0));
+  monitor.report(0);
   EXPECT_EQ(estimate, 60);
 }
 

@@ -23,13 +23,15 @@ TEST(DomainSegments, order_the_ends_of_each_segment) {
   }
 }
 
-TEST(DomainSegments, mark_the_ends_with_acute_angles) {
+TEST(DomainSegments, know_the_smallest_angle_at_each_end) {
   const Star star;
-  EXPECT_TRUE(star.segments[0].acute_at_a);
-  EXPECT_TRUE(star.segments[1].acute_at_a);
-  EXPECT_FALSE(star.segments[2].acute_at_a) << "90 and 135 degrees";
-  EXPECT_FALSE(star.segments[3].acute_at_a) << "90 and 135 degrees";
-  for (Index s = 0; s < 4; ++s) EXPECT_FALSE(star.segments[s].acute_at_b);
+  EXPECT_NEAR(star.segments[0].cosine_at_a, std::sqrt(0.5), 1e-15) << "45 and 90 degrees";
+  EXPECT_NEAR(star.segments[1].cosine_at_a, std::sqrt(0.5), 1e-15) << "45 and 90 degrees";
+  EXPECT_NEAR(star.segments[2].cosine_at_a, 0, 1e-15) << "90 and 135 degrees";
+  EXPECT_NEAR(star.segments[3].cosine_at_a, 0, 1e-15) << "90 and 135 degrees";
+  for (Index s = 0; s < 4; ++s) EXPECT_EQ(star.segments[s].cosine_at_b, -1);
+  EXPECT_EQ(star.segments[0].cosine_at(0), star.segments[0].cosine_at_a);
+  EXPECT_EQ(star.segments[0].cosine_at(3), -1) << "vertex 3 is not an end";
 }
 
 TEST(DomainSegments, compute_common_ends_and_angles) {

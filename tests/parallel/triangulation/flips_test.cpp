@@ -29,7 +29,7 @@ TEST(Flip, replaces_a_diagonal_by_the_other_one) {
   EXPECT_EQ(std::max(t.slot(here).from(1), t.slot(here).to(1)), 2U);
 }
 
-TEST(Flip, makes_an_edge_that_is_not_locally_delaunay) {
+TEST(Flip, of_a_delaunay_diagonal_makes_an_edge_that_is_locally_delaunay_only_if_it_is_constrained) {
   Triangulation t = samples::triangulated(kite).triangulation;
   const EdgeRef diagonal = samples::find_edge(t, 1, 3);
   EXPECT_TRUE(delaunay_across(t, diagonal));

@@ -13,7 +13,7 @@ using testing::Case;
 
 PARDEL_PROPERTY(
     Check, neither_crashes_nor_accepts_when_ids_are_scrambled,
-    {.statement = "a right mesh with vertices or neighbours changed at random is refused, with an explanation",
+    {.statement = "a correct mesh with vertices or neighbours changed at random is refused, with an explanation",
      .source = "properties/checker/check.hpp",
      .families = "a square in eight triangles, spoiled"}) {
   Case c = testing::square_in_eight();

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "../../../properties/domains/domains.hpp"
 #include "meshes.hpp"
@@ -384,7 +386,7 @@ TEST(Check, requires_delaunay_constrained_edges_only_for_a_conforming_goal) {
   EXPECT_TRUE(is_valid(check(c)));
   Goal goal = no_angle_bound();
   goal.conforming = true;
-  EXPECT_TRUE(reports_only(check(c, goal), Kind::not_delaunay));
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::not_conforming));
 }
 
 // Tests of bounds.
@@ -425,11 +427,24 @@ TEST(Check, compares_areas_edges_and_radii_exactly) {
 TEST(Check, compares_with_the_cap_of_the_region_a_triangle_lies_in) {
   Case c = testing::square_in_eight();
   c.pslg.regions[1].max_area = 1.5;
-  EXPECT_TRUE(reports_only(check(c), Kind::region_area));
-  EXPECT_EQ(count(check(c), Kind::region_area), 4u);
   Goal goal = no_angle_bound();
-  goal.region_caps = false;
   EXPECT_TRUE(is_valid(check(c, goal)));
+  goal.region_caps = true;
+  EXPECT_TRUE(reports_only(check(c, goal), Kind::region_area));
+  EXPECT_EQ(count(check(c, goal), Kind::region_area), 4u);
+}
+
+TEST(Check, names_the_caps_of_the_regions_in_the_line_of_the_goal) {
+  Case c = testing::square_in_eight();
+  ASSERT_EQ(c.pslg.regions.size(), 2u);
+  c.pslg.regions[0].max_area = 3;
+  c.pslg.regions[1].max_area = std::numeric_limits<double>::infinity();
+  Goal goal = no_angle_bound();
+  EXPECT_EQ(to_text(check(c, goal)).find("region"), std::string::npos);
+  goal.region_caps = true;
+  EXPECT_NE(to_text(check(c, goal)).find("areas up to 3 in region 0, constrained"), std::string::npos);
+  c.pslg.regions[1].max_area = 2.5;
+  EXPECT_NE(to_text(check(c, goal)).find("areas up to 3 in region 0, 2.5 in region 1, constrained"), std::string::npos);
 }
 
 TEST(Check, evaluates_the_sizing_function_at_centroids) {
@@ -438,6 +453,20 @@ TEST(Check, evaluates_the_sizing_function_at_centroids) {
   goal.size = [](Point p) { return p.x < 2 ? 3.0 : 2.5; };
   EXPECT_TRUE(reports_only(check(c, goal), Kind::size_exceeded));
   EXPECT_EQ(count(check(c, goal), Kind::size_exceeded), 4u);
+}
+
+TEST(Check, reports_the_triangles_for_which_the_size_function_has_no_answer) {
+  const Case c = testing::square_in_two();
+  Goal goal = no_angle_bound();
+  for (const double useless : {0.0, -1.0, std::nan("")}) {
+    goal.size = [=](Point) { return useless; };
+    EXPECT_EQ(count(check(c, goal), Kind::size_exceeded), 2u) << useless;
+  }
+  goal.size = [](Point p) { return p.x > p.y ? throw std::runtime_error("no data") : 100.0; };
+  const Certificate certificate = check(c, goal);
+  EXPECT_TRUE(reports_only(certificate, Kind::size_exceeded));
+  EXPECT_EQ(count(certificate, Kind::size_exceeded), 1u);
+  EXPECT_NE(certificate.violations.at(0).witness.find("threw an exception"), std::string::npos);
 }
 
 // Tests of meshes that other programs made.

@@ -24,6 +24,7 @@ Goal goal_of(double min_angle_deg, double max_area = std::numeric_limits<double>
   Goal goal;
   goal.min_angle_deg = min_angle_deg;
   goal.max_area = max_area;
+  goal.region_caps = true;
   return goal;
 }
 
@@ -187,7 +188,7 @@ properties::Statement statement_about<ViolationKind::area_mismatch>() {
 }
 template <>
 properties::Statement statement_about<ViolationKind::large_circumradius>() {
-  return {"a right mesh is reported as large_circumradius once circumradii are bounded by 1 - 2^-40 of its largest",
+  return {"a correct mesh is reported as large_circumradius if circumradii are bounded by 1 - 2^-40 of its largest",
           "properties/checker/check.hpp", "the eleven meshes that the defects are put into"};
 }
 

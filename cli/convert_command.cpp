@@ -1,0 +1,146 @@
+// pardel convert: writes a mesh or a domain in another format, without changing it.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../core/formats.hpp"
+#include "choice.hpp"
+#include "command.hpp"
+#include "input.hpp"
+#include "names.hpp"
+#include "output.hpp"
+#include "plural.hpp"
+#include "progress_bar.hpp"
+#include "suffix.hpp"
+
+namespace pardel::cli {
+namespace fs = std::filesystem;
+namespace {
+
+struct Arguments {
+  fs::path input;
+  fs::path output;
+  bool msh_ascii = false;
+  std::optional<StreamFormat> format;
+  bool quiet = false;
+};
+
+bool is_triangle_file(const fs::path& file) { return file.extension() == ".node" || file.extension() == ".ele"; }
+
+/// The contents of the mesh that the format of the output cannot store, for example "regions, markers of points".
+std::string lost(const Mesh& mesh, const fs::path& output) {
+  const bool off = output.extension() == ".off";
+  const bool msh = output.extension() == ".msh";
+  std::string list;
+  const auto add = [&](bool is_lost, const char* what) {
+    if (is_lost) list += (list.empty() ? "" : ", ") + std::string(what);
+  };
+  add(off && !mesh.region_attributes.empty(), "regions");
+  add(off && !mesh.constrained_edges.empty(), "constrained edges");
+  add((off || msh) && !mesh.point_markers.empty(), "markers of points");
+  add((off || msh) && mesh.attributes_per_point > 0, "attributes of points");
+  return list;
+}
+
+Error wrong_output(const Arguments& arguments, const std::string& why) {
+  return {ErrorKind::usage, fmt::format("{}: {}", arguments.output.string(), why)};
+}
+
+Status check_output(const Arguments& arguments, bool domain) {
+  const std::string in = arguments.input.string(), out = arguments.output.string();
+  const std::vector<fs::path> outputs = {arguments.output}, inputs = {arguments.input};
+  if (arguments.output.extension() == ".svg" || arguments.output.extension() == ".png")
+    return wrong_output(arguments, fmt::format("'pardel draw {} {}' draws pictures", in, out));
+  if (domain && arguments.output.extension() != ".poly" && is_mesh_suffix(arguments.output))
+    return wrong_output(arguments, fmt::format("{0} is a domain, which has no triangles; 'pardel mesh {0} -o {1}' "
+                                               "makes a mesh",
+                                               in, out));
+  if (domain) return check_poly_output(arguments.output);
+  if (Status fine = check_stream_format(outputs, arguments.format, {}); !fine) return fine;
+  if (arguments.output.extension() == ".poly")
+    return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly", in));
+  return check_mesh_outputs(outputs, inputs);
+}
+
+void print(const Arguments& arguments, const std::string& content, const std::string& lost) {
+  if (arguments.quiet || arguments.output == "-") return;
+  fmt::print("{}: {}\n", arguments.input.string(), content);
+  if (!lost.empty()) fmt::print("note    {} cannot store: {}\n", arguments.output.extension().string(), lost);
+  fmt::print("wrote   {}\n", arguments.output.string());
+}
+
+Status convert_domain(const Arguments& arguments) {
+  const Result<Domain> domain = read_domain(arguments.input);
+  if (!domain) return domain.error();
+  const Pslg& pslg = domain->pslg;
+  if (Status written = write_poly(pslg, arguments.output, pslg.first_id.value); !written) return written;
+  print(arguments, plural(pslg.points.size(), "point") + ", " + plural(pslg.segments.size(), "segment"), {});
+  return Done{};
+}
+
+Status write(const Arguments& arguments, const Mesh& mesh) {
+  if (!is_triangle_file(arguments.output))
+    return write_mesh_to(mesh, {}, arguments.output, arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary,
+                         arguments.format);
+  // The .poly contains the holes and the regions, too.
+  const Result<Pslg> pslg = domain_with(arguments.input, mesh);
+  if (!pslg) return with_name(pslg.error(), arguments.input.string());
+  const fs::path stem = fs::path(arguments.output).replace_extension();
+  return write_triangle_files(mesh, *pslg, stem, {.base = mesh.first_id.value});
+}
+
+Status convert_mesh(const Arguments& arguments) {
+  ProgressBar bar(ShowProgress::automatic);
+  bar.begin("reading " + arguments.input.string());
+  const Result<Mesh> mesh = read_mesh(arguments.input);
+  if (!mesh) return mesh.error();
+  bar.begin("writing " + arguments.output.string());
+  if (Status written = write(arguments, *mesh); !written) return written;
+  bar.finish();
+  print(arguments,
+        plural(mesh->points.size(), "vertex", "vertices") + ", " + plural(mesh->triangles.size(), "triangle"),
+        lost(*mesh, arguments.output));
+  return Done{};
+}
+
+Result<ExitCode> run(const Arguments& arguments) {
+  const bool domain = is_domain_file(arguments.input);
+  if (Status fine = check_output(arguments, domain); !fine) return fine.error();
+  const Status converted = domain ? convert_domain(arguments) : convert_mesh(arguments);
+  if (!converted) return converted.error();
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_convert(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = program.add_subcommand("convert", "Write a mesh or a domain in another format, without changing it");
+  app->add_option("IN", arguments->input, "A mesh (.node, .ele, .msh, .vtu, .off) or a domain (.poly, .node)")
+      ->required()
+      ->type_name("");
+  app->add_option("OUT", arguments->output, "The file to write: .node, .ele, .msh, .vtu or .off; for a domain .poly")
+      ->required()
+      ->type_name("");
+  app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
+  app->add_option("--format", arguments->format, "Format of the output - (standard output): msh, off, svg or vtu")
+      ->transform(choice(stream_format_names))
+      ->type_name("FORMAT");
+  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output");
+  app->footer(
+      R"(The numbering of the vertices, coordinates, regions, markers and constrained edges stay the same. A note
+names what the format of OUT cannot store.
+
+Examples:
+  pardel convert key.msh key.vtu
+  pardel convert mesh.ele mesh.msh)");
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,82 @@
+// A picture under construction: maps the plane to the picture, draws with cairo, and writes SVG or PNG.
+#pragma once
+
+#include <cairo.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../../core/pslg.hpp"
+#include "../../core/result.hpp"
+#include "../../core/support/output_file.hpp"
+#include "colour.hpp"
+
+namespace pardel::cli {
+
+/// A rectangle of the plane.
+struct Window {
+  Point low, high;
+};
+
+/// The smallest window around the points; a square of side 1 if it would be empty.
+[[nodiscard]] Window window_around(std::span<const Point> points);
+
+/// Sizes are in pixels for PNG and in user units for SVG.
+struct Layout {
+  double pixels = 1600;  ///< the longer side of the drawing, without margins
+  bool legend = true;    ///< leaves a column free to the right of the drawing
+  bool cut = false;      ///< nothing is drawn outside the window; otherwise marks at its border are drawn completely
+};
+
+class Canvas {
+ public:
+  Canvas(const std::filesystem::path& file, const Window& window, const Layout& layout);
+
+  /// The length that line widths and letters are multiples of: a thousandth of the longer side of the drawing.
+  [[nodiscard]] double unit() const { return unit_; }
+  /// The length of the plane's unit in the picture.
+  [[nodiscard]] double scale() const { return scale_; }
+  /// The size of the drawing, and its place.
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] double margin() const { return 20 * unit_; }
+  [[nodiscard]] Point at(Point p) const;
+  /// True if the point lies in the window.
+  [[nodiscard]] bool contains(Point p) const;
+
+  /// A convex polygon of the plane. Parts outside the window are not drawn.
+  void add_polygon(std::span<const Point> corners);
+  void add_line(Point a, Point b);
+  /// Draws what was added since the last call.
+  void fill(Colour colour);
+  void stroke(Colour colour, double width);
+  /// Draws an image over the whole drawing. `pixels`: rows from the top, premultiplied ARGB.
+  void paint(std::vector<std::uint32_t>& pixels, int columns, int rows);
+
+  /// From now on nothing is clipped, and places are those of the picture: for the legend.
+  void leave_drawing();
+  [[nodiscard]] cairo_t* context() const { return context_.get(); }
+
+  /// Completes the file.
+  [[nodiscard]] Status finish();
+
+ private:
+  struct Destroy {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+  };
+  [[nodiscard]] bool outside(std::span<const Point> corners) const;
+
+  OutputFile out_;
+  std::string name_;
+  bool png_;
+  Window window_;
+  double unit_, scale_, width_, height_;
+  std::unique_ptr<cairo_surface_t, Destroy> surface_;
+  std::unique_ptr<cairo_t, Destroy> context_;
+};
+
+}  // namespace pardel::cli

@@ -1,0 +1,86 @@
+#include "draw_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "draw_lines.hpp"
+#include "small_triangles.hpp"
+
+namespace pardel::cli {
+namespace {
+
+using Corners = std::array<Point, 3>;
+
+Corners corners_of(const Mesh& mesh, Index t) {
+  const auto& v = mesh.triangles[t].v;
+  return {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+}
+
+double length(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
+
+/// The longest side in the picture.
+double size_of(const Canvas& canvas, const Corners& c) {
+  return canvas.scale() * std::max({length(c[0], c[1]), length(c[1], c[2]), length(c[2], c[0])});
+}
+
+/// Each class of sizes is a quarter of an octave, so that line widths change gradually.
+int class_of(double size) { return static_cast<int>(std::floor(4 * std::log2(size))); }
+double size_of_class(int k) { return std::exp2(0.25 * k); }
+
+/// The triangles that are drawn one by one, by colour and by class of size.
+struct Sorted {
+  std::vector<std::vector<Index>> by_colour;
+  std::map<int, std::vector<Index>> by_size;
+};
+
+Sorted sorted(const Canvas& canvas, const Mesh& mesh, const Colouring& colouring, SmallTriangles& small) {
+  const bool edges = !colouring.legend.is_scale();
+  Sorted large;
+  large.by_colour.resize(colouring.palette.size());
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const Corners corners = corners_of(mesh, t);
+    const double size = size_of(canvas, corners);
+    const std::uint16_t colour = colouring.colour_of[t];
+    if (size < SmallTriangles::largest) {
+      small.add({canvas.at(corners[0]), canvas.at(corners[1]), canvas.at(corners[2])}, size, colouring.palette[colour],
+                edges);
+    } else {
+      large.by_colour[colour].push_back(t);
+      large.by_size[class_of(size)].push_back(t);
+    }
+  }
+  return large;
+}
+
+/// An edge of two triangles is drawn with the first of them.
+void add_edges(Canvas& canvas, const Mesh& mesh, Index t) {
+  const Triangle& triangle = mesh.triangles[t];
+  for (int i = 0; i < 3; ++i) {
+    if (triangle.n[i] < t) continue;
+    canvas.add_line(mesh.points[triangle.v[(i + 1) % 3]], mesh.points[triangle.v[(i + 2) % 3]]);
+  }
+}
+
+}  // namespace
+
+void draw_mesh(Canvas& canvas, const Mesh& mesh, const Colouring& colouring) {
+  SmallTriangles small(canvas);
+  const Sorted large = sorted(canvas, mesh, colouring, small);
+  small.paint(canvas);
+  for (std::size_t colour = 0; colour < large.by_colour.size(); ++colour) {
+    const auto fill = [&] { canvas.fill(colouring.palette[colour]); };
+    in_parts(
+        large.by_colour[colour], [&](Index t) { canvas.add_polygon(corners_of(mesh, t)); }, fill);
+  }
+  for (const auto& [size, triangles] : large.by_size) {
+    const double width = std::clamp(0.035 * size_of_class(size), 0.1 * canvas.unit(), 0.8 * canvas.unit());
+    const auto stroke = [&, width] { canvas.stroke(edge_colour, width); };
+    in_parts(
+        triangles, [&](Index t) { add_edges(canvas, mesh, t); }, stroke);
+  }
+  draw_lines(canvas, mesh.constrained_edges, mesh.points.span());
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,119 @@
+#include "findings_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "verdict.hpp"
+
+namespace pardel::cli {
+namespace {
+
+double distance(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
+
+double doubled_area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+/// The angle at `p`, in degrees.
+double angle(Point p, Point a, Point b) {
+  const double dot = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);
+  return std::atan2(std::abs(doubled_area(p, a, b)), dot) * 180 / std::numbers::pi;
+}
+
+double longest_edge(const std::vector<Point>& p) {
+  return std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+}
+
+double circumradius(const std::vector<Point>& p) {
+  return distance(p[0], p[1]) * distance(p[1], p[2]) * distance(p[2], p[0]) /
+         (2 * std::abs(doubled_area(p[0], p[1], p[2])));
+}
+
+/// The value with three digits, or with as many as are needed to tell it from the bound.
+std::string shown(double value, double bound) {
+  for (int digits = 3; digits < 17; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    double rounded = value;
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
+    if (rounded != bound && (rounded < bound) == (value < bound)) return text;
+  }
+  return fmt::format("{}", value);
+}
+
+std::string above(const std::string& what, const char* quantity, double value, double bound) {
+  return fmt::format("{}: {} {} is above {}", what, quantity, shown(value, bound), bound);
+}
+
+/// The text up to `mark`, where a proof with exact numbers begins; all of it if there is no such mark.
+std::string before(const std::string& text, std::string_view mark) { return text.substr(0, text.find(mark)); }
+
+std::string sentence(const Violation& violation, const Goal& goal, double max_circumradius) {
+  const std::vector<Index>& ids = violation.ids;
+  const std::vector<Point>& p = violation.where;
+  const auto triangle = [&] { return fmt::format("triangle {}", ids[0]); };
+  const auto area = [&] { return std::abs(doubled_area(p[0], p[1], p[2])) / 2; };
+  switch (violation.kind) {
+    case ViolationKind::small_angle: {
+      const double value = angle(p[0], p[1], p[2]);
+      return fmt::format("{}: angle {}° is below {}°", triangle(), shown(value, goal.min_angle_deg),
+                         goal.min_angle_deg);
+    }
+    case ViolationKind::large_area:
+      return above(triangle(), "area", area(), goal.max_area);
+    case ViolationKind::region_area:
+      return fmt::format("{}: area {:.4g} is above the cap of its region", triangle(), area());
+    case ViolationKind::long_edge:
+      return above(fmt::format("edge {}-{} of triangle {}", ids[0], ids[1], ids[2]), "length", distance(p[0], p[1]),
+                   goal.max_edge);
+    case ViolationKind::size_exceeded: {
+      const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
+      const double size = goal.size(centroid);
+      return fmt::format("{}: longest edge {} is above {:.4g}, the size at its centroid", triangle(),
+                         shown(longest_edge(p), size), size);
+    }
+    case ViolationKind::large_circumradius:
+      return above(triangle(), "circumradius", circumradius(p), max_circumradius);
+    case ViolationKind::not_delaunay:
+      return before(violation.witness, ", in-circle determinant");
+    case ViolationKind::chain_off_segment:
+      return fmt::format("vertex {} lies too far from segment {}", ids[0], ids[1]);
+    case ViolationKind::overlap:
+      return before(violation.witness, ": the ends of each");
+    default:
+      return violation.witness;
+  }
+}
+
+}  // namespace
+
+std::string in_words(const Violation& violation, const Goal& goal, double max_circumradius) {
+  std::string text = sentence(violation, goal, max_circumradius);
+  if (!violation.where.empty()) {
+    text += fmt::format(", at ({:.6g}, {:.6g})", violation.where.front().x, violation.where.front().y);
+  }
+  return text;
+}
+
+std::string findings_text(const Certificate& certificate, std::string_view all_in, double max_circumradius) {
+  std::string text;
+  auto violation = certificate.violations.begin();
+  for (std::size_t k = 0; k < certificate.violation_counts.size(); ++k) {
+    const std::uint64_t count = certificate.violation_counts[k];
+    if (count == 0) continue;
+    const auto kind = static_cast<ViolationKind>(k);
+    std::string title = name(kind);
+    std::ranges::replace(title, '_', ' ');
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", title, count);
+    const std::uint64_t listed = std::min<std::uint64_t>(count, most_listed);
+    for (std::uint64_t i = 0; i < listed; ++i, ++violation)
+      text += fmt::format("\n  {}", in_words(*violation, certificate.goal, max_circumradius));
+    if (count > listed) text += fmt::format("\n  ... and {} more (all in {})", count - listed, all_in);
+    violation =
+        std::find_if(violation, certificate.violations.end(), [&](const Violation& v) { return v.kind != kind; });
+  }
+  return text;
+}
+
+}  // namespace pardel::cli

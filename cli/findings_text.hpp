@@ -1,0 +1,20 @@
+// The violations of a certificate in words.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "../properties/checker/check.hpp"
+
+namespace pardel::cli {
+
+/// One violation as a short sentence with its place: "triangle 75: angle 34.9° is below 40°, at (0.5, 0.25)". Numbers
+/// are rounded. The witness of the violation, which JSON contains, is exact. `max_circumradius`: as in CheckOptions.
+[[nodiscard]] std::string in_words(const Violation& violation, const Goal& goal, double max_circumradius = 0);
+
+/// A paragraph per kind of violation: their number, ten of them in words, and how many more there are. `all_in`: the
+/// place that lists all of them. Precondition: the certificate lists at least ten violations of each kind, or all.
+[[nodiscard]] std::string findings_text(const Certificate& certificate, std::string_view all_in,
+                                        double max_circumradius = 0);
+
+}  // namespace pardel::cli

@@ -1,0 +1,22 @@
+// Resolves conflicts: makes a planar graph of segments that cross, overlap or nearly touch.
+#pragma once
+
+#include <vector>
+
+#include "../../core/pslg.hpp"
+
+namespace pardel::engine {
+
+/// The Pslg in its present state, with the origin of its points and segments.
+struct Work {
+  Pslg pslg;
+  std::vector<Index> point_map;  ///< old point -> point
+  std::vector<Index> source;     ///< segment -> old segment
+};
+
+/// Changes the points and segments until segments meet only at common ends and contain no other point. With a positive
+/// `snap`, no two points are then closer than `snap`, and no point is closer than half of `snap` to a segment that does
+/// not end there. Returns false if this fails.
+[[nodiscard]] bool untangle(Work& work, double snap);
+
+}  // namespace pardel::engine

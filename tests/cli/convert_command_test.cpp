@@ -1,0 +1,137 @@
+// pardel convert: a mesh or a domain in another format, without changes.
+#include <string>
+#include <vector>
+
+#include "../../core/digest.hpp"
+#include "../../core/formats.hpp"
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+constexpr const char* two_regions_poly = R"(10 2 1 1
+0 0 0 1.5 3
+1 1 0 2.5 0
+2 2 0 3.5 0
+3 2 1 4.5 4
+4 1 1 5.5 0
+5 0 1 6.5 0
+6 0.4 0.4 7.5 0
+7 0.6 0.4 8.5 0
+8 0.6 0.6 9.5 0
+9 0.4 0.6 9.75 0
+11 1
+0 0 1 1
+1 1 2 1
+2 2 3 2
+3 3 4 1
+4 4 5 1
+5 5 0 1
+6 1 4 3
+7 6 7 4
+8 7 8 4
+9 8 9 4
+10 9 6 4
+1
+0 0.5 0.5
+2
+0 0.1 0.1 7 0.01
+1 1.5 0.5 9 -1
+)";
+
+class ConvertCommand : public Workshop {
+ protected:
+  ConvertCommand() {
+    write("in.poly", two_regions_poly);
+    EXPECT_EQ(pardel({"mesh", "in.poly", "-o", "m.node", "-o", "m.vtu", "-o", "m.msh"}).exit_code, 0);
+  }
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / "work" / name; }
+  [[nodiscard]] Mesh mesh(const std::string& name) const {
+    Result<Mesh> mesh = read_mesh(path(name));
+    EXPECT_TRUE(mesh) << mesh.error().message;
+    return std::move(mesh).value();
+  }
+  void convert(const std::string& from, const std::string& to) const {
+    const Ran ran = pardel({"convert", from, to});
+    EXPECT_EQ(ran.exit_code, 0) << from << " to " << to << ": " << ran;
+    EXPECT_EQ(ran.err, "");
+  }
+};
+
+TEST_F(ConvertCommand, every_pair_of_formats_keeps_the_mesh_its_regions_and_its_markers) {
+  const Digest digest_of_mesh = digest(mesh("m.node"));
+  for (const std::string from : {"m.ele", "m.vtu", "m.msh"}) {
+    for (const std::string to : {"node", "vtu", "msh"}) {
+      convert(from, "c." + to);
+      EXPECT_EQ(digest(mesh("c." + to)), digest_of_mesh) << from << " to " << to;
+      EXPECT_EQ(mesh("c." + to).points, mesh(from).points) << from << " to " << to;
+    }
+  }
+}
+
+TEST_F(ConvertCommand, there_and_back_gives_the_same_files) {
+  convert("m.ele", "a.vtu");
+  convert("a.vtu", "b.node");
+  convert("b.node", "c.vtu");
+  EXPECT_EQ(read("c.vtu"), read("a.vtu"));
+  EXPECT_EQ(mesh("b.node").point_markers, mesh("m.node").point_markers);
+  EXPECT_EQ(mesh("b.node").point_attributes, mesh("m.node").point_attributes);
+}
+
+TEST_F(ConvertCommand, triangles_files_keep_their_numbering_holes_and_regions) {
+  convert("m.node", "n.node");
+  for (const std::string suffix : {".node", ".ele", ".poly"}) EXPECT_EQ(read("n" + suffix), read("m" + suffix));
+  write("zero.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
+  write("zero.ele", "1 3 0\n0 0 1 2\n");
+  convert("zero.ele", "z.ele");
+  EXPECT_EQ(table("z.ele")[1], (std::vector<double>{0, 0, 1, 2}));
+}
+
+TEST_F(ConvertCommand, a_hole_is_found_where_the_format_has_none) {
+  convert("m.vtu", "v.node");
+  EXPECT_EQ(pardel({"mesh", "v.node", "--refine", "-o", "finer.vtu", "--max-area", "0.001", "--check"}).exit_code, 0);
+}
+
+TEST_F(ConvertCommand, a_wrong_mesh_stays_as_it_is) {
+  write("w.node", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n");
+  write("w.ele", "2 3 0\n1 1 3 2\n2 1 3 4\n");
+  convert("w.ele", "w.off");
+  EXPECT_EQ(mesh("w.off").triangles[0].v, (std::array<Index, 3>{0, 2, 1}));
+}
+
+TEST_F(ConvertCommand, a_note_names_what_the_format_cannot_store) {
+  EXPECT_TRUE(
+      holds(pardel({"convert", "m.ele", "n.off"}).out,
+            {"note", ".off cannot store: regions, constrained edges, markers of points, attributes of points"}));
+  EXPECT_TRUE(holds(pardel({"convert", "m.ele", "n.msh"}).out, {".msh cannot store: markers of points, attributes"}));
+  EXPECT_EQ(pardel({"convert", "m.ele", "n.vtu"}).out.find("note"), std::string::npos);
+  EXPECT_EQ(pardel({"convert", "m.ele", "n.off", "-q"}).out, "");
+}
+
+TEST_F(ConvertCommand, a_domain_is_written_as_poly_with_its_numbering) {
+  convert("in.poly", "out.poly");
+  EXPECT_EQ(*read_pslg(path("out.poly")), *read_pslg(path("in.poly")));
+  EXPECT_EQ(table("out.poly")[1][0], 0);
+  write("points.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  convert("points.node", "points.poly");
+  EXPECT_EQ(read_pslg(path("points.poly"))->points.size(), 3U);
+}
+
+TEST_F(ConvertCommand, a_domain_is_not_meshed) {
+  const Ran ran = pardel({"convert", "in.poly", "out.vtu"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"'pardel mesh in.poly -o out.vtu'"}));
+  EXPECT_FALSE(exists("out.vtu"));
+}
+
+TEST_F(ConvertCommand, outputs_that_make_no_sense_are_usage_errors) {
+  EXPECT_TRUE(holds(pardel({"convert", "m.vtu", "m2.svg"}).err, {"'pardel draw m.vtu m2.svg'"}));
+  EXPECT_TRUE(holds(pardel({"convert", "m.vtu", "m2.poly"}).err, {"m.vtu is a mesh", ".node"}));
+  EXPECT_TRUE(holds(pardel({"convert", "m.vtu", "m2.stl"}).err, {"'.stl' is not a known format"}));
+  EXPECT_TRUE(holds(pardel({"convert", "m.vtu", "m.vtu"}).err, {"would replace"}));
+  for (const std::string to : {"m2.svg", "m2.poly", "m2.stl"})
+    EXPECT_EQ(pardel({"convert", "m.vtu", to}).exit_code, 2) << to;
+}
+
+}  // namespace
+}  // namespace pardel::testing
