@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "../core/formats.hpp"
+#include "../core/support/output_file.hpp"
 #include "../properties/checker/check.hpp"
 #include "command.hpp"
 #include "findings_text.hpp"
@@ -69,6 +71,8 @@ void print(const Arguments& arguments, const Mesh& mesh, const Certificate& cert
 }
 
 Result<ExitCode> run(const Arguments& arguments) {
+  const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes};
+  if (Status fine = check_standard_input(inputs); !fine) return fine.error();
   if (Status folder = check_folder(arguments.json); !folder) return folder.error();
   ProgressBar bar(arguments.progress);
   const Result<Input, Refusal> input = read(arguments, bar);
@@ -80,7 +84,7 @@ Result<ExitCode> run(const Arguments& arguments) {
   bar.begin("checking");
   const Certificate certificate = check(input->domain.pslg(), input->mesh, input->goal, options);
   bar.finish();
-  if (!arguments.quiet && arguments.json != "-") print(arguments, input->mesh, certificate);
+  if (!arguments.quiet && !is_standard_output(arguments.json)) print(arguments, input->mesh, certificate);
   if (!arguments.json.empty()) {
     if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();
   }
@@ -92,8 +96,12 @@ Result<ExitCode> run(const Arguments& arguments) {
 Command add_check(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or list what is wrong");
-  app->add_option("IN.poly", arguments->domain, "The domain: .poly or .node")->required()->type_name("");
-  app->add_option("MESH", arguments->mesh, "The mesh, made by any program: .node, .ele, .msh, .vtu, .off")
+  app->add_option("IN.poly", arguments->domain, "The domain: .poly or .node; - is standard input")
+      ->required()
+      ->type_name("");
+  app->add_option(
+         "MESH", arguments->mesh,
+         "The mesh, made by any program: .node, .ele, .msh, .vtu, .off; - is standard input (.msh, .vtu, .off)")
       ->required()
       ->type_name("");
   add_goal_options(*app, arguments->goal, largest_angle_to_check);

@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "../core/formats.hpp"
+#include "../core/support/output_file.hpp"
 #include "choice.hpp"
 #include "command.hpp"
+#include "domain_or_mesh.hpp"
 #include "input.hpp"
 #include "names.hpp"
 #include "output.hpp"
 #include "plural.hpp"
-#include "progress_bar.hpp"
 #include "suffix.hpp"
 
 namespace pardel::cli {
@@ -27,11 +28,9 @@ struct Arguments {
   fs::path input;
   fs::path output;
   bool msh_ascii = false;
-  std::optional<StreamFormat> format;
+  std::optional<MeshFormat> format;
   bool quiet = false;
 };
-
-bool is_triangle_file(const fs::path& file) { return file.extension() == ".node" || file.extension() == ".ele"; }
 
 /// The contents of the mesh that the format of the output cannot store, for example "regions, markers of points".
 std::string lost(const Mesh& mesh, const fs::path& output) {
@@ -52,42 +51,43 @@ Error wrong_output(const Arguments& arguments, const std::string& why) {
   return {ErrorKind::usage, fmt::format("{}: {}", arguments.output.string(), why)};
 }
 
-Status check_output(const Arguments& arguments, bool domain) {
+Status check_output_of(const Arguments& arguments, const Pslg& /*domain*/) {
   const std::string in = arguments.input.string(), out = arguments.output.string();
-  const std::vector<fs::path> outputs = {arguments.output}, inputs = {arguments.input};
-  if (arguments.output.extension() == ".svg" || arguments.output.extension() == ".png")
-    return wrong_output(arguments, fmt::format("'pardel draw {} {}' draws pictures", in, out));
-  if (domain && arguments.output.extension() != ".poly" && is_mesh_suffix(arguments.output))
+  if (mesh_format(arguments.output))
     return wrong_output(arguments, fmt::format("{0} is a domain, which has no triangles; 'pardel mesh {0} -o {1}' "
                                                "makes a mesh",
                                                in, out));
-  if (domain) return check_poly_output(arguments.output);
-  if (Status fine = check_stream_format(outputs, arguments.format, {}); !fine) return fine;
+  if (arguments.format) return wrong_output(arguments, "--format is for meshes; " + in + " is a domain");
+  return check_poly_output(arguments.output);
+}
+
+Status check_output_of(const Arguments& arguments, const Mesh& /*mesh*/) {
+  const std::vector<fs::path> outputs = {arguments.output}, inputs = {arguments.input};
+  if (Status fine = check_stream_format(outputs, arguments.format); !fine) return fine;
   if (arguments.output.extension() == ".poly")
-    return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly", in));
+    return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly",
+                                               arguments.input.string()));
   return check_mesh_outputs(outputs, inputs);
 }
 
-void print(const Arguments& arguments, const std::string& content, const std::string& lost) {
-  if (arguments.quiet || arguments.output == "-") return;
+void print(const Arguments& arguments, ProgressBar& bar, const std::string& content, const std::string& lost) {
+  bar.finish();
+  if (arguments.quiet || is_standard_output(arguments.output)) return;
   fmt::print("{}: {}\n", arguments.input.string(), content);
   if (!lost.empty()) fmt::print("note    {} cannot store: {}\n", arguments.output.extension().string(), lost);
   fmt::print("wrote   {}\n", arguments.output.string());
 }
 
-Status convert_domain(const Arguments& arguments) {
-  const Result<Domain> domain = read_domain(arguments.input);
-  if (!domain) return domain.error();
-  const Pslg& pslg = domain->pslg;
-  if (Status written = write_poly(pslg, arguments.output, pslg.first_id.value); !written) return written;
-  print(arguments, plural(pslg.points.size(), "point") + ", " + plural(pslg.segments.size(), "segment"), {});
+Status convert(const Arguments& arguments, const Pslg& domain, ProgressBar& bar) {
+  if (Status written = write_poly(domain, arguments.output, domain.first_id.value); !written) return written;
+  print(arguments, bar, plural(domain.points.size(), "point") + ", " + plural(domain.segments.size(), "segment"), {});
   return Done{};
 }
 
 Status write(const Arguments& arguments, const Mesh& mesh) {
-  if (!is_triangle_file(arguments.output))
-    return write_mesh_to(mesh, {}, arguments.output, arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary,
-                         arguments.format);
+  if (mesh_format(arguments.output) != MeshFormat::triangle)
+    return write_mesh(mesh, {}, arguments.output, arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary,
+                      arguments.format);
   // The .poly contains the holes and the regions, too.
   const Result<Pslg> pslg = domain_with(arguments.input, mesh);
   if (!pslg) return with_name(pslg.error(), arguments.input.string());
@@ -95,26 +95,24 @@ Status write(const Arguments& arguments, const Mesh& mesh) {
   return write_triangle_files(mesh, *pslg, stem, {.base = mesh.first_id.value});
 }
 
-Status convert_mesh(const Arguments& arguments) {
-  ProgressBar bar(ShowProgress::automatic);
-  bar.begin("reading " + arguments.input.string());
-  const Result<Mesh> mesh = read_mesh(arguments.input);
-  if (!mesh) return mesh.error();
-  bar.begin("writing " + arguments.output.string());
-  if (Status written = write(arguments, *mesh); !written) return written;
-  bar.finish();
-  print(arguments,
-        plural(mesh->points.size(), "vertex", "vertices") + ", " + plural(mesh->triangles.size(), "triangle"),
-        lost(*mesh, arguments.output));
+Status convert(const Arguments& arguments, const Mesh& mesh, ProgressBar& bar) {
+  if (Status written = write(arguments, mesh); !written) return written;
+  print(arguments, bar,
+        plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"),
+        lost(mesh, arguments.output));
   return Done{};
 }
 
 Result<ExitCode> run(const Arguments& arguments) {
-  const bool domain = is_domain_file(arguments.input);
-  if (Status fine = check_output(arguments, domain); !fine) return fine.error();
-  const Status converted = domain ? convert_domain(arguments) : convert_mesh(arguments);
-  if (!converted) return converted.error();
-  return ExitCode::done;
+  const std::string in = arguments.input.string(), out = arguments.output.string();
+  if (arguments.output.extension() == ".svg" || arguments.output.extension() == ".png")
+    return wrong_output(arguments, fmt::format("'pardel draw {} {}' draws pictures", in, out));
+  ProgressBar bar(ShowProgress::automatic);
+  return with_domain_or_mesh(arguments.input, bar, [&](const auto& input) -> Status {
+    if (Status fine = check_output_of(arguments, input); !fine) return fine;
+    bar.begin("writing " + out);
+    return convert(arguments, input, bar);
+  });
 }
 
 }  // namespace
@@ -122,7 +120,8 @@ Result<ExitCode> run(const Arguments& arguments) {
 Command add_convert(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app = program.add_subcommand("convert", "Write a mesh or a domain in another format, without changing it");
-  app->add_option("IN", arguments->input, "A mesh (.node, .ele, .msh, .vtu, .off) or a domain (.poly, .node)")
+  app->add_option("IN", arguments->input,
+                  "A mesh (.node, .ele, .msh, .vtu, .off) or a domain (.poly, .node); - is standard\ninput")
       ->required()
       ->type_name("");
   app->add_option("OUT", arguments->output, "The file to write: .node, .ele, .msh, .vtu or .off; for a domain .poly")

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -71,6 +72,8 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
 }
 
 Result<ExitCode> run(const Arguments& arguments) {
+  const std::array outputs = {arguments.repaired, arguments.json};
+  if (Status fine = check_standard_output(outputs); !fine) return fine.error();
   if (!arguments.repaired.empty()) {
     if (Status fine = check_poly_output(arguments.repaired); !fine) return fine.error();
   }
@@ -101,7 +104,7 @@ Result<ExitCode> run(const Arguments& arguments) {
   }
   bar.finish();
   if (valid) print_warnings(*valid, domain->name);
-  if (!arguments.quiet && arguments.json != "-" && arguments.repaired != "-") print(*domain, problems, repaired);
+  if (!arguments.quiet && !has_standard_output(outputs)) print(*domain, problems, repaired);
   if (!arguments.json.empty()) {
     const std::string text = to_json(*domain, problems, repaired).dump(2) + "\n";
     if (Status written = write_text(text, arguments.json); !written) return written.error();

@@ -12,16 +12,15 @@
 #include "../core/formats.hpp"
 #include "choice.hpp"
 #include "command.hpp"
+#include "domain_or_mesh.hpp"
 #include "drawing/canvas.hpp"
 #include "drawing/colouring.hpp"
 #include "drawing/draw_domain.hpp"
 #include "drawing/draw_legend.hpp"
 #include "drawing/draw_mesh.hpp"
-#include "input.hpp"
 #include "names.hpp"
 #include "output.hpp"
 #include "plural.hpp"
-#include "progress_bar.hpp"
 #include "suffix.hpp"
 
 namespace pardel::cli {
@@ -43,11 +42,9 @@ struct Arguments {
 
 Error usage(const std::string& message) { return {ErrorKind::usage, message}; }
 
-Status check_arguments(const Arguments& arguments, bool domain) {
+Status check_arguments(const Arguments& arguments) {
   const fs::path suffix = arguments.output.extension();
   if (suffix != ".svg" && suffix != ".png") return unknown_format(arguments.output, "a picture", ".svg and .png");
-  if (domain && arguments.by)
-    return usage(fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string()));
   const bool of_work = arguments.by && *arguments.by >= ColourBy::tile;
   if (of_work && arguments.report.empty())
     return usage(fmt::format("--by {} needs --report FILE.json", colour_names[*arguments.by]));
@@ -67,38 +64,31 @@ Canvas canvas_for(const Arguments& arguments, std::span<const Point> points) {
 
 std::string headline(const Arguments& arguments) { return arguments.input.filename().string(); }
 
-Status draw_mesh(const Arguments& arguments, ProgressBar& bar) {
-  const Result<Mesh> mesh = read_mesh(arguments.input);
-  if (!mesh) return mesh.error();
-  const Result<Colouring> coloured = colouring(*mesh, arguments.by.value_or(ColourBy::region), arguments.report);
+Status draw(const Arguments& arguments, const Mesh& mesh, ProgressBar& bar) {
+  const Result<Colouring> coloured = colouring(mesh, arguments.by.value_or(ColourBy::region), arguments.report);
   if (!coloured) return coloured.error();
   bar.begin("drawing " + arguments.output.string());
-  Canvas canvas = canvas_for(arguments, mesh->points.span());
-  draw_mesh(canvas, *mesh, *coloured);
-  const std::vector<std::string> text = {headline(arguments), plural(mesh->points.size(), "vertex", "vertices"),
-                                         plural(mesh->triangles.size(), "triangle")};
+  Canvas canvas = canvas_for(arguments, mesh.points.span());
+  draw_mesh(canvas, mesh, *coloured);
+  const std::vector<std::string> text = {headline(arguments), plural(mesh.points.size(), "vertex", "vertices"),
+                                         plural(mesh.triangles.size(), "triangle")};
   if (!arguments.no_legend) draw_legend(canvas, text, coloured.value().legend);
   return canvas.finish();
 }
 
-Status draw_domain(const Arguments& arguments, ProgressBar& bar) {
-  const Result<Domain> domain = read_domain(arguments.input);
-  if (!domain) return domain.error();
+Status draw(const Arguments& arguments, const Pslg& domain, ProgressBar& bar) {
+  if (arguments.by) return usage(fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string()));
   bar.begin("drawing " + arguments.output.string());
-  Canvas canvas = canvas_for(arguments, domain->pslg.points);
-  draw_domain(canvas, domain->pslg);
-  if (!arguments.no_legend) draw_legend(canvas, headline(arguments), domain->pslg);
+  Canvas canvas = canvas_for(arguments, domain.points);
+  draw_domain(canvas, domain);
+  if (!arguments.no_legend) draw_legend(canvas, headline(arguments), domain);
   return canvas.finish();
 }
 
 Result<ExitCode> run(const Arguments& arguments) {
-  const bool domain = is_domain_file(arguments.input);
-  if (Status fine = check_arguments(arguments, domain); !fine) return fine.error();
+  if (Status fine = check_arguments(arguments); !fine) return fine.error();
   ProgressBar bar(ShowProgress::automatic);
-  bar.begin("reading " + arguments.input.string());
-  const Status drawn = domain ? draw_domain(arguments, bar) : draw_mesh(arguments, bar);
-  if (!drawn) return drawn.error();
-  return ExitCode::done;
+  return with_domain_or_mesh(arguments.input, bar, [&](const auto& input) { return draw(arguments, input, bar); });
 }
 
 }  // namespace
@@ -106,7 +96,8 @@ Result<ExitCode> run(const Arguments& arguments) {
 Command add_draw(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app = program.add_subcommand("draw", "Draw a domain or a mesh as SVG or PNG");
-  app->add_option("IN|MESH", arguments->input, "A domain (.poly, .node) or a mesh (.node, .ele, .msh, .vtu, .off)")
+  app->add_option("IN|MESH", arguments->input,
+                  "A domain (.poly, .node) or a mesh (.node, .ele, .msh, .vtu, .off); - is standard\ninput")
       ->required()
       ->type_name("");
   app->add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png")

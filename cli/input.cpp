@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -28,13 +29,18 @@ long long first_number(std::istream& in, long long fallback) {
 
 }  // namespace
 
+Status check_standard_input(std::span<const fs::path> inputs) {
+  if (std::ranges::count(inputs, fs::path("-")) < 2) return Done{};
+  return Error{ErrorKind::usage, "-: only one input can come from standard input"};
+}
+
 bool has_own_points(const fs::path& poly) {
   std::ifstream in(poly);
   return first_number(in, 0) != 0;
 }
 
 Result<Domain> read_domain(const fs::path& file) {
-  if (!is_domain_suffix(file) && !is_mesh_suffix(file)) return unknown_format(file, "a domain", ".poly and .node");
+  if (!is_domain_suffix(file) && !mesh_format(file)) return unknown_format(file, "a domain", ".poly and .node");
   if (!is_domain_suffix(file)) {
     return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly or .node file; meshes are for "
                                                "'pardel mesh --refine' and 'pardel check'",
@@ -65,7 +71,7 @@ Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   adopt_segments(coarse);
   const fs::path area = fs::path(file).replace_extension(".area");
   std::error_code ignored;
-  if (fs::exists(area, ignored)) {
+  if (file != "-" && fs::exists(area, ignored)) {
     if (Status read = read_caps(coarse, area); !read) return read.error();
   }
   return coarse;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "refusal.hpp"
 
 namespace pardel::cli {
+
+/// Error: `usage` if more than one of the inputs is standard input.
+[[nodiscard]] Status check_standard_input(std::span<const std::filesystem::path> inputs);
 
 /// A Pslg as read, not validated.
 struct Domain {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -52,7 +53,7 @@ struct Arguments {
   bool check = false;
   bool paranoid = false;
   bool msh_ascii = false;
-  std::optional<StreamFormat> format;
+  std::optional<MeshFormat> format;  ///< of the output -
   std::filesystem::path json;
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
@@ -194,9 +195,18 @@ Status complete_options(Arguments& arguments) {
   return Done{};
 }
 
+/// The meshes and the report.
+std::vector<std::filesystem::path> all_outputs(const Arguments& arguments) {
+  std::vector<std::filesystem::path> outputs = arguments.outputs;
+  outputs.push_back(arguments.json);
+  return outputs;
+}
+
 Status check_outputs(const Arguments& arguments) {
   const std::vector<std::filesystem::path> inputs = {arguments.input};
-  if (Status fine = check_stream_format(arguments.outputs, arguments.format, arguments.json); !fine) return fine;
+  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes}); !fine) return fine;
+  if (Status fine = check_stream_format(arguments.outputs, arguments.format); !fine) return fine;
+  if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }
@@ -207,7 +217,8 @@ Status write_outputs(const Arguments& arguments, const Mesh& mesh, const Pslg& p
   for (const auto& output : arguments.outputs) {
     if (interrupt.requested()) return interrupted();
     bar.begin("writing " + output.string());
-    if (Status written = write_mesh_to(mesh, pslg, output, msh, arguments.format); !written) return written;
+    const std::optional<MeshFormat> format = output == "-" ? arguments.format : std::nullopt;
+    if (Status written = write_mesh(mesh, pslg, output, msh, format); !written) return written;
   }
   return Done{};
 }
@@ -236,8 +247,7 @@ void describe(const Arguments& arguments, const Pslg& pslg, const Goal& goal, Me
 }
 
 Status print(const Arguments& arguments, const MeshRun& run) {
-  if (!arguments.quiet && arguments.json != "-" && !has_standard_output(arguments.outputs))
-    fmt::print("{}", to_text(run));
+  if (!arguments.quiet && !has_standard_output(all_outputs(arguments))) fmt::print("{}", to_text(run));
   return arguments.json.empty() ? Status(Done{}) : write_text(to_json(run), arguments.json);
 }
 

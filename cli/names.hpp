@@ -1,10 +1,10 @@
 // The names of enumerators on the command line and in the JSON report.
 #pragma once
 
+#include "../core/formats.hpp"
 #include "../core/support/enum_names.hpp"
 #include "../parallel/options.hpp"
 #include "drawing/colouring.hpp"
-#include "output.hpp"
 #include "progress_bar.hpp"
 
 namespace pardel::cli {
@@ -24,12 +24,8 @@ inline constexpr auto show_progress_names = enum_names<ShowProgress>({
     {ShowProgress::never, "never"},
 });
 
-inline constexpr auto stream_format_names = enum_names<StreamFormat>({
-    {StreamFormat::msh, "msh"},
-    {StreamFormat::off, "off"},
-    {StreamFormat::svg, "svg"},
-    {StreamFormat::vtu, "vtu"},
-});
+/// Without the last enumerator: Triangle's files are several, which standard output would not separate.
+inline constexpr EnumNames<MeshFormat, 4> stream_format_names{{"msh", "off", "svg", "vtu"}};
 
 inline constexpr auto colour_names = enum_names<ColourBy>({
     {ColourBy::quality, "quality"},

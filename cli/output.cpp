@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -45,30 +46,19 @@ Status write_text(std::string_view text, const fs::path& file) {
   return output.commit();
 }
 
-Status write_mesh_to(const Mesh& mesh, const Pslg& pslg, const fs::path& file, MshEncoding msh,
-                     std::optional<StreamFormat> format) {
-  if (file != "-" || !format) return write_mesh(mesh, pslg, file, msh);
-  switch (*format) {
-    case StreamFormat::msh:
-      return write_msh(mesh, file, msh);
-    case StreamFormat::off:
-      return write_off(mesh, file);
-    case StreamFormat::svg:
-      return write_svg(mesh, file);
-    case StreamFormat::vtu:
-      return write_vtu(mesh, file);
-  }
-  return Done{};
+bool has_standard_output(std::span<const fs::path> outputs) { return std::ranges::any_of(outputs, is_standard_output); }
+
+Status check_standard_output(std::span<const fs::path> outputs) {
+  if (std::ranges::count_if(outputs, is_standard_output) < 2) return Done{};
+  return Error{ErrorKind::usage, "-: only one output can go to standard output"};
 }
 
-Status check_stream_format(std::span<const fs::path> outputs, std::optional<StreamFormat> format,
-                           const fs::path& json) {
-  if (!has_standard_output(outputs)) {
-    if (format) return Error{ErrorKind::usage, "--format is for the output -; a suffix sets the format of a file"};
-    return Done{};
-  }
-  if (!format) return Error{ErrorKind::usage, "-: standard output has no suffix; set --format msh, off, svg or vtu"};
-  if (json == "-") return Error{ErrorKind::usage, "-: the mesh and --json cannot both go to standard output"};
+Status check_stream_format(std::span<const fs::path> outputs, std::optional<MeshFormat> format) {
+  const bool has_stream = std::ranges::find(outputs, fs::path("-")) != outputs.end();
+  if (has_stream && !format)
+    return Error{ErrorKind::usage, "-: standard output has no suffix; set --format msh, off, svg or vtu"};
+  if (!has_stream && format)
+    return Error{ErrorKind::usage, "--format is for the output -; a suffix sets the format of a file"};
   return Done{};
 }
 
@@ -99,7 +89,7 @@ Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs:
                                "'-o - --format FORMAT'",
                                output.string())};
     }
-    if (!is_mesh_suffix(output)) {
+    if (!mesh_format(output)) {
       return unknown_format(output, "a mesh", ".node, .ele, .vtu, .msh, .off and .svg");
     }
     for (const fs::path& input : inputs) {

@@ -1,8 +1,6 @@
 // Output files: writing text, and checks that detect an unwritable output before the work starts.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -14,24 +12,18 @@
 
 namespace pardel::cli {
 
-/// True if one of the outputs is standard output. Then no summary may be printed there.
-[[nodiscard]] inline bool has_standard_output(std::span<const std::filesystem::path> outputs) {
-  return std::ranges::find(outputs, std::filesystem::path("-")) != outputs.end();
-}
+/// True if one of the outputs is standard output, under any of its names. Then no summary may be printed there.
+[[nodiscard]] bool has_standard_output(std::span<const std::filesystem::path> outputs);
+
+/// Error: `usage` if more than one of the outputs is standard output.
+[[nodiscard]] Status check_standard_output(std::span<const std::filesystem::path> outputs);
 
 /// Writes `text` to `file`; "-" is standard output. A regular file gets its name only when it is complete.
 [[nodiscard]] Status write_text(std::string_view text, const std::filesystem::path& file);
 
-/// The formats of meshes that are a single file and can go to standard output; the option --format selects one.
-enum class StreamFormat : std::uint8_t { msh, off, svg, vtu };
-
-/// Writes a mesh. The suffix of `file` sets the format. If `file` is "-", writes to standard output in `format`.
-[[nodiscard]] Status write_mesh_to(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
-                                   MshEncoding msh, std::optional<StreamFormat> format);
-
-/// Checks the option --format: it is needed if one of the outputs is "-". Then the JSON must go elsewhere.
+/// Checks the option --format: it is needed if one of the outputs is "-", and only then.
 [[nodiscard]] Status check_stream_format(std::span<const std::filesystem::path> outputs,
-                                         std::optional<StreamFormat> format, const std::filesystem::path& json);
+                                         std::optional<MeshFormat> format);
 
 /// Checks output files for meshes. "-" is accepted. Errors: `usage` if a suffix is unknown or an output would replace
 /// an input; `io` if a folder does not exist or is not writable.

@@ -12,12 +12,6 @@ bool is_domain_suffix(const fs::path& file) {
   return suffix.empty() || suffix == ".poly" || suffix == ".node";
 }
 
-bool is_domain_file(const fs::path& file) {
-  std::error_code ignored;
-  if (file.extension() == ".node") return !fs::exists(fs::path(file).replace_extension(".ele"), ignored);
-  return is_domain_suffix(file);
-}
-
 Error unknown_format(const fs::path& file, const char* content, const char* known) {
   const std::string suffix = file.extension().string();
   const std::string what = suffix.empty() ? std::string("the name has no suffix, which sets the format")

@@ -10,10 +10,6 @@ namespace pardel::cli {
 /// True for .poly and .node, and for a name without a suffix, such as /dev/stdin, which is read as a .poly.
 [[nodiscard]] bool is_domain_suffix(const std::filesystem::path& file);
 
-/// True if the file is a domain rather than a part of a mesh: a .node is a part of a mesh if there is a .ele of the
-/// same name.
-[[nodiscard]] bool is_domain_file(const std::filesystem::path& file);
-
 /// The error for a file whose format is not known. `content`: "a mesh". `known`: the list of suffixes.
 [[nodiscard]] Error unknown_format(const std::filesystem::path& file, const char* content, const char* known);
 

@@ -6,8 +6,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "mesh.hpp"
@@ -27,7 +29,13 @@ namespace pardel {
 /// base: the number of the first vertex in Triangle's files, 0 or 1.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);
 
-/// Reads a mesh written by any program; the suffix determines the format. In the result, indices are in range and
+/// The formats of meshes: single files, and Triangle's .node, .ele and .poly.
+enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, triangle };
+/// The format that the suffix of a file sets; empty if it is not the suffix of a mesh.
+[[nodiscard]] std::optional<MeshFormat> mesh_format(const std::filesystem::path& file);
+
+/// Reads a mesh written by any program; the suffix determines the format. A file without a suffix, such as `-`
+/// (standard input), is a .msh, .vtu or .off; its first characters tell which. In the result, indices are in range and
 /// numbers are finite. Nothing else is verified: triangles may be clockwise, flat or overlapping (see the checker).
 /// Neighbours are computed from the triangles by rebuild_neighbours(). Region attributes are in ascending order. z is
 /// ignored. There are no constrained edges if the format has none.
@@ -44,20 +52,22 @@ namespace pardel {
 ///   .off         triangles only.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
 
+/// Reads a domain or a mesh. A .poly is a domain, and so is a .node without an .ele of the same name. A file without a
+/// suffix is a .poly unless it begins like a mesh.
+[[nodiscard]] Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const std::filesystem::path& file);
+
 enum class MshEncoding : std::uint8_t { ascii, binary };
 
-/// Writes a mesh; the suffix of `file` determines the format. Suffix .node or .ele: writes .node, .ele and .poly,
-/// either all of them or, after an error, none. Suffix .msh: uses the encoding `msh`. Other suffixes: .vtu, .off, .svg.
+/// Writes a mesh. The suffix of `file` determines the format, unless `format` is given, as it has to be for `-`
+/// (standard output). Triangle's format: writes .node, .ele and .poly, either all of them or, after an error, none.
+/// MSH: uses the encoding `msh`.
 /// Preconditions of this and all other writers of meshes: indices are in range, and arrays per point and per triangle
 /// have the right lengths; for .edge, .neigh and second order, Triangle::n is correct.
 [[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
-                                MshEncoding msh = MshEncoding::binary);
+                                MshEncoding msh = MshEncoding::binary, std::optional<MeshFormat> format = {});
 
 /// The names of all files that write_mesh() writes for `file`.
 [[nodiscard]] std::vector<std::string> written_files(const std::filesystem::path& file);
-
-/// True if write_mesh() can write the format of the suffix.
-[[nodiscard]] bool is_mesh_suffix(const std::filesystem::path& file);
 
 /// The files and parts of files that Triangle's switches select.
 struct TriangleFiles {
@@ -95,11 +105,6 @@ struct TriangleFiles {
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
 /// Draws the mesh. The colour of a triangle depends on its region.
 [[nodiscard]] Status write_svg(const Mesh& mesh, const std::filesystem::path& file);
-/// Used instead of a hue: the triangle is drawn in white.
-inline constexpr std::uint16_t no_hue = 360;
-/// Draws the mesh; triangle i has the hue hues[i], in degrees below 360, or no_hue. Precondition: one hue per triangle.
-[[nodiscard]] Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues,
-                               const std::filesystem::path& file);
 /// Draws points, segments, holes (crosses) and regions (diamonds with their attributes).
 [[nodiscard]] Status write_svg(const Pslg& pslg, const std::filesystem::path& file);
 

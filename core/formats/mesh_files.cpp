@@ -1,4 +1,4 @@
-// Reads and writes meshes; the suffix of the file determines the format.
+// Reads and writes meshes in all formats.
 #include <algorithm>
 #include <cmath>
 
@@ -10,19 +10,33 @@ namespace pardel {
 using namespace files;
 namespace {
 
-enum class Format : std::uint8_t { unknown, triangle, vtu, msh, off, svg };
+namespace fs = std::filesystem;
 
-Format format_of(const std::filesystem::path& file) {
-  const std::string suffix = file.extension().string();
-  if (suffix == ".node" || suffix == ".ele") return Format::triangle;
-  if (suffix == ".vtu") return Format::vtu;
-  if (suffix == ".msh") return Format::msh;
-  if (suffix == ".off") return Format::off;
-  if (suffix == ".svg") return Format::svg;
-  return Format::unknown;
+/// The format of a mesh by its first characters; empty if it begins like none.
+std::optional<MeshFormat> format_of_text(std::string_view text) {
+  TextReader in(text, {});
+  in.next_line();
+  if (in.rest().starts_with('$')) return MeshFormat::msh;
+  if (in.rest().starts_with('<')) return MeshFormat::vtu;
+  if (in.rest().starts_with("OFF")) return MeshFormat::off;
+  return {};
 }
 
-Error unknown_suffix(const std::filesystem::path& file, const char* known) {
+/// Precondition: the format is one of a single file that can be read.
+Result<Mesh> parse_mesh(MeshFormat format, std::string_view text, const std::string& name) {
+  if (format == MeshFormat::vtu) return parse_vtu(text, name);
+  if (format == MeshFormat::msh) return parse_msh(text, name);
+  return parse_off(text, name);
+}
+
+Error not_a_mesh(const fs::path& file) {
+  return {ErrorKind::invalid_input,
+          file.string() +
+              ": a mesh without a suffix must be .msh, .vtu or .off, and so begin with \"$\", \"<\" or "
+              "\"OFF\"; a mesh in .node and .ele consists of two files, which need names"};
+}
+
+Error unknown_suffix(const fs::path& file, const char* known) {
   const std::string suffix = file.extension().string();
   const std::string what =
       suffix.empty() ? "the name has no suffix, which sets the format" : "'" + suffix + "' is not a known format";
@@ -31,7 +45,15 @@ Error unknown_suffix(const std::filesystem::path& file, const char* known) {
 
 }  // namespace
 
-bool is_mesh_suffix(const std::filesystem::path& file) { return format_of(file) != Format::unknown; }
+std::optional<MeshFormat> mesh_format(const fs::path& file) {
+  const fs::path suffix = file.extension();
+  if (suffix == ".node" || suffix == ".ele") return MeshFormat::triangle;
+  if (suffix == ".vtu") return MeshFormat::vtu;
+  if (suffix == ".msh") return MeshFormat::msh;
+  if (suffix == ".off") return MeshFormat::off;
+  if (suffix == ".svg") return MeshFormat::svg;
+  return {};
+}
 
 void files::set_regions(Mesh& mesh, std::span<const double> attributes) {
   std::vector<double> distinct;
@@ -48,41 +70,55 @@ void files::set_regions(Mesh& mesh, std::span<const double> attributes) {
   mesh.region_attributes = std::move(distinct);
 }
 
-Result<Mesh> read_mesh(const std::filesystem::path& file) {
-  const Format format = format_of(file);
-  if (format == Format::triangle) return read_triangle_mesh(file);
-  if (format == Format::unknown || format == Format::svg) {
+Result<Mesh> read_mesh(const fs::path& file) {
+  std::optional<MeshFormat> format = mesh_format(file);
+  if (format == MeshFormat::triangle) return read_triangle_mesh(file);
+  if (format == MeshFormat::svg || (!format && file.has_extension()))
     return unknown_suffix(file, ".node, .ele, .msh, .vtu and .off");
-  }
-  const auto text = read_file(file);
-  if (!text.ok()) return text.error();
-  if (format == Format::vtu) return parse_vtu(*text, file.string());
-  if (format == Format::msh) return parse_msh(*text, file.string());
-  return parse_off(*text, file.string());
+  const Result<std::string> text = read_file(file);
+  if (!text) return text.error();
+  if (!format) format = format_of_text(*text);
+  if (!format) return not_a_mesh(file);
+  return parse_mesh(*format, *text, file.string());
 }
 
-std::vector<std::string> written_files(const std::filesystem::path& file) {
-  if (format_of(file) != Format::triangle) return {file.string()};
-  const std::string stem = std::filesystem::path(file).replace_extension().string();
+Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const fs::path& file) {
+  using Either = Result<std::variant<Pslg, Mesh>>;
+  const auto either = [](auto read) { return read ? Either(std::move(*read)) : Either(read.error()); };
+  std::error_code ignored;
+  if (file.extension() == ".node" && !fs::exists(fs::path(file).replace_extension(".ele"), ignored))
+    return either(read_pslg(file));
+  if (file.has_extension()) return file.extension() == ".poly" ? either(read_pslg(file)) : either(read_mesh(file));
+  const Result<std::string> text = read_file(file);
+  if (!text) return text.error();
+  if (const std::optional<MeshFormat> format = format_of_text(*text))
+    return either(parse_mesh(*format, *text, file.string()));
+  return either(parse_pslg(*text, file));
+}
+
+std::vector<std::string> written_files(const fs::path& file) {
+  if (mesh_format(file) != MeshFormat::triangle) return {file.string()};
+  const std::string stem = fs::path(file).replace_extension().string();
   return {stem + ".node", stem + ".ele", stem + ".poly"};
 }
 
-Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file, MshEncoding msh) {
-  switch (format_of(file)) {
-    case Format::triangle:
-      return write_triangle_files(mesh, pslg, std::filesystem::path(file).replace_extension(), TriangleFiles{});
-    case Format::vtu:
+Status write_mesh(const Mesh& mesh, const Pslg& pslg, const fs::path& file, MshEncoding msh,
+                  std::optional<MeshFormat> format) {
+  if (!format) format = mesh_format(file);
+  if (!format) return unknown_suffix(file, ".node, .ele, .vtu, .msh, .off and .svg");
+  switch (*format) {
+    case MeshFormat::triangle:
+      return write_triangle_files(mesh, pslg, fs::path(file).replace_extension(), TriangleFiles{});
+    case MeshFormat::vtu:
       return write_vtu(mesh, file);
-    case Format::msh:
+    case MeshFormat::msh:
       return write_msh(mesh, file, msh);
-    case Format::off:
+    case MeshFormat::off:
       return write_off(mesh, file);
-    case Format::svg:
-      return write_svg(mesh, file);
-    case Format::unknown:
+    case MeshFormat::svg:
       break;
   }
-  return unknown_suffix(file, ".node, .ele, .vtu, .msh, .off and .svg");
+  return write_svg(mesh, file);
 }
 
 }  // namespace pardel

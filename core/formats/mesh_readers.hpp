@@ -1,4 +1,4 @@
-// One reader of meshes per format, and a function that all readers share. A reader takes the whole file as text.
+// One reader per format, and a function that the readers of meshes share. A reader takes the whole file as text.
 // Messages use `name` as the file name.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "../mesh.hpp"
+#include "../pslg.hpp"
 #include "../result.hpp"
 
 namespace pardel::files {
@@ -16,6 +17,9 @@ namespace pardel::files {
 [[nodiscard]] Result<Mesh> parse_msh(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_vtu(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_off(std::string_view text, const std::string& name);
+
+/// The text of a .poly. `file`: its name; a .node of the same name may have the points, unless it is standard input.
+[[nodiscard]] Result<Pslg> parse_pslg(std::string_view text, const std::filesystem::path& file);
 
 /// Sets mesh.region and mesh.region_attributes: one region per distinct attribute, in ascending order. attributes[t] is
 /// the attribute of triangle t, or NaN if it has no region.

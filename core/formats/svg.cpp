@@ -56,14 +56,7 @@ class Canvas {
 };
 
 /// Hues of consecutive regions differ by the golden angle, so they are easy to distinguish. Argument 0 means no region.
-std::uint16_t hue_of_region(std::size_t region) { return static_cast<std::uint16_t>((210 + region * 137) % 360); }
-
-void put_fill(Bytes& to, std::size_t hue) {
-  if (hue == no_hue)
-    to << "fill=\"white\"";
-  else
-    to << "fill=\"hsl(" << hue << ",60%,88%)\"";
-}
+std::size_t hue_of_region(std::size_t region) { return (210 + region * 137) % 360; }
 
 /// The most shapes of one path. Readers refuse attributes above 10 MB; a shape takes less than 100 bytes.
 constexpr std::size_t shapes_of_a_path = 5000;
@@ -94,7 +87,7 @@ void draw_lines(OutputFile& out, const Canvas& canvas, const Edges& edges, const
 void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std::span<const Index> triangles,
                     std::size_t hue) {
   Bytes style;
-  put_fill(style << "stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" ", hue);
+  style << "stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" fill=\"hsl(" << hue << ",60%,88%)\"";
   draw_paths(out, triangles.size(), style.view(), [&](Bytes& to, std::size_t i) {
     const auto& v = mesh.triangles[triangles[i]].v;
     canvas.put(to << 'M', mesh.points[v[0]]);
@@ -105,25 +98,21 @@ void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std
 
 }  // namespace
 
-Status write_svg(const Mesh& mesh, std::span<const std::uint16_t> hues, const std::filesystem::path& file) {
+Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
   OutputFile out(file);
   const Canvas canvas(mesh.points);
   canvas.open(out);
-  std::array<std::vector<Index>, no_hue + 1> by_hue;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) by_hue[hues[t]].push_back(static_cast<Index>(t));
+  std::array<std::vector<Index>, 360> by_hue;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const bool in_region = t < mesh.region.size() && mesh.region[t] != no_index;
+    by_hue[hue_of_region(in_region ? std::size_t{mesh.region[t]} + 1 : 0)].push_back(t);
+  }
   for (std::size_t hue = 0; hue < by_hue.size(); ++hue) {
     if (!by_hue[hue].empty()) draw_triangles(out, canvas, mesh, by_hue[hue], hue);
   }
   draw_lines(out, canvas, mesh.constrained_edges, mesh.points);
   out.write("</svg>\n");
   return out.commit();
-}
-
-Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
-  std::vector<std::uint16_t> hues(mesh.triangles.size(), hue_of_region(0));
-  for (std::size_t t = 0; t < mesh.region.size(); ++t)
-    if (mesh.region[t] != no_index) hues[t] = hue_of_region(std::size_t{mesh.region[t]} + 1);
-  return write_svg(mesh, hues, file);
 }
 
 Status write_svg(const Pslg& pslg, const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "../formats.hpp"
+#include "mesh_readers.hpp"
 #include "triangle_sections.hpp"
 
 namespace pardel {
@@ -99,6 +100,12 @@ Result<std::vector<double>> read_numbered_values(const fs::path& file, std::stri
 
 }  // namespace
 
+Result<Pslg> files::parse_pslg(std::string_view text, const fs::path& file) {
+  TextReader in(text, file.string());
+  const fs::path node = fs::path(file).replace_extension(".node");
+  return read_poly(in, file == "-" ? nullptr : &node);
+}
+
 Result<Pslg> read_pslg(const fs::path& file) {
   if (file.extension() == ".node") {
     Pslg pslg;
@@ -107,9 +114,7 @@ Result<Pslg> read_pslg(const fs::path& file) {
   }
   const auto text = read_file(file);
   if (!text.ok()) return text.error();
-  TextReader in(*text, file.string());
-  const fs::path node = fs::path(file).replace_extension(".node");
-  return read_poly(in, &node);
+  return parse_pslg(*text, file);
 }
 
 Result<Pslg> parse_poly(std::string_view text, const std::string& name) {

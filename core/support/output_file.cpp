@@ -35,6 +35,8 @@ bool is_written_directly(const fs::path& file) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
+bool is_standard_output(const fs::path& file) { return descriptor_of(file) == STDOUT_FILENO; }
+
 OutputFile::OutputFile(const fs::path& file)
     : name_(file == "-" ? "standard output" : file), target_(file), written_(file) {
   if (const auto descriptor = descriptor_of(file)) {

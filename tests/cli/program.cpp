@@ -30,8 +30,8 @@ void limit(int resource, const std::optional<std::uint64_t>& bytes) {
   setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-void redirect(int to, const char* file) {
-  const int fd = open(file, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+void redirect(int to, const char* file, int flags = O_WRONLY | O_CREAT | O_TRUNC) {
+  const int fd = open(file, flags, 0600);
   if (fd < 0 || dup2(fd, to) < 0) _exit(99);
 }
 
@@ -40,6 +40,7 @@ void redirect(int to, const char* file) {
                                  const RunOptions& options, const fs::path& folder, const std::string& out,
                                  const std::string& err, int terminal) {
   if (chdir(folder.c_str()) != 0) _exit(98);
+  if (!options.in_file.empty()) redirect(STDIN_FILENO, options.in_file.c_str(), O_RDONLY);
   redirect(STDOUT_FILENO, options.out_file.empty() ? out.c_str() : options.out_file.c_str());
   if (terminal >= 0) {
     dup2(terminal, STDERR_FILENO);

@@ -32,6 +32,7 @@ struct Ran {
 [[nodiscard]] bool terminals_exist();
 
 struct RunOptions {
+  std::string in_file = {};                           ///< if not empty, standard input is this file
   std::string out_file = {};                          ///< if not empty, standard output is written to this file
   std::optional<std::uint64_t> file_size_limit = {};  ///< in bytes; a larger file gives the error "File too large"
   std::optional<std::uint64_t> address_space = {};    ///< bytes

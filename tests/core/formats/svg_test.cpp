@@ -28,19 +28,6 @@ TEST(Svg, of_a_mesh_fills_each_region_and_draws_each_constrained_edge) {
   EXPECT_EQ(count(svg, "</svg>\n$"), 1u);
 }
 
-TEST(Svg, of_a_mesh_with_hues_fills_each_triangle_with_its_own) {
-  const TemporaryFolder folder;
-  const Mesh mesh = sample_mesh();
-  ASSERT_EQ(mesh.triangles.size(), 4u);
-  const std::vector<std::uint16_t> hues = {0, 359, no_hue, 359};
-  ASSERT_TRUE(write_svg(mesh, hues, folder / "m.svg").ok());
-  const std::string svg = folder.read("m.svg");
-  EXPECT_EQ(count(svg, "fill=\"hsl\\(0,"), 1u);
-  EXPECT_EQ(count(svg, "fill=\"hsl\\(359,"), 1u);
-  EXPECT_EQ(count(svg, "linejoin=\"round\" fill=\"white\""), 1u);
-  EXPECT_EQ(count(svg, "Z\n"), 4u);
-}
-
 TEST(Svg, of_many_triangles_has_no_attribute_above_one_megabyte) {
   const TemporaryFolder folder;
   Mesh mesh;

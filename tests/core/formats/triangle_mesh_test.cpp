@@ -188,9 +188,8 @@ TEST(TriangleFiles, errors_name_the_line_and_the_fault) {
 }
 
 TEST(MeshFiles, are_known_by_their_suffix) {
-  for (const char* name : {"a.node", "a.ele", "a b.vtu", "x/a.msh", "a.off", "a.svg"})
-    EXPECT_TRUE(is_mesh_suffix(name));
-  for (const char* name : {"a.poly", "a", "vtu", "a.vtu.gz"}) EXPECT_FALSE(is_mesh_suffix(name));
+  for (const char* name : {"a.node", "a.ele", "a b.vtu", "x/a.msh", "a.off", "a.svg"}) EXPECT_TRUE(mesh_format(name));
+  for (const char* name : {"a.poly", "a", "vtu", "a.vtu.gz"}) EXPECT_FALSE(mesh_format(name));
   EXPECT_EQ(write_mesh({}, {}, "a.gz").error().kind, ErrorKind::usage);
   EXPECT_EQ(read_mesh("a.svg").error().kind, ErrorKind::usage);
 }
