@@ -29,9 +29,8 @@ ExitCode report(const Error& error, std::string_view program) {
   return exit_code(error.kind);
 }
 
-void warn(const std::string& message) {
-  const char* erase_progress_line = isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
-  fmt::print(stderr, "{}pardel: {}\n", erase_progress_line, message);
-}
+const char* erase_progress_line() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
+
+void warn(const std::string& message) { fmt::print(stderr, "{}pardel: {}\n", erase_progress_line(), message); }
 
 }  // namespace pardel::cli

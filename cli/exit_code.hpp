@@ -16,13 +16,16 @@ enum class ExitCode : int {
   goal_missed = 4,    ///< a bound could not be met for another reason; the mesh is written anyway
   failure = 5,        ///< out of memory, or a file cannot be opened, read or written
   internal = 6,       ///< internal error: a self-check failed; nothing is written
-  interrupted = 130,  ///< stopped by SIGINT
+  interrupted = 130,  ///< stopped by SIGINT or SIGTERM
 };
 
 [[nodiscard]] ExitCode exit_code(ErrorKind kind);
 
 /// Prints `program: message` on stderr and returns the exit code of the error.
 ExitCode report(const Error& error, std::string_view program = "pardel");
+
+/// The characters that erase a progress line if stderr is a terminal; otherwise none.
+[[nodiscard]] const char* erase_progress_line();
 
 /// Prints `pardel: message` on stderr. The program continues.
 void warn(const std::string& message);

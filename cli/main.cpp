@@ -17,6 +17,7 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "help.hpp"
+#include "interrupt_watch.hpp"
 #include "usage_message.hpp"
 
 namespace pardel::cli {
@@ -95,6 +96,7 @@ ExitCode flushed(ExitCode code) {
 
 ExitCode guarded(int argc, char** argv) {
   try {
+    const InterruptWatch interrupt_watch;
     const Result<ExitCode> result = run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     return flushed(result ? *result : report(result.error()));
   } catch (const std::bad_alloc&) {

@@ -47,11 +47,13 @@ std::uint64_t of_control_group() {
   return rest_of(limit, files == unknown ? used : rest_of(used, files));
 }
 
+std::uint64_t bytes_of(std::uint64_t pages) { return pages * static_cast<std::uint64_t>(getpagesize()); }
+
 std::uint64_t of_process() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
   const std::uint64_t pages = number_in("/proc/self/statm");  // size of the address space
-  return pages == unknown ? limit.rlim_cur : rest_of(limit.rlim_cur, pages * static_cast<std::uint64_t>(getpagesize()));
+  return pages == unknown ? limit.rlim_cur : rest_of(limit.rlim_cur, bytes_of(pages));
 }
 
 }  // namespace
@@ -59,6 +61,17 @@ std::uint64_t of_process() {
 std::uint64_t available_memory() {
   const std::uint64_t least = std::min({of_system(), of_control_group(), of_process()});
   return least == unknown ? 0 : least;
+}
+
+std::uint64_t used_memory() {
+  std::uint64_t address_space = 0, resident = 0;  // in pages: proc(5)
+  return std::ifstream("/proc/self/statm") >> address_space >> resident ? bytes_of(resident) : 0;
+}
+
+std::chrono::microseconds time_to_next_look(std::uint64_t used, std::uint64_t limit) {
+  constexpr std::uint64_t most_bytes_per_microsecond = 10'000;
+  const auto until_full = static_cast<std::int64_t>((limit - used) / most_bytes_per_microsecond);
+  return std::max(std::chrono::microseconds(until_full), std::chrono::microseconds(1000));
 }
 
 }  // namespace pardel::cli

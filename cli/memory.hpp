@@ -1,6 +1,7 @@
-// The memory that is left for this process.
+// The memory of this process: how much it uses, and how much is left for it.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 namespace pardel::cli {
@@ -8,5 +9,13 @@ namespace pardel::cli {
 /// In bytes: the minimum of the memory that the system has available, the memory that the control group allows, and the
 /// memory that RLIMIT_AS allows. 0 if all three are unknown.
 [[nodiscard]] std::uint64_t available_memory();
+
+/// In bytes: the physical memory that this process uses, with the pages of its program and libraries. 0 if unknown.
+[[nodiscard]] std::uint64_t used_memory();
+
+/// The time after which a process that uses `used` bytes has to look again, so that it does not use many more than
+/// `limit` bytes: the time in which it could use up the rest, but at least a millisecond. In a millisecond, processes
+/// with two threads were seen to touch up to 5 MiB. Precondition: used <= limit.
+[[nodiscard]] std::chrono::microseconds time_to_next_look(std::uint64_t used, std::uint64_t limit);
 
 }  // namespace pardel::cli

@@ -1,10 +1,8 @@
 // pardel mesh: makes the mesh of a domain.
 #include <fmt/core.h>
-#include <omp.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -18,66 +16,31 @@
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check.hpp"
-#include "choice.hpp"
 #include "command.hpp"
 #include "findings_text.hpp"
-#include "goal_options.hpp"
 #include "input.hpp"
-#include "memory.hpp"
-#include "names.hpp"
+#include "memory_watch.hpp"
+#include "mesh_options.hpp"
 #include "output.hpp"
 #include "paranoid.hpp"
-#include "progress_option.hpp"
 #include "refusal.hpp"
 #include "report.hpp"
-#include "snap_option.hpp"
-#include "supervise.hpp"
 #include "verdict.hpp"
+#include "with_progress.hpp"
 
 namespace pardel::cli {
 namespace {
-
-constexpr Index most_cells_along = 4096;
-
-struct Arguments {
-  std::filesystem::path input;
-  std::vector<std::filesystem::path> outputs;
-  GoalOptions goal;
-  Options options;
-  int threads = 0;  ///< 0: all cores
-  std::vector<Index> cells;
-  std::optional<double> max_memory_gib;
-  bool refine = false;
-  bool repair = false;
-  std::optional<double> snap;
-  bool check = false;
-  bool paranoid = false;
-  bool msh_ascii = false;
-  std::optional<MeshFormat> format;  ///< of the output -
-  std::filesystem::path json;
-  ShowProgress progress = ShowProgress::automatic;
-  bool quiet = false;
-};
 
 struct Input {
   Source source;              ///< with --refine a mesh, otherwise a domain
   std::vector<double> sizes;  ///< as read_sizes_of() returns them
 };
 
-/// Accepts 0 to 4096, and `all`, which is 0.
-CLI::Validator number_of_threads() {
-  return {[](std::string& text) -> std::string {
-            if (text == "all") text = "0";
-            return CLI::Range(0, 4096)(text);
-          },
-          ""};
-}
-
-ValidateOptions how_to_validate(const Arguments& arguments) {
+ValidateOptions how_to_validate(const MeshArguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
 }
 
-Result<ValidPslg, Refusal> repair_domain(const Arguments& arguments, Domain domain) {
+Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain domain) {
   Result<MaybeRepaired, Refusal> repaired =
       validated_or_repaired(std::move(domain), {.snap = arguments.snap, .convex_hull = arguments.goal.convex_hull},
                             arguments.options.threads);
@@ -92,7 +55,7 @@ Result<ValidPslg, Refusal> repair_domain(const Arguments& arguments, Domain doma
 }
 
 /// Reads the input and the sizes, and validates a domain: the only validation of a run.
-Result<Input, Refusal> read(const Arguments& arguments, ProgressBar& bar, Seconds& seconds) {
+Result<Input, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Seconds& seconds) {
   Stopwatch watch;
   bar.begin("reading " + arguments.input.string());
   if (arguments.refine) {
@@ -118,7 +81,7 @@ Result<Input, Refusal> read(const Arguments& arguments, ProgressBar& bar, Second
 }
 
 /// With --refine only --sizes needs a valid domain, because it triangulates the domain.
-Result<Goal, Refusal> make_goal(const Arguments& arguments, const Input& input) {
+Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const Input& input) {
   const auto with_sizes = [&](const ValidPslg& domain) -> Result<Goal, Refusal> {
     Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain);
     if (!goal) return Refusal(goal.error());
@@ -134,7 +97,7 @@ Result<Goal, Refusal> make_goal(const Arguments& arguments, const Input& input) 
 
 /// Why there is no mesh. For a mesh that cannot be refined: the problems of its domain if there are any, otherwise
 /// `error`.
-Refusal why_not_meshed(const Arguments& arguments, const Input& input, const Error& error) {
+Refusal why_not_meshed(const MeshArguments& arguments, const Input& input, const Error& error) {
   const auto* coarse = std::get_if<CoarseMesh>(&input.source);
   if (coarse != nullptr && error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
     std::vector<Problem> problems = find_problems(coarse->domain.pslg, how_to_validate(arguments));
@@ -149,7 +112,7 @@ Result<Meshed> make_mesh(const Input& input, const Goal& goal, const Options& op
   return mesh(std::get<ValidPslg>(input.source), goal, options);
 }
 
-Certificate check_mesh(const Arguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal,
+Certificate check_mesh(const MeshArguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal,
                        ProgressBar& bar) {
   bar.begin("checking");
   // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
@@ -159,7 +122,7 @@ Certificate check_mesh(const Arguments& arguments, const Input& input, const Mes
 
 /// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
 /// `checked` counts the sweeps.
-void watch_sweeps(const Arguments& arguments, const Pslg& pslg, const Goal& goal, std::uint64_t& checked,
+void watch_sweeps(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal, std::uint64_t& checked,
                   Options& options) {
   const SweepCheck how{.convex_hull = goal.convex_hull, .foreign = arguments.refine};
   options.after_sweep = [&pslg, &checked, how](const Mesh& mesh, const Sweep& sweep) {
@@ -181,41 +144,9 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
   return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;
 }
 
-/// Sets the options whose values depend on several arguments.
-Status complete_options(Arguments& arguments) {
-  Options& options = arguments.options;
-  if (arguments.threads > 0) omp_set_num_threads(arguments.threads);  // for reading, writing and checking, too
-  options.threads = omp_get_max_threads();
-  options.max_memory =
-      arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
-  if (arguments.cells.empty()) return Done{};
-  if (options.decomposition == Decomposition::none)
-    return Error{ErrorKind::usage, "--cells cannot be used with --decomposition none"};
-  options.cells = {arguments.cells[0], arguments.cells[1]};
-  return Done{};
-}
-
-/// The meshes and the report.
-std::vector<std::filesystem::path> all_outputs(const Arguments& arguments) {
-  std::vector<std::filesystem::path> outputs = arguments.outputs;
-  outputs.push_back(arguments.json);
-  return outputs;
-}
-
-Status check_outputs(const Arguments& arguments) {
-  const std::vector<std::filesystem::path> inputs = {arguments.input};
-  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes}); !fine) return fine;
-  if (Status fine = check_stream_format(arguments.outputs, arguments.format); !fine) return fine;
-  if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
-  if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
-  return check_folder(arguments.json);
-}
-
-Status write_outputs(const Arguments& arguments, const Mesh& mesh, const Pslg& pslg, ProgressBar& bar,
-                     const Interrupt& interrupt) {
+Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Pslg& pslg, ProgressBar& bar) {
   const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
   for (const auto& output : arguments.outputs) {
-    if (interrupt.requested()) return interrupted();
     bar.begin("writing " + output.string());
     const std::optional<MeshFormat> format = output == "-" ? arguments.format : std::nullopt;
     if (Status written = write_mesh(mesh, pslg, output, msh, format); !written) return written;
@@ -224,7 +155,7 @@ Status write_outputs(const Arguments& arguments, const Mesh& mesh, const Pslg& p
 }
 
 /// Fills the report, except for the certificate and the times of other steps.
-void describe(const Arguments& arguments, const Pslg& pslg, const Goal& goal, Meshed& meshed, MeshRun& run) {
+void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal, Meshed& meshed, MeshRun& run) {
   Stopwatch watch;
   run.name = arguments.input.string();
   run.points = pslg.points.size();
@@ -246,16 +177,16 @@ void describe(const Arguments& arguments, const Pslg& pslg, const Goal& goal, Me
   run.seconds.statistics = watch.lap();
 }
 
-Status print(const Arguments& arguments, const MeshRun& run) {
+Status print(const MeshArguments& arguments, const MeshRun& run) {
   if (!arguments.quiet && !has_standard_output(all_outputs(arguments))) fmt::print("{}", to_text(run));
   return arguments.json.empty() ? Status(Done{}) : write_text(to_json(run), arguments.json);
 }
 
-Result<ExitCode> run(Arguments& arguments) {
+Result<ExitCode> run(MeshArguments& arguments) {
   const Stopwatch total;
   if (Status complete = complete_options(arguments); !complete) return complete.error();
   if (Status fine = check_outputs(arguments); !fine) return fine.error();
-  const Interrupt interrupt;
+  const MemoryWatch memory_watch(arguments.options.max_memory);
   ProgressBar bar(arguments.progress);
 
   MeshRun run;
@@ -267,17 +198,15 @@ Result<ExitCode> run(Arguments& arguments) {
   const Result<Goal, Refusal> goal = make_goal(arguments, *input);
   if (!goal) return refuse(goal.error());
   run.seconds.read += watch.lap();
-  if (interrupt.requested()) return interrupted();
 
   Options how = arguments.options;
   if (arguments.paranoid) watch_sweeps(arguments, pslg, *goal, run.sweeps_checked.emplace(0), how);
-  Result<Meshed> meshed =
-      supervise(interrupt, bar, how, [&](const Options& options) { return make_mesh(*input, *goal, options); });
+  Result<Meshed> meshed = make_mesh(*input, *goal, with_progress(how, bar));
   if (!meshed) return refuse(why_not_meshed(arguments, *input, meshed.error()));
   watch.lap();
   if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal, bar);
   run.seconds.check = watch.lap();
-  if (Status written = write_outputs(arguments, meshed->mesh, pslg, bar, interrupt); !written) return written.error();
+  if (Status written = write_outputs(arguments, meshed->mesh, pslg, bar); !written) return written.error();
   run.seconds.write = watch.lap();
 
   bar.begin("computing statistics");
@@ -288,87 +217,12 @@ Result<ExitCode> run(Arguments& arguments) {
   return verdict(run, meshed->mesh);
 }
 
-constexpr const char* footer =
-    R"(The suffix of OUT sets the format: .node or .ele for Triangle's .node, .ele and .poly; .vtu for ParaView;
-.msh for Gmsh; .off; .svg. An output file appears under its name only when it is complete.
-The report of --json numbers vertices and triangles from 0, also where IN numbers from 1.
-Exit status: as 'pardel --help' lists. With status 4 (a bound could not be met) the mesh is written all the same.
-
-Examples:
-  pardel mesh key.poly -o key.vtu                                   20.7 degrees, no size bound
-  pardel mesh key.poly -o mesh.node -o mesh.svg --min-angle 30 --max-area 0.001 --check
-  pardel mesh bay.poly -o bay.msh --regions --sizes bay.sizes --json - | jq .mesh
-  pardel mesh mesh.node --refine -o finer.node --max-area 0.0001    refines a mesh; mesh.area, if any, gives caps)";
-
 }  // namespace
 
 Command add_mesh(CLI::App& program) {
-  const auto arguments = std::make_shared<Arguments>();
-  Options& options = arguments->options;
+  const auto arguments = std::make_shared<MeshArguments>();
   CLI::App* app = program.add_subcommand("mesh", "Make a guaranteed-quality mesh of a domain");
-  app->add_option("IN", arguments->input,
-                  "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu, .off")
-      ->required()
-      ->type_name("");
-  app->add_option("-o,--output", arguments->outputs, "The file to write (required; may be given several times)")
-      ->required()
-      ->type_name("OUT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_goal_options(*app, arguments->goal, largest_min_angle_deg);
-
-  app->add_option("--max-vertices", options.max_vertices, "Stop at this many vertices")
-      ->type_name("N")
-      ->check(positive_number("a number of vertices"))
-      ->group("Limits");
-  app->add_option("--min-edge", options.min_edge,
-                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
-      ->check(positive_number("a length"))
-      ->type_name("LENGTH")
-      ->group("Limits");
-  app->add_option("--max-memory", arguments->max_memory_gib,
-                  "Refuse a mesh that needs more memory than this, in GiB (default: the memory available)")
-      ->check(positive_number("an amount of memory"))
-      ->type_name("GIB")
-      ->group("Limits");
-  app->add_option("--threads", arguments->threads,
-                  "Number of threads; 0 or all (default): one per core; the mesh does not depend on it")
-      ->type_name("N|all")
-      ->transform(number_of_threads())
-      ->group("Limits");
-
-  app->add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
-      ->transform(choice(placement_names))
-      ->type_name("WHERE");
-  app->add_option(
-         "--decomposition", options.decomposition,
-         "How the plane is cut into cells: auto (by work; the default), paper (sides of four circumradii) or none")
-      ->transform(choice(decomposition_names))
-      ->type_name("HOW");
-  app->add_option(
-         "--cells", arguments->cells,
-         "Number of columns and rows of cells (default: by work); another number gives a slightly different mesh")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(1U, most_cells_along).description(""))
-      ->type_name("NX,NY");
-  app->add_flag("--refine", arguments->refine, "Refine the mesh IN; its vertices stay");
-  CLI::Option* repair = app->add_flag("--repair", arguments->repair,
-                                      "Repair the domain before meshing: merge points, split segments, close tiny gaps")
-                            ->excludes("--refine");
-  add_snap_option(*app, arguments->snap, repair);
-  app->add_flag("--check", arguments->check, "Check the mesh with exact arithmetic");
-  app->add_flag("--paranoid", arguments->paranoid,
-                "Also check the mesh, except for its bounds, after every sweep; stop at the first violation (slow)");
-  app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
-  app->add_option("--format", arguments->format, "Format of the output - (standard output): msh, off, svg or vtu")
-      ->transform(choice(stream_format_names))
-      ->type_name("FORMAT");
-  app->add_option("--json", arguments->json, "Write a report as JSON, also for invalid input; - is standard output")
-      ->type_name("FILE|-");
-  add_progress_option(*app, arguments->progress);
-  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the report of --json -");
-  app->footer(footer);
+  add_mesh_options(*app, *arguments);
   return {app, [arguments] { return run(*arguments); }};
 }
 

@@ -16,11 +16,11 @@
 #include "large_angle.hpp"
 #include "renumber.hpp"
 #include "report.hpp"
-#include "supervise.hpp"
 #include "triangle_files.hpp"
 #include "triangle_input.hpp"
 #include "triangle_switches.hpp"
 #include "verdict.hpp"
+#include "with_progress.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -90,13 +90,11 @@ Result<Meshed> run_mesher(const TriangleSwitches& switches, const TriangleInput&
   return switches.quality ? mesh(domain, goal, options) : triangulate(domain, options);
 }
 
-Result<MeshedForAngle> make_mesh(const TriangleSwitches& switches, const TriangleInput& input,
-                                 const Interrupt& interrupt) {
+Result<MeshedForAngle> make_mesh(const TriangleSwitches& switches, const TriangleInput& input) {
   const ShowProgress show = switches.quiet ? ShowProgress::never : ShowProgress::automatic;
   ProgressBar bar(show);
   return mesh_for_angle(goal_of(switches), options_of(switches, input), [&](const Goal& goal, const Options& how) {
-    return supervise(interrupt, bar, how,
-                     [&](const Options& options) { return run_mesher(switches, input, goal, options); });
+    return run_mesher(switches, input, goal, with_progress(how, bar));
   });
 }
 
@@ -201,10 +199,9 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
       say(switches, fmt::format("Switch {} has no effect here.", letter));
   }
   if (Status in_range = check_goal(goal_of(switches), {.max_vertices = 1}); !in_range) return in_range.error();
-  const Interrupt interrupt;
   const Result<TriangleInput> input = read_triangle_input(switches);
   if (!input) return input.error();
-  Result<MeshedForAngle> made = make_mesh(switches, *input, interrupt);
+  Result<MeshedForAngle> made = make_mesh(switches, *input);
   if (!made) return made.error();
   const bool right = !switches.check || is_right(switches, *input, made->goal, made->meshed);
 
@@ -212,7 +209,6 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   if (input->original) restore_numbering(mesh, *input->original, input->point_map);
   if (switches.jettison) remove_unused_vertices(mesh);
   set_regions(switches, mesh);
-  if (interrupt.requested()) return interrupted();
   if (Status written = write(switches, *input, mesh); !written) return written.error();
   print_statistics(switches, made->meshed);
   const ExitCode code = verdict(switches, *made);

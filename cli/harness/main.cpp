@@ -8,9 +8,9 @@
 #include <new>
 
 #include "../exit_code.hpp"
-#include "../interrupt.hpp"
 #include "../output.hpp"
 #include "failures.hpp"
+#include "interrupt.hpp"
 #include "options.hpp"
 #include "progress_counter.hpp"
 #include "report_card.hpp"
@@ -88,7 +88,7 @@ Result<ExitCode> run(const Options& options) {
   WorkFolder work;
   if (Status made = work.make(); !made) return made.error();
 
-  const cli::Interrupt interrupt;
+  const Interrupt interrupt;
   const Trials trials{*mesher,
                       options.min_angle_deg,
                       options.max_area_fraction,

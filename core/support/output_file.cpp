@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <charconv>
 #include <optional>
+#include <set>
 #include <system_error>
 
 namespace pardel {
@@ -26,6 +27,18 @@ std::optional<int> descriptor_of(const fs::path& file) {
   return std::nullopt;
 }
 
+/// The partial files that exist. There is one list for the process, because the process may have to end while any of
+/// its threads writes. Whoever makes, renames or removes a partial file holds the mutex.
+struct PartialFiles {
+  std::mutex mutex;
+  std::set<fs::path> names;
+};
+
+PartialFiles& partial_files() {
+  static PartialFiles files;
+  return files;
+}
+
 }  // namespace
 
 bool is_written_directly(const fs::path& file) {
@@ -43,9 +56,10 @@ OutputFile::OutputFile(const fs::path& file)
     // A duplicate has the same position. So text that is printed later follows, also if the output is a regular file.
     const int copy = dup(*descriptor);
     stream_ = copy < 0 ? nullptr : fdopen(copy, "wb");
+  } else if (is_written_directly(file)) {
+    stream_ = std::fopen(file.c_str(), "wb");
   } else {
-    if (!is_written_directly(file)) write_aside();
-    stream_ = std::fopen(written_.c_str(), "wb");
+    write_aside();
   }
   if (stream_ == nullptr) fail("cannot be opened for writing", errno);
 }
@@ -58,12 +72,18 @@ void OutputFile::write_aside() {
   }
   written_ = target_;
   written_ += ".partial";
+  const std::scoped_lock lock(partial_files().mutex);
+  stream_ = std::fopen(written_.c_str(), "wb");
+  if (stream_ != nullptr) partial_files().names.insert(written_);
 }
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
+  if (written_.empty() || written_ == target_) return;
+  const std::scoped_lock lock(partial_files().mutex);
   std::error_code ignored;  // a partial file stays if it cannot be removed
-  if (!written_.empty() && written_ != target_) fs::remove(written_, ignored);
+  fs::remove(written_, ignored);
+  partial_files().names.erase(written_);
 }
 
 void OutputFile::fail(const char* what, int error_number) {
@@ -84,14 +104,21 @@ Status OutputFile::close() {
 }
 
 Status OutputFile::commit() {
-  const Status closed = close();
-  if (!closed.ok() || written_ == target_) return closed;
+  if (Status closed = close(); !closed.ok()) return closed;
+  const std::scoped_lock lock(partial_files().mutex);
+  return put_in_place();
+}
+
+/// Precondition: the file is closed, and the caller holds the mutex of the partial files.
+Status OutputFile::put_in_place() {
+  if (written_ == target_) return Done{};
   std::error_code error;
   fs::rename(written_, target_, error);
   if (error) {
     fail("cannot be put in place", error.value());
     return Error{ErrorKind::io, failure_};
   }
+  partial_files().names.erase(written_);
   written_.clear();
   return Done{};
 }
@@ -100,10 +127,19 @@ Status commit_all(std::deque<OutputFile>& files) {
   for (OutputFile& file : files) {
     if (Status closed = file.close(); !closed.ok()) return closed;
   }
+  const std::scoped_lock lock(partial_files().mutex);
   for (OutputFile& file : files) {
-    if (Status committed = file.commit(); !committed.ok()) return committed;
+    if (Status placed = file.put_in_place(); !placed.ok()) return placed;
   }
   return Done{};
+}
+
+std::unique_lock<std::mutex> remove_partial_files() {
+  std::unique_lock lock(partial_files().mutex);
+  std::error_code ignored;
+  for (const fs::path& name : partial_files().names) fs::remove(name, ignored);
+  partial_files().names.clear();
+  return lock;
 }
 
 }  // namespace pardel

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <deque>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -39,16 +40,25 @@ class OutputFile {
  private:
   void fail(const char* what, int error_number);
   void write_aside();
+  Status put_in_place();
 
   std::filesystem::path name_;     ///< as given by the caller, for messages
   std::filesystem::path target_;   ///< the file to replace
   std::filesystem::path written_;  ///< the file being written: the partial file, or target_ itself; empty: none
   std::FILE* stream_ = nullptr;
   std::string failure_;
+
+  friend Status commit_all(std::deque<OutputFile>& files);
 };
 
 /// Closes all files; if every close() succeeds, commits each file. So either all files get their final names or none
 /// does, unless a rename fails.
 Status commit_all(std::deque<OutputFile>& files);
+
+/// Removes the partial files of all OutputFiles that exist. While the caller holds the lock, no partial file is made
+/// and no file gets its final name: other threads that try wait. A program calls this if it has to end at once, in the
+/// middle of any work, and keeps the lock until it ends. Of files that are committed together, either all have their
+/// final names then or none has.
+[[nodiscard]] std::unique_lock<std::mutex> remove_partial_files();
 
 }  // namespace pardel

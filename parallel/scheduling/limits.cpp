@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "../../core/support/amount_of_memory.hpp"
 #include "../../core/support/shortest.hpp"
 #include "../triangulation/triangulation.hpp"
 
@@ -16,14 +17,6 @@ constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + 
 constexpr double peak_bytes_per_vertex = 2 * 40;
 
 double allowed_memory(const Options& options) { return static_cast<double>(options.max_memory); }
-
-/// In the largest unit in which it is at least 1, with two decimals.
-std::string amount_of_memory(double bytes) {
-  const auto in = [&](double unit, const char* name) { return shortest(std::round(bytes / unit * 100) / 100) + name; };
-  if (bytes >= 0x1p30) return in(0x1p30, " GiB");
-  if (bytes >= 0x1p20) return in(0x1p20, " MiB");
-  return bytes >= 0x1p10 ? in(0x1p10, " KiB") : in(1, " bytes");
-}
 
 }  // namespace
 

@@ -122,15 +122,6 @@ TEST_F(BadOutput, triangle_leaves_no_file_when_the_disk_fills_up) {
   EXPECT_EQ(files(), Files{"square.poly"});
 }
 
-TEST_F(BadOutput, an_interrupt_stops_with_130_and_leaves_no_file) {
-  const Ran ran =
-      pardel({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "5e-8", "--progress", "always"},
-             {.interrupt_when = "triangles"});
-  EXPECT_EQ(ran.exit_code, 130) << ran;
-  EXPECT_TRUE(holds(ran.err, {"interrupted"}));
-  EXPECT_EQ(files(), Files{"square.poly"});
-}
-
 TEST_F(BadOutput, too_little_memory_is_a_message_and_code_5) {
   if (sanitized) GTEST_SKIP() << "a sanitizer's shadow memory alone is larger than the limit";
   const Ran ran =

@@ -424,22 +424,6 @@ TEST_F(MeshCommand, no_progress_of_short_work_is_shown_on_a_terminal) {
   EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu"}, {.terminal = true}).err, "");
 }
 
-TEST_F(MeshCommand, progress_of_long_work_is_shown_on_a_terminal_and_Ctrl_C_stops_the_work) {
-  if (!terminals_exist()) GTEST_SKIP() << "no pseudo-terminals here (is /dev/pts mounted?)";
-  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--max-area", "5e-8"},
-                         {.interrupt_when = "triangles", .terminal = true});
-  EXPECT_EQ(ran.exit_code, 130) << ran;
-  EXPECT_TRUE(holds(ran.err, {"triangles", "\r\033[K", "interrupted"}));
-  EXPECT_FALSE(exists("m.off"));
-}
-
-TEST_F(MeshCommand, refuses_a_mesh_that_memory_cannot_hold) {
-  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-8", "--max-memory", "0.5"});
-  EXPECT_EQ(ran.exit_code, 5) << ran;
-  EXPECT_TRUE(holds(ran.err, {"million triangles", "GiB", "512 MiB"}));
-  EXPECT_FALSE(files().contains("out.vtu"));
-}
-
 TEST_F(MeshCommand, uses_the_tiles_that_the_options_describe_and_reports_them) {
   for (const std::string kind : {"auto", "paper"}) {
     const json r = report({"square.poly", "-o", "out.vtu", "--max-area", "1e-4", "--cells", "3,2", "--decomposition",

@@ -61,27 +61,27 @@ void redirect(int to, const char* file, int flags = O_WRONLY | O_CREAT | O_TRUNC
   _exit(127);
 }
 
-/// Returns everything that the child writes to a terminal. Sends SIGINT to the child when the text has
+/// Returns everything that the child writes to a terminal. Sends the signal to the child when the text has
 /// `interrupt_when`.
-std::string shown(int terminal, pid_t child, const std::string& interrupt_when) {
+std::string shown(int terminal, pid_t child, const RunOptions& options) {
   std::string text;
-  bool waiting = !interrupt_when.empty();
+  bool waiting = !options.interrupt_when.empty();
   char buffer[4096];
   for (ssize_t got; (got = ::read(terminal, buffer, sizeof buffer)) > 0;) {
     text.append(buffer, static_cast<std::size_t>(got));
-    if (!waiting || text.find(interrupt_when) == std::string::npos) continue;
-    kill(child, SIGINT);
+    if (!waiting || text.find(options.interrupt_when) == std::string::npos) continue;
+    kill(child, options.signal);
     waiting = false;
   }
   return text;
 }
 
-void interrupt_once_seen(pid_t child, const std::string& words, const fs::path& err) {
+void interrupt_once_seen(pid_t child, const RunOptions& options, const fs::path& err) {
   using namespace std::chrono_literals;
   for (int tries = 0; tries < 3000; ++tries, std::this_thread::sleep_for(10ms)) {
-    if (contents(err).find(words) != std::string::npos) break;
+    if (contents(err).find(options.interrupt_when) != std::string::npos) break;
   }
-  kill(child, SIGINT);
+  kill(child, options.signal);
 }
 
 }  // namespace
@@ -125,12 +125,14 @@ Ran Workshop::run(const std::string& program, const std::vector<std::string>& ar
   Ran ran;
   if (slave >= 0) {
     close(slave);
-    ran.err = shown(master, child, options.interrupt_when);
+    ran.err = shown(master, child, options);
     close(master);
   }
-  if (!options.terminal && !options.interrupt_when.empty()) interrupt_once_seen(child, options.interrupt_when, err);
+  if (!options.terminal && !options.interrupt_when.empty()) interrupt_once_seen(child, options, err);
   int status = 0;
-  waitpid(child, &status, 0);
+  rusage used{};
+  wait4(child, &status, 0, &used);
+  ran.peak_memory = static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
   ran.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (options.out_file.empty()) ran.out = contents(out);
   if (!options.terminal) ran.err = contents(err);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -26,6 +27,7 @@ struct Ran {
   int exit_code = 0;  ///< 128 + signal number where a signal ended the program
   std::string out;
   std::string err;
+  std::uint64_t peak_memory = 0;  ///< bytes
 };
 
 /// True if this machine has pseudo-terminals.
@@ -36,7 +38,8 @@ struct RunOptions {
   std::string out_file = {};                          ///< if not empty, standard output is written to this file
   std::optional<std::uint64_t> file_size_limit = {};  ///< in bytes; a larger file gives the error "File too large"
   std::optional<std::uint64_t> address_space = {};    ///< bytes
-  std::string interrupt_when = {};                    ///< SIGINT is sent when standard error contains this text
+  std::string interrupt_when = {};                    ///< a signal is sent when standard error contains this text
+  int signal = SIGINT;                                ///< that signal
   bool terminal = false;                              ///< standard error is a terminal
 };
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "../../../core/formats.hpp"
 #include "../../../core/formats/records.hpp"
 #include "../../temporary_folder.hpp"
@@ -29,6 +32,41 @@ TEST(OutputFile, leaves_no_file_without_commit) {
   const TemporaryFolder folder;
   { OutputFile(folder / "a.txt").write("half"); }
   EXPECT_EQ(folder.names(), "");
+}
+
+TEST(OutputFile, that_is_partial_is_removed_if_the_process_has_to_end) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  OutputFile out(folder / "a.txt");
+  out.write("new");
+  { const auto lock = remove_partial_files(); }
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_FALSE(out.commit().ok());
+  EXPECT_EQ(folder.read("a.txt"), "old");
+}
+
+TEST(OutputFile, that_has_its_name_stays_if_the_process_has_to_end) {
+  const TemporaryFolder folder;
+  OutputFile out(folder / "a.txt");
+  ASSERT_TRUE(out.commit().ok());
+  { const auto lock = remove_partial_files(); }
+  EXPECT_EQ(folder.names(), "a.txt ");
+}
+
+TEST(OutputFile, is_neither_made_nor_renamed_while_the_process_ends) {
+  const TemporaryFolder folder;
+  auto lock = remove_partial_files();
+  std::atomic<bool> started{false};
+  std::thread writer([&] {
+    started = true;
+    OutputFile out(folder / "a.txt");
+    EXPECT_TRUE(out.commit().ok());
+  });
+  while (!started) std::this_thread::yield();
+  EXPECT_EQ(folder.names(), "");
+  lock.unlock();
+  writer.join();
+  EXPECT_EQ(folder.names(), "a.txt ");
 }
 
 TEST(OutputFile, replaces_the_target_of_a_symbolic_link) {

@@ -1,6 +1,6 @@
 #include "interrupt.hpp"
 
-namespace pardel::cli {
+namespace pardel::harness {
 namespace {
 
 // A signal handler may write to no other type of variable.
@@ -22,4 +22,4 @@ Interrupt::~Interrupt() { sigaction(SIGINT, &before_, nullptr); }
 
 bool Interrupt::requested() const { return received != 0; }
 
-}  // namespace pardel::cli
+}  // namespace pardel::harness

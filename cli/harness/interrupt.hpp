@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-namespace pardel::cli {
+namespace pardel::harness {
 
 /// While an object of this class exists, the first SIGINT makes requested() true and does nothing else. The second one
 /// ends the process.
@@ -20,4 +20,4 @@ class Interrupt {
   struct sigaction before_ {};
 };
 
-}  // namespace pardel::cli
+}  // namespace pardel::harness

@@ -1,0 +1,158 @@
+#include "mesh_options.hpp"
+
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+
+#include "../parallel/mesher.hpp"
+#include "choice.hpp"
+#include "memory.hpp"
+#include "names.hpp"
+#include "progress_option.hpp"
+#include "snap_option.hpp"
+
+namespace pardel::cli {
+namespace {
+
+constexpr Index most_cells_along = 4096;
+
+constexpr const char* footer =
+    R"(The suffix of OUT sets the format: .node or .ele for Triangle's .node, .ele and .poly; .vtu for ParaView;
+.msh for Gmsh; .off; .svg. An output file appears under its name only when it is complete.
+The report of --json numbers vertices and triangles from 0, also where IN numbers from 1.
+Exit status: as 'pardel --help' lists. With status 4 (a bound could not be met) the mesh is written all the same.
+
+Examples:
+  pardel mesh key.poly -o key.vtu                                   20.7 degrees, no size bound
+  pardel mesh key.poly -o mesh.node -o mesh.svg --min-angle 30 --max-area 0.001 --check
+  pardel mesh bay.poly -o bay.msh --regions --sizes bay.sizes --json - | jq .mesh
+  pardel mesh mesh.node --refine -o finer.node --max-area 0.0001    refines a mesh; mesh.area, if any, gives caps)";
+
+/// Accepts 0 to 4096, and `all`, which is 0.
+CLI::Validator number_of_threads() {
+  return {[](std::string& text) -> std::string {
+            if (text == "all") text = "0";
+            return CLI::Range(0, 4096)(text);
+          },
+          ""};
+}
+
+void add_files(CLI::App& app, MeshArguments& arguments) {
+  app.add_option("IN", arguments.input,
+                 "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu, .off")
+      ->required()
+      ->type_name("");
+  app.add_option("-o,--output", arguments.outputs, "The file to write (required; may be given several times)")
+      ->required()
+      ->type_name("OUT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_limits(CLI::App& app, MeshArguments& arguments) {
+  Options& options = arguments.options;
+  app.add_option("--max-vertices", options.max_vertices, "Stop at this many vertices")
+      ->type_name("N")
+      ->check(positive_number("a number of vertices"))
+      ->group("Limits");
+  app.add_option("--min-edge", options.min_edge,
+                 "Insert no point that would make a shorter edge (default: the limit of double precision)")
+      ->check(positive_number("a length"))
+      ->type_name("LENGTH")
+      ->group("Limits");
+  app.add_option("--max-memory", arguments.max_memory_gib,
+                 "Stop if the process needs more memory than this, in GiB (default: the memory available)")
+      ->check(positive_number("an amount of memory"))
+      ->type_name("GIB")
+      ->group("Limits");
+  app.add_option("--threads", arguments.threads,
+                 "Number of threads; 0 or all (default): one per core; the mesh does not depend on it")
+      ->type_name("N|all")
+      ->transform(number_of_threads())
+      ->group("Limits");
+}
+
+void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
+  Options& options = arguments.options;
+  app.add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
+      ->transform(choice(placement_names))
+      ->type_name("WHERE");
+  app.add_option(
+         "--decomposition", options.decomposition,
+         "How the plane is cut into cells: auto (by work; the default), paper (sides of four circumradii) or none")
+      ->transform(choice(decomposition_names))
+      ->type_name("HOW");
+  app.add_option(
+         "--cells", arguments.cells,
+         "Number of columns and rows of cells (default: by work); another number gives a slightly different mesh")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1U, most_cells_along).description(""))
+      ->type_name("NX,NY");
+}
+
+void add_steps(CLI::App& app, MeshArguments& arguments) {
+  app.add_flag("--refine", arguments.refine, "Refine the mesh IN; its vertices stay");
+  CLI::Option* repair = app.add_flag("--repair", arguments.repair,
+                                     "Repair the domain before meshing: merge points, split segments, close tiny gaps")
+                            ->excludes("--refine");
+  add_snap_option(app, arguments.snap, repair);
+  app.add_flag("--check", arguments.check, "Check the mesh with exact arithmetic");
+  app.add_flag("--paranoid", arguments.paranoid,
+               "Also check the mesh, except for its bounds, after every sweep; stop at the first violation (slow)");
+}
+
+void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
+  app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
+  app.add_option("--format", arguments.format, "Format of the output - (standard output): msh, off, svg or vtu")
+      ->transform(choice(stream_format_names))
+      ->type_name("FORMAT");
+  app.add_option("--json", arguments.json, "Write a report as JSON, also for invalid input; - is standard output")
+      ->type_name("FILE|-");
+  add_progress_option(app, arguments.progress);
+  app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& app, MeshArguments& arguments) {
+  add_files(app, arguments);
+  add_goal_options(app, arguments.goal, largest_min_angle_deg);
+  add_limits(app, arguments);
+  add_ways_to_work(app, arguments);
+  add_steps(app, arguments);
+  add_forms_of_output(app, arguments);
+  app.footer(footer);
+}
+
+Status complete_options(MeshArguments& arguments) {
+  Options& options = arguments.options;
+  if (arguments.threads > 0) omp_set_num_threads(arguments.threads);  // for reading, writing and checking, too
+  options.threads = omp_get_max_threads();
+  options.max_memory =
+      arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
+  if (arguments.cells.empty()) return Done{};
+  if (options.decomposition == Decomposition::none)
+    return Error{ErrorKind::usage, "--cells cannot be used with --decomposition none"};
+  options.cells = {arguments.cells[0], arguments.cells[1]};
+  return Done{};
+}
+
+std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {
+  std::vector<std::filesystem::path> outputs = arguments.outputs;
+  outputs.push_back(arguments.json);
+  return outputs;
+}
+
+Status check_outputs(const MeshArguments& arguments) {
+  const std::vector<std::filesystem::path> inputs = {arguments.input};
+  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes}); !fine) return fine;
+  if (Status fine = check_stream_format(arguments.outputs, arguments.format); !fine) return fine;
+  if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
+  if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
+  return check_folder(arguments.json);
+}
+
+}  // namespace pardel::cli

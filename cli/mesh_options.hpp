@@ -1,0 +1,49 @@
+// The arguments of `pardel mesh`.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "../core/result.hpp"
+#include "../parallel/options.hpp"
+#include "goal_options.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace pardel::cli {
+
+struct MeshArguments {
+  std::filesystem::path input;
+  std::vector<std::filesystem::path> outputs;
+  GoalOptions goal;
+  Options options;
+  int threads = 0;  ///< 0: all cores
+  std::vector<Index> cells;
+  std::optional<double> max_memory_gib;
+  bool refine = false;
+  bool repair = false;
+  std::optional<double> snap;
+  bool check = false;
+  bool paranoid = false;
+  bool msh_ascii = false;
+  std::optional<MeshFormat> format;  ///< of the output -
+  std::filesystem::path json;
+  ShowProgress progress = ShowProgress::automatic;
+  bool quiet = false;
+};
+
+/// Adds the options of the command, and its help.
+void add_mesh_options(CLI::App& app, MeshArguments& arguments);
+
+/// Sets the options whose values depend on several arguments, and the number of threads of the process.
+[[nodiscard]] Status complete_options(MeshArguments& arguments);
+
+/// The meshes and the report.
+[[nodiscard]] std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments);
+
+/// Checks that all files can be written, before the work starts.
+[[nodiscard]] Status check_outputs(const MeshArguments& arguments);
+
+}  // namespace pardel::cli

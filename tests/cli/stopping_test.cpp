@@ -1,0 +1,96 @@
+// SIGINT and SIGTERM stop every command in every step, with exit code 130, and leave no partial file. Pipes that nobody
+// reads or writes hold a command in a step.
+#include <sys/stat.h>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+class Stopping : public Workshop {
+ protected:
+  Stopping() {
+    write("square.poly", square_poly);
+    pardel({"mesh", "square.poly", "-o", "old.node", "-q"});
+    start_ = files();
+  }
+
+  void make_pipe(const std::string& name) {
+    ASSERT_EQ(mkfifo((folder_ / "work" / name).c_str(), 0600), 0);
+    start_.insert(name);
+  }
+
+  /// Expects that the signal stops a command as soon as it shows `step`, and that it leaves the files as they were.
+  void expect_stop(const std::vector<std::string>& arguments, const RunOptions& how) {
+    const Ran ran = pardel(arguments, how);
+    EXPECT_EQ(ran.exit_code, 130) << ran;
+    EXPECT_TRUE(holds(ran.err, {"pardel: interrupted\n"}));
+    EXPECT_EQ(files(), start_);
+  }
+  /// The same for commands that show their progress on a terminal only, after a second.
+  void expect_stop_on_terminal(const std::vector<std::string>& arguments, const std::string& step) {
+    if (!terminals_exist()) GTEST_SKIP() << "no pseudo-terminals here (is /dev/pts mounted?)";
+    const Ran ran = pardel(arguments, {.interrupt_when = step, .terminal = true});
+    EXPECT_EQ(ran.exit_code, 130) << ran;
+    EXPECT_TRUE(holds(ran.err, {step, "\r\033[Kpardel: interrupted"}));
+    EXPECT_EQ(files(), start_);
+  }
+
+  Files start_;
+};
+
+TEST_F(Stopping, interrupts_mesh_while_it_reads) {
+  make_pipe("pipe.poly");
+  expect_stop({"mesh", "pipe.poly", "-o", "out.vtu", "--progress", "always"}, {.interrupt_when = "reading"});
+}
+
+TEST_F(Stopping, interrupts_mesh_while_it_refines) {
+  expect_stop({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "5e-8", "--progress", "always"},
+              {.interrupt_when = "triangles"});
+}
+
+TEST_F(Stopping, interrupts_mesh_while_it_checks) {
+  expect_stop({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "5e-7", "--check", "--progress", "always"},
+              {.interrupt_when = "checking"});
+}
+
+TEST_F(Stopping, interrupts_mesh_while_it_writes_and_keeps_the_earlier_files) {
+  make_pipe("out.poly");  // written after out.node and out.ele, which get their names together with it
+  write("out.node", "earlier");
+  start_.insert("out.node");
+  expect_stop({"mesh", "square.poly", "-o", "out.ele", "--progress", "always"}, {.interrupt_when = "writing"});
+  EXPECT_EQ(read("out.node"), "earlier");
+}
+
+TEST_F(Stopping, is_the_same_for_SIGTERM) {
+  make_pipe("out.poly");
+  expect_stop({"mesh", "square.poly", "-o", "out.ele", "--progress", "always"},
+              {.interrupt_when = "writing", .signal = SIGTERM});
+}
+
+TEST_F(Stopping, interrupts_check_while_it_reads) {
+  make_pipe("pipe.off");
+  expect_stop({"check", "square.poly", "pipe.off", "--progress", "always"}, {.interrupt_when = "reading pipe.off"});
+}
+
+TEST_F(Stopping, interrupts_doctor) {
+  make_pipe("pipe.poly");
+  expect_stop_on_terminal({"doctor", "pipe.poly", "--repair", "fixed.poly"}, "reading");
+}
+
+TEST_F(Stopping, interrupts_convert_while_it_writes) {
+  make_pipe("out.off");
+  expect_stop_on_terminal({"convert", "old.ele", "out.off"}, "writing");
+}
+
+TEST_F(Stopping, interrupts_draw) {
+  make_pipe("pipe.off");
+  expect_stop_on_terminal({"draw", "pipe.off", "out.png"}, "reading");
+}
+
+TEST_F(Stopping, interrupts_triangle_and_erases_its_progress_line) {
+  expect_stop_on_terminal({"triangle", "-pqa0.00000005", "square"}, "triangles");
+}
+
+}  // namespace
+}  // namespace pardel::testing
