@@ -8,6 +8,7 @@
 
 #include "../parallel/mesher.hpp"
 #include "choice.hpp"
+#include "input.hpp"
 #include "memory.hpp"
 #include "names.hpp"
 #include "progress_option.hpp"
