@@ -1,0 +1,106 @@
+"""Makes a copy of the project that contains the mutants, and builds its tests."""
+import concurrent.futures
+import json
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+
+from . import rewrite, sites
+
+SCHEMATA = pathlib.Path(__file__).with_name("schemata.hpp")
+MOST_BUILDS = 12
+# Tests of other things than the mutated folders, and tests with mutants of their own.
+LEFT_OUT = {"mutants_test", "catalogue_test", "structure_test", "documents_test", "api_snippets_test"}
+
+
+def copy_project(root, source):
+    """Copies the files that git knows or would add."""
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=root, check=True, capture_output=True)
+    for name in filter(None, listed.stdout.decode().split("\0")):
+        if (root / name).is_file():
+            (source / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(root / name, source / name)
+
+
+def configure(source, build):
+    flags = f"-std=c++20 -w -include {shlex.quote(str(SCHEMATA))}"
+    subprocess.run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                    f"-DCMAKE_CXX_FLAGS={flags}"], check=True, stdout=subprocess.DEVNULL)
+
+
+def parse(task):
+    entry, root, folders = task
+    kept = [a for a in shlex.split(entry["command"])[1:] if re.match(r"-I|-D|-std|-include", a) or a == str(SCHEMATA)]
+    return sites.find_sites(entry["file"], kept, root, folders)
+
+
+def all_sites(source, build, folders, jobs):
+    """The sites of all files below the folders, in the order of files and lines."""
+    entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
+    wanted = [(e, source, folders) for file, e in entries.items()
+              if any(pathlib.Path(file).is_relative_to(source / folder) for folder in folders)]
+    found = {}
+    with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
+        for result in pool.map(parse, wanted):
+            for file in result:
+                found.update({site.key(): site for site in result[file]})
+    return [found[key] for key in sorted(found)]
+
+
+def numbered(chosen):
+    """(number of its first mutant, site) for each site."""
+    result, number = [], 1
+    for site in chosen:
+        result.append((number, site))
+        number += len(site.mutants)
+    return result
+
+
+def write_sources(root, source, pairs):
+    files = {}
+    for number, site in pairs:
+        files.setdefault(site.file, []).append((number, site))
+    for file in files:
+        text = rewrite.with_mutants((root / file).read_bytes(), files[file])
+        if (source / file).read_bytes() != text:
+            (source / file).write_bytes(text)
+
+
+def test_programs(build):
+    listed = subprocess.run(["ninja", "-C", str(build), "-t", "targets", "all"], check=True, capture_output=True, text=True)
+    names = re.findall(r"^(?:\S*/)?(\w+_test): CXX_EXECUTABLE_LINKER", listed.stdout, re.M)
+    return sorted(set(names) - LEFT_OUT) + ["pardel"]
+
+
+def build_tests(root, source, build, pairs, programs, log):
+    """Builds the tests. Sites that do not compile are removed. Returns the sites that are left."""
+    for _ in range(MOST_BUILDS):
+        write_sources(root, source, pairs)
+        done = subprocess.run(["ninja", "-C", str(build), "-k", "0", *(programs or test_programs(build))], capture_output=True, text=True)
+        if done.returncode == 0:
+            return pairs
+        broken = broken_lines(done.stdout, source, build)
+        left = [(n, s) for n, s in pairs if (s.file, s.line) not in broken]
+        if len(left) == len(pairs):
+            raise RuntimeError(f"the copy does not build:\n{done.stdout[-4000:]}")
+        log(f"{len(pairs) - len(left)} sites do not compile")
+        for file in {file for file, _ in broken}:
+            if (root / file).is_file():
+                (source / file).write_bytes((root / file).read_bytes())
+        pairs = left
+    raise RuntimeError("the copy does not build after the last attempt")
+
+
+def broken_lines(output, source, build):
+    """(file, line) of all places of the copy that the compiler names with an error."""
+    places = set()
+    for line in output.splitlines():
+        match = re.match(r"(?:In file included from |\s+from )?([^\s:]+):(\d+)", line)
+        if not match or not re.search(r" error: |required from|required by|in 'constexpr' expansion", line):
+            continue
+        path = (build / match[1]).resolve()
+        if path.is_relative_to(source):
+            places.add((str(path.relative_to(source)), int(match[2])))
+    return places
