@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct RepairOptions {
   std::optional<double> snap{};
   /// The domain is the convex hull of the points. An unclosed outline is then no problem.
   bool convex_hull = false;
+  /// Called in the calling thread from time to time, about every 4 ms. Return false to end the repair with
+  /// ErrorKind::cancelled.
+  std::function<bool()> go_on{};
 };
 
 /// 2^-38 (3.6e-12) times the largest magnitude of a coordinate. Coordinates of that magnitude are about 2^-53 of it
@@ -56,9 +60,9 @@ struct Repaired {
 /// Points added at crossings are rounded; their attributes are interpolated and their markers are those of the segment.
 /// Repairing a repaired domain changes nothing.
 ///
-/// Errors: `usage` for a bad snapping distance. `invalid_input` if a coordinate, an index, a count or an area cap is
-/// unusable, if no segments enclose a domain, or if rounding the crossings causes new crossings again and again. The
-/// message has one line per problem.
+/// Errors: `usage` for a bad snapping distance. `cancelled` if options.go_on returns false. `invalid_input` if a
+/// coordinate, an index, a count or an area cap is unusable, if no segments enclose a domain, or if rounding the
+/// crossings causes new crossings again and again. The message has one line per problem.
 ///
 /// Time: a few searches for conflicts, each O((n + p) log n) for n points and segments and p conflicts. Sources: after
 /// Hobby, "Practical segment intersection with finite precision output", 1999; Halperin and Packer, "Iterated snap

@@ -28,6 +28,15 @@ class StopSignal {
   /// The usual time from the answer to the next question. So the question may take longer than a step of a loop.
   static constexpr std::chrono::milliseconds usual_interval{4};
 
+  /// For functions of the interface that the caller can stop: an error of the kind `cancelled` as soon as go_on()
+  /// returns false. Never an error if there is no function go_on.
+  [[nodiscard]] static Question unless(std::function<bool()> go_on) {
+    return [go_on = std::move(go_on)]() -> std::optional<Error> {
+      if (!go_on || go_on()) return {};
+      return Error{ErrorKind::cancelled, "the caller asked to stop"};
+    };
+  }
+
   /// Only the thread that makes the signal asks the question.
   explicit StopSignal(Question question, Clock::duration interval = usual_interval)
       : question_(std::move(question)), interval_(interval) {}

@@ -107,7 +107,8 @@ class CellLists {
 
 }  // namespace
 
-std::vector<Duplicate> find_close(std::span<const Point> points, double distance) {
+std::vector<Duplicate> find_close(std::span<const Point> points, double distance, StopSignal* stop) {
+  SparseAsk ask(stop);
   // The width ensures that a coordinate divided by it has an integer part of fewer than 53 bits. Cells are wider than
   // the distance, so that most points have their whole neighbourhood in one cell.
   double width = 8 * distance;
@@ -115,6 +116,7 @@ std::vector<Duplicate> find_close(std::span<const Point> points, double distance
   CellLists kept(points.size(), width);
   std::vector<Duplicate> duplicates;
   for (Index i = 0; i < points.size(); ++i) {
+    ask();
     const Point p = points[i];
     Index first = no_index;
     kept.for_each_near(p, distance, [&](Index j) {
@@ -128,17 +130,21 @@ std::vector<Duplicate> find_close(std::span<const Point> points, double distance
   return duplicates;
 }
 
-std::vector<Ends> sorted_ends(std::span<const Segment> segments, std::size_t points) {
+std::vector<Ends> sorted_ends(std::span<const Segment> segments, std::size_t points, StopSignal* stop) {
+  SparseAsk ask(stop);
   std::vector<Index> place(points + 1);  // of the next segment with this low end
   for (const Segment& s : segments) ++place[std::min(s.a, s.b) + 1];
   std::partial_sum(place.begin(), place.end(), place.begin());
   std::vector<Ends> all(segments.size());
   for (Index s = 0; s < segments.size(); ++s) {
+    ask();
     const auto [low, high] = std::minmax(segments[s].a, segments[s].b);
     all[place[low]++] = {low, high, s};
   }
-  for (std::size_t begin = 0, p = 0; p < points; begin = place[p++])
+  for (std::size_t begin = 0, p = 0; p < points; begin = place[p++]) {
+    ask();
     std::sort(all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(place[p]));
+  }
   return all;
 }
 

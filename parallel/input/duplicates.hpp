@@ -26,7 +26,8 @@ struct Duplicate {
 /// (> 0, finite), becomes a duplicate of the earlier point, unless the earlier point is a duplicate itself. If there
 /// are several such earlier points, the one with the lowest index is used. So all points that are not duplicates are at
 /// least `distance` apart. Precondition: coordinates are in the range of the predicates. Expected time O(n).
-[[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance);
+[[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance,
+                                                StopSignal* stop = nullptr);
 
 /// A segment and its ends; `low` is the smaller index.
 struct Ends {
@@ -35,6 +36,7 @@ struct Ends {
 };
 /// The ends of all segments, sorted: segments with the same ends are neighbours, in ascending order. Precondition: the
 /// ends are smaller than `points`. O(n log n); linear if few segments meet at each point.
-[[nodiscard]] std::vector<Ends> sorted_ends(std::span<const Segment> segments, std::size_t points);
+[[nodiscard]] std::vector<Ends> sorted_ends(std::span<const Segment> segments, std::size_t points,
+                                            StopSignal* stop = nullptr);
 
 }  // namespace pardel::engine

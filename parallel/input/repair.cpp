@@ -39,9 +39,10 @@ void add_move(Moved& moved, Index id, double distance) {
   moved.distance = distance;
 }
 
-Moved moved_points(const Pslg& old, const Work& work) {
+Moved moved_points(const Pslg& old, const Work& work, SparseAsk& ask) {
   Moved moved;
   for (Index i = 0; i < old.points.size(); ++i) {
+    ask();
     const Point from = old.points[i], to = work.pslg.points[work.point_map[i]];
     add_move(moved, i, std::hypot(to.x - from.x, to.y - from.y));
   }
@@ -49,9 +50,10 @@ Moved moved_points(const Pslg& old, const Work& work) {
 }
 
 /// The old segments that contain images of other points, but not exactly.
-Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& is_old) {
+Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& is_old, SparseAsk& ask) {
   std::vector<double> distance(old.segments.size());
   for (std::size_t s = 0; s < work.source.size(); ++s) {
+    ask();
     const Segment& whole = old.segments[work.source[s]];
     const Point a = old.points[whole.a], b = old.points[whole.b];
     for (const Index end : {work.pslg.segments[s].a, work.pslg.segments[s].b}) {
@@ -114,8 +116,12 @@ void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
 /// Drops holes and regions.
 class Seeds {
  public:
-  Seeds(Work& work, std::vector<std::string>& log)
-      : work_(work), log_(log), hole_source_(work.pslg.holes.size()), region_source_(work.pslg.regions.size()) {
+  Seeds(Work& work, std::vector<std::string>& log, StopSignal& stop)
+      : work_(work),
+        log_(log),
+        stop_(stop),
+        hole_source_(work.pslg.holes.size()),
+        region_source_(work.pslg.regions.size()) {
     std::iota(hole_source_.begin(), hole_source_.end(), Index{0});
     std::iota(region_source_.begin(), region_source_.end(), Index{0});
   }
@@ -124,7 +130,8 @@ class Seeds {
   void drop_near_segments(double snap) {
     Pslg& pslg = work_.pslg;
     const std::vector<Point> seeds = seeds_of(pslg);
-    const SweepInput input{.points = pslg.points, .segments = pslg.segments, .queries = seeds, .reach = snap};
+    const SweepInput input{
+        .points = pslg.points, .segments = pslg.segments, .queries = seeds, .reach = snap, .stop = &stop_};
     std::vector<Index> holes, regions;
     for (const NearPoint& near : find_near_points(input, sweep_plane(input))) {
       if (near.point < pslg.points.size()) continue;
@@ -142,9 +149,15 @@ class Seeds {
 
   /// Drops holes and regions that are in no face. Of the regions in one face it keeps the last. Returns the domain, or
   /// the problems that remain. Dropping a hole or region can cause another problem, so the steps are repeated.
-  Result<ValidPslg, std::vector<Problem>> drop_misplaced(const ValidateOptions& options) {
+  Result<ValidPslg, std::vector<Problem>> drop_misplaced(bool convex_hull) {
+    const auto go_on = [this] {
+      stop_.ask_now();
+      return true;
+    };
     while (true) {
-      Result<ValidPslg, std::vector<Problem>> domain = validate(std::move(work_.pslg), options);
+      Result<ValidPslg, std::vector<Problem>> domain =
+          validate(std::move(work_.pslg), {.convex_hull = convex_hull, .go_on = go_on});
+      stop_.ask();  // throws if the validation was stopped
       if (domain) return domain;
       std::vector<Index> holes, regions;
       std::vector<Problem> rest;
@@ -180,35 +193,37 @@ class Seeds {
 
   Work& work_;
   std::vector<std::string>& log_;
+  StopSignal& stop_;
   std::vector<Index> hole_source_, region_source_;  ///< new -> old
 };
 
 /// The problems that repair() cannot remove.
-std::vector<Problem> find_unusable_values(const Pslg& pslg) {
+std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
   Findings found(20);
-  check_values(pslg, 1, found);
+  check_values(pslg, {1, &stop}, found);
   check_region_caps(pslg, found);
   return std::move(found).sorted();
 }
 
 /// Precondition: all values are usable.
-Result<Repaired> repair_with(const Pslg& pslg, double snap, bool convex_hull) {
+Result<Repaired> repair_with(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop) {
   Work work{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
   std::iota(work.point_map.begin(), work.point_map.end(), Index{0});
   std::iota(work.source.begin(), work.source.end(), Index{0});
-  if (!untangle(work, snap))
+  if (!untangle(work, snap, stop))
     return Error{
         ErrorKind::invalid_input,
         "Segments meet so closely that splitting them at rounded crossings makes ever more crossings; a larger "
         "snapping distance may help."};
 
   const std::vector<bool> is_old = images_of_points(work);
-  const Moved points = moved_points(pslg, work), segments = bent_segments(pslg, work, is_old);
+  SparseAsk ask(&stop);
+  const Moved points = moved_points(pslg, work, ask), segments = bent_segments(pslg, work, is_old, ask);
   std::vector<std::string> log = summary(pslg, work, is_old);
   note_moves(pslg, snap, points, segments, log);
-  Seeds seeds(work, log);
+  Seeds seeds(work, log, stop);
   if (points.count + segments.count > 0) seeds.drop_near_segments(snap);
-  Result<ValidPslg, std::vector<Problem>> domain = seeds.drop_misplaced({.convex_hull = convex_hull});
+  Result<ValidPslg, std::vector<Problem>> domain = seeds.drop_misplaced(convex_hull);
   if (!domain) return Error{ErrorKind::invalid_input, messages(domain.error(), pslg.first_id.value)};
   return Repaired{std::move(domain).value(),
                   std::move(work.point_map),
@@ -219,6 +234,17 @@ Result<Repaired> repair_with(const Pslg& pslg, double snap, bool convex_hull) {
                   segments};
 }
 
+/// Precondition: all values are usable. Tries smaller snapping distances if options.snap has no value.
+Result<Repaired> repair_usable(const Pslg& pslg, const RepairOptions& options, StopSignal& stop) {
+  if (options.snap) return repair_with(pslg, *options.snap, options.convex_hull, stop);
+  Result<Repaired> repaired = repair_with(pslg, default_snap(pslg), options.convex_hull, stop);
+  for (const double factor : {0x1p-4, 0x1p-8, 0x1p-12, 0.0}) {
+    if (repaired) break;
+    repaired = repair_with(pslg, factor * default_snap(pslg), options.convex_hull, stop);
+  }
+  return repaired;
+}
+
 }  // namespace
 
 double default_snap(const Pslg& pslg) {
@@ -227,19 +253,15 @@ double default_snap(const Pslg& pslg) {
   return 0x1p-38 * largest;
 }
 
-Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) {
+Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
   if (options.snap && !(*options.snap >= 0 && std::isfinite(*options.snap)))
     return Error{ErrorKind::usage, "the snapping distance must be zero or positive, and finite"};
-  if (const std::vector<Problem> unusable = find_unusable_values(pslg); !unusable.empty())
+  StopSignal stop(StopSignal::unless(options.go_on));
+  if (const std::vector<Problem> unusable = find_unusable_values(pslg, stop); !unusable.empty())
     return Error{ErrorKind::invalid_input, messages(unusable, pslg.first_id.value)};
-  if (options.snap) return repair_with(pslg, *options.snap, options.convex_hull);
-
-  Result<Repaired> repaired = repair_with(pslg, default_snap(pslg), options.convex_hull);
-  for (const double factor : {0x1p-4, 0x1p-8, 0x1p-12, 0.0}) {
-    if (repaired) break;
-    repaired = repair_with(pslg, factor * default_snap(pslg), options.convex_hull);
-  }
-  return repaired;
+  return repair_usable(pslg, options, stop);
+} catch (const Stopped& stopped) {
+  return stopped.error;
 }
 
 }  // namespace pardel

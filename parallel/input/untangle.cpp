@@ -29,14 +29,16 @@ Point on_lattice(Point p, double unit) {
 }
 
 /// Removes the duplicates from the points and renumbers the ends of segments.
-void merge(Work& work, std::span<const Duplicate> duplicates) {
+void merge(Work& work, std::span<const Duplicate> duplicates, StopSignal& stop) {
   if (duplicates.empty()) return;
+  SparseAsk ask(&stop);
   Pslg& pslg = work.pslg;
   const std::size_t width = pslg.attributes_per_point;
   std::vector<Index> renamed(pslg.points.size(), no_index);
   for (const Duplicate& d : duplicates) renamed[d.again] = d.first;
   Index kept = 0;
   for (Index i = 0; i < renamed.size(); ++i) {
+    ask();
     if (renamed[i] != no_index) {
       renamed[i] = renamed[renamed[i]];
       continue;
@@ -57,11 +59,13 @@ void merge(Work& work, std::span<const Duplicate> duplicates) {
 
 /// Drops zero-length segments. If several segments have the same ends, keeps only the first one and gives it the first
 /// marker that is not zero.
-void drop_surplus_segments(Work& work) {
+void drop_surplus_segments(Work& work, StopSignal& stop) {
+  SparseAsk ask(&stop);
   std::vector<Segment>& segments = work.pslg.segments;
   std::vector<bool> stays(segments.size());
   Ends first{no_index, no_index, no_index};
-  for (const Ends& ends : sorted_ends(segments, work.pslg.points.size())) {
+  for (const Ends& ends : sorted_ends(segments, work.pslg.points.size(), &stop)) {
+    ask();
     if (ends.low == ends.high) continue;
     if (ends.low != first.low || ends.high != first.high) {
       stays[ends.segment] = true;
@@ -97,13 +101,15 @@ Index add_point(Pslg& pslg, Point p, const Segment& on) {
 }
 
 /// Splits segments at the given points, which need no order. The pieces replace the segment.
-void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point) {
+void split(Work& work, std::vector<std::pair<Index, Index>> segment_and_point, StopSignal& stop) {
+  SparseAsk ask(&stop);
   const std::vector<Point>& points = work.pslg.points;
   std::ranges::sort(segment_and_point);
   std::vector<Segment> pieces;
   std::vector<Index> source;
   auto next = segment_and_point.begin();
   for (Index s = 0; s < work.pslg.segments.size(); ++s) {
+    ask();
     const Segment segment = work.pslg.segments[s];
     const Point a = points[segment.a], b = points[segment.b];
     const auto first = next;
@@ -135,8 +141,11 @@ struct Splits {
 };
 
 /// Overlaps need no split of their own: an end of one segment is a point on the other.
-void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, double unit, Splits& splits) {
+void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, double unit, Splits& splits,
+                        StopSignal& stop) {
+  SparseAsk ask(&stop);
   for (const Conflict& c : conflicts) {
+    ask();
     if (c.kind == ConflictKind::overlapping) continue;
     if (c.kind == ConflictKind::point_on_segment) {
       splits.segment_and_point.emplace_back(c.second, c.first);
@@ -152,14 +161,18 @@ void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, double 
 
 /// Finds the conflicts, and the points near a segment, to which the segment is bent. So a segment touches a point
 /// before it could pass over the point. The search for conflicts ends when it has found `most` of one kind.
-Splits find_splits(Pslg& pslg, double snap, double unit, std::size_t most) {
+Splits find_splits(Pslg& pslg, double snap, double unit, std::size_t most, StopSignal& stop) {
   std::vector<bool> is_end(pslg.points.size());
   for (const Segment& s : pslg.segments) is_end[s.a] = is_end[s.b] = true;
   std::vector<Index> loose;
   for (Index i = 0; i < is_end.size(); ++i)
     if (!is_end[i]) loose.push_back(i);
-  const SweepInput input{
-      .points = pslg.points, .segments = pslg.segments, .candidates = loose, .most = most, .reach = snap};
+  const SweepInput input{.points = pslg.points,
+                         .segments = pslg.segments,
+                         .candidates = loose,
+                         .most = most,
+                         .reach = snap,
+                         .stop = &stop};
   const Swept swept = sweep_plane(input);
   Splits splits;
   if (snap > 0) {
@@ -167,34 +180,34 @@ Splits find_splits(Pslg& pslg, double snap, double unit, std::size_t most) {
       splits.segment_and_point.emplace_back(near.segment, near.point);
     splits.conflicts = splits.segment_and_point.size();
   }
-  split_at_conflicts(pslg, swept.conflicts, unit, splits);
+  split_at_conflicts(pslg, swept.conflicts, unit, splits, stop);
   return splits;
 }
 
 /// Performs one round. Returns the number of conflicts before the round, and of points merged after the splits. It is
 /// zero if segments meet only at common ends, and no other points are close. Segments are split before points are
 /// merged: a segment holds on to the points near it before its ends move.
-std::size_t resolve(Work& work, double snap, double unit, std::size_t most) {
-  merge(work, find_duplicates(work.pslg.points));
-  drop_surplus_segments(work);
-  Splits splits = find_splits(work.pslg, snap, unit, most);
-  if (splits.conflicts > 0) split(work, std::move(splits.segment_and_point));
+std::size_t resolve(Work& work, double snap, double unit, std::size_t most, StopSignal& stop) {
+  merge(work, find_duplicates(work.pslg.points, {1, &stop}), stop);
+  drop_surplus_segments(work, stop);
+  Splits splits = find_splits(work.pslg, snap, unit, most, stop);
+  if (splits.conflicts > 0) split(work, std::move(splits.segment_and_point), stop);
   if (snap == 0) return splits.conflicts;
-  const std::vector<Duplicate> close = find_close(work.pslg.points, snap);
-  merge(work, close);
+  const std::vector<Duplicate> close = find_close(work.pslg.points, snap, &stop);
+  merge(work, close, stop);
   return splits.conflicts + close.size();
 }
 
 /// Performs rounds until there is no conflict. Returns false if the number of conflicts does not halve within
 /// `patience` rounds, or more than doubles. Even a single conflict can take several rounds, because its pieces can
 /// cross another segment one rounding away.
-bool untangle_with(Work& work, double snap, double unit) {
+bool untangle_with(Work& work, double snap, double unit, StopSignal& stop) {
   constexpr int patience = 8;
   constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
   std::size_t fewest = unbounded, too_many = unbounded;
   int rounds = 0;  // since the number was halved
   while (true) {
-    const std::size_t conflicts = resolve(work, snap, unit, too_many);
+    const std::size_t conflicts = resolve(work, snap, unit, too_many, stop);
     if (conflicts == 0) return true;
     if (conflicts <= fewest / 2) {
       fewest = conflicts;
@@ -208,13 +221,13 @@ bool untangle_with(Work& work, double snap, double unit) {
 
 }  // namespace
 
-bool untangle(Work& work, double snap) {
+bool untangle(Work& work, double snap, StopSignal& stop) {
   double largest = 0;
   for (const Point& p : work.pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   const Work begin = work;
   return std::ranges::any_of(lattice_units, [&](double unit) {
     work = begin;
-    return untangle_with(work, snap, unit * largest);
+    return untangle_with(work, snap, unit * largest, stop);
   });
 }
 

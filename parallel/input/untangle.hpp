@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
+#include "../../core/support/stop_signal.hpp"
 
 namespace pardel::engine {
 
@@ -16,7 +17,7 @@ struct Work {
 
 /// Changes the points and segments until segments meet only at common ends and contain no other point. With a positive
 /// `snap`, no two points are then closer than `snap`, and no point is closer than half of `snap` to a segment that does
-/// not end there. Returns false if this fails.
-[[nodiscard]] bool untangle(Work& work, double snap);
+/// not end there. Returns false if this fails. Asks `stop`.
+[[nodiscard]] bool untangle(Work& work, double snap, StopSignal& stop);
 
 }  // namespace pardel::engine

@@ -52,10 +52,11 @@ SoundSegments check_each_segment(const Pslg& pslg, std::span<const Duplicate> du
   return sound;
 }
 
-void drop_duplicates(const Pslg& pslg, SoundSegments& sound, SparseAsk& ask, Findings& found) {
+void drop_duplicates(const Pslg& pslg, SoundSegments& sound, StopSignal* stop, Findings& found) {
+  SparseAsk ask(stop);
   std::vector<bool> again(sound.segments.size());
   Ends first{no_index, no_index, no_index};
-  for (const Ends& ends : sorted_ends(sound.segments, pslg.points.size())) {
+  for (const Ends& ends : sorted_ends(sound.segments, pslg.points.size(), stop)) {
     ask();
     if (ends.low != first.low || ends.high != first.high) {
       first = ends;
@@ -136,7 +137,7 @@ std::vector<Problem> engine::find_problems(const Pslg& pslg, const ValidateOptio
   for (const Duplicate& d : duplicates)
     found.add(ProblemKind::duplicate_points, {d.first, d.again}, pslg.points[d.first]);
   SoundSegments sound = check_each_segment(pslg, duplicates, ask, found);
-  drop_duplicates(pslg, sound, ask, found);
+  drop_duplicates(pslg, sound, threads.stop, found);
   const Swept swept = check_conflicts(pslg, sound, duplicates, options.max_problems, threads, found);
   if (usable && all_collinear(pslg.points, threads))
     found.add(ProblemKind::all_points_collinear, {}, pslg.points.empty() ? Point{} : pslg.points[0]);
@@ -146,10 +147,7 @@ std::vector<Problem> engine::find_problems(const Pslg& pslg, const ValidateOptio
 }
 
 std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options) try {
-  StopSignal stop([&]() -> std::optional<Error> {
-    if (!options.go_on || options.go_on()) return {};
-    return Error{ErrorKind::cancelled, {}};
-  });
+  StopSignal stop(StopSignal::unless(options.go_on));
   return find_problems(pslg, options, Threads(thread_count(options.threads), &stop));
 } catch (const Stopped&) {
   return {{ProblemKind::cancelled, {}, {}}};

@@ -14,7 +14,9 @@
 #include "../../parallel/conversion/export_mesh.hpp"
 #include "../../parallel/conversion/import_mesh.hpp"
 #include "../../parallel/input/findings.hpp"
+#include "../../parallel/input/untangle.hpp"
 #include "../../parallel/mesher.hpp"
+#include "../../parallel/repair.hpp"
 #include "../../properties/domains/domains.hpp"
 
 namespace pardel::engine {
@@ -64,6 +66,50 @@ TEST(Validation, that_its_caller_stops_returns_this_as_its_only_problem) {
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].kind, ProblemKind::cancelled);
   EXPECT_TRUE(find_problems(pslg, {.go_on = [] { return true; }}).empty());
+}
+
+/// A grid of squares with crossing diagonals, and many equal points.
+Pslg tangle() {
+  constexpr Index side = 150;
+  Pslg pslg;
+  for (Index y = 0; y <= side; ++y)
+    for (Index x = 0; x <= side; ++x) pslg.points.push_back({double(x), double(y)});
+  for (Index y = 0; y < side; ++y)
+    for (Index x = 0; x < side; ++x) {
+      const Index corner = y * (side + 1) + x;
+      pslg.segments.push_back({corner, corner + side + 2, 0});
+      pslg.segments.push_back({corner + 1, corner + side + 1, 0});
+    }
+  const std::vector<Point> again(pslg.points.begin(), pslg.points.begin() + side * side / 2);
+  pslg.points.insert(pslg.points.end(), again.begin(), again.end());
+  return pslg;
+}
+
+/// Repairs a domain and says stop at question number `last`. Returns the error and the number of questions.
+std::pair<std::optional<Error>, std::size_t> repair_with_stop_at(const Pslg& pslg, std::size_t last) {
+  std::size_t asked = 0;
+  const auto go_on = [&] { return ++asked < last; };
+  const Result<Repaired> repaired = repair(pslg, {.snap = 0, .convex_hull = true, .go_on = go_on});
+  return {repaired ? std::nullopt : std::optional(repaired.error()), asked};
+}
+
+TEST(Repair, that_its_caller_stops_returns_at_the_first_word) {
+  const Pslg pslg = tangle();
+  for (const std::size_t last : {1U, 2U, 3U, 5U}) {
+    const auto [error, asked] = repair_with_stop_at(pslg, last);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->kind, ErrorKind::cancelled);
+    EXPECT_EQ(asked, last) << "no question after the answer that stops the repair";
+  }
+}
+
+TEST(Repair, untangles_with_a_question_in_1024_steps) {
+  const Pslg pslg = tangle();
+  const auto stage = [&](const Threads& threads) {
+    Work work{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
+    for (const double snap : {0.0, 1e-9}) EXPECT_TRUE(untangle(work, snap, *threads.stop));
+  };
+  expect_stoppable(stage, 4 * (pslg.points.size() + 2 * pslg.segments.size()));
 }
 
 TEST(Triangulation, of_points_asks_once_in_1024_steps_and_stops_at_the_first_word) {
