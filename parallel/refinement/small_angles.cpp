@@ -46,25 +46,33 @@ bool same_shell(Point apex, Point u, Point v) {
   return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
 }
 
-/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle.
-VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b) {
-  constexpr double at_60_degrees = 0.5;
+/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle. `widest` is
+/// 1 minus the cosine of the largest angle that makes an end an apex.
+VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b, double widest) {
   const double at_a = 1 - segment.cosine_at(a), at_b = 1 - segment.cosine_at(b);  // these grow with the angles
   const double smaller = std::min(at_a, at_b), larger = std::max(at_a, at_b);
-  if (smaller >= at_60_degrees) return no_index;
-  const bool two_similar_apexes = larger < at_60_degrees && smaller >= 0.5 * larger;
+  if (smaller >= widest) return no_index;
+  const bool two_similar_apexes = larger < widest && smaller >= 0.5 * larger;
   if (two_similar_apexes) return no_index;
   return at_a < at_b ? a : b;
+}
+
+/// The largest angle that makes an end of an edge an apex, as 1 minus its cosine. It is larger for edges that are much
+/// shorter than their segment: these come from a cascade of splits on both sides of a corner.
+double widest_apex(double length, double segment_length) {
+  constexpr double at_60_degrees = 0.5, at_104_degrees = 1.25;
+  return 32 * length < segment_length ? at_104_degrees : at_60_degrees;
 }
 
 }  // namespace
 
 Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b) {
-  const VertexId centre = centre_of_shell(segment, a, b);
   const Point pa = t.points[a], pb = t.points[b];
+  const double length = distance(pa, pb);
+  const double widest = widest_apex(length, distance(t.points[segment.a], t.points[segment.b]));
+  const VertexId centre = centre_of_shell(segment, a, b, widest);
   double fraction = 0.5;
   if (centre != no_index) {
-    const double length = distance(pa, pb);
     fraction = shell(length) / length;
     if (centre == b) fraction = 1 - fraction;
   }

@@ -56,6 +56,21 @@ TEST(EdgeSplitPoint, of_a_segment_without_an_angle_below_60_degrees_is_its_midpo
   EXPECT_EQ(edge_split_point(sixty_one.t, sixty_one.segments[0], 0, 1), (Point{2.5, 0}));
 }
 
+TEST(EdgeSplitPoint, of_a_short_piece_at_a_right_angle_lies_on_a_shell) {
+  Corner right({0, 0}, {5, 0}, {0, 3}, {9, 1});
+  right.t.points.push_back({5.0 / 32, 0});
+  right.t.points.push_back({0.15, 0});
+  EXPECT_EQ(edge_split_point(right.t, right.segments[0], 0, 4), (Point{2.5 / 32, 0})) << "not short";
+  EXPECT_NEAR(edge_split_point(right.t, right.segments[0], 0, 5).x, 0.0625, 1e-16);
+  EXPECT_NEAR(edge_split_point(right.t, right.segments[0], 5, 0).x, 0.0625, 1e-16);
+}
+
+TEST(EdgeSplitPoint, of_a_short_piece_at_an_angle_above_104_degrees_is_its_midpoint) {
+  Corner wide({0, 0}, {5, 0}, {-1, 3}, {9, 1});
+  wide.t.points.push_back({0.15, 0});
+  EXPECT_EQ(edge_split_point(wide.t, wide.segments[0], 0, 4), (Point{0.075, 0}));
+}
+
 TEST(EdgeSplitPoint, of_a_segment_with_two_different_small_angles_lies_on_a_shell_around_the_smaller_one) {
   Corner at_first({0, 0}, {5, 0}, {3, 0.5}, {2, 1});
   EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 0, 1).x, 2, 1e-15);
