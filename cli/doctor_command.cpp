@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "../core/formats.hpp"
+#include "../parallel/gaps.hpp"
 #include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 #include "command.hpp"
+#include "exit_code.hpp"
+#include "gaps_text.hpp"
 #include "input.hpp"
 #include "output.hpp"
 #include "plural.hpp"
@@ -35,8 +38,15 @@ struct Arguments {
   bool quiet = false;
 };
 
-nlohmann::ordered_json to_json(const Domain& domain, const std::vector<Problem>& problems,
-                               const std::optional<Repaired>& repaired) {
+/// What the command found out.
+struct Findings {
+  std::vector<Problem> problems;
+  std::optional<Repaired> repaired;
+  std::vector<Gap> gaps;  ///< of the repaired domain; without repair, of the domain if it has no problems
+};
+
+nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
+  const auto& [problems, repaired, gaps] = findings;
   nlohmann::ordered_json json = {{"schema", "pardel.doctor/1"},
                                  {"file", domain.name},
                                  {"input",
@@ -46,7 +56,8 @@ nlohmann::ordered_json to_json(const Domain& domain, const std::vector<Problem>&
                                    {"regions", domain.pslg.regions.size()}}},
                                  {"valid", problems.empty()},
                                  {"problems", nlohmann::ordered_json::array()},
-                                 {"repaired", nullptr}};
+                                 {"repaired", nullptr},
+                                 {"gaps", gaps_json(gaps, domain.pslg.first_id.value)}};
   for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem, domain.pslg.first_id.value));
   if (repaired) {
     const Pslg& pslg = repaired->domain.pslg();
@@ -71,46 +82,58 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
   for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
 }
 
-Result<ExitCode> run(const Arguments& arguments) {
+Status check_outputs(const Arguments& arguments) {
   const std::array outputs = {arguments.repaired, arguments.json};
-  if (Status fine = check_standard_output(outputs); !fine) return fine.error();
+  if (Status fine = check_standard_output(outputs); !fine) return fine;
   if (!arguments.repaired.empty()) {
-    if (Status fine = check_poly_output(arguments.repaired); !fine) return fine.error();
+    if (Status fine = check_poly_output(arguments.repaired); !fine) return fine;
   }
-  if (Status folder = check_folder(arguments.json); !folder) return folder.error();
+  return check_folder(arguments.json);
+}
+
+/// Repairs the domain and writes the result. Returns the error that prevents this.
+Status repair(const Arguments& arguments, const Domain& domain, Findings& findings) {
+  Result<Repaired> result = repair(domain.pslg, {.snap = arguments.snap, .convex_hull = arguments.convex_hull});
+  if (result) {
+    findings.repaired.emplace(std::move(*result));
+    return write_poly(findings.repaired->domain.pslg(), arguments.repaired, domain.pslg.first_id.value);
+  }
+  if (result.error().kind == ErrorKind::invalid_input && !findings.problems.empty())
+    return refusal_of(domain, findings.problems, true).error;
+  return with_name(result.error(), domain.name);
+}
+
+Status report(const Arguments& arguments, const Domain& domain, const Findings& findings) {
+  const std::array outputs = {arguments.repaired, arguments.json};
+  const std::filesystem::path& examined = findings.repaired ? arguments.repaired : arguments.input;
+  if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, examined.string(), domain.pslg.first_id.value));
+  if (!arguments.quiet && !has_standard_output(outputs)) print(domain, findings.problems, findings.repaired);
+  if (arguments.json.empty()) return Done{};
+  return write_text(to_json(domain, findings).dump(2) + "\n", arguments.json);
+}
+
+Result<ExitCode> run(const Arguments& arguments) {
+  if (Status fine = check_outputs(arguments); !fine) return fine.error();
   ProgressBar bar(ShowProgress::automatic);
   bar.begin("reading " + arguments.input.string());
   const Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return refused(domain.error(), arguments.input, arguments.json);
-  const Pslg& pslg = domain->pslg;
   bar.begin("validating " + arguments.input.string());
-  const Result<ValidPslg, std::vector<Problem>> valid = validate(pslg, {.convex_hull = arguments.convex_hull});
-  const std::vector<Problem> problems = valid ? std::vector<Problem>() : valid.error();
-
-  std::optional<Repaired> repaired;
-  std::optional<Error> failure;
-  if (!arguments.repaired.empty()) {
-    Result<Repaired> result = repair(pslg, {.snap = arguments.snap, .convex_hull = arguments.convex_hull});
-    if (result) {
-      repaired.emplace(std::move(*result));
-      if (Status written = write_poly(repaired->domain.pslg(), arguments.repaired, pslg.first_id.value); !written) {
-        return written.error();
-      }
-    } else if (result.error().kind == ErrorKind::invalid_input && !problems.empty()) {
-      failure = refusal_of(*domain, problems, true).error;
-    } else {
-      failure = with_name(result.error(), domain->name);
-    }
+  const Result<ValidPslg, std::vector<Problem>> valid = validate(domain->pslg, {.convex_hull = arguments.convex_hull});
+  Findings findings{valid ? std::vector<Problem>() : valid.error(), {}, {}};
+  Status repaired = Done{};
+  if (!arguments.repaired.empty()) repaired = repair(arguments, *domain, findings);
+  if (!repaired && repaired.error().kind == ErrorKind::io) return repaired.error();
+  if (findings.repaired || valid) {
+    Result<std::vector<Gap>> found = find_gaps(findings.repaired ? findings.repaired->domain : *valid);
+    if (!found) return found.error();
+    findings.gaps = std::move(*found);
   }
   bar.finish();
   if (valid) print_warnings(*valid, domain->name);
-  if (!arguments.quiet && !has_standard_output(outputs)) print(*domain, problems, repaired);
-  if (!arguments.json.empty()) {
-    const std::string text = to_json(*domain, problems, repaired).dump(2) + "\n";
-    if (Status written = write_text(text, arguments.json); !written) return written.error();
-  }
-  if (failure) return *failure;
-  return problems.empty() || repaired ? ExitCode::done : ExitCode::invalid_input;
+  if (Status reported = report(arguments, *domain, findings); !reported) return reported.error();
+  if (!repaired) return repaired.error();
+  return findings.problems.empty() || findings.repaired ? ExitCode::done : ExitCode::invalid_input;
 }
 
 }  // namespace

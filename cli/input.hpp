@@ -69,7 +69,7 @@ struct MaybeRepaired {
 [[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
                                                                    int threads = 1);
 
-/// Prints the warnings of a domain on stderr, one line each.
+/// Prints the warnings of a domain on stderr, one line each. Gaps are not among them.
 void print_warnings(const ValidPslg& domain, const std::string& name);
 
 /// The problems of a domain as a refusal. The message numbers them as in the file and lists ten of each kind. If a

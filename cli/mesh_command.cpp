@@ -18,6 +18,7 @@
 #include "../properties/checker/check.hpp"
 #include "command.hpp"
 #include "findings_text.hpp"
+#include "gaps_text.hpp"
 #include "input.hpp"
 #include "memory_watch.hpp"
 #include "mesh_options.hpp"
@@ -138,6 +139,7 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
     warn(run.name + (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
          findings_text(*run.certificate, "the report of --json"));
   }
+  if (!run.report.gaps.empty()) warn(gaps_text(run.report.gaps, run.name, run.first_id));
   if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--json"));
   if (broken) return ExitCode::violations;
   if (!run.report.goal_met()) return ExitCode::goal_missed;
@@ -158,6 +160,7 @@ Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Psl
 void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal, Meshed& meshed, MeshRun& run) {
   Stopwatch watch;
   run.name = arguments.input.string();
+  run.first_id = pslg.first_id.value;
   run.points = pslg.points.size();
   run.segments = pslg.segments.size();
   run.holes = pslg.holes.size();

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../core/formats.hpp"
+#include "gaps_text.hpp"
 #include "names.hpp"
 #include "plural.hpp"
 
@@ -154,6 +155,7 @@ std::string to_json(const MeshRun& run) {
         {"max_circumradius", mesh.max_circumradius},
         {"area", mesh.area}}},
       {"refine", refine_json(run)},
+      {"gaps", gaps_json(run.report.gaps, 0)},
       {"goal_met", run.report.goal_met()},
       {"peak_rss_bytes", peak_rss_bytes()},
       {"digest", to_string(run.digest)}};

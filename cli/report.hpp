@@ -26,6 +26,7 @@ struct Seconds {
 
 struct MeshRun {
   std::string name;  ///< the name of the input file
+  int first_id = 0;  ///< of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
   bool hull_by_default = false;     ///< the domain has no segments, and --convex-hull is not given

@@ -10,6 +10,7 @@
 #include "conversion/background.hpp"
 #include "conversion/domain_triangulation.hpp"
 #include "conversion/export_mesh.hpp"
+#include "conversion/find_gaps.hpp"
 #include "conversion/guarded.hpp"
 #include "conversion/import_mesh.hpp"
 #include "conversion/locate_regions.hpp"
@@ -101,6 +102,7 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
     caps.push_back(region.max_area);
   }
   if (goal != nullptr) {
+    result.report.gaps = find_gaps(*domain, progress.threads());
     const Criteria criteria(guarded(*goal), options.placement, std::move(caps));
     if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
       return refined.error();

@@ -9,6 +9,7 @@
 #include <pardel/core/neighbours.hpp>
 #include <pardel/core/pslg.hpp>
 #include <pardel/core/result.hpp>
+#include <pardel/parallel/gaps.hpp>
 #include <pardel/parallel/mesher.hpp>
 #include <pardel/parallel/options.hpp>
 #include <pardel/parallel/repair.hpp>

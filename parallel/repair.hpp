@@ -17,7 +17,9 @@ namespace pardel {
 struct RepairOptions {
   /// Gaps smaller than this length are closed. Finite, >= 0. Zero: only equal points are merged, and no point or
   /// segment moves by more than the rounding of crossings. Without a value: default_snap(); if that repair fails, for
-  /// example because the whole domain is narrower, a 16th of it, a 256th, a 4096th, and finally zero.
+  /// example because the whole domain is narrower, a 16th of it, a 256th, a 4096th, and finally zero. If the repaired
+  /// domain then has gaps (gaps.hpp) up to largest_default_snap() between longer segments, the repair is made again
+  /// with the distance that closes the narrowest of them (closing_snap), until there are none.
   std::optional<double> snap{};
   /// The domain is the convex hull of the points. An unclosed outline is then no problem.
   bool convex_hull = false;
@@ -30,6 +32,10 @@ struct RepairOptions {
 /// apart, and the mesher makes no edge shorter than 2^-42 of it (Options::min_edge). A gap of 2^-38 is 16 such edges
 /// wide. Smaller gaps are mostly the rounding of some program, and no mesh could be graded into them.
 [[nodiscard]] double default_snap(const Pslg& pslg);
+
+/// 2^-30 (9.3e-10) times the largest magnitude of a coordinate, or a millionth of the extent if that is smaller.
+/// Crossings of nearly parallel segments, and copies of an outline in two projections, leave such gaps.
+[[nodiscard]] double largest_default_snap(const Pslg& pslg);
 
 /// Points or segments that snapping moved.
 struct Moved {

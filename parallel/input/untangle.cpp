@@ -21,7 +21,8 @@
 namespace pardel::engine {
 namespace {
 
-/// The spacings of the lattices to try, relative to the largest coordinate; 0: no lattice.
+/// The spacings of the lattices to try, relative to the largest coordinate; 0: no lattice. A snapping distance makes
+/// them needless, because points are then farther from each other than the spacing.
 constexpr std::array<double, 6> lattice_units{0, 0x1p-52, 0x1p-49, 0x1p-46, 0x1p-43, 0x1p-40};
 
 Point on_lattice(Point p, double unit) {
@@ -225,7 +226,8 @@ bool untangle(Work& work, double snap, StopSignal& stop) {
   double largest = 0;
   for (const Point& p : work.pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   const Work begin = work;
-  return std::ranges::any_of(lattice_units, [&](double unit) {
+  const std::span<const double> units = std::span(lattice_units).first(snap > 0 ? 1 : lattice_units.size());
+  return std::ranges::any_of(units, [&](double unit) {
     work = begin;
     return untangle_with(work, snap, unit * largest, stop);
   });

@@ -104,6 +104,26 @@ TEST_F(DoctorCommand, and_mesh_warn_of_an_outline_that_is_not_closed_beside_a_cl
   EXPECT_TRUE(holds(mesh.err, {warning}));
 }
 
+TEST_F(DoctorCommand, and_mesh_warn_of_gaps_and_name_a_snapping_distance_that_closes_them) {
+  write("gap.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const std::string message = "The distance of point 5 at (0.5, 1e-08) from segment 1 is only 1e-08.";
+  const std::string warning = "gap.poly: warning: 1 gap is much narrower";
+  const Ran doctor = pardel({"doctor", "gap.poly", "--json", "-"}), mesh = pardel({"mesh", "gap.poly", "-o", "m.vtu"});
+  EXPECT_EQ(doctor.exit_code, 0) << doctor;
+  EXPECT_TRUE(holds(doctor.err, {warning, message, "--snap 2.2e-08 closes"})) << doctor;
+  EXPECT_TRUE(holds(mesh.err, {warning, message, "--snap 2.2e-08 closes"})) << mesh;
+  const json gaps = json::parse(doctor.out)["gaps"];
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0]["kind"], "point_near_segment");
+  EXPECT_EQ(gaps[0]["points"], json({5}));
+  EXPECT_EQ(gaps[0]["segment"], 1);
+  EXPECT_EQ(gaps[0]["message"], message);
+
+  const Ran repair = pardel({"doctor", "gap.poly", "--repair", "closed.poly", "--snap", "2.2e-8"});
+  EXPECT_EQ(repair.err.find("warning"), std::string::npos) << repair;
+  EXPECT_TRUE(holds(pardel({"doctor", "gap.poly", "--repair", "open.poly"}).err, {"open.poly: warning: 1 gap"}));
+}
+
 TEST_F(DoctorCommand, a_failed_repair_is_reported) {
   write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n");
   const Ran ran = pardel({"doctor", "open.poly", "--repair", "well.poly"});

@@ -36,6 +36,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"input/check_faces", {"input/validate_test"}},
     {"input/check_values", {"input/validate_test"}},
     {"input/findings", {"input/validate_test"}},
+    {"input/repair_once", {"input/repair_test"}},
     {"input/untangle", {"input/repair_test"}},
     {"refinement/exemptions", {"mesher_test", "limits_test"}},
     {"refinement/paired_disk_query", {"triangulation/cavity_test"}},

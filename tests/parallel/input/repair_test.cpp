@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "../../../parallel/gaps.hpp"
 #include "../../../parallel/mesher.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../shapes.hpp"
@@ -167,6 +168,35 @@ TEST(Repair, uses_a_smaller_default_for_a_domain_narrower_than_the_default) {
   EXPECT_EQ(result.snap, default_snap(pslg) * 0x1p-4);
   EXPECT_EQ(result.bent_segments.count, 1);
   EXPECT_TRUE(repair(result.domain.pslg())->log.empty());
+}
+
+/// Two squares beside each other. The corners of the second are `width` away from the side of the first.
+Pslg squares_with_a_slit(double width) {
+  Pslg pslg = square(1);
+  add_square(pslg, 0.5, {1 + width, 0.25});
+  add_square(pslg, 4, {-1, -1});
+  return pslg;
+}
+
+TEST(Repair, closes_gaps_wider_than_the_default_distance_if_they_are_much_narrower_than_the_segments_around) {
+  const Pslg pslg = squares_with_a_slit(0x1p-33);
+  EXPECT_GT(0x1p-33, default_snap(pslg));
+  const Repaired result = repaired(pslg, std::nullopt);
+  EXPECT_EQ(result.snap, 0x1p-32);
+  EXPECT_EQ(result.moved_points.count + result.bent_segments.count, 1);
+  const Pslg& closed = result.domain.pslg();
+  EXPECT_TRUE(find_gaps(result.domain)->empty());
+  EXPECT_EQ(closed.segments.size(), 13);  // the side is split at two points, and one piece of it has become double
+  EXPECT_TRUE(repaired(closed, std::nullopt).log.empty());
+}
+
+TEST(Repair, leaves_small_features_and_wider_gaps_open_by_default) {
+  Pslg island = square(1);
+  add_square(island, 0x1p-33, {0.5, 0.5});
+  EXPECT_TRUE(repaired(island, std::nullopt).log.empty());
+  const Pslg slit = squares_with_a_slit(0x1p-25);
+  EXPECT_GT(0x1p-25, largest_default_snap(slit));
+  EXPECT_TRUE(repaired(slit, std::nullopt).log.empty());
 }
 
 TEST(Repair, drops_a_hole_whose_face_closes_and_keeps_the_face_beside_it) {

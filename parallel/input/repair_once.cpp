@@ -1,4 +1,4 @@
-#include "../repair.hpp"
+#include "repair_once.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,7 @@
 #include "findings.hpp"
 #include "untangle.hpp"
 
-namespace pardel {
-
-using namespace engine;
-
+namespace pardel::engine {
 namespace {
 
 std::string number(const Pslg& pslg, Index id) { return std::to_string(std::int64_t{id} + pslg.first_id.value); }
@@ -197,7 +194,8 @@ class Seeds {
   std::vector<Index> hole_source_, region_source_;  ///< new -> old
 };
 
-/// The problems that repair() cannot remove.
+}  // namespace
+
 std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
   Findings found(20);
   check_values(pslg, {1, &stop}, found);
@@ -205,16 +203,11 @@ std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
   return std::move(found).sorted();
 }
 
-/// Precondition: all values are usable.
-Result<Repaired> repair_with(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop) {
+std::optional<Result<Repaired>> repair_once(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop) {
   Work work{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
   std::iota(work.point_map.begin(), work.point_map.end(), Index{0});
   std::iota(work.source.begin(), work.source.end(), Index{0});
-  if (!untangle(work, snap, stop))
-    return Error{
-        ErrorKind::invalid_input,
-        "Segments meet so closely that splitting them at rounded crossings makes ever more crossings; a larger "
-        "snapping distance may help."};
+  if (!untangle(work, snap, stop)) return std::nullopt;
 
   const std::vector<bool> is_old = images_of_points(work);
   SparseAsk ask(&stop);
@@ -234,34 +227,4 @@ Result<Repaired> repair_with(const Pslg& pslg, double snap, bool convex_hull, St
                   segments};
 }
 
-/// Precondition: all values are usable. Tries smaller snapping distances if options.snap has no value.
-Result<Repaired> repair_usable(const Pslg& pslg, const RepairOptions& options, StopSignal& stop) {
-  if (options.snap) return repair_with(pslg, *options.snap, options.convex_hull, stop);
-  Result<Repaired> repaired = repair_with(pslg, default_snap(pslg), options.convex_hull, stop);
-  for (const double factor : {0x1p-4, 0x1p-8, 0x1p-12, 0.0}) {
-    if (repaired) break;
-    repaired = repair_with(pslg, factor * default_snap(pslg), options.convex_hull, stop);
-  }
-  return repaired;
-}
-
-}  // namespace
-
-double default_snap(const Pslg& pslg) {
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return 0x1p-38 * largest;
-}
-
-Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
-  if (options.snap && !(*options.snap >= 0 && std::isfinite(*options.snap)))
-    return Error{ErrorKind::usage, "the snapping distance must be zero or positive, and finite"};
-  StopSignal stop(StopSignal::unless(options.go_on));
-  if (const std::vector<Problem> unusable = find_unusable_values(pslg, stop); !unusable.empty())
-    return Error{ErrorKind::invalid_input, messages(unusable, pslg.first_id.value)};
-  return repair_usable(pslg, options, stop);
-} catch (const Stopped& stopped) {
-  return stopped.error;
-}
-
-}  // namespace pardel
+}  // namespace pardel::engine

@@ -1,0 +1,158 @@
+// Two points that are close to each other, and see each other, are the ends of an edge of the triangulation. A point
+// that is close to a segment, and sees it, is the corner of a flat triangle; between this triangle and the segment
+// there are at most other flat triangles. So only triangles with a small height need to be examined.
+#include "find_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../arithmetic/predicates.hpp"
+#include "../concurrency/bounding_box.hpp"
+#include "../concurrency/parallel_arrays.hpp"
+#include "../triangulation/triangle_shape.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// What is narrow in a domain.
+struct Narrow {
+  double always;      ///< narrower than this
+  double relatively;  ///< narrower than this, and than a thousandth of the surroundings
+};
+
+Narrow narrow_in(const Array<Point>& points, const Threads& threads) {
+  const Box box = bounding_box(threads, points.size(), [&](std::size_t i) { return points[i]; });
+  const double extent = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
+  const double largest = std::max({std::abs(box.min_x), std::abs(box.min_y), std::abs(box.max_x), std::abs(box.max_y)});
+  const double always = 0x1p-32 * largest;
+  return {always, std::max(always, 1e-6 * extent)};
+}
+
+class GapSearch {
+ public:
+  GapSearch(const DomainTriangulation& domain, Narrow narrow)
+      : domain_(domain), t_(domain.triangulation), narrow_(narrow) {
+    longest_.resize(t_.points.size());
+    for (Index s = 0; s < domain.segments.size(); ++s) {
+      const DomainSegment& segment = domain.segments[s];
+      const double length = distance(segment.a, segment.b);
+      for (const VertexId end : {segment.a, segment.b}) longest_[end] = std::max(longest_[end], length);
+    }
+  }
+
+  /// Examines a flat triangle.
+  void examine(TriangleId id) {
+    const Slot& slot = t_.slots[id];
+    const Shape shape(t_, slot);
+    const unsigned shortest = shape.shortest_side();
+    const double length = std::sqrt(shape.shortest_squared());
+    const double height = shape.twice_area / std::sqrt(shape.longest_squared());
+    if (length < narrow_.relatively) add_pair(EdgeRef(id, shortest));
+    if (length > 2 * height) find_segment_below(id, shape);
+  }
+
+  /// The gaps, narrowest first, without those whose first point is in a narrower one.
+  std::vector<Gap> gaps() && {
+    std::ranges::sort(gaps_, [](const Gap& g, const Gap& h) {
+      return g.distance < h.distance || (g.distance == h.distance && g.points < h.points);
+    });
+    std::vector<bool> is_named(t_.points.size());
+    std::vector<Gap> chosen;
+    for (Gap& gap : gaps_) {
+      if (is_named[gap.points[0]]) continue;
+      is_named[gap.points[0]] = true;
+      if (gap.kind == GapKind::close_points || gap.kind == GapKind::short_segment) {
+        if (is_named[gap.points[1]]) continue;
+        is_named[gap.points[1]] = true;
+      }
+      chosen.push_back(std::move(gap));
+    }
+    return chosen;
+  }
+
+ private:
+  [[nodiscard]] double distance(VertexId u, VertexId v) const {
+    return std::hypot(t_.points[u].x - t_.points[v].x, t_.points[u].y - t_.points[v].y);
+  }
+  /// The longest segment at a vertex; infinity for an isolated vertex.
+  [[nodiscard]] double longest_at(VertexId v) const { return longest_[v] > 0 ? longest_[v] : INFINITY; }
+  [[nodiscard]] Index input(VertexId v) const { return domain_.input_of_vertex[v]; }
+
+  void add(GapKind kind, std::vector<Index> points, Index segment, double wide, double surroundings, Point where) {
+    if (wide < narrow_.always || (wide < narrow_.relatively && 1000 * wide < surroundings))
+      gaps_.push_back({kind, std::move(points), segment, wide, surroundings, where});
+  }
+
+  void add_pair(EdgeRef e) {
+    const Slot& slot = t_.slot(e);
+    VertexId u = slot.from(e.side()), v = slot.to(e.side());
+    if (input(v) < input(u)) std::swap(u, v);
+    Index segment = no_index;
+    if (slot.n[e.side()].constrained()) segment = domain_.input_segment[domain_.segments.segment_of(t_, u, v)];
+    add(segment == no_index ? GapKind::close_points : GapKind::short_segment, {input(u), input(v)}, segment,
+        distance(u, v), std::min(longest_at(u), longest_at(v)), t_.points[u]);
+  }
+
+  /// Walks from a corner of a flat triangle straight across the longest side, to a segment if there is one.
+  void find_segment_below(TriangleId id, const Shape& shape) {
+    const auto largest = static_cast<unsigned>(std::ranges::max_element(shape.squared) - shape.squared.begin());
+    const VertexId top = t_.slots[id].v[largest];
+    const Point p = shape.p[largest], a = shape.p[next_corner[largest]], b = shape.p[previous_corner[largest]];
+    const auto lies_ahead = [&](VertexId v) {
+      return (b.x - a.x) * (t_.points[v].x - p.x) + (b.y - a.y) * (t_.points[v].y - p.y) > 0;
+    };
+    constexpr int most_steps = 64;
+    EdgeRef e(id, largest);
+    for (int step = 0; step < most_steps; ++step) {
+      const EdgeRef across = t_.slot(e).n[e.side()];
+      if (across.constrained()) return add_beside(top, e);
+      const Slot& next = t_.slot(across);
+      const unsigned apex = across.side();
+      // The apex replaces the end of the side on which it lies.
+      const bool replaces_from = lies_ahead(next.apex(apex)) == lies_ahead(next.from(apex));
+      e = EdgeRef(across.triangle(), replaces_from ? next_corner[apex] : previous_corner[apex]);
+    }
+  }
+
+  void add_beside(VertexId top, EdgeRef e) {
+    const Slot& slot = t_.slot(e);
+    const Index s = domain_.segments.segment_of(t_, slot.from(e.side()), slot.to(e.side()));
+    const DomainSegment& segment = domain_.segments[s];
+    const Point p = t_.points[top];
+    const double length = distance(segment.a, segment.b);
+    const double wide = std::abs(orient2d(t_.points[segment.a], t_.points[segment.b], p)) / length;
+    const double surroundings = std::min(length, longest_at(top));
+    if (const Index of_input = domain_.input_segment[s]; of_input != no_index)
+      add(GapKind::point_near_segment, {input(top)}, of_input, wide, surroundings, p);
+    else
+      add(GapKind::point_near_hull, {input(top), input(segment.a), input(segment.b)}, no_index, wide, surroundings, p);
+  }
+
+  const DomainTriangulation& domain_;
+  const Triangulation& t_;
+  Narrow narrow_;
+  std::vector<double> longest_;  ///< of the segments at each vertex
+  std::vector<Gap> gaps_;
+};
+
+}  // namespace
+
+std::vector<Gap> find_gaps(const DomainTriangulation& domain, const Threads& threads) {
+  const Triangulation& t = domain.triangulation;
+  const Narrow narrow = narrow_in(t.points, threads);
+  const double squared = narrow.relatively * narrow.relatively;
+  const Array<Index> flat = indices_where(threads, t.slots.size(), [&](std::size_t id) {
+    const Shape shape(t, t.slots[id]);
+    return shape.twice_area * shape.twice_area < squared * shape.longest_squared();
+  });
+  if (flat.empty()) return {};
+  GapSearch search(domain, narrow);
+  SparseAsk ask(threads.stop);
+  for (const TriangleId id : flat) {
+    ask();
+    search.examine(id);
+  }
+  return std::move(search).gaps();
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,96 @@
+#include "repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "conversion/find_gaps.hpp"
+#include "gaps.hpp"
+#include "input/repair_once.hpp"
+
+namespace pardel {
+
+using namespace engine;
+
+namespace {
+
+double largest_coordinate(const Pslg& pslg) {
+  double largest = 0;
+  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest;
+}
+
+Error tangled() {
+  return {ErrorKind::invalid_input,
+          "Segments meet so closely that splitting them at rounded crossings makes ever more crossings; a larger "
+          "snapping distance may help."};
+}
+
+/// With the default snapping distance, or a smaller one if that fails. A smaller distance does not help against
+/// crossings that become more and more; then only zero is tried.
+Result<Repaired> repair_roundings(const Pslg& pslg, bool convex_hull, StopSignal& stop) {
+  const double snap = default_snap(pslg);
+  for (const double factor : {1.0, 0x1p-4, 0x1p-8, 0x1p-12}) {
+    std::optional<Result<Repaired>> repaired = repair_once(pslg, factor * snap, convex_hull, stop);
+    if (!repaired) break;
+    if (*repaired) return std::move(*repaired);
+  }
+  return repair_once(pslg, 0, convex_hull, stop).value_or(tangled());
+}
+
+/// The gaps that repair may close by default: tiny, and much narrower than the segments around them. Small features,
+/// which consist of small segments, are not among them.
+std::vector<Gap> tiny_gaps(const ValidPslg& domain, double tiny, StopSignal& stop) {
+  const Threads one(1, &stop);
+  const Result<DomainTriangulation> triangulated = triangulate_domain(domain.pslg(), domain.convex_hull(), one);
+  if (!triangulated) return {};
+  std::vector<Gap> gaps = find_gaps(*triangulated, one);
+  std::erase_if(gaps, [&](const Gap& gap) {
+    return gap.kind == GapKind::point_near_hull || gap.distance > tiny || 1000 * gap.distance > gap.surroundings;
+  });
+  return gaps;
+}
+
+/// Repairs the Pslg with larger and larger snapping distances, until the result has no tiny gaps.
+Repaired close_tiny_gaps(const Pslg& pslg, Repaired repaired, StopSignal& stop) {
+  const double tiny = largest_default_snap(pslg);
+  while (repaired.snap < tiny) {
+    const std::vector<Gap> gaps = tiny_gaps(repaired.domain, tiny, stop);
+    if (gaps.empty()) break;
+    const double snap = std::min(tiny, std::max(closing_snap(gaps), 2 * repaired.snap));
+    std::optional<Result<Repaired>> again = repair_once(pslg, snap, repaired.domain.convex_hull(), stop);
+    if (!again || !*again) break;
+    repaired = std::move(**again);
+  }
+  return repaired;
+}
+
+}  // namespace
+
+double default_snap(const Pslg& pslg) { return 0x1p-38 * largest_coordinate(pslg); }
+
+double largest_default_snap(const Pslg& pslg) {
+  Point low = pslg.points.empty() ? Point{} : pslg.points[0], high = low;
+  for (const Point& p : pslg.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return std::min(0x1p-30 * largest_coordinate(pslg), 1e-6 * std::max(high.x - low.x, high.y - low.y));
+}
+
+Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
+  if (options.snap && !(*options.snap >= 0 && std::isfinite(*options.snap)))
+    return Error{ErrorKind::usage, "the snapping distance must be zero or positive, and finite"};
+  StopSignal stop(StopSignal::unless(options.go_on));
+  if (const std::vector<Problem> unusable = find_unusable_values(pslg, stop); !unusable.empty())
+    return Error{ErrorKind::invalid_input, messages(unusable, pslg.first_id.value)};
+  if (options.snap) return repair_once(pslg, *options.snap, options.convex_hull, stop).value_or(tangled());
+  Result<Repaired> repaired = repair_roundings(pslg, options.convex_hull, stop);
+  if (repaired) return close_tiny_gaps(pslg, std::move(*repaired), stop);
+  return repaired;
+} catch (const Stopped& stopped) {
+  return stopped.error;
+}
+
+}  // namespace pardel

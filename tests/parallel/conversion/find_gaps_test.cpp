@@ -1,0 +1,116 @@
+// find_gaps(): the narrow places of a domain.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../../parallel/gaps.hpp"
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/domains/domains.hpp"
+#include "../shapes.hpp"
+
+namespace pardel {
+namespace {
+
+using testing::add_square;
+using testing::points_only;
+using testing::square;
+
+std::vector<Gap> gaps_of(const Pslg& pslg) {
+  Result<std::vector<Gap>> gaps = find_gaps(*validate(pslg));
+  EXPECT_TRUE(gaps) << gaps.error().message;
+  return std::move(*gaps);
+}
+
+/// A unit square that contains these points.
+Pslg square_with(const std::vector<Point>& points) {
+  Pslg pslg = square(1);
+  pslg.points.insert(pslg.points.end(), points.begin(), points.end());
+  return pslg;
+}
+
+TEST(Gaps, are_two_points_that_nearly_touch) {
+  const std::vector<Gap> gaps = gaps_of(square_with({{0.5, 0.5}, {0.5, 0.5 + 0x1p-30}}));
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].kind, GapKind::close_points);
+  EXPECT_EQ(gaps[0].points, (std::vector<Index>{4, 5}));
+  EXPECT_EQ(gaps[0].distance, 0x1p-30);
+  EXPECT_EQ(gaps[0].message(1), "The distance of point 5 at (0.5, 0.5) from point 6 is only 9.313225746154785e-10.");
+}
+
+TEST(Gaps, are_a_point_beside_a_segment) {
+  for (const double y : {0x1p-25, 0x1p-45}) {
+    const std::vector<Gap> gaps = gaps_of(square_with({{0.25, y}}));
+    ASSERT_EQ(gaps.size(), 1);
+    EXPECT_EQ(gaps[0].kind, GapKind::point_near_segment);
+    EXPECT_EQ(gaps[0].points, (std::vector<Index>{4}));
+    EXPECT_EQ(gaps[0].segment, 0);
+    EXPECT_EQ(gaps[0].distance, y);
+  }
+}
+
+TEST(Gaps, are_found_between_a_point_and_a_slanted_segment_behind_another_flat_triangle) {
+  // Points 4 and 5 are above the side from (0, 0) to (1, 0.5), and point 5 is between point 4 and its end.
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0.5}, {1, 2}, {0, 2}, {0.25, 0.125 + 0x1p-40}, {0.75, 0.375 + 0x1p-41}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const std::vector<Gap> gaps = gaps_of(pslg);
+  ASSERT_EQ(gaps.size(), 2);
+  EXPECT_EQ(gaps[0].points, (std::vector<Index>{5}));
+  EXPECT_EQ(gaps[1].points, (std::vector<Index>{4}));
+  for (const Gap& gap : gaps) EXPECT_EQ(gap.segment, 0);
+  EXPECT_NEAR(gaps[1].distance, 0x1p-40 / std::sqrt(1.25), 0x1p-60);
+}
+
+TEST(Gaps, are_a_short_segment_between_long_ones) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, 1}, {0x1p-28, 1}, {0, 1}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}};
+  const std::vector<Gap> gaps = gaps_of(pslg);
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].kind, GapKind::short_segment);
+  EXPECT_EQ(gaps[0].segment, 3);
+}
+
+TEST(Gaps, are_a_point_beside_the_convex_hull) {
+  const std::vector<Gap> gaps = gaps_of(points_only({{0, 0}, {1, 0}, {0.5, 1}, {0.5, 0x1p-44}}));
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].kind, GapKind::point_near_hull);
+  EXPECT_EQ(gaps[0].points.size(), 3);
+  EXPECT_EQ(gaps[0].points[0], 3);
+  EXPECT_EQ(closing_snap(gaps), 0);
+}
+
+TEST(Gaps, are_not_small_shapes_nor_places_outside_the_domain) {
+  Pslg island = square(1);
+  add_square(island, 1e-8, {0.5, 0.5});
+  EXPECT_TRUE(gaps_of(island).empty());
+
+  Pslg hole = square(4);
+  add_square(hole, 1, {1, 1});
+  hole.holes = {{1.5, 1.2}};
+  hole.points.insert(hole.points.end(), {{1.5, 1.5}, {1.5, 1.5 + 0x1p-40}});
+  EXPECT_TRUE(gaps_of(hole).empty());
+}
+
+TEST(Gaps, do_not_occur_in_ordinary_domains) {
+  for (const Pslg& pslg : {domains::pipe(), domains::key(), domains::star(7, 5), domains::comb(5, 0.01),
+                           domains::wedge(20, 1), domains::random_points(2000, 1)})
+    EXPECT_TRUE(gaps_of(pslg).empty());
+}
+
+TEST(Gaps, are_in_the_report_of_the_mesher) {
+  const Pslg pslg = square_with({{0.25, 0x1p-25}});
+  const Result<Meshed> meshed = mesh(pslg);
+  ASSERT_TRUE(meshed);
+  ASSERT_EQ(meshed->report.gaps.size(), 1);
+  EXPECT_EQ(meshed->report.gaps[0].points, gaps_of(pslg)[0].points);
+}
+
+TEST(Gaps, of_similar_width_are_closed_by_one_snapping_distance) {
+  const auto gap = [](double distance) { return Gap{GapKind::close_points, {0, 1}, no_index, distance, 1, {}}; };
+  EXPECT_EQ(closing_snap(std::vector{gap(1), gap(4), gap(32), gap(512)}), 64);
+  EXPECT_EQ(closing_snap({}), 0);
+}
+
+}  // namespace
+}  // namespace pardel
