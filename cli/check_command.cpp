@@ -25,7 +25,7 @@
 namespace pardel::cli {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::filesystem::path domain;
   std::filesystem::path mesh;
   GoalOptions goal;
@@ -35,13 +35,13 @@ struct Arguments {
   bool quiet = false;
 };
 
-struct Input {
+struct CheckInput {
   ValidPslg domain;
   Mesh mesh;
   Goal goal;
 };
 
-Result<Input, Refusal> read(const Arguments& arguments, ProgressBar& bar) {
+Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& bar) {
   bar.begin("reading " + arguments.domain.string());
   Result<Domain> read = read_domain(arguments.domain);
   if (!read) return Refusal(read.error());
@@ -55,10 +55,10 @@ Result<Input, Refusal> read(const Arguments& arguments, ProgressBar& bar) {
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
   if (!goal) return Refusal(goal.error());
-  return Input{std::move(*domain), std::move(*mesh), std::move(*goal)};
+  return CheckInput{std::move(*domain), std::move(*mesh), std::move(*goal)};
 }
 
-void print(const Arguments& arguments, const Mesh& mesh, const Certificate& certificate) {
+void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate& certificate) {
   const std::string all_in = arguments.json.empty() ? "the file of --json" : arguments.json.string();
   fmt::print("{}", summary_text(certificate));
   if (!certificate.valid) fmt::print("{}\n", findings_text(certificate, all_in, arguments.max_circumradius));
@@ -70,12 +70,12 @@ void print(const Arguments& arguments, const Mesh& mesh, const Certificate& cert
   }
 }
 
-Result<ExitCode> run(const Arguments& arguments) {
+Result<ExitCode> run(const CheckArguments& arguments) {
   const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes};
   if (Status fine = check_standard_input(inputs); !fine) return fine.error();
   if (Status folder = check_folder(arguments.json); !folder) return folder.error();
   ProgressBar bar(arguments.progress);
-  const Result<Input, Refusal> input = read(arguments, bar);
+  const Result<CheckInput, Refusal> input = read(arguments, bar);
   if (!input) return refused(input.error(), arguments.domain, arguments.json);
 
   // Mesh files do not contain the origin of each vertex.
@@ -94,7 +94,7 @@ Result<ExitCode> run(const Arguments& arguments) {
 }  // namespace
 
 Command add_check(CLI::App& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or list what is wrong");
   app->add_option("IN.poly", arguments->domain, "The domain: .poly or .node; - is standard input")
       ->required()

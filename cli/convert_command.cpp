@@ -24,7 +24,7 @@ namespace pardel::cli {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct ConvertArguments {
   fs::path input;
   fs::path output;
   bool msh_ascii = false;
@@ -47,11 +47,11 @@ std::string lost(const Mesh& mesh, const fs::path& output) {
   return list;
 }
 
-Error wrong_output(const Arguments& arguments, const std::string& why) {
+Error wrong_output(const ConvertArguments& arguments, const std::string& why) {
   return {ErrorKind::usage, fmt::format("{}: {}", arguments.output.string(), why)};
 }
 
-Status check_output_of(const Arguments& arguments, const Pslg& /*domain*/) {
+Status check_output_of(const ConvertArguments& arguments, const Pslg& /*domain*/) {
   const std::string in = arguments.input.string(), out = arguments.output.string();
   if (mesh_format(arguments.output))
     return wrong_output(arguments, fmt::format("{0} is a domain, which has no triangles; 'pardel mesh {0} -o {1}' "
@@ -61,7 +61,7 @@ Status check_output_of(const Arguments& arguments, const Pslg& /*domain*/) {
   return check_poly_output(arguments.output);
 }
 
-Status check_output_of(const Arguments& arguments, const Mesh& /*mesh*/) {
+Status check_output_of(const ConvertArguments& arguments, const Mesh& /*mesh*/) {
   const std::vector<fs::path> outputs = {arguments.output}, inputs = {arguments.input};
   if (Status fine = check_stream_format(outputs, arguments.format); !fine) return fine;
   if (arguments.output.extension() == ".poly")
@@ -70,7 +70,7 @@ Status check_output_of(const Arguments& arguments, const Mesh& /*mesh*/) {
   return check_mesh_outputs(outputs, inputs);
 }
 
-void print(const Arguments& arguments, ProgressBar& bar, const std::string& content, const std::string& lost) {
+void print(const ConvertArguments& arguments, ProgressBar& bar, const std::string& content, const std::string& lost) {
   bar.finish();
   if (arguments.quiet || is_standard_output(arguments.output)) return;
   fmt::print("{}: {}\n", arguments.input.string(), content);
@@ -78,13 +78,13 @@ void print(const Arguments& arguments, ProgressBar& bar, const std::string& cont
   fmt::print("wrote   {}\n", arguments.output.string());
 }
 
-Status convert(const Arguments& arguments, const Pslg& domain, ProgressBar& bar) {
+Status convert(const ConvertArguments& arguments, const Pslg& domain, ProgressBar& bar) {
   if (Status written = write_poly(domain, arguments.output, domain.first_id.value); !written) return written;
   print(arguments, bar, plural(domain.points.size(), "point") + ", " + plural(domain.segments.size(), "segment"), {});
   return Done{};
 }
 
-Status write(const Arguments& arguments, const Mesh& mesh) {
+Status write(const ConvertArguments& arguments, const Mesh& mesh) {
   if (mesh_format(arguments.output) != MeshFormat::triangle)
     return write_mesh(mesh, {}, arguments.output, arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary,
                       arguments.format);
@@ -95,7 +95,7 @@ Status write(const Arguments& arguments, const Mesh& mesh) {
   return write_triangle_files(mesh, *pslg, stem, {.base = mesh.first_id.value});
 }
 
-Status convert(const Arguments& arguments, const Mesh& mesh, ProgressBar& bar) {
+Status convert(const ConvertArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
   if (Status written = write(arguments, mesh); !written) return written;
   print(arguments, bar,
         plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"),
@@ -103,7 +103,7 @@ Status convert(const Arguments& arguments, const Mesh& mesh, ProgressBar& bar) {
   return Done{};
 }
 
-Result<ExitCode> run(const Arguments& arguments) {
+Result<ExitCode> run(const ConvertArguments& arguments) {
   const std::string in = arguments.input.string(), out = arguments.output.string();
   if (arguments.output.extension() == ".svg" || arguments.output.extension() == ".png")
     return wrong_output(arguments, fmt::format("'pardel draw {} {}' draws pictures", in, out));
@@ -118,7 +118,7 @@ Result<ExitCode> run(const Arguments& arguments) {
 }  // namespace
 
 Command add_convert(CLI::App& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* app = program.add_subcommand("convert", "Write a mesh or a domain in another format, without changing it");
   app->add_option("IN", arguments->input,
                   "A mesh (.node, .ele, .msh, .vtu, .off) or a domain (.poly, .node); - is standard\ninput")

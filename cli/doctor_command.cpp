@@ -29,7 +29,7 @@
 namespace pardel::cli {
 namespace {
 
-struct Arguments {
+struct DoctorArguments {
   std::filesystem::path input;
   std::filesystem::path repaired;
   std::optional<double> snap;
@@ -82,7 +82,7 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
   for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
 }
 
-Status check_outputs(const Arguments& arguments) {
+Status check_outputs(const DoctorArguments& arguments) {
   const std::array outputs = {arguments.repaired, arguments.json};
   if (Status fine = check_standard_output(outputs); !fine) return fine;
   if (!arguments.repaired.empty()) {
@@ -92,7 +92,7 @@ Status check_outputs(const Arguments& arguments) {
 }
 
 /// Repairs the domain and writes the result. Returns the error that prevents this.
-Status repair(const Arguments& arguments, const Domain& domain, Findings& findings) {
+Status repair(const DoctorArguments& arguments, const Domain& domain, Findings& findings) {
   Result<Repaired> result = repair(domain.pslg, {.snap = arguments.snap, .convex_hull = arguments.convex_hull});
   if (result) {
     findings.repaired.emplace(std::move(*result));
@@ -103,7 +103,7 @@ Status repair(const Arguments& arguments, const Domain& domain, Findings& findin
   return with_name(result.error(), domain.name);
 }
 
-Status report(const Arguments& arguments, const Domain& domain, const Findings& findings) {
+Status report(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
   const std::array outputs = {arguments.repaired, arguments.json};
   const std::filesystem::path& examined = findings.repaired ? arguments.repaired : arguments.input;
   if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, examined.string(), domain.pslg.first_id.value));
@@ -112,7 +112,7 @@ Status report(const Arguments& arguments, const Domain& domain, const Findings& 
   return write_text(to_json(domain, findings).dump(2) + "\n", arguments.json);
 }
 
-Result<ExitCode> run(const Arguments& arguments) {
+Result<ExitCode> run(const DoctorArguments& arguments) {
   if (Status fine = check_outputs(arguments); !fine) return fine.error();
   ProgressBar bar(ShowProgress::automatic);
   bar.begin("reading " + arguments.input.string());
@@ -139,7 +139,7 @@ Result<ExitCode> run(const Arguments& arguments) {
 }  // namespace
 
 Command add_doctor(CLI::App& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain, and repair it");
   app->add_option("IN.poly", arguments->input, "The domain: .poly or .node")->required()->type_name("");
   CLI::Option* repaired =

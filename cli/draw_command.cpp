@@ -30,7 +30,7 @@ namespace {
 /// Cairo's images have at most 32,767 rows and columns, margins and legend included.
 constexpr int most_pixels = 20'000;
 
-struct Arguments {
+struct DrawArguments {
   fs::path input;
   fs::path output;
   std::optional<ColourBy> by;
@@ -42,7 +42,7 @@ struct Arguments {
 
 Error usage(const std::string& message) { return {ErrorKind::usage, message}; }
 
-Status check_arguments(const Arguments& arguments) {
+Status check_arguments(const DrawArguments& arguments) {
   const fs::path suffix = arguments.output.extension();
   if (suffix != ".svg" && suffix != ".png") return unknown_format(arguments.output, "a picture", ".svg and .png");
   const bool of_work = arguments.by && *arguments.by >= ColourBy::tile;
@@ -55,16 +55,16 @@ Status check_arguments(const Arguments& arguments) {
   return check_folder(arguments.output);
 }
 
-Canvas canvas_for(const Arguments& arguments, std::span<const Point> points) {
+Canvas canvas_for(const DrawArguments& arguments, std::span<const Point> points) {
   const std::vector<double>& w = arguments.window;
   const Window window = w.empty() ? window_around(points) : Window{{w[0], w[1]}, {w[2], w[3]}};
   const double pixels = arguments.output.extension() == ".png" ? 1600 : 1000;
   return {arguments.output, window, {arguments.pixels ? *arguments.pixels : pixels, !arguments.no_legend, !w.empty()}};
 }
 
-std::string headline(const Arguments& arguments) { return arguments.input.filename().string(); }
+std::string headline(const DrawArguments& arguments) { return arguments.input.filename().string(); }
 
-Status draw(const Arguments& arguments, const Mesh& mesh, ProgressBar& bar) {
+Status draw(const DrawArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
   const Result<Colouring> coloured = colouring(mesh, arguments.by.value_or(ColourBy::region), arguments.report);
   if (!coloured) return coloured.error();
   bar.begin("drawing " + arguments.output.string());
@@ -76,7 +76,7 @@ Status draw(const Arguments& arguments, const Mesh& mesh, ProgressBar& bar) {
   return canvas.finish();
 }
 
-Status draw(const Arguments& arguments, const Pslg& domain, ProgressBar& bar) {
+Status draw(const DrawArguments& arguments, const Pslg& domain, ProgressBar& bar) {
   if (arguments.by) return usage(fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string()));
   bar.begin("drawing " + arguments.output.string());
   Canvas canvas = canvas_for(arguments, domain.points);
@@ -85,7 +85,7 @@ Status draw(const Arguments& arguments, const Pslg& domain, ProgressBar& bar) {
   return canvas.finish();
 }
 
-Result<ExitCode> run(const Arguments& arguments) {
+Result<ExitCode> run(const DrawArguments& arguments) {
   if (Status fine = check_arguments(arguments); !fine) return fine.error();
   ProgressBar bar(ShowProgress::automatic);
   return with_domain_or_mesh(arguments.input, bar, [&](const auto& input) { return draw(arguments, input, bar); });
@@ -94,7 +94,7 @@ Result<ExitCode> run(const Arguments& arguments) {
 }  // namespace
 
 Command add_draw(CLI::App& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DrawArguments>();
   CLI::App* app = program.add_subcommand("draw", "Draw a domain or a mesh as SVG or PNG");
   app->add_option("IN|MESH", arguments->input,
                   "A domain (.poly, .node) or a mesh (.node, .ele, .msh, .vtu, .off); - is standard\ninput")

@@ -17,7 +17,7 @@ namespace {
 void write_message(const std::string& message) {
   (void)ftrylockfile(stderr);  // another thread then draws no progress after the message
   pollfd standard_error{STDERR_FILENO, POLLOUT, 0};
-  if (poll(&standard_error, 1, 0) == 1) (void)!write(STDERR_FILENO, message.data(), message.size());
+  if (::poll(&standard_error, 1, 0) == 1) (void)!::write(STDERR_FILENO, message.data(), message.size());
 }
 
 }  // namespace

@@ -15,14 +15,14 @@
 namespace pardel::cli {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   std::string name;
   std::uint64_t n = 0;
   std::uint64_t seed = 1;
   std::filesystem::path output;
 };
 
-Result<ExitCode> run(const Arguments& arguments) {
+Result<ExitCode> run(const GenerateArguments& arguments) {
   if (Status fine = check_poly_output(arguments.output); !fine) return fine.error();
   const Result<Pslg> pslg = domains::generate(arguments.name, arguments.n, arguments.seed);
   if (!pslg) return pslg.error();
@@ -40,7 +40,7 @@ std::string list_of_names() {
 }  // namespace
 
 Command add_generate(CLI::App& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* app = program.add_subcommand("generate", "Write a named domain as a .poly file");
   app->add_option("NAME", arguments->name, "The name of the domain")->required()->type_name("");
   app->add_option("-n,--size", arguments->n,

@@ -26,7 +26,7 @@ namespace {
 constexpr const char* description =
     "pardel: guaranteed-quality Delaunay meshes of planar domains, with an independent exact check.";
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* examples = R"(Examples:
   pardel generate key -o key.poly                       a domain to try
   pardel mesh key.poly -o key.vtu --min-angle 30        a mesh without angles below 30 degrees
   pardel mesh key.poly -o m.node --max-area 0.001       Triangle's files m.node, m.ele and m.poly
@@ -64,7 +64,7 @@ Result<ExitCode> run(std::vector<std::string> arguments) {
   }
   CLI::App program(description, "pardel");
   program.set_version_flag("-V,--version", "pardel " PARDEL_VERSION);
-  program.footer(footer);
+  program.footer(examples);
   program.formatter(std::make_shared<HelpFormatter>());  // subcommands inherit it
   program.failure_message(usage_message);
   program.require_subcommand(1);

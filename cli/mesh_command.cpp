@@ -32,7 +32,7 @@
 namespace pardel::cli {
 namespace {
 
-struct Input {
+struct MeshInput {
   Source source;              ///< with --refine a mesh, otherwise a domain
   std::vector<double> sizes;  ///< as read_sizes_of() returns them
 };
@@ -56,7 +56,7 @@ Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain 
 }
 
 /// Reads the input and the sizes, and validates a domain: the only validation of a run.
-Result<Input, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Seconds& seconds) {
+Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Seconds& seconds) {
   Stopwatch watch;
   bar.begin("reading " + arguments.input.string());
   if (arguments.refine) {
@@ -65,7 +65,7 @@ Result<Input, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Se
     Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
-    return Input{std::move(*coarse), std::move(*sizes)};
+    return MeshInput{std::move(*coarse), std::move(*sizes)};
   }
   Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return Refusal(domain.error());
@@ -78,11 +78,11 @@ Result<Input, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Se
   if (!valid) return valid.error();
   print_warnings(*valid, arguments.input.string());
   seconds.validate = watch.lap();
-  return Input{std::move(*valid), std::move(*sizes)};
+  return MeshInput{std::move(*valid), std::move(*sizes)};
 }
 
 /// With --refine only --sizes needs a valid domain, because it triangulates the domain.
-Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const Input& input) {
+Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const MeshInput& input) {
   const auto with_sizes = [&](const ValidPslg& domain) -> Result<Goal, Refusal> {
     Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain);
     if (!goal) return Refusal(goal.error());
@@ -98,7 +98,7 @@ Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const Input& inp
 
 /// Why there is no mesh. For a mesh that cannot be refined: the problems of its domain if there are any, otherwise
 /// `error`.
-Refusal why_not_meshed(const MeshArguments& arguments, const Input& input, const Error& error) {
+Refusal why_not_meshed(const MeshArguments& arguments, const MeshInput& input, const Error& error) {
   const auto* coarse = std::get_if<CoarseMesh>(&input.source);
   if (coarse != nullptr && error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
     std::vector<Problem> problems = find_problems(coarse->domain.pslg, how_to_validate(arguments));
@@ -107,13 +107,13 @@ Refusal why_not_meshed(const MeshArguments& arguments, const Input& input, const
   return with_name(error, arguments.input.string());
 }
 
-Result<Meshed> make_mesh(const Input& input, const Goal& goal, const Options& options) {
+Result<Meshed> make_mesh(const MeshInput& input, const Goal& goal, const Options& options) {
   if (const auto* coarse = std::get_if<CoarseMesh>(&input.source))
     return refine(coarse->mesh, coarse->max_areas, goal, options);
   return mesh(std::get<ValidPslg>(input.source), goal, options);
 }
 
-Certificate check_mesh(const MeshArguments& arguments, const Input& input, const Meshed& meshed, const Goal& goal,
+Certificate check_mesh(const MeshArguments& arguments, const MeshInput& input, const Meshed& meshed, const Goal& goal,
                        ProgressBar& bar) {
   bar.begin("checking");
   // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
@@ -194,7 +194,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
 
   MeshRun run;
   const auto refuse = [&](const Refusal& why) { return refused(why, arguments.input, arguments.json); };
-  const Result<Input, Refusal> input = read(arguments, bar, run.seconds);
+  const Result<MeshInput, Refusal> input = read(arguments, bar, run.seconds);
   if (!input) return refuse(input.error());
   const Pslg& pslg = pslg_of(input->source);
   Stopwatch watch;

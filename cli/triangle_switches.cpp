@@ -72,7 +72,7 @@ constexpr std::pair<char, bool TriangleSwitches::*> flags[] = {
     {'?', &TriangleSwitches::help},
 };
 
-Error usage(const std::string& message) { return {ErrorKind::usage, message + " (see 'pardel triangle -h')"}; }
+Error wrong_switch(const std::string& message) { return {ErrorKind::usage, message + " (see 'pardel triangle -h')"}; }
 
 /// Reads one switch with its number and removes both from `rest`.
 Status take_switch(TriangleSwitches& s, std::string_view& rest) {
@@ -89,7 +89,7 @@ Status take_switch(TriangleSwitches& s, std::string_view& rest) {
       s.min_angle_deg = 20;
       if (begins_with_number(rest)) {
         const std::optional<double> angle = take_number<double>(rest);
-        if (!angle) return usage(fmt::format("switch q: '{}' does not begin with a number", rest));
+        if (!angle) return wrong_switch(fmt::format("switch q: '{}' does not begin with a number", rest));
         s.min_angle_deg = *angle;
       }
       return Done{};
@@ -100,8 +100,8 @@ Status take_switch(TriangleSwitches& s, std::string_view& rest) {
         return Done{};
       }
       s.max_area = take_number<double>(rest);
-      if (!s.max_area) return usage(fmt::format("switch a: '{}' does not begin with a number", rest));
-      if (*s.max_area <= 0) return usage("switch a: the largest area must be greater than 0");
+      if (!s.max_area) return wrong_switch(fmt::format("switch a: '{}' does not begin with a number", rest));
+      if (*s.max_area <= 0) return wrong_switch("switch a: the largest area must be greater than 0");
       return Done{};
     case 'D':
     case 'L':
@@ -131,9 +131,9 @@ Status take_switch(TriangleSwitches& s, std::string_view& rest) {
       return Done{};
     default:
       if (const char* what = unsupported(letter)) {
-        return usage(fmt::format("switch {} is not supported: {}", letter, what));
+        return wrong_switch(fmt::format("switch {} is not supported: {}", letter, what));
       }
-      return usage(fmt::format("'{}' is not a switch of Triangle", letter));
+      return wrong_switch(fmt::format("'{}' is not a switch of Triangle", letter));
   }
 }
 
@@ -164,7 +164,7 @@ Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>&
         if (Status taken = take_switch(switches, rest); !taken) return taken.error();
       }
     } else if (!switches.name.empty()) {
-      return usage(fmt::format("two files: '{}' and '{}'", switches.name, argument));
+      return wrong_switch(fmt::format("two files: '{}' and '{}'", switches.name, argument));
     } else {
       switches.name = argument;
     }
@@ -173,10 +173,10 @@ Result<TriangleSwitches> parse_triangle_switches(const std::vector<std::string>&
   // The command becomes one line of a file.
   std::replace_if(
       switches.command.begin(), switches.command.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  if (switches.name.empty()) return usage("no input file");
+  if (switches.name.empty()) return wrong_switch("no input file");
   take_suffix(switches);
   if (switches.refine && switches.no_iteration) {
-    return usage("with switch r, switch I would replace the mesh that is refined");
+    return wrong_switch("with switch r, switch I would replace the mesh that is refined");
   }
   return switches;
 }

@@ -7,11 +7,10 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include <array>
 #include <set>
 #include <vector>
 
-#include "../core/pslg.hpp"
+#include "edge.hpp"
 
 namespace pardel::ref {
 
@@ -21,14 +20,6 @@ using ExactPoint = Kernel::Point_2;
 
 [[nodiscard]] inline ExactPoint exact(Point p) { return {p.x, p.y}; }
 [[nodiscard]] inline Point rounded(const ExactPoint& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
-
-/// The three vertices of a triangle, counter-clockwise.
-using Corners = std::array<Index, 3>;
-/// Two vertices, the smaller index first.
-using Edge = std::array<Index, 2>;
-[[nodiscard]] Edge edge(Index a, Index b);
-/// The edge opposite to corner i, 0 to 2.
-[[nodiscard]] Edge edge_of(const Corners& t, int i);
 
 /// A mesh as the theory defines it: a set of triangles over points, and a set of constrained edges (walls).
 struct PlainMesh {

@@ -12,11 +12,10 @@
 
 #include "../../core/formats.hpp"
 #include "../tile_hues.hpp"
+#include "length.hpp"
 
 namespace pardel::cli {
 namespace {
-
-double length(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
 
 /// The lengths of the sides, in ascending order.
 std::array<double, 3> sides(const Mesh& mesh, const Triangle& t) {

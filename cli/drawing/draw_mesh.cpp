@@ -6,6 +6,7 @@
 #include <map>
 
 #include "draw_lines.hpp"
+#include "length.hpp"
 #include "small_triangles.hpp"
 
 namespace pardel::cli {
@@ -17,8 +18,6 @@ Corners corners_of(const Mesh& mesh, Index t) {
   const auto& v = mesh.triangles[t].v;
   return {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
 }
-
-double length(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
 
 /// The longest side in the picture.
 double size_of(const Canvas& canvas, const Corners& c) {

@@ -13,7 +13,7 @@
 namespace pardel::engine {
 namespace {
 
-constexpr int levels = 16;  // bits per coordinate of a key
+constexpr int curve_levels = 16;  // bits per coordinate of a key
 
 // One level of the curve. The state is one of the four orientations of the curve's U shape. For each state and quadrant
 // (x bit, y bit), the table has the position of the quadrant along the curve and the state inside the quadrant.
@@ -46,7 +46,7 @@ constexpr auto four_levels = [] {
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0;
   unsigned state = 0;
-  for (int bit = levels - 4; bit >= 0; bit -= 4) {
+  for (int bit = curve_levels - 4; bit >= 0; bit -= 4) {
     const Step step = four_levels[state][(x >> bit & 15U) << 4U | (y >> bit & 15U)];
     key = key << 8U | step.position;
     state = step.state;
@@ -91,7 +91,7 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, cons
   const Box box = bounding_box(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
   const double side = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
   if (!(side > 0)) return order_by_coordinates(points, ids);
-  constexpr double top = (1U << levels) - 1;
+  constexpr double top = (1U << curve_levels) - 1;
   const double scale = top / side;
   Array<std::uint64_t> words = make_array(threads, ids.size(), [&](std::size_t k) {
     const Point p = points[ids[k]];

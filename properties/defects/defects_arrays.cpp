@@ -9,7 +9,7 @@ namespace {
 
 using enum ViolationKind;
 
-constexpr Defect group[] = {
+constexpr Defect array_defects[] = {
     {"a corner of a triangle is the index just past the last vertex", index_out_of_range,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](edit::Side s) {
@@ -129,6 +129,6 @@ constexpr Defect group[] = {
 
 }  // namespace
 
-std::span<const Defect> defects_of_arrays() { return group; }
+std::span<const Defect> defects_of_arrays() { return array_defects; }
 
 }  // namespace pardel::defects

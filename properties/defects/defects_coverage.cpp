@@ -114,7 +114,7 @@ bool add_outside(Mesh& mesh, Side s, Point p) {
   return true;
 }
 
-constexpr Defect group[] = {
+constexpr Defect coverage_defects[] = {
     {"a triangle in the middle is dropped", uncovered_domain,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
@@ -229,6 +229,6 @@ constexpr Defect group[] = {
 
 }  // namespace
 
-std::span<const Defect> defects_of_coverage() { return group; }
+std::span<const Defect> defects_of_coverage() { return coverage_defects; }
 
 }  // namespace pardel::defects

@@ -70,7 +70,7 @@ bool move_off_segment(const Pslg& pslg, Mesh& mesh, Index v, double share) {
   });
 }
 
-constexpr Defect group[] = {
+constexpr Defect geometry_defects[] = {
     {"an edge is flipped", not_delaunay,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
@@ -244,6 +244,6 @@ constexpr Defect group[] = {
 
 }  // namespace
 
-std::span<const Defect> defects_of_geometry() { return group; }
+std::span<const Defect> defects_of_geometry() { return geometry_defects; }
 
 }  // namespace pardel::defects

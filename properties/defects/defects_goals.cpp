@@ -85,7 +85,7 @@ bool demand_more(const Mesh& mesh, Goal& goal, double more) {
   return true;
 }
 
-constexpr Defect group[] = {
+constexpr Defect goal_defects[] = {
     {"an angle is a millionth of a degree below the bound", small_angle,
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 1e-6); }},
     {"an angle is two degrees below the bound", small_angle,
@@ -176,6 +176,6 @@ constexpr Defect group[] = {
 
 }  // namespace
 
-std::span<const Defect> defects_of_goals() { return group; }
+std::span<const Defect> defects_of_goals() { return goal_defects; }
 
 }  // namespace pardel::defects

@@ -61,7 +61,7 @@ bool change_origin(Mesh& mesh, std::uint64_t seed, Index origin, const Suits& su
   });
 }
 
-constexpr Defect group[] = {
+constexpr Defect label_defects[] = {
     {"a constrained edge is not listed", missing_constrained_edge,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        auto& edges = mesh.constrained_edges;
@@ -274,6 +274,6 @@ constexpr Defect group[] = {
 
 }  // namespace
 
-std::span<const Defect> defects_of_labels() { return group; }
+std::span<const Defect> defects_of_labels() { return label_defects; }
 
 }  // namespace pardel::defects

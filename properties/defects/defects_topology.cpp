@@ -33,7 +33,7 @@ void add_handle(Mesh& mesh, Index t, Index u) {
   edit::relink(mesh);
 }
 
-constexpr Defect group[] = {
+constexpr Defect topology_defects[] = {
     {"a triangle is there twice", duplicate_triangle,
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
@@ -177,6 +177,6 @@ constexpr Defect group[] = {
 
 }  // namespace
 
-std::span<const Defect> defects_of_topology() { return group; }
+std::span<const Defect> defects_of_topology() { return topology_defects; }
 
 }  // namespace pardel::defects

@@ -23,13 +23,13 @@ std::vector<std::pair<std::string, std::string>> filled_paths(const std::string&
   return found;
 }
 
-constexpr const char* white = "rgb(100%,100%,100%)";
+constexpr const char* svg_white = "rgb(100%,100%,100%)";
 
-/// The colours of the triangles, except white.
+/// The colours of the triangles, except svg_white.
 std::set<std::string> fills(const std::string& svg) {
   std::set<std::string> found;
   for (const auto& [colour, data] : filled_paths(svg)) found.insert(colour);
-  found.erase(white);
+  found.erase(svg_white);
   return found;
 }
 
@@ -67,7 +67,7 @@ TEST_F(DrawBy, thread_gives_a_colour_to_each_thread_that_worked) {
   write("r.json", r.dump());
   const std::string svg = drawn("thread");
   EXPECT_EQ(fills(svg).size(), 3U);
-  const auto is_white = [](const auto& path) { return path.first == white; };
+  const auto is_white = [](const auto& path) { return path.first == svg_white; };
   EXPECT_TRUE(std::ranges::any_of(filled_paths(svg), is_white));
 }
 

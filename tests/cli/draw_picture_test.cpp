@@ -102,8 +102,8 @@ TEST_F(DrawPicture, triangles_below_a_pixel_have_their_colour_and_are_darker_whe
   write("square.sizes", "4\n1 0.002\n2 0.02\n3 0.02\n4 0.002\n");
   ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "g.vtu", "--sizes", "square.sizes", "-q"}).exit_code, 0);
   const Picture drawn = picture("g.vtu", {"--pixels", "100"});
-  const double fine = drawn.brightness(10, 40, 20, 60), coarse = drawn.brightness(85, 40, 95, 60);
-  EXPECT_LT(fine, coarse - 10);
+  const double fine_part = drawn.brightness(10, 40, 20, 60), coarse_part = drawn.brightness(85, 40, 95, 60);
+  EXPECT_LT(fine_part, coarse_part - 10);
   for (int y = 10; y < 95; ++y)
     for (int x = 10; x < 95; ++x) ASSERT_NE(drawn.at(x, y), white) << x << ", " << y;
 }

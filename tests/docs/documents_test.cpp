@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
-const fs::path root = PARDEL_SOURCE;
+const fs::path source_root = PARDEL_SOURCE;
 
 /// The documents of the project, relative to its root.
 std::vector<fs::path> documents() {
   std::vector<fs::path> found = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md",
                                  "properties/THEORY.md"};
-  for (const auto& entry : fs::directory_iterator(root / "docs")) {
+  for (const auto& entry : fs::directory_iterator(source_root / "docs")) {
     if (entry.path().extension() == ".md") found.push_back(fs::path("docs") / entry.path().filename());
   }
   return found;
@@ -65,11 +65,11 @@ std::vector<std::string> broken_links(const std::string& text, const fs::path& d
     const std::string target = match[1];
     if (target.find("://") != std::string::npos) continue;
     const std::size_t hash = target.find('#');
-    const fs::path file = root / document.parent_path() / target.substr(0, hash);
+    const fs::path file = source_root / document.parent_path() / target.substr(0, hash);
     const bool here = hash == 0;
     if (!here && !fs::exists(file)) broken.push_back(target);
     if (hash == std::string::npos || (!here && !fs::exists(file))) continue;
-    if (!anchors(here ? text : read_document(fs::relative(file, root))).contains(target.substr(hash + 1)))
+    if (!anchors(here ? text : read_document(fs::relative(file, source_root))).contains(target.substr(hash + 1)))
       broken.push_back(target);
   }
   return broken;
@@ -88,7 +88,7 @@ const std::set<std::string>& file_names() {
   static const std::set<std::string> names = [] {
     std::set<std::string> found;
     for (const char* folder : {"core", "ref", "parallel", "properties", "fuzz", "bench", "tests", "cli", "cmake"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      for (const auto& entry : fs::recursive_directory_iterator(source_root / folder)) {
         found.insert(entry.path().filename().string());
       }
     }
@@ -112,8 +112,8 @@ std::vector<std::string> missing_paths(const std::string& text, const fs::path& 
     while (path.ends_with('.') || path.ends_with(',')) path.pop_back();
     if (looks_like_a_source(path) && !file_names().contains(path)) missing.push_back(path);
     if (!looks_like_a_path(path)) continue;
-    const bool found =
-        fs::exists(root / path) || fs::exists(root / document.parent_path() / path) || file_names().contains(path);
+    const bool found = fs::exists(source_root / path) || fs::exists(source_root / document.parent_path() / path) ||
+                       file_names().contains(path);
     if (!found) missing.push_back(path);
   }
   return missing;
@@ -146,8 +146,8 @@ TEST(Documents, fit_the_width_except_for_tables_links_and_code) {
 TEST(Documents, list_every_folder_and_room_in_the_architecture) {
   const std::string text = read_document("ARCHITECTURE.md");
   for (const char* folder : {"core", "parallel", "properties"}) {
-    for (const auto& entry : fs::directory_iterator(root / folder)) {
-      const std::string room = "`" + fs::relative(entry.path(), root).string() + "/`";
+    for (const auto& entry : fs::directory_iterator(source_root / folder)) {
+      const std::string room = "`" + fs::relative(entry.path(), source_root).string() + "/`";
       EXPECT_TRUE(!entry.is_directory() || text.find(room) != std::string::npos) << room;
     }
   }

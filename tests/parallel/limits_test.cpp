@@ -9,12 +9,13 @@
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "samples.hpp"
 
 namespace pardel::engine {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using samples::nan;
 
 /// Expects that everything is valid except the bound on angles.
 void expect_valid_but_for_angles(const Pslg& pslg, const Mesh& mesh) {

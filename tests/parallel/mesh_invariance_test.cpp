@@ -16,6 +16,7 @@
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "samples.hpp"
+#include "test_name.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -129,11 +130,6 @@ TEST_P(Law, a_stricter_goal_does_not_make_a_much_smaller_mesh) {
   }
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
 INSTANTIATE_TEST_SUITE_P(Every, Law, testing::ValuesIn(domains::names()), test_name);
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "test_name.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -120,11 +121,6 @@ TEST_P(Domain, is_triangulated_without_new_points) {
   EXPECT_EQ(verdict(pslg, meshed->mesh, {.min_angle_deg = 0, .region_caps = false}), "valid");
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
 INSTANTIATE_TEST_SUITE_P(Every, Domain, testing::ValuesIn(domains::names()), test_name);
 
 // Goals of one kind -------------------------------------------------------------------------------------------

@@ -12,14 +12,14 @@
 namespace pardel::engine {
 namespace {
 
-struct Domain {
+struct NamedDomain {
   std::string name;
   std::function<Pslg()> make;
 };
 
-void PrintTo(const Domain& domain, std::ostream* out) { *out << domain.name; }
+void PrintTo(const NamedDomain& domain, std::ostream* out) { *out << domain.name; }
 
-class Showcase : public testing::TestWithParam<Domain> {};
+class Showcase : public testing::TestWithParam<NamedDomain> {};
 
 TEST_P(Showcase, is_certified_at_every_angle) {
   const Pslg pslg = GetParam().make();
@@ -38,20 +38,20 @@ constexpr double eastings = 654321, northings = 4987654;
 
 INSTANTIATE_TEST_SUITE_P(
     Domains, Showcase,
-    testing::Values(Domain{"key", domains::key}, Domain{"pipe", domains::pipe}, Domain{"square", domains::square},
-                    Domain{"random_points", [] { return domains::random_points(100'000, 1); }},
-                    Domain{"star_of_5_degrees", [] { return domains::star(12, 5); }},
-                    Domain{"comb", [] { return domains::comb(40, 0.001); }},
-                    Domain{"wedge", [] { return domains::wedge(50, 1.8); }},
-                    Domain{"grid_with_diagonals", [] { return domains::grid(40); }},
-                    Domain{"grid_points", [] { return domains::grid_points(40); }},
-                    Domain{"touching_holes", domains::touching_holes}, Domain{"cracks", domains::cracks},
-                    Domain{"regions", domains::regions},
-                    Domain{"key_far_away", [] { return domains::moved(domains::key(), eastings, northings); }},
-                    Domain{"wedge_far_away",
-                           [] { return domains::moved(domains::wedge(50, 1.8), eastings, northings); }},
-                    Domain{"cracks_far_away", [] { return domains::moved(domains::cracks(), eastings, northings); }}),
-    [](const testing::TestParamInfo<Domain>& of) { return of.param.name; });
+    testing::Values(
+        NamedDomain{"key", domains::key}, NamedDomain{"pipe", domains::pipe}, NamedDomain{"square", domains::square},
+        NamedDomain{"random_points", [] { return domains::random_points(100'000, 1); }},
+        NamedDomain{"star_of_5_degrees", [] { return domains::star(12, 5); }},
+        NamedDomain{"comb", [] { return domains::comb(40, 0.001); }},
+        NamedDomain{"wedge", [] { return domains::wedge(50, 1.8); }},
+        NamedDomain{"grid_with_diagonals", [] { return domains::grid(40); }},
+        NamedDomain{"grid_points", [] { return domains::grid_points(40); }},
+        NamedDomain{"touching_holes", domains::touching_holes}, NamedDomain{"cracks", domains::cracks},
+        NamedDomain{"regions", domains::regions},
+        NamedDomain{"key_far_away", [] { return domains::moved(domains::key(), eastings, northings); }},
+        NamedDomain{"wedge_far_away", [] { return domains::moved(domains::wedge(50, 1.8), eastings, northings); }},
+        NamedDomain{"cracks_far_away", [] { return domains::moved(domains::cracks(), eastings, northings); }}),
+    [](const testing::TestParamInfo<NamedDomain>& of) { return of.param.name; });
 
 std::size_t triangles(const Pslg& pslg, const Goal& goal) {
   const Result<Meshed> meshed = mesh(pslg, goal);

@@ -10,11 +10,12 @@
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "samples.hpp"
 
 namespace pardel::engine {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using samples::nan;
 
 Mesh coarse_square() {
   Result<Meshed> meshed = mesh(domains::square(), {.max_area = 0.1});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "../../properties/domains/generators/random.hpp"
 
 namespace pardel::engine::samples {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The random numbers of the generators; below() returns an Index.
 class Random : public generators::Random {

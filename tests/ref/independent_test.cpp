@@ -66,7 +66,7 @@ TEST(Independence, of_two_distant_points_gives_a_delaunay_mesh_by_definition) {
 
 /// Two triangles above and below the edge from (0, 0) to (4, 0), which may be a wall. The other corner of each triangle
 /// is so far away that the triangle alone is the cavity of points near this corner.
-PlainMesh two_triangles(bool wall) {
+PlainMesh two_tall_triangles(bool wall) {
   PlainMesh mesh;
   mesh.points = {{0, 0}, {4, 0}, {2, -8}, {2, 8}};
   mesh.triangles = {{0, 1, 3}, {1, 0, 2}};
@@ -76,19 +76,20 @@ PlainMesh two_triangles(bool wall) {
 
 TEST(Independence, of_points_with_a_common_boundary_edge_is_decided_by_one_circle) {
   // The circle through (0, 0), (4, 0) and (2, 2) has its centre on the edge and the radius 2.
-  EXPECT_TRUE(are_independent(two_triangles(false), {2, 2}, {2, -3}));
-  EXPECT_TRUE(are_independent(two_triangles(false), {2, 2}, {2, -2}));  // cocircular: not inside
-  EXPECT_FALSE(are_independent(two_triangles(false), {2, 2}, {2, -1.75}));
-  EXPECT_FALSE(closures_are_disjoint(two_triangles(false), {2, 2}, {2, -3}));
+  EXPECT_TRUE(are_independent(two_tall_triangles(false), {2, 2}, {2, -3}));
+  EXPECT_TRUE(are_independent(two_tall_triangles(false), {2, 2}, {2, -2}));  // cocircular: not inside
+  EXPECT_FALSE(are_independent(two_tall_triangles(false), {2, 2}, {2, -1.75}));
+  EXPECT_FALSE(closures_are_disjoint(two_tall_triangles(false), {2, 2}, {2, -3}));
 }
 
 TEST(Independence, holds_for_two_points_on_both_sides_of_a_wall) {
-  EXPECT_TRUE(are_independent(two_triangles(true), {2, 2}, {2, -1.75}));
+  EXPECT_TRUE(are_independent(two_tall_triangles(true), {2, 2}, {2, -1.75}));
 }
 
 TEST(Independence, fails_for_two_points_with_a_common_cavity_triangle) {
-  EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 3}));
-  EXPECT_FALSE(are_independent(two_triangles(true), {2, 2}, {2, 0}));  // on the wall: its cavity has both triangles
+  EXPECT_FALSE(are_independent(two_tall_triangles(true), {2, 2}, {2, 3}));
+  EXPECT_FALSE(
+      are_independent(two_tall_triangles(true), {2, 2}, {2, 0}));  // on the wall: its cavity has both triangles
 }
 
 TEST(Independence, of_one_point_is_sequential_insertion) {

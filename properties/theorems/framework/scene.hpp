@@ -10,7 +10,11 @@
 
 #include "../../../core/pslg.hpp"
 #include "../../../core/result.hpp"
-#include "../../../ref/definitions.hpp"
+#include "../../../ref/edge.hpp"
+
+namespace pardel::ref {
+struct PlainMesh;
+}
 
 namespace pardel::properties {
 

@@ -157,13 +157,13 @@ class Positions {
   Point low_, high_;
 };
 
-ref::Number squared_distance(Point p, Point q) { return CGAL::squared_distance(ref::exact(p), ref::exact(q)); }
+ref::Number exact_squared_distance(Point p, Point q) { return CGAL::squared_distance(ref::exact(p), ref::exact(q)); }
 
 /// Does p have the specified distances from the insertions before the k-th?
 bool keeps_distance(const MeshedScene& meshed, const SceneSpec& spec, Point p, std::size_t k) {
   bool is_near_one = k == 0 || std::isinf(spec.most);
   for (std::size_t i = 0; i < k; ++i) {
-    const ref::Number distance = squared_distance(p, meshed.scene.insertions[i]);
+    const ref::Number distance = exact_squared_distance(p, meshed.scene.insertions[i]);
     if (distance < spec.least * spec.least * meshed.squared_bound) return false;
     is_near_one = is_near_one || distance < spec.most * spec.most * meshed.squared_bound;
   }
@@ -196,7 +196,7 @@ MeshedScene random_mesh(Random& random, const SceneSpec& spec) {
 bool is_large_enough(const MeshedScene& meshed, const SceneSpec& spec) {
   const std::vector<Point>& points = meshed.scene.points;
   const auto [low, high] = std::ranges::minmax(points, {}, [](Point p) { return p.x + p.y; });
-  return squared_distance(low, high) >= spec.least * spec.least * meshed.squared_bound;
+  return exact_squared_distance(low, high) >= spec.least * spec.least * meshed.squared_bound;
 }
 
 /// Adds an insertion that satisfies the specification, if such a position is found.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "../../../ref/definitions.hpp"
 #include "../../domains/generators/random.hpp"
 #include "scene.hpp"
 

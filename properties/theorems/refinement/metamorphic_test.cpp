@@ -23,7 +23,7 @@ namespace {
 
 using generators::Random;
 
-constexpr const char* source = "properties/THEORY.md, Metamorphic";
+constexpr const char* metamorphic_source = "properties/THEORY.md, Metamorphic";
 
 /// The image of a domain under a map of the plane.
 template <class Map>
@@ -54,7 +54,7 @@ Random some_random() { return Random(*rc::gen::noShrink(rc::gen::arbitrary<std::
 PARDEL_PROPERTY(Metamorphic, scaling_by_a_power_of_two_scales_the_mesh,
                 {.statement = "If the coordinates of a domain are multiplied by 2^k and its area bounds by 4^k, the "
                               "mesh is multiplied by 2^k.",
-                 .source = source,
+                 .source = metamorphic_source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   const Options options = some_options();
@@ -69,7 +69,7 @@ PARDEL_PROPERTY(Metamorphic, scaling_by_a_power_of_two_scales_the_mesh,
 
 PARDEL_PROPERTY(Metamorphic, the_mesh_does_not_depend_on_the_numbering_of_points,
                 {.statement = "Listing the points in another order gives the same mesh.",
-                 .source = source,
+                 .source = metamorphic_source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   const Options options = some_options();
@@ -86,7 +86,7 @@ PARDEL_PROPERTY(Metamorphic, the_mesh_does_not_depend_on_the_numbering_of_points
 
 PARDEL_PROPERTY(Metamorphic, the_mesh_does_not_depend_on_the_order_of_segments_holes_and_regions,
                 {.statement = "Listing segments, holes and regions in another order gives the same mesh.",
-                 .source = source,
+                 .source = metamorphic_source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   const Options options = some_options();
@@ -100,7 +100,7 @@ PARDEL_PROPERTY(Metamorphic, the_mesh_does_not_depend_on_the_order_of_segments_h
 
 PARDEL_PROPERTY(Metamorphic, the_mesh_does_not_depend_on_the_direction_of_segments,
                 {.statement = "Reversing the direction of segments gives the same mesh.",
-                 .source = source,
+                 .source = metamorphic_source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   const Options options = some_options();
@@ -135,7 +135,7 @@ PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_triangulation,
                 {.statement = "Translations by lattice vectors, quarter turns and reflections map the triangulation of "
                               "a domain to the triangulation of its image, if no two neighbouring triangles are "
                               "cocircular.",
-                 .source = source,
+                 .source = metamorphic_source,
                  .families = every_family}) {
   const generators::Case c = some_case(exhibit);
   const Pslg pslg = to_pslg(c.domain);
@@ -151,7 +151,7 @@ PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_triangulation,
 PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_guarantees_and_roughly_the_size,
                 {.statement = "If a domain is translated by a lattice vector, turned by 90 degrees or reflected, its "
                               "mesh is certified, and the number of triangles changes by a factor of at most 8.",
-                 .source = source,
+                 .source = metamorphic_source,
                  .families = every_family}) {
   const generators::Case c = some_case(exhibit);
   const Problem problem = to_problem(c);
@@ -178,7 +178,7 @@ PARDEL_PROPERTY(
     Metamorphic, a_hole_removes_its_face_and_nothing_else,
     {.statement = "One more hole removes the triangles that can be reached from the hole's triangle without "
                   "crossing a segment, and keeps all others.",
-     .source = source,
+     .source = metamorphic_source,
      .families = every_family}) {
   const generators::Case c = some_case(exhibit);
   Pslg pslg = to_pslg(c.domain);

@@ -9,7 +9,7 @@
 namespace pardel::properties {
 namespace {
 
-constexpr const char* source = "properties/THEORY.md, refinement";
+constexpr const char* refinement_source = "properties/THEORY.md, refinement";
 
 /// The domain, scaled to coordinates up to 1000, turned, and moved far from the origin. All coordinates are rounded.
 Pslg turned(const generators::LatticeDomain& domain, double angle, Point to) {
@@ -46,7 +46,7 @@ Problem some_turned_problem(Exhibit& exhibit) {
 PARDEL_PROPERTY(Refinement, does_not_depend_on_the_direction_of_segments_where_coordinates_are_rounded,
                 {.statement = "Reversing the direction of segments gives the same mesh, including rounded "
                               "coordinates.",
-                 .source = source,
+                 .source = refinement_source,
                  .families = turned_families}) {
   Problem problem = some_turned_problem(exhibit);
   const Mesh expected = meshed(problem, exhibit).mesh;
@@ -58,7 +58,7 @@ PARDEL_PROPERTY(
     Refinement, gives_a_certified_mesh_where_coordinates_are_rounded,
     {.statement = "The mesh of a valid domain is certified, even if every split point has to be rounded. If rounding "
                   "leaves angles below the bound, the report lists the triangles.",
-     .source = source,
+     .source = refinement_source,
      .families = turned_families}) {
   const Problem problem = some_turned_problem(exhibit);
   const Meshed result = meshed(problem, exhibit, some_options());
@@ -71,7 +71,7 @@ PARDEL_PROPERTY(
 PARDEL_PROPERTY(Refinement, keeps_bounds_on_lengths,
                 {.statement = "No edge is longer than the bound of the goal, nor longer than the value of the sizing "
                               "function at the centroids of its triangles.",
-                 .source = source,
+                 .source = refinement_source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   double width = 0;
@@ -88,7 +88,7 @@ PARDEL_PROPERTY(Refinement, keeps_bounds_on_lengths,
 
 PARDEL_PROPERTY(Refinement, keeps_the_labels_of_points,
                 {.statement = "Input points keep their markers and attributes.",
-                 .source = source,
+                 .source = refinement_source,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   problem.pslg.attributes_per_point = 2;

@@ -10,9 +10,9 @@
 namespace pardel::properties {
 namespace {
 
-/// The scale of the searches: large enough for separations within 0.5 % of the limit, small enough for a readable
-/// picture.
-constexpr int scale = 128;
+/// The scale of the searches: large enough for separations within 0.5 % of the limit, small enough for a
+/// readable picture.
+constexpr int search_scale = 128;
 
 /// A scene with two insertions, and the quantities that the claims use.
 struct TwoInsertions {
@@ -100,17 +100,17 @@ std::vector<Witness> independence_witnesses() {
       {"non_conformal_just_below_two_radii",
        "p and q are more than 1.99 r̄ apart. Their cavities share a triangle, and inserting them independently gives a "
        "mesh that is not conformal.",
-       is_non_conformal_below_two, [] { return widest_non_conformal(scale).scene; }},
+       is_non_conformal_below_two, [] { return widest_non_conformal(search_scale).scene; }},
       {"not_delaunay_just_below_two_radii",
        "p and q are more than 1.99 r̄ apart. Inserting them independently gives a mesh that is conformal but not "
        "Delaunay.",
-       is_not_delaunay_below_two, [] { return widest_not_delaunay(scale).scene; }},
+       is_not_delaunay_below_two, [] { return widest_not_delaunay(search_scale).scene; }},
       {"shared_edge_just_below_four_radii",
        "p and q are more than 3.99 r̄ apart. Their cavities share an edge; p and q are still independent.",
-       meets_below_four<Contact::edge>, [] { return widest_shared_edge(2 * scale).scene; }},
+       meets_below_four<Contact::edge>, [] { return widest_shared_edge(2 * search_scale).scene; }},
       {"shared_vertex_just_below_four_radii",
        "p and q are more than 3.99 r̄ apart. Their cavities share only a vertex; p and q are still independent.",
-       meets_below_four<Contact::vertex>, [] { return widest_shared_vertex(scale).scene; }},
+       meets_below_four<Contact::vertex>, [] { return widest_shared_vertex(search_scale).scene; }},
       {"independent_though_cavities_share_an_edge",
        "p and q are independent although their cavities share an edge: disjoint closures are not necessary.",
        is_independent_and_meets<Contact::edge>},

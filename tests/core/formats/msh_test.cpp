@@ -64,7 +64,7 @@ $Elements
 $EndElements
 )";
 
-std::string failure_of(const std::string& text) { return message_of_invalid(parse_msh(text, "f")); }
+std::string failure_of_msh(const std::string& text) { return message_of_invalid(parse_msh(text, "f")); }
 
 /// The sample mesh as the MSH reader returns it: triangles sorted by region, edges sorted by marker, and without the
 /// data that MSH cannot store.
@@ -169,10 +169,10 @@ $EndElements
 }
 
 TEST(Msh, errors_name_the_line_and_the_fault) {
-  const auto failure = [&](const char* from, const char* to) { return failure_of(replaced(ascii, from, to)); };
-  EXPECT_EQ(failure_of(""), "f:1: expected $MeshFormat, found the end of the file");
-  EXPECT_EQ(failure_of("\x7f"
-                       "ELF"),
+  const auto failure = [&](const char* from, const char* to) { return failure_of_msh(replaced(ascii, from, to)); };
+  EXPECT_EQ(failure_of_msh(""), "f:1: expected $MeshFormat, found the end of the file");
+  EXPECT_EQ(failure_of_msh("\x7f"
+                           "ELF"),
             "f:1: expected $MeshFormat, found \"\\x7fELF\"");
   EXPECT_EQ(failure("4.1 0", "4 0"), "f:2: expected version 4.1 or 2.x of the format");
   EXPECT_EQ(failure("4.1 0 8", "4.1 0 4"),

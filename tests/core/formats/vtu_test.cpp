@@ -19,7 +19,7 @@ using namespace files;
 namespace {
 
 /// Two triangles, a line and a vertex, as another program may write them: as text, with unknown arrays.
-constexpr const char* ascii = R"(<?xml version="1.0"?>
+constexpr const char* ascii_vtu = R"(<?xml version="1.0"?>
 <!-- <Piece> in a comment is none -->
 <VTKFile type='UnstructuredGrid' version="0.1" byte_order="LittleEndian">
   <UnstructuredGrid>
@@ -52,7 +52,7 @@ constexpr const char* ascii = R"(<?xml version="1.0"?>
 </VTKFile>
 )";
 
-std::string failure_of(const std::string& text) { return message_of_invalid(parse_vtu(text, "f")); }
+std::string failure_of_vtu(const std::string& text) { return message_of_invalid(parse_vtu(text, "f")); }
 
 TEST(Vtu, reads_back_as_the_same_mesh) {
   const TemporaryFolder folder;
@@ -83,7 +83,7 @@ TEST(Vtu, has_the_smallest_angle_of_each_triangle) {
 }
 
 TEST(Vtu, of_another_program_may_hold_text_lines_vertices_and_unknown_arrays) {
-  const auto mesh = parse_vtu(ascii, "f");
+  const auto mesh = parse_vtu(ascii_vtu, "f");
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
   EXPECT_EQ(mesh->points.size(), 4u);
   EXPECT_EQ(mesh->points[2], (Point{1, 1}));
@@ -112,10 +112,10 @@ TEST(Vtu, may_have_base64_with_the_length_encoded_separately_or_not) {
     ASSERT_TRUE(mesh.ok()) << mesh.error().message;
     EXPECT_EQ(mesh->points[1], (Point{1, 0}));
     EXPECT_EQ(mesh->points[2], (Point{0, 1}));
-    EXPECT_EQ(failure_of(replaced(file, "DATA", data.substr(0, 52))), "f:3: the data of this array are cut off");
+    EXPECT_EQ(failure_of_vtu(replaced(file, "DATA", data.substr(0, 52))), "f:3: the data of this array are cut off");
   }
-  EXPECT_EQ(failure_of(replaced(file, "DATA", "")), "f:3: the data of this array are cut off");
-  EXPECT_EQ(failure_of(replaced(file, "DATA", "/////w==")),
+  EXPECT_EQ(failure_of_vtu(replaced(file, "DATA", "")), "f:3: the data of this array are cut off");
+  EXPECT_EQ(failure_of_vtu(replaced(file, "DATA", "/////w==")),
             "f:3: this array announces 4294967295 bytes, but 12 follow");
   // The same file, with the arrays appended in base64.
   std::string appended =
@@ -131,15 +131,15 @@ TEST(Vtu, by_VTK_has_elements_after_the_values_of_an_array) {
   const std::string inner =
       "<InformationKey name=\"L2_NORM_RANGE\" length=\"1\"><Value index=\"0\">0</Value></InformationKey>";
   const std::string values = "0 0 0  1 0 0\n          1 1 7  0 1 0\n        ";
-  ASSERT_NE(std::string(ascii).find(values), std::string::npos);
-  const auto mesh = parse_vtu(replaced(ascii, values.c_str(), (values + inner).c_str()), "f");
+  ASSERT_NE(std::string(ascii_vtu).find(values), std::string::npos);
+  const auto mesh = parse_vtu(replaced(ascii_vtu, values.c_str(), (values + inner).c_str()), "f");
   ASSERT_FALSE(mesh.ok()) << "the elements are before and after the values";
-  const std::string before = std::string(ascii).substr(std::string(ascii).find("<InformationKey"));
+  const std::string before = std::string(ascii_vtu).substr(std::string(ascii_vtu).find("<InformationKey"));
   const std::string first = before.substr(0, before.find("</InformationKey>") + 17);
-  const std::string after = replaced(replaced(ascii, first.c_str(), ""), values.c_str(), (values + inner).c_str());
+  const std::string after = replaced(replaced(ascii_vtu, first.c_str(), ""), values.c_str(), (values + inner).c_str());
   const auto by_vtk = parse_vtu(after, "f");
   ASSERT_TRUE(by_vtk.ok()) << by_vtk.error().message;
-  EXPECT_EQ(*by_vtk, *parse_vtu(ascii, "f"));
+  EXPECT_EQ(*by_vtk, *parse_vtu(ascii_vtu, "f"));
 }
 
 /// A square in four triangles in two regions, with two constrained edges.
@@ -167,13 +167,13 @@ TEST(Vtu, compressed_by_zlib_and_damaged_is_refused) {
   const std::size_t data = file.find("\n_") + 2;
   std::string damaged = file;
   damaged[data + 8 * 7 + 5] ^= 0x55;  // in the first block, after four sizes of blocks
-  EXPECT_NE(failure_of(damaged).find("block 0 of this array does not expand to 32 bytes"), std::string::npos);
+  EXPECT_NE(failure_of_vtu(damaged).find("block 0 of this array does not expand to 32 bytes"), std::string::npos);
   damaged = file;
   damaged[data + 8 + 7] = 0x7f;  // the size of a block
-  EXPECT_NE(failure_of(damaged).find("does not expand to"), std::string::npos);
+  EXPECT_NE(failure_of_vtu(damaged).find("does not expand to"), std::string::npos);
   damaged = file;
   damaged[data + 7] = 0x7f;  // the number of blocks
-  EXPECT_NE(failure_of(damaged).find("the data of this array are cut off"), std::string::npos);
+  EXPECT_NE(failure_of_vtu(damaged).find("the data of this array are cut off"), std::string::npos);
   for (std::size_t length = data; length < file.size() - 30; ++length)
     EXPECT_FALSE(parse_vtu(std::string_view(file).substr(0, length), "f").ok()) << length;
 }
@@ -190,9 +190,9 @@ TEST(Vtu, has_the_constrained_edges_as_lines_with_their_markers) {
 }
 
 TEST(Vtu, errors_name_the_line_and_the_fault) {
-  const auto failure = [&](const char* from, const char* to) { return failure_of(replaced(ascii, from, to)); };
-  EXPECT_EQ(failure_of(""), "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
-  EXPECT_EQ(failure_of("\x89PNG<\xff\xfe<<"),
+  const auto failure = [&](const char* from, const char* to) { return failure_of_vtu(replaced(ascii_vtu, from, to)); };
+  EXPECT_EQ(failure_of_vtu(""), "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
+  EXPECT_EQ(failure_of_vtu("\x89PNG<\xff\xfe<<"),
             "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
   EXPECT_EQ(failure("'UnstructuredGrid'", "\"PolyData\""),
             "f:3: expected type=\"UnstructuredGrid\", found \"PolyData\"");
@@ -218,7 +218,7 @@ TEST(Vtu, errors_name_the_line_and_the_fault) {
             "f:27: array \"types\": cell 3 is of type 9, neither a triangle (5) nor a line (3) nor a vertex (1)");
   EXPECT_EQ(failure("Name=\"types\"", "Name=\"kinds\""), "f:1: expected an array types in <Cells>");
   EXPECT_EQ(failure("format=\"ascii\">2 5", "format=\"hex\">2 5"),
-            "f:26: expected format ascii, binary or appended, found \"hex\"");
+            "f:26: expected format ascii_vtu, binary or appended, found \"hex\"");
   EXPECT_EQ(failure("format=\"ascii\">2 5", "format=\"appended\" offset=\"0\">2 5"),
             "f:26: there are no appended data at offset 0");
 }

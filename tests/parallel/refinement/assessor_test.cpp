@@ -11,8 +11,8 @@ namespace {
 using Need = Assessment::Need;
 
 /// One triangle with the base from (0, 0) to (8, 0) and the corner `apex`. All its edges are constrained.
-struct Scene : samples::AssessedSample {
-  Scene(Point apex, const Goal& goal, const Options& with = {})
+struct AssessorScene : samples::AssessedSample {
+  AssessorScene(Point apex, const Goal& goal, const Options& with = {})
       : AssessedSample({{0, 0}, {8, 0}, apex}, goal, Placement::circumcentre, with) {}
   [[nodiscard]] const Slot& slot() const { return sample.triangulation.slots[0]; }
   /// The side opposite the apex.
@@ -24,7 +24,7 @@ struct Scene : samples::AssessedSample {
 };
 
 TEST(Assessor, splits_an_encroached_edge_before_the_triangle) {
-  const Scene scene({4, 1}, {.min_angle_deg = 30, .max_area = 0.1});
+  const AssessorScene scene({4, 1}, {.min_angle_deg = 30, .max_area = 0.1});
   const Assessment a = scene.assessor.assess(0);
   EXPECT_EQ(a.need, Need::split_edge);
   EXPECT_EQ(a.side, scene.base());
@@ -36,14 +36,14 @@ TEST(Assessor, splits_an_encroached_edge_before_the_triangle) {
 }
 
 TEST(Assessor, does_nothing_where_the_triangle_keeps_the_goal) {
-  const Scene scene({4, 7}, {.min_angle_deg = 30});
+  const AssessorScene scene({4, 7}, {.min_angle_deg = 30});
   EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
   EXPECT_FALSE(scene.assessor.assess(0).left_alone);
   EXPECT_FALSE(scene.assessor.breaks_goal(0));
 }
 
 TEST(Assessor, orders_bad_triangles_by_their_shortest_side) {
-  const Scene scene({4, 7}, {.max_area = 10});
+  const AssessorScene scene({4, 7}, {.max_area = 10});
   const Assessment a = scene.assessor.assess(0);
   EXPECT_EQ(a.need, Need::split_triangle);
   EXPECT_EQ(a.side, scene.base());
@@ -55,16 +55,16 @@ TEST(Assessor, orders_bad_triangles_by_their_shortest_side) {
 }
 
 TEST(Assessor, leaves_a_triangle_between_two_segments_alone_unless_it_is_too_large) {
-  const Scene sharp({8, 1}, {.min_angle_deg = 30});
+  const AssessorScene sharp({8, 1}, {.min_angle_deg = 30});
   EXPECT_EQ(sharp.assessor.assess_inside(0).need, Need::nothing);
   EXPECT_TRUE(sharp.assessor.assess_inside(0).left_alone);
   EXPECT_TRUE(sharp.assessor.breaks_goal(0));
-  const Scene large({8, 1}, {.min_angle_deg = 30, .max_area = 1});
+  const AssessorScene large({8, 1}, {.min_angle_deg = 30, .max_area = 1});
   EXPECT_EQ(large.assessor.assess_inside(0).need, Need::split_triangle);
 }
 
 TEST(Assessor, leaves_a_triangle_with_an_edge_shorter_than_the_minimum_alone) {
-  const Scene scene({4, 7}, {.max_area = 10}, {.min_edge = 8.001});
+  const AssessorScene scene({4, 7}, {.max_area = 10}, {.min_edge = 8.001});
   EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
   EXPECT_TRUE(scene.assessor.assess(0).left_alone);
 }
@@ -73,12 +73,12 @@ TEST(Assessor, splits_no_edge_that_is_forbidden_or_too_short) {
   const Goal goal{.min_angle_deg = 5};
   for (const Options& options :
        {Options{.no_boundary_splits = true}, Options{.no_segment_splits = true}, Options{.min_edge = 4.001}}) {
-    const Scene scene({4, 1}, goal, options);
+    const AssessorScene scene({4, 1}, goal, options);
     const EdgeRef base(0, scene.base());
     EXPECT_TRUE(scene.assessor.forbidden(base) || scene.assessor.below_floor(base));
     EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);
   }
-  const Scene scene({4, 1}, goal, {.min_edge = 3.999});
+  const AssessorScene scene({4, 1}, goal, {.min_edge = 3.999});
   EXPECT_EQ(scene.assessor.assess(0).need, Need::split_edge);
 }
 

@@ -17,13 +17,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const Box everywhere;
 
 /// A triangulation and an Insertion for it.
-struct Scene {
+struct InsertionScene {
   samples::Sample sample;
   Criteria criteria;
   Insertion insertion;
 
-  explicit Scene(const std::vector<Point>& points, std::vector<Constraint> constraints = {}, const Goal& goal = {},
-                 double min_edge = 0)
+  explicit InsertionScene(const std::vector<Point>& points, std::vector<Constraint> constraints = {},
+                          const Goal& goal = {}, double min_edge = 0)
       : sample(samples::triangulated(points, std::move(constraints))),
         criteria(goal, Placement::circumcentre, {}),
         insertion(sample.triangulation, criteria, min_edge) {}
@@ -75,7 +75,7 @@ struct Scene {
 const std::vector<Point> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
 TEST(InsertInFace, inserts_a_point_that_encroaches_on_nothing) {
-  Scene scene(square);
+  InsertionScene scene(square);
   ASSERT_EQ(scene.insert({4, 4}, 0), Outcome::inserted);
   EXPECT_EQ(scene.t().points.size(), 5U);
   EXPECT_EQ(scene.t().origin.back(), interior_vertex);
@@ -85,7 +85,7 @@ TEST(InsertInFace, inserts_a_point_that_encroaches_on_nothing) {
 }
 
 TEST(InsertInFace, measures_the_new_triangles) {
-  Scene scene(samples::lattice_points(5));
+  InsertionScene scene(samples::lattice_points(5));
   ASSERT_EQ(scene.insert({2.25, 2.375}, scene.conflict({2.25, 2.375})), Outcome::inserted);
   ASSERT_EQ(scene.insertion.measures().size(), scene.insertion.changed().size());
   for (std::size_t i = 0; i < scene.insertion.changed().size(); ++i) {
@@ -97,7 +97,7 @@ TEST(InsertInFace, measures_the_new_triangles) {
 
 TEST(InsertInFace, lists_the_new_triangles_that_break_a_bound_whatever_their_number) {
   const Goal goal{.min_angle_deg = 25, .max_area = 0.02};
-  Scene scene(samples::lattice_points(5), {}, goal);
+  InsertionScene scene(samples::lattice_points(5), {}, goal);
   samples::Random random(1);
   std::set<std::size_t> sizes;
   std::size_t breaking = 0, all = 0;
@@ -127,7 +127,7 @@ TEST(InsertInFace, rejects_a_point_in_the_lens_of_a_segment_or_for_a_conforming_
   const Point low{4, 0.5}, high{4, 3.5};
   for (const bool conforming : {false, true})
     for (const Point p : {low, high}) {
-      Scene scene(square, {}, {.conforming = conforming});
+      InsertionScene scene(square, {}, {.conforming = conforming});
       const Outcome outcome = scene.insert(p, scene.conflict(p));
       EXPECT_EQ(outcome, conforming || p == low ? Outcome::encroaches : Outcome::inserted);
       if (outcome != Outcome::encroaches) continue;
@@ -141,7 +141,7 @@ TEST(InsertInFace, rejects_a_point_in_the_lens_of_a_segment_or_for_a_conforming_
 
 TEST(InsertInFace, rejects_a_point_beyond_a_segment_and_returns_the_segment) {
   const std::vector<Point> points{{0, 0}, {8, 0}, {4, 1}};
-  Scene scene(points);
+  InsertionScene scene(points);
   const Point circumcentre{4, -7.5};
   ASSERT_EQ(scene.insert(circumcentre, 0), Outcome::encroaches);
   const EdgeRef e = scene.insertion.blocker();
@@ -149,18 +149,18 @@ TEST(InsertInFace, rejects_a_point_beyond_a_segment_and_returns_the_segment) {
 }
 
 TEST(InsertInFace, refuses_a_point_outside_the_disk_of_its_first_triangle) {
-  Scene scene(samples::lattice_points(9));
+  InsertionScene scene(samples::lattice_points(9));
   const TriangleId far = scene.around({7.5, 7.25});
   EXPECT_EQ(scene.insert({0.5, 0.25}, far), Outcome::refused);
 }
 
 TEST(InsertInFace, refuses_a_vertex) {
-  Scene scene(samples::lattice_points(3));
+  InsertionScene scene(samples::lattice_points(3));
   for (TriangleId id = 0; id < scene.t().slots.size(); ++id) EXPECT_EQ(scene.insert({1, 1}, id), Outcome::refused);
 }
 
 TEST(InsertInFace, changes_nothing_outside_its_box) {
-  Scene scene(samples::lattice_points(9));
+  InsertionScene scene(samples::lattice_points(9));
   const Point p{4.25, 4.5};
   const TriangleId first = scene.conflict(p);
   EXPECT_EQ(scene.insert(p, first, {4, 4, 5, 5}), Outcome::leaves_box) << "the box is half-open";
@@ -170,7 +170,7 @@ TEST(InsertInFace, changes_nothing_outside_its_box) {
 }
 
 TEST(InsertInFace, inserts_no_point_that_is_not_finite) {
-  Scene scene(square);
+  InsertionScene scene(square);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Point p : {Point{nan, 1}, Point{1, nan}, Point{infinity, 1}, Point{1, -infinity}})
     EXPECT_NE(scene.insert(p, 0), Outcome::inserted);
@@ -178,16 +178,16 @@ TEST(InsertInFace, inserts_no_point_that_is_not_finite) {
 }
 
 TEST(InsertInFace, keeps_the_minimum_distance_to_every_vertex) {
-  Scene scene(samples::lattice_points(5), {}, {.min_angle_deg = 0}, 0.75);
+  InsertionScene scene(samples::lattice_points(5), {}, {.min_angle_deg = 0}, 0.75);
   const Point centre{2.5, 2.5};
   EXPECT_EQ(scene.insert(centre, scene.conflict(centre)), Outcome::too_close);
-  Scene lower(samples::lattice_points(5), {}, {.min_angle_deg = 0}, 0.7);
+  InsertionScene lower(samples::lattice_points(5), {}, {.min_angle_deg = 0}, 0.7);
   EXPECT_EQ(lower.insert(centre, lower.conflict(centre)), Outcome::inserted);
 }
 
 TEST(SplitEdge, makes_two_constrained_halves_of_a_hull_edge_and_of_an_inner_one) {
   for (const Constraint c : {Constraint{0, 1}, Constraint{0, 2}}) {
-    Scene scene(square, {{0, 2}});
+    InsertionScene scene(square, {{0, 2}});
     const EdgeRef e = samples::find_edge(scene.t(), c.a, c.b);
     const Point p{(square[c.a].x + square[c.b].x) / 2, (square[c.a].y + square[c.b].y) / 2};
     ASSERT_EQ(scene.split(p, e, 3), Outcome::inserted);
@@ -202,7 +202,7 @@ TEST(SplitEdge, makes_two_constrained_halves_of_a_hull_edge_and_of_an_inner_one)
 }
 
 TEST(SplitEdge, keeps_the_minimum_distance) {
-  Scene scene(square, {}, {}, 4.5);
+  InsertionScene scene(square, {}, {}, 4.5);
   EXPECT_EQ(scene.split({4, 0}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::too_close);
   EXPECT_EQ(scene.t().points.size(), 4U);
 }
@@ -210,7 +210,7 @@ TEST(SplitEdge, keeps_the_minimum_distance) {
 TEST(SplitEdge, refuses_a_point_that_rounding_put_beyond_a_neighbour) {
   // The apex lies an ulp above the edge. The split point lies on it: one of the new triangles would be flat.
   const double ulp = 0x1p-52;
-  Scene scene({{1, 1}, {3, 1}, {2, 1 + ulp}, {2, 9}});
+  InsertionScene scene({{1, 1}, {3, 1}, {2, 1 + ulp}, {2, 9}});
   const EdgeRef e = samples::find_edge(scene.t(), 0, 1);
   EXPECT_EQ(scene.split({2, 1 + ulp}, e, 0), Outcome::refused);
   EXPECT_EQ(scene.t().points.size(), 4U);
@@ -221,7 +221,8 @@ TEST(SplitEdge, refuses_a_point_that_rounding_put_beyond_a_neighbour) {
 /// A corner far away sees a piece of a slanted segment at an angle that is smaller than the bend caused by rounding.
 TEST(SplitEdge, leaves_the_triangulation_valid_where_rounding_bends_the_edge) {
   const Point far{654321.03, 4987654.28};
-  Scene scene({{654320.528, 4987654.303}, {654321.000307, 4987654.000437}, far, {654320.0, 4987653.5}}, {{0, 1}});
+  InsertionScene scene({{654320.528, 4987654.303}, {654321.000307, 4987654.000437}, far, {654320.0, 4987653.5}},
+                       {{0, 1}});
   VertexId a = 0, b = 1;
   for (int i = 0; i < 16; ++i) {
     const Point pa = scene.t().points[a], pb = scene.t().points[b];
@@ -240,7 +241,7 @@ TEST(FreeSegment, leaves_the_triangulation_valid_wherever_a_point_is_inserted_ne
     std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};
     for (int i = 0; i < 6; ++i)
       points.push_back({random.uniform(-0.9, 0.9), random.uniform(0.15, 0.6) * (i % 2 == 0 ? 1 : -1)});
-    Scene scene(points, {{4, 5}});
+    InsertionScene scene(points, {{4, 5}});
     for (int i = 0; i < 40; ++i) {
       const Point p{random.uniform(-1.6, 1.6), random.uniform(-0.8, 0.8)};
       const std::size_t before = scene.t().points.size();
@@ -257,7 +258,7 @@ TEST(FreeSegment, leaves_the_triangulation_valid_wherever_a_point_is_inserted_ne
 /// the vertex.
 TEST(SplitEdge, refuses_a_point_beyond_a_vertex_next_to_the_edge) {
   for (const double beyond : {0.0011, 0.002, 0.01}) {
-    Scene scene({{0, 0}, {8, 0}, {4, 10}, {4, 0.001}});
+    InsertionScene scene({{0, 0}, {8, 0}, {4, 10}, {4, 0.001}});
     EXPECT_EQ(scene.split({4, beyond}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::refused);
     EXPECT_EQ(samples::fault(scene.t()), "");
   }
@@ -269,7 +270,7 @@ TEST(FreeSegment, leaves_the_triangulation_valid_wherever_it_is_split) {
     std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};
     for (int i = 0; i < 8; ++i)
       points.push_back({random.uniform(-1.5, 1.5), random.uniform(0.01, 0.3) * (i % 2 == 0 ? 1 : -1)});
-    Scene scene(points, {{4, 5}}, {});
+    InsertionScene scene(points, {{4, 5}}, {});
     VertexId from = 4;
     for (const double x : {-0.5, 0.0, 0.25, 0.75}) {
       const EdgeRef e = samples::find_edge(scene.t(), from, 5);

@@ -11,10 +11,10 @@ namespace pardel::engine {
 namespace {
 
 /// Random points in the unit square, a task, and indices for 5000 insertions.
-struct Scene : samples::AssessedSample {
+struct TaskScene : samples::AssessedSample {
   FreeIndices free;
 
-  explicit Scene(Index insertions = 5000)
+  explicit TaskScene(Index insertions = 5000)
       : AssessedSample(samples::uniform_points(300, 5), {.min_angle_deg = 25, .max_area = 0.0003},
                        Placement::off_centre, {.min_edge = 1e-6}) {
     const auto vertices = static_cast<Index>(t().points.size()), triangles = static_cast<Index>(t().slots.size());
@@ -49,12 +49,12 @@ struct Scene : samples::AssessedSample {
   }
 };
 
-const Lattice everywhere{{0, 0, 1, 1}, 1, 1};
+const Lattice one_cell{{0, 0, 1, 1}, 1, 1};
 
 TEST(Task, refines_the_whole_plane_until_no_triangle_is_bad) {
-  Scene scene;
+  TaskScene scene;
   EXPECT_FALSE(scene.bad().empty());
-  const TaskResult result = scene.run(everywhere, 0);
+  const TaskResult result = scene.run(one_cell, 0);
   EXPECT_TRUE(scene.bad().empty());
   EXPECT_GT(result.inserted, 1024U);
   EXPECT_GT(result.segment_splits, 0U);
@@ -64,7 +64,7 @@ TEST(Task, refines_the_whole_plane_until_no_triangle_is_bad) {
 }
 
 TEST(Task, changes_no_triangle_outside_its_box) {
-  Scene scene;
+  TaskScene scene;
   const Lattice lattice({0, 0, 1, 1}, 3, 3);
   const Box box = lattice.box_of(0);
   const Triangulation before = scene.t();
@@ -82,9 +82,9 @@ TEST(Task, changes_no_triangle_outside_its_box) {
 }
 
 TEST(Task, defers_what_the_rule_defers) {
-  Scene scene;
+  TaskScene scene;
   const Deferral later{.longest_squared = 0.003};
-  const TaskResult result = scene.run(everywhere, 0, later);
+  const TaskResult result = scene.run(one_cell, 0, later);
   EXPECT_GT(result.inserted, 0U);
   EXPECT_FALSE(result.deferred.empty());
   const std::vector<TriangleId> bad = scene.bad();
@@ -97,8 +97,8 @@ TEST(Task, defers_what_the_rule_defers) {
 }
 
 TEST(Task, hands_the_rest_on_to_its_own_cell_where_its_indices_are_used_up) {
-  Scene scene(50);
-  const TaskResult result = scene.run(everywhere, 0);
+  TaskScene scene(50);
+  const TaskResult result = scene.run(one_cell, 0);
   EXPECT_EQ(result.inserted + result.segment_splits, 50U);
   EXPECT_GT(result.out_of_indices, 0U);
   EXPECT_EQ(result.handed_on.size(), result.out_of_indices);
@@ -111,9 +111,9 @@ TEST(Task, hands_the_rest_on_to_its_own_cell_where_its_indices_are_used_up) {
 }
 
 TEST(Task, reports_after_64_insertions_at_the_latest) {
-  Scene scene;
+  TaskScene scene;
   std::uint64_t reported = 0, largest = 0;
-  const TaskResult result = scene.run(everywhere, 0, {}, [&](std::uint64_t made) {
+  const TaskResult result = scene.run(one_cell, 0, {}, [&](std::uint64_t made) {
     reported += made;
     largest = std::max(largest, made);
   });
@@ -125,10 +125,10 @@ TEST(Task, reports_after_64_insertions_at_the_latest) {
 
 TEST(Task, ends_at_once_if_its_report_throws_even_among_the_seeds) {
   for (const int call : {1, 2, 5, 12}) {
-    Scene scene;
+    TaskScene scene;
     int calls = 0;
     const auto run = [&] {
-      (void)scene.run(everywhere, 0, {}, [&](std::uint64_t) {
+      (void)scene.run(one_cell, 0, {}, [&](std::uint64_t) {
         if (++calls == call) throw Stopped{};
       });
     };
@@ -140,13 +140,13 @@ TEST(Task, ends_at_once_if_its_report_throws_even_among_the_seeds) {
 }
 
 TEST(Task, makes_the_same_mesh_in_single_steps) {
-  Scene at_once, in_steps;
-  (void)at_once.run(everywhere, 0);
+  TaskScene at_once, in_steps;
+  (void)at_once.run(one_cell, 0);
   std::vector<QueuedTriangle> seeds;
   for (TriangleId id = 0; id < in_steps.triangles(); ++id)
     seeds.push_back(QueuedTriangle::now(in_steps.t(), EdgeRef(id, 0)));
   Task task(in_steps.t(), in_steps.assessor, in_steps.criteria, in_steps.options.min_edge, false);
-  task.start(everywhere, 0, seeds, {}, in_steps.free);
+  task.start(one_cell, 0, seeds, {}, in_steps.free);
   while (task.step()) continue;
   (void)task.finish();
   ASSERT_EQ(at_once.triangles(), in_steps.triangles());

@@ -9,15 +9,16 @@
 namespace pardel::engine {
 namespace {
 
-struct Scene : samples::AssessedSample {
-  Scene(const std::vector<Point>& points, const Goal& goal) : AssessedSample(points, goal, Placement::off_centre) {}
+struct AssessmentScene : samples::AssessedSample {
+  AssessmentScene(const std::vector<Point>& points, const Goal& goal)
+      : AssessedSample(points, goal, Placement::off_centre) {}
   [[nodiscard]] InitialAssessment assessment(int threads) const {
     return assess_all(sample.triangulation, criteria, assessor, threads);
   }
 };
 
 TEST(InitialAssessment, lists_the_bad_triangles_in_order_on_any_number_of_threads) {
-  const Scene scene(samples::uniform_points(20'000, 9), {.min_angle_deg = 30});
+  const AssessmentScene scene(samples::uniform_points(20'000, 9), {.min_angle_deg = 30});
   ASSERT_GT(scene.sample.triangulation.slots.size(), 2 * items_in_block);
   std::vector<TriangleId> expected;
   for (TriangleId id = 0; id < scene.sample.triangulation.slots.size(); ++id)
@@ -31,19 +32,20 @@ TEST(InitialAssessment, lists_the_bad_triangles_in_order_on_any_number_of_thread
 
 TEST(InitialAssessment, estimates_the_number_of_triangles_from_the_bounds) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const TriangleEstimates by_area = Scene(square, {.min_angle_deg = 25, .max_area = 0.001}).assessment(1).estimates;
+  const TriangleEstimates by_area =
+      AssessmentScene(square, {.min_angle_deg = 25, .max_area = 0.001}).assessment(1).estimates;
   EXPECT_NEAR(by_area.lower_bound, 1000, 1e-6);
   EXPECT_GT(by_area.without_angle_bound, 1300);
   EXPECT_LT(by_area.without_angle_bound, 1700);
   EXPECT_EQ(by_area.with_angle_bound, by_area.without_angle_bound) << "the bound on areas demands more than the angles";
-  const TriangleEstimates by_angle = Scene(square, {.min_angle_deg = 33}).assessment(1).estimates;
+  const TriangleEstimates by_angle = AssessmentScene(square, {.min_angle_deg = 33}).assessment(1).estimates;
   EXPECT_EQ(by_angle.lower_bound, 0);
   EXPECT_GT(by_angle.with_angle_bound, by_angle.without_angle_bound);
 }
 
 TEST(InitialAssessment, tells_whether_a_triangle_is_left_alone) {
-  EXPECT_FALSE(Scene({{0, 0}, {1, 0}, {0.5, 0.8}}, {.min_angle_deg = 25}).assessment(1).left_alone);
-  EXPECT_TRUE(Scene({{0, 0}, {1, 0}, {1, 0.1}}, {.min_angle_deg = 25}).assessment(1).left_alone)
+  EXPECT_FALSE(AssessmentScene({{0, 0}, {1, 0}, {0.5, 0.8}}, {.min_angle_deg = 25}).assessment(1).left_alone);
+  EXPECT_TRUE(AssessmentScene({{0, 0}, {1, 0}, {1, 0.1}}, {.min_angle_deg = 25}).assessment(1).left_alone)
       << "a triangle between two segments";
 }
 

@@ -12,10 +12,10 @@ namespace pardel::engine {
 namespace {
 
 /// Random points in the unit square, with most triangles bad.
-struct Scene : samples::AssessedSample {
+struct PendingScene : samples::AssessedSample {
   Lattice lattice{{0, 0, 1, 1}, 4, 4};
 
-  Scene() : AssessedSample(samples::uniform_points(2000, 3), {.min_angle_deg = 30}, Placement::circumcentre) {}
+  PendingScene() : AssessedSample(samples::uniform_points(2000, 3), {.min_angle_deg = 30}, Placement::circumcentre) {}
   [[nodiscard]] const Triangulation& t() const { return sample.triangulation; }
   [[nodiscard]] PendingTriangles all_bad(int threads) const {
     PendingTriangles pending(t(), assessor, threads);
@@ -32,7 +32,7 @@ std::vector<TriangleId> ids(const SeedsByCell& seeds) {
   return all;
 }
 
-std::vector<TriangleId> bad_triangles(const Scene& scene) {
+std::vector<TriangleId> bad_triangles(const PendingScene& scene) {
   std::vector<TriangleId> bad;
   for (TriangleId id = 0; id < scene.t().slots.size(); ++id)
     if (scene.assessor.assess(id).need != Assessment::Need::nothing) bad.push_back(id);
@@ -40,7 +40,7 @@ std::vector<TriangleId> bad_triangles(const Scene& scene) {
 }
 
 TEST(PendingTriangles, go_to_the_cells_of_their_split_points_on_any_number_of_threads) {
-  const Scene scene;
+  const PendingScene scene;
   const SeedsByCell one = scene.all_bad(1).take_due_by_cell(scene.lattice, {});
   ASSERT_EQ(one.size(), scene.lattice.cells());
   EXPECT_EQ(ids(one), bad_triangles(scene));
@@ -56,7 +56,7 @@ TEST(PendingTriangles, go_to_the_cells_of_their_split_points_on_any_number_of_th
 }
 
 TEST(PendingTriangles, are_deferred_where_the_rule_says_so_and_are_due_later) {
-  const Scene scene;
+  const PendingScene scene;
   PendingTriangles pending = scene.all_bad(2);
   const Deferral later{.last_key = pending.median_key()};
   std::vector<TriangleId> seen = ids(pending.take_due_by_cell(scene.lattice, later));
@@ -71,7 +71,7 @@ TEST(PendingTriangles, are_deferred_where_the_rule_says_so_and_are_due_later) {
 }
 
 TEST(PendingTriangles, come_back_after_they_were_set_aside) {
-  const Scene scene;
+  const PendingScene scene;
   PendingTriangles pending = scene.all_bad(2);
   pending.set_aside({.longest_squared = 0.002});
   const std::vector<TriangleId> before = ids(pending.take_due_by_cell(scene.lattice, {}));
@@ -83,7 +83,7 @@ TEST(PendingTriangles, come_back_after_they_were_set_aside) {
 }
 
 TEST(PendingTriangles, that_are_stale_or_good_are_dropped) {
-  const Scene scene;
+  const PendingScene scene;
   PendingTriangles pending(scene.t(), scene.assessor, 1);
   const std::vector<TriangleId> bad = bad_triangles(scene);
   TriangleId good = 0;
