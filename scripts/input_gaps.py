@@ -9,22 +9,47 @@ def read_rows(path):
         return [[float(word) for word in words] for words in lines if words]
 
 
-def read_points(path):
-    """The points of a .poly file that pardel wrote."""
+def read_domain(path):
+    """The points and the segments, by id, of a .poly file that pardel wrote. A segment is a pair of ids."""
     rows = read_rows(path)
-    return [(row[1], row[2]) for row in rows[1:int(rows[0][0]) + 1]]
+    count = int(rows[0][0])
+    points = {int(row[0]): (row[1], row[2]) for row in rows[1:count + 1]}
+    segments = rows[count + 2:count + 2 + int(rows[count + 1][0])]
+    return points, {int(row[0]): (int(row[1]), int(row[2])) for row in segments}
 
 
-def narrow_gaps(gaps, points):
+def narrow_gaps(gaps, domain):
     """The gaps that are too narrow for double precision. The mesher makes no edge shorter than 2^-42 of the largest
     coordinate. Around a gap of up to 1,000 such lengths not all bounds can hold."""
-    narrow = 2.0 ** -32 * max(abs(c) for p in points for c in p)
+    narrow = 2.0 ** -32 * max(abs(c) for p in domain[0].values() for c in p)
     return [gap for gap in gaps if gap["distance"] <= narrow]
 
 
-def explains(gaps, corners):
-    """True if one of the gaps is near the triangle with these corners."""
+def distance(p, a, b):
+    """The distance of the point p from the segment a-b."""
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    square = dx * dx + dy * dy
+    t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square if square > 0 else 0.0
+    t = min(max(t, 0.0), 1.0)
+    return math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy)
+
+
+def runs_along(domain, gap, centre, radius):
+    """True if the place is between the segment of a gap and a segment that ends at the point of the gap."""
+    points, segments = domain
+    if gap["kind"] != "point_near_segment":
+        return False
+
+    def is_near(segment):
+        return distance(centre, *(points[end] for end in segment)) <= radius
+
+    return is_near(segments[gap["segment"]]) and any(is_near(s) for s in segments.values() if gap["points"][0] in s)
+
+
+def explains(domain, gap, corners):
+    """True if the gap is near the triangle with these corners."""
     centre = tuple(sum(c) / 3 for c in zip(*corners))
     longest = max(math.dist(a, b) for a in corners for b in corners)
     # "Near" includes some triangles in between, because a triangle that misses a bound spoils those around it.
-    return any(math.dist(gap["where"], centre) <= 10 * (longest + gap["distance"]) for gap in gaps)
+    radius = 10 * (longest + gap["distance"])
+    return math.dist(gap["where"], centre) <= radius or runs_along(domain, gap, centre, radius)
