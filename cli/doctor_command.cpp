@@ -99,7 +99,7 @@ Status repair(const DoctorArguments& arguments, const Domain& domain, Findings& 
     return write_poly(findings.repaired->domain.pslg(), arguments.repaired, domain.pslg.first_id.value);
   }
   if (result.error().kind == ErrorKind::invalid_input && !findings.problems.empty())
-    return refusal_of(domain, findings.problems, true).error;
+    return refusal_of(domain, findings.problems, result.error()).error;
   return with_name(result.error(), domain.name);
 }
 

@@ -112,7 +112,7 @@ Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const Repair
   // A valid domain whose gaps cannot be closed is meshed as it is.
   if (valid && (!repaired || repaired->log.empty()))
     return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
-  if (!repaired) return refusal_of(domain, valid.error(), true);
+  if (!repaired) return refusal_of(domain, valid.error(), repaired.error());
   std::vector<std::string> log;
   for (const std::string& line : repaired->log) log.push_back(fmt::format("{}: repaired: {}", domain.name, line));
   Pslg original = valid ? std::move(valid).value().pslg() : std::move(domain.pslg);
@@ -130,10 +130,19 @@ void print_warnings(const ValidPslg& domain, const std::string& name) {
     warn(fmt::format("{}: warning: {}", name, warning.message(domain.pslg().first_id.value)));
 }
 
-Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, bool repair_failed) {
-  Error error{ErrorKind::invalid_input, domain.name + ": " + problems_text(problems, domain.pslg.first_id.value) +
-                                            advice(problems, domain.name, repair_failed)};
-  return {std::move(error), std::move(problems), domain.pslg.first_id.value};
+Refusal refusal_of(const Domain& domain, std::vector<Problem> problems) {
+  const int first_id = domain.pslg.first_id.value;
+  Error error{ErrorKind::invalid_input,
+              domain.name + ": " + problems_text(problems, first_id) + advice(problems, domain.name, false)};
+  return {std::move(error), std::move(problems), first_id};
+}
+
+Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why) {
+  const int first_id = domain.pslg.first_id.value;
+  std::string text = problems_text(problems, first_id);
+  if (text.find(why.message) == std::string::npos) text += "\nthe repair ends here: " + why.message;
+  text += advice(problems, domain.name, true);
+  return {{ErrorKind::invalid_input, domain.name + ": " + text}, std::move(problems), first_id};
 }
 
 Error with_name(const Error& error, const std::string& name) {

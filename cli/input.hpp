@@ -74,7 +74,9 @@ void print_warnings(const ValidPslg& domain, const std::string& name);
 
 /// The problems of a domain as a refusal. The message numbers them as in the file and lists ten of each kind. If a
 /// command or an option can help, the message names it.
-[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, bool repair_failed = false);
+[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems);
+/// The same after a repair that failed for the reason `why`, which the message also states.
+[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why);
 
 /// Puts the name of the input before the message of an error in the input. Other errors do not change.
 [[nodiscard]] Error with_name(const Error& error, const std::string& name);

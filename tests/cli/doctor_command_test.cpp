@@ -132,6 +132,15 @@ TEST_F(DoctorCommand, a_failed_repair_is_reported) {
   EXPECT_FALSE(exists("well.poly"));
 }
 
+TEST_F(DoctorCommand, a_failed_repair_states_the_problem_that_appears_only_after_the_others_are_repaired) {
+  write("open.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1 1\n3 0\n1 1 2\n2 2 3\n3 5 4\n0\n");
+  for (const Ran& ran : {pardel({"doctor", "open.poly", "--repair", "well.poly"}),
+                         pardel({"mesh", "open.poly", "--repair", "-o", "m.vtu"})}) {
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_TRUE(holds(ran.err, {"Points 3 and 5 are both", "the repair ends here: No outline is closed"})) << ran;
+  }
+}
+
 TEST_F(DoctorCommand, the_findings_are_written_as_json) {
   write("ill.poly", ill);
   for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "-"}}) {
