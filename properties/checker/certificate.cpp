@@ -148,7 +148,7 @@ Json to_json(const Violation& violation) {
 }  // namespace
 
 std::string summary_text(const Certificate& certificate) {
-  std::string text = certificate.valid ? "valid" : "NOT VALID";
+  std::string text = certificate.cancelled ? "cancelled" : certificate.valid ? "valid" : "NOT VALID";
   text += ": " + counted(certificate.vertices, "vertex", "vertices") + ", " +
           counted(certificate.triangles, "triangle", "triangles") + ", " +
           counted(certificate.constrained_edges, "constrained edge", "constrained edges") + '\n';

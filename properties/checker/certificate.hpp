@@ -34,9 +34,10 @@ struct Justified {
 /// values are computed in doubles, except that `area` is the exact sum, rounded once. The verdict does not depend on
 /// measured values.
 struct Certificate {
-  Goal goal;                                    ///< the goal that the mesh was checked against
-  std::vector<double> region_caps;              ///< by region: the area cap that was checked; empty without region_caps
-  bool valid = false;                           ///< true if no violation was found
+  Goal goal;                        ///< the goal that the mesh was checked against
+  std::vector<double> region_caps;  ///< by region: the area cap that was checked; empty without region_caps
+  bool valid = false;               ///< true if no violation was found
+  bool cancelled = false;  ///< CheckOptions::go_on ended the check: `valid` is false, and violations may be missing
   std::vector<Violation> violations;            ///< sorted by kind; violations of one kind in the order of discovery
   std::vector<std::uint64_t> violation_counts;  ///< by kind; the vector has violation_kinds entries
   std::vector<Justified> justified;             ///< sorted by triangle

@@ -9,6 +9,30 @@ namespace pardel {
 
 using namespace checker;
 
+namespace {
+
+void run_stages(const Subject& subject, Findings& found, Certificate& certificate) {
+  const auto& [pslg, mesh, goal, options] = subject;
+  const Sanity sanity = check_sanity(subject, found);
+  if (!sanity.geometry) return;
+  const Adjacency adjacency = check_topology(subject, sanity.neighbours, found);
+  const Domain domain(pslg, goal.convex_hull, found.stop());
+  const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
+  const Chains chains = check_segments(subject, domain, adjacency, inputs, found);
+  check_coverage(subject, domain, adjacency, chains, found);
+  std::vector<Index> faces;
+  if (!pslg.regions.empty()) faces = paint_faces(domain, adjacency, chains, found.stop());
+  if (sanity.labels) {
+    check_labels(subject, domain, adjacency, chains, inputs, faces, found);
+    certificate.digest = digest(mesh);
+  }
+  check_delaunay(subject, adjacency, chains, found);
+  check_goal(subject, domain, adjacency, chains, inputs, faces, found, certificate.justified);
+  measure(mesh, certificate, found.stop());
+}
+
+}  // namespace
+
 Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options) {
   Certificate certificate;
   certificate.goal = goal;
@@ -19,27 +43,16 @@ Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const Ch
   certificate.constrained_edges = mesh.constrained_edges.size();
   certificate.angle_histogram.assign(18, 0);
 
-  const Subject subject{pslg, mesh, goal, options};
-  Findings found(options.max_violations);
-  const Sanity sanity = check_sanity(subject, found);
-  if (sanity.geometry) {
-    const Adjacency adjacency = check_topology(subject, sanity.neighbours, found);
-    const Domain domain(pslg, goal.convex_hull);
-    const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
-    const Chains chains = check_segments(subject, domain, adjacency, inputs, found);
-    check_coverage(subject, domain, adjacency, chains, found);
-    std::vector<Index> faces;
-    if (!pslg.regions.empty()) faces = paint_faces(domain, adjacency, chains);
-    if (sanity.labels) {
-      check_labels(subject, domain, adjacency, chains, inputs, faces, found);
-      certificate.digest = digest(mesh);
-    }
-    check_delaunay(subject, adjacency, chains, found);
-    check_goal(subject, domain, adjacency, chains, inputs, faces, found, certificate.justified);
-    measure(mesh, certificate);
+  StopSignal stop(StopSignal::unless(options.go_on));
+  Findings found(options.max_violations, &stop);
+  try {
+    run_stages({pslg, mesh, goal, options}, found, certificate);
+  } catch (const Stopped&) {
+    certificate.cancelled = true;
   }
   certificate.violation_counts = found.counts();
-  certificate.valid = std::ranges::all_of(certificate.violation_counts, [](auto count) { return count == 0; });
+  certificate.valid = !certificate.cancelled &&
+                      std::ranges::all_of(certificate.violation_counts, [](auto count) { return count == 0; });
   certificate.violations = std::move(found).sorted();
   return certificate;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 namespace pardel {
 
@@ -15,6 +16,9 @@ struct CheckOptions {
   /// coordinates, unless the vertices begin with the input points in their order. Arrays that such a mesh lacks
   /// (`origin`, markers, regions, neighbours, constrained edges) may be empty: the checker skips the rules about them.
   bool foreign = false;
+  /// Called in the calling thread from time to time, about every 4 ms. Return false to end the check at once. The
+  /// certificate is then `cancelled`.
+  std::function<bool()> go_on{};
 };
 
 }  // namespace pardel

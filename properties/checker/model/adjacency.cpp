@@ -2,7 +2,8 @@
 
 namespace pardel::checker {
 
-void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold) {
+void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold, StopSignal* stop) {
+  SparseAsk ask(stop);
   struct HalfEdge {
     Index low, high;
     Index triangle;
@@ -12,6 +13,7 @@ void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEd
   Array<HalfEdge> halves;
   halves.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    ask();
     triangles[t].n = {no_index, no_index, no_index};
     for (int i = 0; i < 3; ++i) {
       const Index from = triangles[t].v[next(i)];
@@ -20,13 +22,15 @@ void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEd
           {std::min(from, to), std::max(from, to), static_cast<Index>(t), static_cast<std::uint8_t>(i), from < to});
     }
   }
-  std::sort(halves.begin(), halves.end(), [](const HalfEdge& x, const HalfEdge& y) {
+  const auto less = [](const HalfEdge& x, const HalfEdge& y) {
     if (x.low != y.low) return x.low < y.low;
     if (x.high != y.high) return x.high < y.high;
     if (x.rising != y.rising) return x.rising;
     return x.triangle < y.triangle;
-  });
+  };
+  stoppable_sort(halves.begin(), halves.end(), less, stop);
   for (const HalfEdge* first = halves.begin(); first != halves.end();) {
+    ask();
     const HalfEdge* last = first;
     while (last != halves.end() && last->low == first->low && last->high == first->high) ++last;
     const HalfEdge* falling = std::find_if(first, last, [](const HalfEdge& h) { return !h.rising; });
@@ -43,13 +47,15 @@ void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEd
   }
 }
 
-Adjacency::Adjacency(Array<Triangle> rebuilt, const Mesh& mesh)
+Adjacency::Adjacency(Array<Triangle> rebuilt, const Mesh& mesh, StopSignal* stop)
     : rebuilt_(std::move(rebuilt)),
       triangles_(rebuilt_.empty() ? mesh.triangles.span() : std::as_const(rebuilt_).span()),
       start_(mesh.points.size(), no_index),
       corners_(mesh.points.size(), 0),
       on_boundary_(mesh.points.size(), 0) {
+  SparseAsk ask(stop);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    ask();
     const Triangle& triangle = triangles_[t];
     for (int i = 0; i < 3; ++i) {
       start_[triangle.v[i]] = static_cast<Index>(t);
@@ -61,17 +67,20 @@ Adjacency::Adjacency(Array<Triangle> rebuilt, const Mesh& mesh)
       on_boundary_[from] = on_boundary_[to] = 1;
     }
   }
-  std::sort(boundary_.begin(), boundary_.end(), [](const BoundaryEdge& x, const BoundaryEdge& y) {
+  const auto less = [](const BoundaryEdge& x, const BoundaryEdge& y) {
     if (x.from != y.from) return x.from < y.from;
     if (x.to != y.to) return x.to < y.to;
     return x.left.triangle < y.left.triangle;
-  });
+  };
+  stoppable_sort(boundary_.begin(), boundary_.end(), less, stop);
 }
 
-void Adjacency::index_irregular_vertices() {
+void Adjacency::index_irregular_vertices(StopSignal* stop) {
+  SparseAsk ask(stop);
   Array<char> is_irregular(start_.size(), 0);
   bool any = false;
   for (std::size_t v = 0; v < start_.size(); ++v) {
+    ask();
     Index reached = 0;
     visit_fans(static_cast<Index>(v), [&](Index, int) { ++reached; });
     is_irregular[v] = reached != corners_[v];
@@ -79,9 +88,11 @@ void Adjacency::index_irregular_vertices() {
   }
   if (!any) return;
   std::vector<std::pair<Index, Index>> found;
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    ask();
     for (const Index v : triangles_[t].v)
       if (is_irregular[v] != 0) found.emplace_back(v, static_cast<Index>(t));
+  }
   std::sort(found.begin(), found.end());
   irregular_ = std::move(found);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../../../core/mesh.hpp"
+#include "stoppable.hpp"
 
 namespace pardel::checker {
 
@@ -41,14 +42,15 @@ struct NonManifoldEdge {
 /// Sets every neighbour; uses only the corners of the triangles. If an edge has more than one triangle on a side, one
 /// pair of triangles become neighbours, the others get no neighbour at this edge, and the edge is appended to
 /// `non_manifold`. O(n log n).
-void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold);
+void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold,
+                        StopSignal* stop = nullptr);
 
 class Adjacency {
  public:
   /// `rebuilt`: the mesh's triangles with corrected neighbours; empty if the neighbours in the mesh are correct.
   /// Preconditions: corners are distinct and in range, neighbours are reciprocal, the mesh outlives this object.
   /// Linear time, plus O(b log b) for b boundary edges.
-  Adjacency(Array<Triangle> rebuilt, const Mesh& mesh);
+  Adjacency(Array<Triangle> rebuilt, const Mesh& mesh, StopSignal* stop = nullptr);
   Adjacency(Adjacency&&) = default;
 
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
@@ -80,7 +82,7 @@ class Adjacency {
 
   /// Finds the irregular vertices and lists their triangles. Afterwards visit_fans() visits all triangles of an
   /// irregular vertex, in ascending order instead of around the vertex. Linear time.
-  void index_irregular_vertices();
+  void index_irregular_vertices(StopSignal* stop = nullptr);
 
   /// The triangle on the left of the edge from a to b, if there is one. Time: the degree of a.
   [[nodiscard]] TriangleEdge left_of(Index a, Index b) const;

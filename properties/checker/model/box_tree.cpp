@@ -4,15 +4,19 @@
 
 namespace pardel::checker {
 
-BoxTree::BoxTree(std::vector<BoundingBox> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxTree::BoxTree(std::vector<BoundingBox> boxes, StopSignal* stop) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), Index{0});
-  if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));
+  SparseAsk ask(stop);
+  if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()), ask);
 }
 
-std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
+std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last, SparseAsk& ask) {
   const auto at = static_cast<std::uint32_t>(nodes_.size());
   BoundingBox box;
-  for (std::uint32_t i = first; i < last; ++i) box.include(boxes_[order_[i]]);
+  for (std::uint32_t i = first; i < last; ++i) {
+    ask();
+    box.include(boxes_[order_[i]]);
+  }
   nodes_.push_back({box, first, last, 0, 0});
   if (last - first <= leaf_size) return at;
 
@@ -25,8 +29,8 @@ std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
   const std::uint32_t middle = first + (last - first) / 2;
   std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
                    [&](Index a, Index b) { return centre(a) < centre(b); });
-  const std::uint32_t left = build(first, middle);
-  const std::uint32_t right = build(middle, last);
+  const std::uint32_t left = build(first, middle, ask);
+  const std::uint32_t right = build(middle, last, ask);
   nodes_[at].left = left;
   nodes_[at].right = right;
   return at;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../../core/pslg.hpp"
+#include "stoppable.hpp"
 
 namespace pardel::checker {
 
@@ -34,7 +35,7 @@ struct BoundingBox {
 class BoxTree {
  public:
   /// boxes[i] is the bounding box of item i. O(n log n).
-  explicit BoxTree(std::vector<BoundingBox> boxes);
+  explicit BoxTree(std::vector<BoundingBox> boxes, StopSignal* stop = nullptr);
 
   /// Calls visit_item(item) for every item whose box passes filter(BoundingBox). Precondition: if a box passes, every
   /// box that contains it passes as well.
@@ -54,7 +55,7 @@ class BoxTree {
     std::uint32_t left, right;  ///< children; left == 0 in a leaf
   };
 
-  std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  std::uint32_t build(std::uint32_t first, std::uint32_t last, SparseAsk& ask);
 
   template <class Filter, class Visit>
   void descend(std::uint32_t at, const Filter& filter, const Visit& visit_item) const {

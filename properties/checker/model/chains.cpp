@@ -15,13 +15,14 @@ namespace {
 class ChainSearch {
  public:
   ChainSearch(Index segment, const Domain& domain, const MeshEdges& mesh, const InputVertices& inputs,
-              Strictness strictness)
+              Strictness strictness, StopSignal* stop)
       : segment_(segment),
         on_boundary_(domain.on_boundary(segment)),
         tolerance_(domain.tolerance()),
         mesh_(mesh),
         inputs_(inputs),
         strictness_(strictness),
+        stop_(stop),
         first_(inputs.vertex(domain.segments()[segment].a)),
         last_(inputs.vertex(domain.segments()[segment].b)) {}
 
@@ -54,7 +55,9 @@ class ChainSearch {
     using Entry = std::pair<double, Index>;  // (cost, vertex)
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     reached_[first_] = {0, no_index};
+    SparseAsk ask(stop_);
     for (queue.emplace(0, first_); !queue.empty();) {
+      ask();
       const auto [cost, at] = queue.top();
       queue.pop();
       if (at == last_) return true;
@@ -127,6 +130,7 @@ class ChainSearch {
   const MeshEdges& mesh_;
   const InputVertices& inputs_;
   Strictness strictness_;
+  StopSignal* stop_;
   Index first_, last_;
   Point a_, b_;
   double length_ = 0;
@@ -136,8 +140,8 @@ class ChainSearch {
 }  // namespace
 
 std::vector<ChainEdge> find_chain(Index segment, const Domain& domain, const MeshEdges& mesh,
-                                  const InputVertices& inputs, Strictness strictness) {
-  return ChainSearch(segment, domain, mesh, inputs, strictness).run();
+                                  const InputVertices& inputs, Strictness strictness, StopSignal* stop) {
+  return ChainSearch(segment, domain, mesh, inputs, strictness, stop).run();
 }
 
 }  // namespace pardel::checker

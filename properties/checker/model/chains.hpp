@@ -51,6 +51,7 @@ enum class Strictness : std::uint8_t {
 /// segments that nearly coincide, edges of one segment are allowed for the other, too. Time: O(k log k) for k edges
 /// within the tolerance, plus the triangles at their ends.
 [[nodiscard]] std::vector<ChainEdge> find_chain(Index segment, const Domain& domain, const MeshEdges& mesh,
-                                                const InputVertices& inputs, Strictness strictness);
+                                                const InputVertices& inputs, Strictness strictness,
+                                                StopSignal* stop = nullptr);
 
 }  // namespace pardel::checker

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -14,15 +15,17 @@ namespace {
 
 /// The corners of the convex hull and all points on its edges, counter-clockwise (Andrew's monotone chain).
 /// Empty when all points are collinear.
-std::vector<Index> hull(std::span<const Point> points) {
+std::vector<Index> hull(std::span<const Point> points, StopSignal* stop) {
   std::vector<Index> sorted(points.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
-  std::sort(sorted.begin(), sorted.end(),
-            [&](Index a, Index b) { return lexicographically_less(points[a], points[b]); });
+  const auto less = [&](Index a, Index b) { return lexicographically_less(points[a], points[b]); };
+  stoppable_sort(sorted.begin(), sorted.end(), less, stop);
+  SparseAsk ask(stop);
   const auto turn = [&](Index a, Index b, Index c) { return exactly::orientation(points[a], points[b], points[c]); };
   const auto half = [&](auto first, auto last) {
     std::vector<Index> chain;
     for (; first != last; ++first) {
+      ask();
       if (!chain.empty() && points[chain.back()] == points[*first]) continue;
       while (chain.size() >= 2 && turn(chain[chain.size() - 2], chain.back(), *first) < 0) chain.pop_back();
       chain.push_back(*first);
@@ -42,13 +45,13 @@ std::vector<Index> hull(std::span<const Point> points) {
 
 std::pair<Index, Index> ends(Index a, Index b) { return std::minmax(a, b); }
 
-std::vector<Segment> with_hull(const Pslg& pslg, bool convex_hull) {
+std::vector<Segment> with_hull(const Pslg& pslg, bool convex_hull, StopSignal* stop) {
   std::vector<Segment> segments = pslg.segments;
   if (!convex_hull && !segments.empty()) return segments;
   std::vector<std::pair<Index, Index>> present;
   for (const Segment& s : segments) present.push_back(ends(s.a, s.b));
-  std::sort(present.begin(), present.end());
-  const std::vector<Index> outline = hull(pslg.points);
+  stoppable_sort(present.begin(), present.end(), std::less<>(), stop);
+  const std::vector<Index> outline = hull(pslg.points, stop);
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Index a = outline[i];
     const Index b = outline[(i + 1) % outline.size()];
@@ -59,8 +62,8 @@ std::vector<Segment> with_hull(const Pslg& pslg, bool convex_hull) {
 
 }  // namespace
 
-Domain::Domain(const Pslg& pslg, bool convex_hull)
-    : pslg_(pslg), segments_(with_hull(pslg, convex_hull)), faces_(pslg.points, segments_) {
+Domain::Domain(const Pslg& pslg, bool convex_hull, StopSignal* stop)
+    : pslg_(pslg), segments_(with_hull(pslg, convex_hull, stop)), faces_(pslg.points, segments_, stop) {
   inside_.assign(faces_.count(), 1);
   inside_[PlanarFaces::exterior()] = 0;
   for (const Point& hole : pslg.holes) {

@@ -16,7 +16,7 @@ class Domain {
  public:
   /// Preconditions: segment ids are in range, coordinates are finite, `pslg` outlives this object. O(n log n) time on
   /// typical input.
-  Domain(const Pslg& pslg, bool convex_hull);
+  Domain(const Pslg& pslg, bool convex_hull, StopSignal* stop = nullptr);
   Domain(const Domain&) = delete;
   Domain& operator=(const Domain&) = delete;
 

@@ -15,15 +15,17 @@ InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) 
 }
 
 InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
-                                            std::span<const Index> corners_of_vertex) {
+                                            std::span<const Index> corners_of_vertex, StopSignal* stop) {
   InputVertices result;
   result.vertex_.resize(inputs.size(), no_index);
   result.input_.resize(std::max<std::size_t>(vertices.size(), 1), no_index);
   std::vector<Index> sorted(inputs.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
-  std::sort(sorted.begin(), sorted.end(),
-            [&](Index a, Index b) { return lexicographically_less(inputs[a], inputs[b]); });
+  const auto less = [&](Index a, Index b) { return lexicographically_less(inputs[a], inputs[b]); };
+  stoppable_sort(sorted.begin(), sorted.end(), less, stop);
+  SparseAsk ask(stop);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
+    ask();
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), vertices[v],
                                      [&](Index i, Point p) { return lexicographically_less(inputs[i], p); });
     if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;

@@ -1,6 +1,7 @@
 #include "marked_edges.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "../arithmetic/exact.hpp"
 
@@ -14,15 +15,17 @@ bool is_not_delaunay(Point a, Point b, Point c, Point d) {
 
 }  // namespace
 
-MarkedEdges::MarkedEdges(const Mesh& mesh, const Adjacency& adjacency) {
-  if (mesh.constrained_edges.empty()) infer(mesh, adjacency);
+MarkedEdges::MarkedEdges(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop) {
+  if (mesh.constrained_edges.empty()) infer(mesh, adjacency, stop);
   for (const ConstrainedEdge& edge : mesh.constrained_edges) ends_.push_back(std::minmax(edge.a, edge.b));
-  std::sort(ends_.begin(), ends_.end());
+  stoppable_sort(ends_.begin(), ends_.end(), std::less<>(), stop);
 }
 
-void MarkedEdges::infer(const Mesh& mesh, const Adjacency& adjacency) {
+void MarkedEdges::infer(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop) {
+  SparseAsk ask(stop);
   const auto triangles = adjacency.triangles();
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    ask();
     for (int edge = 0; edge < 3; ++edge) {
       const auto& [v, n] = triangles[t];
       const Index a = v[next(edge)], b = v[previous(edge)];

@@ -15,12 +15,12 @@ class MarkedEdges {
   /// The edges that the mesh lists as constrained. If it lists none: the edges that have to be constrained in a
   /// constrained Delaunay triangulation, which are those of its boundary and those that are not locally Delaunay.
   /// O(n log n) time for n edges of the mesh.
-  MarkedEdges(const Mesh& mesh, const Adjacency& adjacency);
+  MarkedEdges(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop = nullptr);
   /// True if the edge between a and b is marked. O(log n).
   [[nodiscard]] bool contains(Index a, Index b) const;
 
  private:
-  void infer(const Mesh& mesh, const Adjacency& adjacency);
+  void infer(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop);
 
   std::vector<std::pair<Index, Index>> ends_;  ///< the smaller index first; sorted
 };

@@ -29,14 +29,15 @@ Index root(std::vector<Index>& parent, Index i) {
 
 }  // namespace
 
-PlanarFaces::PlanarFaces(std::span<const Point> points, std::span<const Segment> segments)
-    : points_(points), segments_(segments), below_(points, segments) {
-  sort_around_vertices();
-  walk_cycles();
-  nest_components();
+PlanarFaces::PlanarFaces(std::span<const Point> points, std::span<const Segment> segments, StopSignal* stop)
+    : points_(points), segments_(segments), below_(points, segments, stop) {
+  SparseAsk ask(stop);
+  sort_around_vertices(ask);
+  walk_cycles(ask);
+  nest_components(ask);
 }
 
-void PlanarFaces::sort_around_vertices() {
+void PlanarFaces::sort_around_vertices(SparseAsk& ask) {
   first_.assign(points_.size() + 1, 0);
   for (const Segment& s : segments_) {
     ++first_[s.a + 1];
@@ -50,6 +51,7 @@ void PlanarFaces::sort_around_vertices() {
     incident_[next[segments_[s].b]++] = static_cast<Index>(s);
   }
   for (Index v = 0; v < points_.size(); ++v) {
+    ask();
     const auto far_end = [&](Index s) { return points_[segments_[s].a == v ? segments_[s].b : segments_[s].a]; };
     std::sort(incident_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
               incident_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]),
@@ -57,11 +59,12 @@ void PlanarFaces::sort_around_vertices() {
   }
 }
 
-void PlanarFaces::walk_cycles() {
+void PlanarFaces::walk_cycles(SparseAsk& ask) {
   // Around the face on the left of h, the half-edge after h is the next one clockwise from h's twin at h's head.
   const std::size_t half_edges = 2 * segments_.size();
   std::vector<HalfEdge> next(half_edges);
   for (Index v = 0; v < points_.size(); ++v) {
+    ask();
     const auto around = incident(v);
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Index s = around[i];
@@ -73,22 +76,25 @@ void PlanarFaces::walk_cycles() {
   }
   face_.assign(half_edges, no_index);
   for (HalfEdge start = 0; start < half_edges; ++start) {
+    ask();
     if (face_[start] != no_index) continue;
     for (HalfEdge h = start; face_[h] == no_index; h = next[h]) face_[h] = count_;
     ++count_;
   }
 }
 
-void PlanarFaces::nest_components() {
+void PlanarFaces::nest_components(SparseAsk& ask) {
   std::vector<Index> component(points_.size());
   std::iota(component.begin(), component.end(), Index{0});
   for (const Segment& s : segments_) {
+    ask();
     const Index a = root(component, s.a);
     const Index b = root(component, s.b);
     component[std::max(a, b)] = std::min(a, b);
   }
   std::vector<Index> leftmost(points_.size(), no_index);
   for (Index v = 0; v < points_.size(); ++v) {
+    ask();
     if (incident(v).empty()) continue;
     Index& best = leftmost[root(component, v)];
     if (best == no_index || lexicographically_less(points_[v], points_[best])) best = v;
@@ -99,6 +105,7 @@ void PlanarFaces::nest_components() {
   std::vector<Index> same_as(count_);
   std::iota(same_as.begin(), same_as.end(), Index{0});
   for (const Index v : leftmost) {
+    ask();
     if (v == no_index) continue;
     const auto around = incident(v);
     // All segments leave the leftmost vertex to the right or vertically. The outside lies on the left of the steepest

@@ -20,7 +20,7 @@ class PlanarFaces {
  public:
   /// Preconditions: segment ids are in range, coordinates are finite, both spans outlive this object. O(n log n) time
   /// on typical input.
-  PlanarFaces(std::span<const Point> points, std::span<const Segment> segments);
+  PlanarFaces(std::span<const Point> points, std::span<const Segment> segments, StopSignal* stop = nullptr);
 
   [[nodiscard]] Index count() const { return count_; }
   /// The unbounded face.
@@ -37,9 +37,9 @@ class PlanarFaces {
   }
 
  private:
-  void sort_around_vertices();
-  void walk_cycles();
-  void nest_components();
+  void sort_around_vertices(SparseAsk& ask);
+  void walk_cycles(SparseAsk& ask);
+  void nest_components(SparseAsk& ask);
 
   std::span<const Point> points_;
   std::span<const Segment> segments_;

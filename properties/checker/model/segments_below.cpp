@@ -19,8 +19,8 @@ std::vector<BoundingBox> boxes_of(std::span<const Point> points, std::span<const
 
 }  // namespace
 
-SegmentsBelow::SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments)
-    : points_(points), segments_(segments), tree_(boxes_of(points, segments)) {}
+SegmentsBelow::SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments, StopSignal* stop)
+    : points_(points), segments_(segments), tree_(boxes_of(points, segments), stop) {}
 
 SegmentsBelow::Ends SegmentsBelow::ends(Index segment) const {
   const Point a = points_[segments_[segment].a];

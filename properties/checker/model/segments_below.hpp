@@ -11,7 +11,7 @@ namespace pardel::checker {
 class SegmentsBelow {
  public:
   /// Both spans must outlive this object. O(n log n).
-  SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments);
+  SegmentsBelow(std::span<const Point> points, std::span<const Segment> segments, StopSignal* stop = nullptr);
 
   /// The first segment that a vertical ray downwards from p meets, or no_index. The ray starts just left of p, so end
   /// points and vertical segments are not special cases. Only segments strictly below p count.

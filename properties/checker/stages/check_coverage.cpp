@@ -8,6 +8,7 @@
 // the domain, and never otherwise. For the points between chains and segments the winding number of every face of the
 // boundary is computed; it must be 0 or 1.
 #include <algorithm>
+#include <functional>
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/exact_sum.hpp"
@@ -21,7 +22,9 @@ namespace {
 
 /// A chain edge must have a triangle on each side that belongs to the domain, and none on the other sides.
 void check_sides(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+  SparseAsk ask(found.stop());
   for (const ChainEdge& edge : chains.edges) {
+    ask();
     for (const Side side : {Side::left, Side::right}) {
       const TriangleEdge triangle = side == Side::left ? edge.left : edge.right;
       const bool expected = domain.inside(edge.segment, side);
@@ -42,11 +45,14 @@ void check_sides(const Subject& subject, const Domain& domain, const Chains& cha
 /// Each face of the domain must have a triangle at one of its segments.
 void check_faces(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   std::vector<char> has_triangle(domain.faces().count(), 0);
+  SparseAsk ask(found.stop());
   for (const ChainEdge& edge : chains.edges) {
+    ask();
     if (edge.left.exists()) has_triangle[domain.faces().face(edge.segment, Side::left)] = 1;
     if (edge.right.exists()) has_triangle[domain.faces().face(edge.segment, Side::right)] = 1;
   }
   for (std::size_t s = 0; s < domain.segments().size(); ++s) {
+    ask();
     const Segment& segment = domain.segments()[s];
     for (const Side side : {Side::left, Side::right}) {
       const Index face = domain.faces().face(static_cast<Index>(s), side);
@@ -69,7 +75,7 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
     boxes[e].include(points[edges[e].a]);
     boxes[e].include(points[edges[e].b]);
   }
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes, found.stop());
   check_each(edges.size(), found, [&](std::size_t e, Findings& mine) {
     const Segment s = edges[e];
     const Point a = points[s.a], b = points[s.b];
@@ -102,7 +108,7 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
 
 /// The winding number of the boundary in each of its faces. It is 0 in the exterior, and on the left of an edge it is
 /// one larger than on the right.
-std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
+std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges, StopSignal* stop) {
   struct Step {
     Index from, to;
     int change;
@@ -114,12 +120,15 @@ std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges) {
     steps.push_back({left, right, -1});
     steps.push_back({right, left, +1});
   }
-  std::sort(steps.begin(), steps.end(), [](const Step& x, const Step& y) { return x.from < y.from; });
+  stoppable_sort(
+      steps.begin(), steps.end(), [](const Step& x, const Step& y) { return x.from < y.from; }, stop);
   std::vector<int> winding(faces.count(), 0);
   std::vector<char> known(faces.count(), 0);
   std::vector<Index> stack{PlanarFaces::exterior()};
   known[PlanarFaces::exterior()] = 1;
+  SparseAsk ask(stop);
   while (!stack.empty()) {
+    ask();
     const Index face = stack.back();
     stack.pop_back();
     auto step = std::lower_bound(steps.begin(), steps.end(), face, [](const Step& s, Index f) { return s.from < f; });
@@ -144,21 +153,26 @@ void check_boundary(const Subject& subject, const Domain& domain, const Adjacenc
     vertex.push_back(edge.from);
     vertex.push_back(edge.to);
   }
-  std::sort(vertex.begin(), vertex.end());
+  stoppable_sort(vertex.begin(), vertex.end(), std::less<>(), found.stop());
   vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
   for (const Index v : vertex) points.push_back(subject.mesh.points[v]);
   const auto local = [&](Index v) {
     return static_cast<Index>(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
   };
   std::vector<Segment> edges;
-  for (const BoundaryEdge& edge : boundary) edges.push_back({local(edge.from), local(edge.to), 0});
+  SparseAsk ask(found.stop());
+  for (const BoundaryEdge& edge : boundary) {
+    ask();
+    edges.push_back({local(edge.from), local(edge.to), 0});
+  }
 
   check_simple(points, edges, vertex, found);
   const bool simple = found.count(ViolationKind::overlap) == 0;
 
-  const PlanarFaces faces(points, edges);
-  const std::vector<int> winding = winding_numbers(faces, edges.size());
+  const PlanarFaces faces(points, edges, found.stop());
+  const std::vector<int> winding = winding_numbers(faces, edges.size(), found.stop());
   for (std::size_t i = 0; i < edges.size(); ++i) {
+    ask();
     const auto e = static_cast<Index>(i);
     const BoundaryEdge& edge = boundary[i];
     const std::vector<Point> where{subject.mesh.points[edge.from], subject.mesh.points[edge.to]};
@@ -218,20 +232,17 @@ void check_holes(const Subject& subject, const Domain& domain, Findings& found) 
 void check_area(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   const Mesh& mesh = subject.mesh;
   std::vector<ExactSum> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel if (mesh.triangles.size() >= parallel_loop_size)
-  {
-    ExactSum& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& v = mesh.triangles[t].v;
-      for (int i = 0; i < 3; ++i) mine.add_cross(mesh.points[v[i]], mesh.points[v[next(i)]]);
-    }
-  }
+  for_each_index(mesh.triangles.size(), found.stop(), [&](std::size_t t, std::size_t thread) {
+    const auto& v = mesh.triangles[t].v;
+    for (int i = 0; i < 3; ++i) parts[thread].add_cross(mesh.points[v[i]], mesh.points[v[next(i)]]);
+  });
   ExactSum covered;
   for (const ExactSum& part : parts) covered += part;
 
   ExactSum enclosed;
+  SparseAsk ask(found.stop());
   for (const ChainEdge& edge : chains.edges) {
+    ask();
     const Point a = mesh.points[edge.from], b = mesh.points[edge.to];
     if (!domain.on_boundary(edge.segment)) continue;
     if (domain.inside(edge.segment, Side::left))

@@ -1,5 +1,6 @@
 // Checks the data that the mesh lists: constrained edges, markers, origins, regions, attributes.
 #include <algorithm>
+#include <functional>
 
 #include "../arithmetic/text.hpp"
 #include "stages.hpp"
@@ -20,8 +21,10 @@ class ConstrainedEdges {
       : mesh_(subject.mesh), foreign_(subject.options.foreign), domain_(domain), found_(found) {
     for (const ChainEdge& edge : chains.edges)
       expected_.push_back({std::min(edge.from, edge.to), std::max(edge.from, edge.to), edge.segment, false});
-    std::sort(expected_.begin(), expected_.end(),
-              [](const Expected& x, const Expected& y) { return std::pair(x.low, x.high) < std::pair(y.low, y.high); });
+    const auto less = [](const Expected& x, const Expected& y) {
+      return std::pair(x.low, x.high) < std::pair(y.low, y.high);
+    };
+    stoppable_sort(expected_.begin(), expected_.end(), less, found.stop());
     // A file may list constrained edges without markers.
     check_markers_ = !foreign_ || std::any_of(mesh_.constrained_edges.begin(), mesh_.constrained_edges.end(),
                                               [](const ConstrainedEdge& e) { return e.marker != 0; });
@@ -84,7 +87,9 @@ void check_constrained_edges(const Subject& subject, const Domain& domain, const
   const auto& listed = subject.mesh.constrained_edges;
   if (listed.empty() && subject.options.foreign) return;
   ConstrainedEdges edges(subject, domain, chains, found);
+  SparseAsk ask(found.stop());
   for (std::size_t e = 0; e < listed.size(); ++e) {
+    ask();
     const ConstrainedEdge& edge = listed[e];
     const bool is_mesh_edge = adjacency.left_of(edge.a, edge.b).exists() || adjacency.left_of(edge.b, edge.a).exists();
     edges.check(edge, static_cast<Index>(e), is_mesh_edge);
@@ -114,7 +119,7 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
       if (inputs.vertex(end) != no_index) markers.emplace_back(inputs.vertex(end), segment.marker);
     }
   }
-  std::sort(markers.begin(), markers.end());
+  stoppable_sort(markers.begin(), markers.end(), std::less<>(), found.stop());
   markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
@@ -201,7 +206,9 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
   const Mesh& mesh = subject.mesh;
   const std::size_t n = mesh.attributes_per_point;
   if (n == 0 || subject.pslg.point_attributes.size() != n * subject.pslg.points.size()) return;
+  SparseAsk ask(found.stop());
   for (std::size_t i = 0; i < subject.pslg.points.size(); ++i) {
+    ask();
     const Index v = inputs.vertex(static_cast<Index>(i));
     if (v == no_index) continue;
     for (std::size_t k = 0; k < n; ++k) {

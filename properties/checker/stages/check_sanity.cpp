@@ -11,7 +11,9 @@ bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 bool pslg_is_usable(const Pslg& pslg, Findings& found) {
   bool usable = true;
+  SparseAsk ask(found.stop());
   for (std::size_t i = 0; i < pslg.points.size(); ++i) {
+    ask();
     if (is_finite(pslg.points[i])) continue;
     usable = false;
     found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {pslg.points[i]},
@@ -26,6 +28,7 @@ bool pslg_is_usable(const Pslg& pslg, Findings& found) {
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) seed_is_usable(pslg.holes[i], i, "hole ");
   for (std::size_t i = 0; i < pslg.regions.size(); ++i) seed_is_usable(pslg.regions[i].seed, i, "the seed of region ");
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    ask();
     const auto [a, b, marker] = pslg.segments[s];
     if (a < pslg.points.size() && b < pslg.points.size()) continue;
     usable = false;
@@ -90,7 +93,9 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
     usable = false;
     found.add(ViolationKind::index_out_of_range, std::move(ids), {}, what);
   };
+  SparseAsk ask(found.stop());
   for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
+    ask();
     const ConstrainedEdge& edge = mesh.constrained_edges[e];
     if (edge.a >= mesh.points.size() || edge.b >= mesh.points.size())
       out_of_range({static_cast<Index>(e), edge.a, edge.b},
@@ -99,10 +104,12 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
       out_of_range({static_cast<Index>(e), edge.segment},
                    "constrained edge " + to_text(e) + " refers to a segment that does not exist");
   }
-  for (std::size_t t = 0; t < mesh.region.size(); ++t)
+  for (std::size_t t = 0; t < mesh.region.size(); ++t) {
+    ask();
     if (mesh.region[t] != no_index && mesh.region[t] >= mesh.region_attributes.size())
       out_of_range({static_cast<Index>(t), mesh.region[t]},
                    "triangle " + to_text(t) + " lies in a region that does not exist");
+  }
   return usable;
 }
 

@@ -27,7 +27,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
   const std::span<const Index> corners = adjacency.corners();
   const bool by_index = !subject.options.foreign || is_numbered_as_input(subject, domain, corners);
   InputVertices inputs = by_index ? InputVertices::by_index(points.size(), mesh.points.size())
-                                  : InputVertices::by_coordinates(points, mesh.points.span(), corners);
+                                  : InputVertices::by_coordinates(points, mesh.points.span(), corners, found.stop());
   check_each(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
@@ -43,7 +43,9 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
       report(" of the domain has no triangle");
     }
   });
+  SparseAsk ask(found.stop());
   for (std::size_t v = 0; v < corners.size(); ++v) {
+    ask();
     const auto vertex = static_cast<Index>(v);
     if (corners[v] == 0 && inputs.input(vertex) == no_index)
       found.add(ViolationKind::unused_vertex, {vertex}, {mesh.points[v]},
@@ -87,7 +89,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
   chains.segment_of.resize(subject.mesh.points.size(), no_index);
   chains.on_chain.resize(subject.mesh.triangles.size(), 0);
   const std::size_t segments = domain.segments().size();
-  const MeshEdges mesh{subject.mesh.points.span(), adjacency, MarkedEdges(subject.mesh, adjacency)};
+  const MeshEdges mesh{subject.mesh.points.span(), adjacency, MarkedEdges(subject.mesh, adjacency, found.stop())};
 
   // Chains are found in blocks of segments, each block on all threads. Only the chains of one block are stored twice.
   constexpr std::size_t block = 4096;
@@ -98,18 +100,20 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
       const auto s = static_cast<Index>(first + i);
       walked[i].clear();
       if (!domain.has(s)) return;
-      walked[i] = find_chain(s, domain, mesh, inputs, Strictness::exact);
+      walked[i] = find_chain(s, domain, mesh, inputs, Strictness::exact, found.stop());
       if (!walked[i].empty()) return;
-      walked[i] = find_chain(s, domain, mesh, inputs, Strictness::loose);
+      walked[i] = find_chain(s, domain, mesh, inputs, Strictness::loose, found.stop());
       if (walked[i].empty())
         report_broken(s, subject, domain, mine);
       else
         report_off_segment(walked[i], subject, domain, mine);
     });
+    SparseAsk ask(found.stop());
     for (std::size_t i = 0; i < size; ++i) {
       const auto s = static_cast<Index>(first + i);
       if (walked[i].empty() && domain.has(s)) chains.broken.push_back(s);
       for (const ChainEdge& edge : walked[i]) {
+        ask();
         chains.edges.push_back(edge);
         if (inputs.input(edge.from) == no_index) chains.segment_of[edge.from] = s;
         for (const TriangleEdge side : {edge.left, edge.right})

@@ -50,7 +50,9 @@ void check_reciprocity(const Mesh& mesh, Findings& found) {
 /// Reports edges that have a triangle on both sides although neither triangle lists a neighbour there.
 void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Findings& found) {
   const auto boundary = adjacency.boundary();
+  SparseAsk ask(found.stop());
   for (const BoundaryEdge& edge : boundary) {
+    ask();
     if (edge.from > edge.to) continue;
     const auto back = std::lower_bound(boundary.begin(), boundary.end(), edge, [](const auto& x, const auto& y) {
       return std::pair(x.from, x.to) < std::pair(y.to, y.from);
@@ -96,7 +98,9 @@ void check_vertices(const Subject& subject, const Adjacency& adjacency, Findings
 
 void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& edges, Findings& found) {
   std::vector<std::pair<Index, Index>> duplicates;
+  SparseAsk ask(found.stop());
   for (const NonManifoldEdge& edge : edges) {
+    ask();
     std::vector<Index> ids = edge.triangles;
     found.add(
         ViolationKind::non_manifold_edge, ids, {mesh.points[edge.a], mesh.points[edge.b]},
@@ -122,11 +126,12 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
 /// Visits the triangles component by component. Memory: one byte per triangle, and the list of triangles to visit next.
 class Surface {
  public:
-  explicit Surface(const Adjacency& adjacency)
+  Surface(const Adjacency& adjacency, StopSignal* stop)
       : triangles_(adjacency.triangles()),
         boundary_(adjacency.boundary()),
         passed_(triangles_.size(), 0),
-        on_loop_(boundary_.size(), 0) {}
+        on_loop_(boundary_.size(), 0),
+        ask_(stop) {}
 
   [[nodiscard]] bool reached(Index t) const { return (passed_[t] & reached_bit) != 0; }
 
@@ -144,6 +149,7 @@ class Surface {
     for (; !front.empty(); std::swap(front, ahead)) {
       ahead.clear();
       for (const Index t : front) {
+        ask_();
         ++faces;
         for (int i = 0; i < 3; ++i) {
           ++sides;
@@ -196,6 +202,7 @@ class Surface {
   bool pass_loop(TriangleEdge edge) {
     if (on_loop_[position(edge)] != 0) return false;
     for (std::size_t at = position(edge); on_loop_[at] == 0; at = position(edge)) {
+      ask_();
       on_loop_[at] = 1;
       // Find the next boundary edge of the same fan at the pivot: turn clockwise through the triangles there.
       const Index pivot = boundary_[at].to;
@@ -220,12 +227,13 @@ class Surface {
   std::span<const BoundaryEdge> boundary_;
   Array<std::uint8_t> passed_;
   std::vector<char> on_loop_;
+  SparseAsk ask_;
 };
 
 /// A connected oriented surface with L boundary loops is a disk with holes if and only if V - E + F = 2 - L,
 /// where a vertex counts once for each of its fans (that is, a surface is cut where it touches itself in a vertex).
 void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& found) {
-  Surface surface(adjacency);
+  Surface surface(adjacency, found.stop());
   for (std::size_t i = 0; i < adjacency.triangles().size(); ++i) {
     const auto t = static_cast<Index>(i);
     if (surface.reached(t)) continue;
@@ -247,7 +255,7 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Finding
   if (neighbours_usable && !absent) {
     check_reciprocity(mesh, found);
     if (found.count(ViolationKind::wrong_neighbour) == 0) {
-      Adjacency given({}, mesh);
+      Adjacency given({}, mesh, found.stop());
       check_lost_neighbours(mesh, given, found);
       check_vertices(subject, given, found);
       if (found.count(ViolationKind::wrong_neighbour) == 0 && found.count(ViolationKind::non_manifold_vertex) == 0) {
@@ -260,12 +268,12 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Finding
   // The neighbours are wrong or absent. Rebuild them, and find the edges with too many triangles.
   Array<Triangle> rebuilt = mesh.triangles;
   std::vector<NonManifoldEdge> non_manifold;
-  rebuild_neighbours(rebuilt.span(), non_manifold);
+  rebuild_neighbours(rebuilt.span(), non_manifold, found.stop());
   report_non_manifold(mesh, non_manifold, found);
-  Adjacency adjacency(std::move(rebuilt), mesh);
+  Adjacency adjacency(std::move(rebuilt), mesh, found.stop());
   if (found.count(ViolationKind::non_manifold_vertex) == 0) check_vertices(subject, adjacency, found);
   check_euler(subject, adjacency, found);
-  adjacency.index_irregular_vertices();
+  adjacency.index_irregular_vertices(found.stop());
   return adjacency;
 }
 

@@ -2,7 +2,8 @@
 
 namespace pardel::checker {
 
-std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains) {
+std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                               StopSignal* stop) {
   const auto triangles = adjacency.triangles();
   std::vector<Index> face(triangles.size(), no_index);
   std::vector<Index> stack;
@@ -15,7 +16,9 @@ std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency,
     if (edge.left.exists()) paint(edge.left.triangle, domain.faces().face(edge.segment, Side::left));
     if (edge.right.exists()) paint(edge.right.triangle, domain.faces().face(edge.segment, Side::right));
   }
+  SparseAsk ask(stop);
   while (!stack.empty()) {
+    ask();
     const Index t = stack.back();
     stack.pop_back();
     for (int i = 0; i < 3; ++i) {

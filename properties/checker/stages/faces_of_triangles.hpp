@@ -11,6 +11,7 @@ namespace pardel::checker {
 
 /// The face of the Pslg for each triangle. A triangle at a chain has the face on its side of the chain; from there the
 /// face spreads across edges that belong to no chain. no_index for triangles that it does not reach. Linear time.
-[[nodiscard]] std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains);
+[[nodiscard]] std::vector<Index> paint_faces(const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                                             StopSignal* stop = nullptr);
 
 }  // namespace pardel::checker

@@ -1,22 +1,21 @@
 // Findings: the violations found so far. All are counted; the first few of each kind are kept.
 #pragma once
 
-#include <omp.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "../model/stoppable.hpp"
 #include "../violation.hpp"
 
 namespace pardel::checker {
 
 class Findings {
  public:
-  /// Keeps at most `limit` violations of each kind.
-  explicit Findings(std::size_t limit) : limit_(limit) {}
+  /// Keeps at most `limit` violations of each kind. The search ends if `stop`, which may be null, says so.
+  explicit Findings(std::size_t limit, StopSignal* stop = nullptr) : limit_(limit), stop_(stop) {}
 
   /// Counts a violation. True if the list still has room for it; then the caller describes it and calls keep().
   [[nodiscard]] bool admit(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
@@ -34,6 +33,7 @@ class Findings {
   /// One entry for each kind.
   [[nodiscard]] std::vector<std::uint64_t> counts() const;
   [[nodiscard]] std::size_t limit() const { return limit_; }
+  [[nodiscard]] StopSignal* stop() const { return stop_; }
 
   /// The violations that were kept, sorted by kind; violations of one kind are in the order of discovery.
   [[nodiscard]] std::vector<Violation> sorted() &&;
@@ -42,24 +42,18 @@ class Findings {
   static std::size_t index(ViolationKind kind) { return static_cast<std::size_t>(kind); }
 
   std::size_t limit_;
+  StopSignal* stop_;
   std::array<std::uint64_t, violation_kinds> counts_{};
   std::vector<Violation> kept_;
 };
 
-/// Loops with fewer iterations run on one thread, because waking the other threads takes longer than the loop.
-inline constexpr std::size_t parallel_loop_size = 1 << 13;
-
 /// Calls check(i, findings) for all i < n on all threads. Each thread takes one run of consecutive indices, and the
-/// findings of the runs are joined in order, so the result does not depend on the number of threads.
+/// findings of the runs are joined in order, so the result does not depend on the number of threads. Throws Stopped if
+/// the search has to end.
 template <class Check>
 void check_each(std::size_t n, Findings& found, const Check& check) {
   std::vector<Findings> parts(static_cast<std::size_t>(omp_get_max_threads()), Findings(found.limit()));
-#pragma omp parallel if (n >= parallel_loop_size)
-  {
-    Findings& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) check(i, mine);
-  }
+  for_each_index(n, found.stop(), [&](std::size_t i, std::size_t thread) { check(i, parts[thread]); });
   for (Findings& part : parts) found.append(std::move(part));
 }
 

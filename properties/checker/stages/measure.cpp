@@ -66,17 +66,12 @@ Extreme found(const Extreme& extreme) { return extreme.triangle == no_index ? Ex
 
 }  // namespace
 
-void measure(const Mesh& mesh, Certificate& certificate) {
+void measure(const Mesh& mesh, Certificate& certificate, StopSignal* stop) {
   std::vector<Measures> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel if (mesh.triangles.size() >= parallel_loop_size)
-  {
-    Measures& mine = parts[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& v = mesh.triangles[t].v;
-      mine.add(static_cast<Index>(t), {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
-    }
-  }
+  for_each_index(mesh.triangles.size(), stop, [&](std::size_t t, std::size_t thread) {
+    const auto& v = mesh.triangles[t].v;
+    parts[thread].add(static_cast<Index>(t), {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+  });
   for (std::size_t i = 1; i < parts.size(); ++i) parts[0].append(parts[i]);
   const Measures& all = parts[0];
   certificate.min_angle_deg = found(all.min_angle);

@@ -61,6 +61,6 @@ void check_goal(const Subject& subject, const Domain& domain, const Adjacency& a
                 std::vector<Justified>& justified);
 
 /// Sets the certificate's extremes, histogram and area.
-void measure(const Mesh& mesh, Certificate& certificate);
+void measure(const Mesh& mesh, Certificate& certificate, StopSignal* stop);
 
 }  // namespace pardel::checker

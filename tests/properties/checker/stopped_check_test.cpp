@@ -1,0 +1,123 @@
+// The checker asks often whether it may go on, and ends at the first word. The tests count questions, not seconds.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/checker/stages/faces_of_triangles.hpp"
+#include "../../../properties/checker/stages/stages.hpp"
+#include "../../../properties/domains/domains.hpp"
+
+namespace pardel::checker {
+namespace {
+
+constexpr std::size_t most_steps_between_questions = 1024;
+
+struct Case {
+  Pslg pslg;
+  Goal goal;
+  Mesh mesh;
+};
+
+/// A comb has many segments, and its mesh has many boundary edges.
+const Case& comb() {
+  static const Case sample = [] {
+    Case made{domains::comb(8000, 1e-4), {.min_angle_deg = 0}, {}};
+    made.mesh = triangulate(made.pslg)->mesh;
+    return made;
+  }();
+  return sample;
+}
+
+/// Runs stages on one thread, and stops them at question number `last`. Returns the number of questions.
+std::size_t questions(const std::function<void(Findings&)>& stages,
+                      std::size_t last = std::numeric_limits<std::size_t>::max()) {
+  std::size_t asked = 0;
+  StopSignal stop(StopSignal::unless([&] { return ++asked < last; }), std::chrono::seconds(0));
+  Findings found(10, &stop);
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  bool stopped = false;
+  try {
+    stages(found);
+  } catch (const Stopped&) {
+    stopped = true;
+  }
+  omp_set_num_threads(threads);
+  EXPECT_EQ(stopped, asked == last);
+  return asked;
+}
+
+/// Expects that the stages ask at least once in 1024 steps, and that they can be stopped at every question.
+void expect_stoppable(const std::function<void(Findings&)>& stages, std::size_t steps) {
+  const std::size_t asked = questions(stages);
+  EXPECT_GE(asked, steps / most_steps_between_questions);
+  for (const std::size_t last : {std::size_t{1}, asked / 3, asked / 2, asked - 1, asked})
+    EXPECT_EQ(questions(stages, last), last) << "no question after the answer that stops the check";
+}
+
+TEST(Checker, asks_once_in_1024_steps_in_the_topology_of_a_mesh) {
+  const auto& [pslg, goal, mesh] = comb();
+  const CheckOptions options;
+  const Subject subject{pslg, mesh, goal, options};
+  expect_stoppable([&](Findings& found) { (void)check_sanity(subject, found); }, 2 * mesh.triangles.size());
+  expect_stoppable([&](Findings& found) { (void)check_topology(subject, true, found); }, 5 * mesh.triangles.size());
+  // Without usable neighbours, the half-edges are sorted.
+  expect_stoppable([&](Findings& found) { (void)check_topology(subject, false, found); }, 20 * mesh.triangles.size());
+}
+
+TEST(Checker, asks_once_in_1024_steps_in_the_stages_that_use_the_domain) {
+  const auto& [pslg, goal, mesh] = comb();
+  const CheckOptions options;
+  const Subject subject{pslg, mesh, goal, options};
+  Findings none(10);
+  const Adjacency adjacency = check_topology(subject, true, none);
+  expect_stoppable([&](Findings& found) { const Domain domain(pslg, false, found.stop()); },
+                   4 * pslg.segments.size() + 3 * pslg.points.size());
+  const Domain domain(pslg, false);
+  const InputVertices inputs = check_input_vertices(subject, domain, adjacency, none);
+  expect_stoppable([&](Findings& found) { (void)check_segments(subject, domain, adjacency, inputs, found); },
+                   2 * mesh.constrained_edges.size());
+  const Chains chains = check_segments(subject, domain, adjacency, inputs, none);
+  expect_stoppable([&](Findings& found) { check_coverage(subject, domain, adjacency, chains, found); },
+                   mesh.triangles.size() + 8 * chains.edges.size());
+  expect_stoppable([&](Findings& found) { (void)paint_faces(domain, adjacency, chains, found.stop()); },
+                   mesh.triangles.size());
+  expect_stoppable([&](Findings& found) { check_labels(subject, domain, adjacency, chains, inputs, {}, found); },
+                   2 * mesh.points.size() + 2 * chains.edges.size());
+  expect_stoppable([&](Findings& found) { check_delaunay(subject, adjacency, chains, found); }, mesh.triangles.size());
+  std::vector<Justified> justified;
+  expect_stoppable(
+      [&](Findings& found) { check_goal(subject, domain, adjacency, chains, inputs, {}, found, justified); },
+      mesh.triangles.size());
+  Certificate certificate;
+  expect_stoppable([&](Findings& found) { measure(mesh, certificate, found.stop()); }, mesh.triangles.size());
+}
+
+TEST(Checker, that_its_caller_stops_says_so_and_gives_no_verdict) {
+  const auto& [pslg, goal, mesh] = comb();
+  for (const int last : {1, 2, 3}) {
+    int asked = 0;
+    const Certificate certificate = check(pslg, mesh, goal, {.go_on = [&] { return ++asked < last; }});
+    EXPECT_TRUE(certificate.cancelled);
+    EXPECT_FALSE(certificate.valid);
+    EXPECT_EQ(asked, last) << "the caller is not asked again";
+    EXPECT_TRUE(to_text(certificate).starts_with("cancelled: "));
+  }
+}
+
+TEST(Checker, that_its_caller_does_not_stop_gives_the_same_certificate) {
+  const auto& [pslg, goal, mesh] = comb();
+  const Certificate asked = check(pslg, mesh, goal, {.go_on = [] { return true; }});
+  EXPECT_TRUE(asked.valid);
+  EXPECT_FALSE(asked.cancelled);
+  EXPECT_EQ(to_json(asked), to_json(check(pslg, mesh, goal)));
+}
+
+}  // namespace
+}  // namespace pardel::checker
