@@ -15,7 +15,7 @@ using namespace engine;
 
 namespace {
 
-double largest_coordinate(const Pslg& pslg) {
+double largest_magnitude(const Pslg& pslg) {
   double largest = 0;
   for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   return largest;
@@ -68,7 +68,7 @@ Repaired close_tiny_gaps(const Pslg& pslg, Repaired repaired, StopSignal& stop) 
 
 }  // namespace
 
-double default_snap(const Pslg& pslg) { return 0x1p-38 * largest_coordinate(pslg); }
+double default_snap(const Pslg& pslg) { return 0x1p-38 * largest_magnitude(pslg); }
 
 double largest_default_snap(const Pslg& pslg) {
   Point low = pslg.points.empty() ? Point{} : pslg.points[0], high = low;
@@ -76,7 +76,7 @@ double largest_default_snap(const Pslg& pslg) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  return std::min(0x1p-30 * largest_coordinate(pslg), 1e-6 * std::max(high.x - low.x, high.y - low.y));
+  return std::min(0x1p-30 * largest_magnitude(pslg), 1e-6 * std::max(high.x - low.x, high.y - low.y));
 }
 
 Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
