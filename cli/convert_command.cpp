@@ -41,7 +41,6 @@ std::string lost(const Mesh& mesh, const fs::path& output) {
     if (is_lost) list += (list.empty() ? "" : ", ") + std::string(what);
   };
   add(off && !mesh.region_attributes.empty(), "regions");
-  add(off && !mesh.constrained_edges.empty(), "constrained edges");
   add((off || msh) && !mesh.point_markers.empty(), "markers of points");
   add((off || msh) && mesh.attributes_per_point > 0, "attributes of points");
   return list;

@@ -25,6 +25,7 @@
 #include "progress_bar.hpp"
 #include "refusal.hpp"
 #include "snap_option.hpp"
+#include "warnings_json.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -41,12 +42,13 @@ struct DoctorArguments {
 /// What the command found out.
 struct Findings {
   std::vector<Problem> problems;
-  std::optional<Repaired> repaired;
-  std::vector<Gap> gaps;  ///< of the repaired domain; without repair, of the domain if it has no problems
+  std::vector<Warning> warnings{};
+  std::optional<Repaired> repaired{};
+  std::vector<Gap> gaps{};  ///< of the repaired domain; without repair, of the domain if it has no problems
 };
 
 nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
-  const auto& [problems, repaired, gaps] = findings;
+  const auto& [problems, warnings, repaired, gaps] = findings;
   nlohmann::ordered_json json = {{"schema", "pardel.doctor/1"},
                                  {"file", domain.name},
                                  {"input",
@@ -56,6 +58,7 @@ nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
                                    {"regions", domain.pslg.regions.size()}}},
                                  {"valid", problems.empty()},
                                  {"problems", nlohmann::ordered_json::array()},
+                                 {"warnings", warnings_json(warnings, domain.pslg.first_id.value)},
                                  {"repaired", nullptr},
                                  {"gaps", gaps_json(gaps, domain.pslg.first_id.value)}};
   for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem, domain.pslg.first_id.value));
@@ -76,7 +79,7 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
   fmt::print("{}\n", problems.empty() ? "no problem" : plural(problems.size(), "problem"));
   for (const Problem& problem : problems)
     fmt::print("  {}: {}\n", name(problem.kind), problem.message(domain.pslg.first_id.value));
-  const std::string help = repaired || problems.empty() ? "" : advice(problems, domain.name, false);
+  const std::string help = repaired || problems.empty() ? "" : advice(pslg, problems, domain.name, false);
   if (!help.empty()) fmt::print("{}\n", help.substr(1));
   if (!repaired) return;
   for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
@@ -120,7 +123,7 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
   if (!domain) return refused(domain.error(), arguments.input, arguments.json);
   bar.begin("validating " + arguments.input.string());
   const Result<ValidPslg, std::vector<Problem>> valid = validate(domain->pslg, {.convex_hull = arguments.convex_hull});
-  Findings findings{valid ? std::vector<Problem>() : valid.error(), {}, {}};
+  Findings findings{.problems = valid ? std::vector<Problem>() : valid.error()};
   Status repaired = Done{};
   if (!arguments.repaired.empty()) repaired = repair(arguments, *domain, findings);
   if (!repaired && repaired.error().kind == ErrorKind::io) return repaired.error();
@@ -130,7 +133,7 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
     findings.gaps = std::move(*found);
   }
   bar.finish();
-  if (valid) print_warnings(*valid, domain->name);
+  if (valid) findings.warnings = print_warnings(*valid, domain->name);
   if (Status reported = report(arguments, *domain, findings); !reported) return reported.error();
   if (!repaired) return repaired.error();
   return findings.problems.empty() || findings.repaired ? ExitCode::done : ExitCode::invalid_input;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "../core/formats.hpp"
-#include "../parallel/warnings.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
 #include "problems_text.hpp"
@@ -125,15 +124,17 @@ const Pslg& pslg_of(const Source& source) {
   return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
 }
 
-void print_warnings(const ValidPslg& domain, const std::string& name) {
-  for (const Warning& warning : find_warnings(domain))
+std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& name) {
+  std::vector<Warning> warnings = find_warnings(domain);
+  for (const Warning& warning : warnings)
     warn(fmt::format("{}: warning: {}", name, warning.message(domain.pslg().first_id.value)));
+  return warnings;
 }
 
 Refusal refusal_of(const Domain& domain, std::vector<Problem> problems) {
   const int first_id = domain.pslg.first_id.value;
   Error error{ErrorKind::invalid_input,
-              domain.name + ": " + problems_text(problems, first_id) + advice(problems, domain.name, false)};
+              domain.name + ": " + problems_text(problems, first_id) + advice(domain.pslg, problems, domain.name, false)};
   return {std::move(error), std::move(problems), first_id};
 }
 
@@ -141,7 +142,7 @@ Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Er
   const int first_id = domain.pslg.first_id.value;
   std::string text = problems_text(problems, first_id);
   if (text.find(why.message) == std::string::npos) text += "\nthe repair ends here: " + why.message;
-  text += advice(problems, domain.name, true);
+  text += advice(domain.pslg, problems, domain.name, true);
   return {{ErrorKind::invalid_input, domain.name + ": " + text}, std::move(problems), first_id};
 }
 

@@ -13,6 +13,7 @@
 #include "../core/result.hpp"
 #include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
+#include "../parallel/warnings.hpp"
 #include "refusal.hpp"
 
 namespace pardel::cli {
@@ -69,8 +70,8 @@ struct MaybeRepaired {
 [[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
                                                                    int threads = 1);
 
-/// Prints the warnings of a domain on stderr, one line each. Gaps are not among them.
-void print_warnings(const ValidPslg& domain, const std::string& name);
+/// Finds the warnings of a domain, prints them on stderr, one line each, and returns them. Gaps are not among them.
+std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& name);
 
 /// The problems of a domain as a refusal. The message numbers them as in the file and lists ten of each kind. If a
 /// command or an option can help, the message names it.

@@ -35,6 +35,7 @@ namespace {
 struct MeshInput {
   Source source;              ///< with --refine a mesh, otherwise a domain
   std::vector<double> sizes;  ///< as read_sizes_of() returns them
+  std::vector<Warning> warnings{};
 };
 
 ValidateOptions how_to_validate(const MeshArguments& arguments) {
@@ -76,9 +77,9 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
   Result<ValidPslg, Refusal> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
                                                       : validated(std::move(*domain), how_to_validate(arguments));
   if (!valid) return valid.error();
-  print_warnings(*valid, arguments.input.string());
+  std::vector<Warning> warnings = print_warnings(*valid, arguments.input.string());
   seconds.validate = watch.lap();
-  return MeshInput{std::move(*valid), std::move(*sizes)};
+  return MeshInput{std::move(*valid), std::move(*sizes), std::move(warnings)};
 }
 
 /// With --refine only --sizes needs a valid domain, because it triangulates the domain.
@@ -214,6 +215,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
 
   bar.begin("computing statistics");
   describe(arguments, pslg, *goal, *meshed, run);
+  run.warnings = input->warnings;
   bar.finish();
   run.seconds.total = total.seconds();
   if (Status printed = print(arguments, run); !printed) return printed.error();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "repeated_loops.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
@@ -45,8 +46,8 @@ std::string problems_text(std::span<const Problem> problems, int first_id) {
   return text;
 }
 
-std::string advice(std::span<const Problem> problems, const std::string& file, bool repair_failed) {
-  std::string text;
+std::string advice(const Pslg& pslg, std::span<const Problem> problems, const std::string& file, bool repair_failed) {
+  std::string text = repeated_loops(pslg, problems);
   const bool repairable = std::ranges::all_of(problems, [](const Problem& p) { return is_repairable(p.kind); });
   const bool open =
       std::ranges::any_of(problems, [](const Problem& p) { return p.kind == ProblemKind::unclosed_outline; });

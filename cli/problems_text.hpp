@@ -11,8 +11,9 @@ namespace pardel::cli {
 /// The only problem on one line; or the number of problems, and ten of each kind on lines of their own.
 [[nodiscard]] std::string problems_text(std::span<const Problem> problems, int first_id);
 
-/// Names the commands and options that help, one per line; empty if none helps. `file`: the domain. `repair_failed`:
-/// repair() was tried and cannot help.
-[[nodiscard]] std::string advice(std::span<const Problem> problems, const std::string& file, bool repair_failed);
+/// Names loops that are given twice, and the commands and options that help, each after a line break; empty if there
+/// are none. `file`: the name of the domain. `repair_failed`: repair() was tried and cannot help.
+[[nodiscard]] std::string advice(const Pslg& pslg, std::span<const Problem> problems, const std::string& file,
+                                 bool repair_failed);
 
 }  // namespace pardel::cli

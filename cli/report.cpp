@@ -12,6 +12,7 @@
 #include "gaps_text.hpp"
 #include "names.hpp"
 #include "plural.hpp"
+#include "warnings_json.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -135,6 +136,7 @@ std::string to_json(const MeshRun& run) {
       {"version", PARDEL_VERSION},
       {"file", run.name},
       {"input", {{"points", run.points}, {"segments", run.segments}, {"holes", run.holes}, {"regions", run.regions}}},
+      {"warnings", warnings_json(run.warnings, 0)},
       {"goal", goal_json(run)},
       {"threads", run.options.threads},
       {"decomposition", decomposition_json(run)},

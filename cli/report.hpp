@@ -12,6 +12,7 @@
 #include "../core/digest.hpp"
 #include "../core/goal.hpp"
 #include "../parallel/mesher.hpp"
+#include "../parallel/warnings.hpp"
 #include "../properties/checker/check.hpp"
 #include "../properties/checker/statistics.hpp"
 
@@ -29,6 +30,7 @@ struct MeshRun {
   int first_id = 0;  ///< of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
+  std::vector<Warning> warnings;    ///< of the domain
   bool hull_by_default = false;     ///< the domain has no segments, and --convex-hull is not given
   bool region_caps_unused = false;  ///< regions have area caps, but the goal ignores them
   std::filesystem::path sizes;      ///< the file of goal.size, or empty

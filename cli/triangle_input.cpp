@@ -35,6 +35,7 @@ Result<TriangleInput> read_domain_of(const TriangleSwitches& switches) {
   for (const std::string& line : valid->log) {
     if (!switches.quiet) warn(line);
   }
+  if (!switches.quiet) print_warnings(valid->domain, file.string());
   return TriangleInput{.source = std::move(valid->domain),
                        .original = std::move(valid->original),
                        .point_map = std::move(valid->point_map),

@@ -49,7 +49,7 @@ enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, triangle };
 ///   .vtu         one piece, not compressed or compressed by zlib; arrays as text, base64 or raw bytes. Triangles are
 ///                read, lines become constrained edges. Cell arrays `region` and `marker` (of lines), point arrays
 ///                `marker` and `attributes`.
-///   .off         triangles only.
+///   .off         triangles, and the constrained edges that write_off() lists in comments.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
 
 /// Reads a domain or a mesh. A .poly is a domain, and so is a .node without an .ele of the same name. A file without a
@@ -102,6 +102,7 @@ struct TriangleFiles {
 /// constrained edges as lines. Cell arrays: `region` (the attribute; 0 for lines), `marker` (of the edge; 0 for
 /// triangles) and `quality` (the smallest angle, in degrees; NaN for lines). Point arrays: `marker` and `attributes`.
 [[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file);
+/// Writes points and triangles, and comments at the end that list the constrained edges with their markers.
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
 /// Draws the mesh. The colour of a triangle depends on its region.
 [[nodiscard]] Status write_svg(const Mesh& mesh, const std::filesystem::path& file);

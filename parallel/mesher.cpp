@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "../core/support/shortest.hpp"
 #include "../core/support/stopwatch.hpp"
@@ -67,8 +68,6 @@ Watcher watcher(const DomainTriangulation& domain, const InputData& input, const
 Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input, Options options,
                      ProgressMonitor& progress, Report& report) {
   Triangulation& t = domain.triangulation;
-  options = guarded(std::move(options));
-  options.threads = progress.threads().count;
   options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
   Result<RefineCounts> counts = refine_by_sweeps(t, domain.segments, criteria, options, progress, {},
                                                  watcher(domain, input, options, progress.threads()));
@@ -152,13 +151,15 @@ Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::sp
   });
 }
 
-/// Returns work(progress). Work that has to end early, or runs out of memory, becomes an error.
+/// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
+/// that has to end early, or runs out of memory, becomes an error.
 template <class Work>
-auto supervised(const Options& options, const Work& work) -> decltype(work(std::declval<ProgressMonitor&>())) try {
+auto supervised(const Options& options, const Work& work)
+    -> decltype(work(options, std::declval<ProgressMonitor&>())) try {
   Options safe = guarded(options);
   safe.threads = thread_count(options.threads);
   ProgressMonitor progress(safe);
-  return work(progress);
+  return work(std::as_const(safe), progress);
 } catch (const Stopped& stopped) {
   return stopped.error;
 } catch (...) {
@@ -224,53 +225,55 @@ Status check_goal(const Goal& goal, const Options& options) {
 
 Result<Meshed> mesh(const ValidPslg& domain, const Goal& goal, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  return supervised(options, [&](ProgressMonitor& progress) {
-    return mesh_valid(domain.pslg(), domain.convex_hull() || goal.convex_hull, &goal, options, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return mesh_valid(domain.pslg(), domain.convex_hull() || goal.convex_hull, &goal, safe, progress);
   });
 }
 
 Result<Meshed> mesh(const Pslg& pslg, const Goal& goal, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  return supervised(options, [&](ProgressMonitor& progress) {
-    return validate_and_mesh(pslg, goal.convex_hull, &goal, options, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return validate_and_mesh(pslg, goal.convex_hull, &goal, safe, progress);
   });
 }
 
 Result<Meshed> triangulate(const ValidPslg& domain, const Options& options) {
   if (Status in_range = check_threads(options.threads); !in_range) return in_range.error();
-  return supervised(options, [&](ProgressMonitor& progress) {
-    return mesh_valid(domain.pslg(), domain.convex_hull(), nullptr, options, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return mesh_valid(domain.pslg(), domain.convex_hull(), nullptr, safe, progress);
   });
 }
 
 Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull, const Options& options) {
   if (Status in_range = check_threads(options.threads); !in_range) return in_range.error();
-  return supervised(options, [&](ProgressMonitor& progress) {
-    return validate_and_mesh(pslg, convex_hull, nullptr, options, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return validate_and_mesh(pslg, convex_hull, nullptr, safe, progress);
   });
 }
 
 Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
   if (Status fit = check_caps(coarse, max_areas); !fit) return fit.error();
-  return supervised(options,
-                    [&](ProgressMonitor& progress) { return refine_mesh(coarse, max_areas, goal, options, progress); });
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return refine_mesh(coarse, max_areas, goal, safe, progress);
+  });
 }
 
 Result<std::function<double(Point)>> interpolated_size(const ValidPslg& domain, std::span<const double> sizes,
                                                        const Options& options) {
   if (Status fit = check_sizes(domain.pslg(), sizes); !fit) return fit.error();
-  return supervised(options, [&](ProgressMonitor& progress) {
-    return interpolate_sizes(domain.pslg(), sizes, domain.convex_hull(), options, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return interpolate_sizes(domain.pslg(), sizes, domain.convex_hull(), safe, progress);
   });
 }
 
 Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
                                                        bool convex_hull, const Options& options) {
   if (Status fit = check_sizes(pslg, sizes); !fit) return fit.error();
-  return supervised(options, [&](ProgressMonitor& progress) -> Result<std::function<double(Point)>> {
+  using Size = Result<std::function<double(Point)>>;
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Size {
     if (Status valid = check_valid(pslg, convex_hull, progress.threads()); !valid) return valid.error();
-    return interpolate_sizes(pslg, sizes, convex_hull, options, progress);
+    return interpolate_sizes(pslg, sizes, convex_hull, safe, progress);
   });
 }
 

@@ -1,5 +1,6 @@
 // The OFF format: "OFF", then the numbers of vertices, faces and edges, then "x y z" per vertex and "3 a b c" per face.
-// Further numbers of a record are colours and are ignored. z is written as 0 and ignored by the reader.
+// Further numbers of a record are colours and are ignored. z is written as 0 and ignored by the reader. The format has
+// no edges of its own, so comments at the end list the constrained edges; other readers ignore comments.
 #include "../formats.hpp"
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"
@@ -8,6 +9,32 @@
 
 namespace pardel {
 using namespace files;
+namespace {
+
+constexpr std::string_view heading = "# constrained edges: ";
+
+/// Reads the comments `# constrained edges: N`, then `# A B MARKER` N times, if there are any after the faces.
+void read_constrained_edges(TextReader& in, Mesh& mesh) {
+  in.end_line();
+  const std::size_t at = in.rest().find(heading);
+  if (in.failed() || at == std::string_view::npos) return;
+  in.skip(at + heading.size());
+  const std::size_t n = in.count("the number of constrained edges");
+  if (!in.room_for(n, text_bytes(4), "constrained edges")) return;
+  mesh.constrained_edges.resize(n);
+  for (std::size_t i = 0; i < n && !in.failed(); ++i) {
+    in.end_line();
+    if (!in.rest().starts_with("# "))
+      return in.fail("expected the comment of constrained edge " + std::to_string(i + 1) + " of " + std::to_string(n));
+    in.skip(2);
+    ConstrainedEdge& edge = mesh.constrained_edges[i];
+    edge.a = read_point_index(in, "an end of a constrained edge", mesh.points.size(), 0);
+    edge.b = read_point_index(in, "an end of a constrained edge", mesh.points.size(), 0);
+    edge.marker = static_cast<int>(in.integer("the marker of a constrained edge", any_marker_low, any_marker_high));
+  }
+}
+
+}  // namespace
 
 Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
   TextReader in(text, name);
@@ -34,6 +61,7 @@ Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
     for (Index& corner : mesh.triangles[t].v) corner = read_point_index(in, "a corner of a face", points, 0);
     if (in.failed()) return in.error();
   }
+  read_constrained_edges(in, mesh);
   if (in.failed()) return in.error();
   rebuild_neighbours(mesh.triangles, mesh.points.size());
   return mesh;
@@ -49,6 +77,14 @@ Status write_off(const Mesh& mesh, const std::filesystem::path& file) {
   write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
     const auto& v = mesh.triangles[t].v;
     to << "3 " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n';
+  });
+  if (!mesh.constrained_edges.empty()) {
+    Bytes comment;
+    out.write((comment << heading << mesh.constrained_edges.size() << '\n').view());
+  }
+  write_records(out, mesh.constrained_edges.size(), [&](Bytes& to, std::size_t i) {
+    const ConstrainedEdge& edge = mesh.constrained_edges[i];
+    to << "# " << edge.a << ' ' << edge.b << ' ' << edge.marker << '\n';
   });
   return out.commit();
 }

@@ -100,9 +100,8 @@ TEST_F(ConvertCommand, a_wrong_mesh_stays_as_it_is) {
 }
 
 TEST_F(ConvertCommand, a_note_names_what_the_format_cannot_store) {
-  EXPECT_TRUE(
-      holds(pardel({"convert", "m.ele", "n.off"}).out,
-            {"note", ".off cannot store: regions, constrained edges, markers of points, attributes of points"}));
+  EXPECT_TRUE(holds(pardel({"convert", "m.ele", "n.off"}).out,
+                    {"note", ".off cannot store: regions, markers of points, attributes of points"}));
   EXPECT_TRUE(holds(pardel({"convert", "m.ele", "n.msh"}).out, {".msh cannot store: markers of points, attributes"}));
   EXPECT_EQ(pardel({"convert", "m.ele", "n.vtu"}).out.find("note"), std::string::npos);
   EXPECT_EQ(pardel({"convert", "m.ele", "n.off", "-q"}).out, "");

@@ -28,6 +28,31 @@ TEST_F(DoctorCommand, one_hole_is_not_called_1_holes) {
   EXPECT_TRUE(holds(pardel({"doctor", "hole.poly"}).out, {"4 points, 4 segments, 1 hole, 0 regions: 1 problem\n"}));
 }
 
+TEST_F(DoctorCommand, and_mesh_name_a_hole_outside_the_outline) {
+  write("hole.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n1\n1 7 8\n");
+  const std::string problem = "Hole 1 at (7, 8) lies outside every closed outline.";
+  const Ran doctor = pardel({"doctor", "hole.poly"}), mesh = pardel({"mesh", "hole.poly", "-o", "m.vtu"});
+  EXPECT_EQ(doctor.exit_code, 3) << doctor;
+  EXPECT_EQ(mesh.exit_code, 3) << mesh;
+  EXPECT_TRUE(holds(doctor.out, {problem}));
+  EXPECT_TRUE(holds(mesh.err, {problem}));
+}
+
+TEST_F(DoctorCommand, and_mesh_name_a_loop_that_is_given_twice) {
+  const std::string square = "1 0 0\n2 1 0\n3 1 1\n4 0 1\n", sides = "1 1 2\n2 2 3\n3 3 4\n4 4 1\n";
+  const auto says = [&](const std::string& text, const std::string& sentence) {
+    write("twice.poly", text);
+    EXPECT_TRUE(holds(pardel({"doctor", "twice.poly"}).out, {sentence}));
+    EXPECT_TRUE(holds(pardel({"mesh", "twice.poly", "-o", "m.vtu"}).err, {sentence}));
+  };
+  // Its points and its segments are repeated, in another order and direction.
+  says("8 2 0 0\n" + square + "5 1 1\n6 0 1\n7 0 0\n8 1 0\n8 0\n" + sides + "5 6 5\n6 7 6\n7 8 7\n8 5 8\n0\n",
+       "The loop of points 1 to 4 is given twice.");
+  says("4 2 0 0\n" + square + "12 0\n" + sides + sides + sides + "0\n", "The loop of points 1 to 4 is given 3 times.");
+  says("5 2 0 0\n" + square + "5 2 0\n8 0\n" + sides + "5 2 5\n6 5 3\n7 3 2\n8 5 2\n0\n", "Segments 5 and 8");
+  EXPECT_EQ(pardel({"doctor", "twice.poly"}).out.find("The loop"), std::string::npos) << "two sides are no loop";
+}
+
 TEST_F(DoctorCommand, problems_are_listed_with_kind_numbers_and_place) {
   write("ill.poly", ill);
   const Ran ran = pardel({"doctor", "ill.poly"});

@@ -366,6 +366,15 @@ TEST_F(TriangleCommand, Q_prints_errors_only) {
   EXPECT_TRUE(holds(ran.err, {"none.poly"}));
 }
 
+TEST_F(TriangleCommand, an_outline_that_is_not_closed_is_warned_about_without_Q) {
+  write("f.poly",
+        "7 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 2 0\n6 3 0\n7 3 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n0\n");
+  const Ran ran = pardel({"triangle", "-p", "f"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"f.poly: warning: 2 segments, the first of them segment 5, are joined"}));
+  EXPECT_EQ(pardel({"triangle", "-Qp", "f"}).err, "");
+}
+
 TEST_F(TriangleCommand, C_finds_nothing_wrong_in_a_refined_mesh_with_two_regions_in_one_face) {
   write("e.poly",
         "4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n2\n1 1 1 5 0.5\n2 3 3 8 0.5\n");

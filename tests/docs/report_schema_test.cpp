@@ -76,6 +76,36 @@ TEST_F(ReportSchema, describes_the_certificate_that_pardel_check_writes) {
   EXPECT_EQ(schema_violations(of_certificate, Json::parse(ran.out)), Strings());
 }
 
+/// The unit square and, beside it, two segments with open ends.
+constexpr const char* open_beside_closed =
+    "7 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 2 0\n6 3 0\n7 3 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n0\n";
+
+TEST_F(ReportSchema, describes_the_warnings_about_a_domain) {
+  write("beside.poly", open_beside_closed);
+  const Json with_warning = report({}, "beside.poly");
+  EXPECT_EQ(schema_violations(schema(), with_warning), Strings());
+  EXPECT_EQ(with_warning.at("warnings").at(0).at("segments"), (Json{4, 5})) << "numbered from 0";
+  EXPECT_TRUE(report({}).at("warnings").empty());
+}
+
+TEST_F(ReportSchema, describes_the_findings_of_doctor) {
+  Json of_findings = schema();
+  of_findings = {{"$ref", "#/$defs/findings"}, {"$defs", of_findings.at("$defs")}};
+  const auto findings = [&](const std::string& file, const Strings& options) {
+    Strings arguments = {"doctor", file, "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Json json = Json::parse(pardel(arguments).out);
+    EXPECT_EQ(schema_violations(of_findings, json), Strings()) << json;
+    return json;
+  };
+  write("beside.poly", open_beside_closed);
+  write("crossing.poly", "4 2 0 0\n1 0 0\n2 1 1\n3 1 0\n4 0 1\n2 0\n1 1 2\n2 3 4\n0\n");
+  write("twice.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 5 1\n0\n");
+  EXPECT_EQ(findings("beside.poly", {}).at("warnings").at(0).at("segments"), (Json{5, 6})) << "as in the file";
+  EXPECT_FALSE(findings("crossing.poly", {}).at("problems").empty());
+  EXPECT_FALSE(findings("twice.poly", {"--repair", "once.poly"}).at("repaired").is_null());
+}
+
 TEST_F(ReportSchema, describes_what_is_written_for_invalid_input) {
   Json of_error = schema();
   of_error = {{"$ref", "#/$defs/error"}, {"$defs", of_error.at("$defs")}};

@@ -14,11 +14,25 @@ TEST(Off, is_counts_then_vertices_then_faces) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_off(sample_mesh(), folder / "m.off").ok());
   EXPECT_EQ(folder.read("m.off"),
-            "OFF\n6 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n5 5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
+            "OFF\n6 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n5 5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"
+            "# constrained edges: 5\n# 0 1 1\n# 1 2 5\n# 2 3 1\n# 3 0 -4\n# 2 4 0\n");
   const auto read = read_mesh(folder / "m.off");
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(read->points, sample_mesh().points);
   EXPECT_EQ(read->triangles, sample_mesh().triangles);
+}
+
+TEST(Off, lists_the_constrained_edges_in_comments) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  ASSERT_TRUE(write_off(mesh, folder / "m.off").ok());
+  const auto read = read_mesh(folder / "m.off");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->constrained_edges, mesh.constrained_edges);
+  mesh.constrained_edges.clear();
+  ASSERT_TRUE(write_off(mesh, folder / "m.off").ok());
+  EXPECT_EQ(folder.read("m.off").find('#'), std::string::npos);
+  EXPECT_TRUE(read_mesh(folder / "m.off")->constrained_edges.empty());
 }
 
 TEST(Off, may_have_its_counts_on_the_first_line_comments_and_colours) {
@@ -43,6 +57,12 @@ TEST(Off, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
             "m.off:4: expected a corner of a face, a whole number from 0 to 0, found \"1\"");
   EXPECT_EQ(failure("OFF\n2 0 0\n0 0 0\n"), "m.off:4: expected vertex 2 of 2, found the end of the file");
+  const std::string point = "OFF\n1 0 0\n0 0 0\n# constrained edges: ";
+  EXPECT_EQ(failure((point + "1\n0 0 0\n").c_str()), "m.off:5: expected the comment of constrained edge 1 of 1");
+  EXPECT_EQ(failure((point + "1\n# 0 1 0\n").c_str()),
+            "m.off:5: expected an end of a constrained edge, a whole number from 0 to 0, found \"1\"");
+  EXPECT_EQ(failure((point + "9\n# 0 1 0\n").c_str()),
+            "m.off:4: announces 9 constrained edges, but the rest of the file is too short for that");
   EXPECT_EQ(failure("OFF\n4000000000 0 0\n0 0 0\n"),
             "m.off:2: announces 4000000000 vertices, but the rest of the file is too short for that");
 }

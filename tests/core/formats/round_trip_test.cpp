@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "../../../core/digest.hpp"
@@ -140,8 +141,8 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest
   RC_ASSERT(digest(read) == digest(mesh));
 }
 
-PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles,
-                {.statement = "a mesh written as .off reads back with the same points and triangles",
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_triangles_and_constrained_edges,
+                {.statement = "a mesh written as .off reads back with the same points, triangles and constrained edges",
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
   const TemporaryFolder folder;
@@ -150,6 +151,8 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_and_triangles,
   const Mesh read = read_back(folder, "m.off");
   RC_ASSERT(read.points == mesh.points);
   RC_ASSERT(read.triangles == mesh.triangles);
+  const auto ends_and_marker = [](const ConstrainedEdge& e) { return std::tuple(e.a, e.b, e.marker); };
+  RC_ASSERT(std::ranges::equal(read.constrained_edges, mesh.constrained_edges, {}, ends_and_marker, ends_and_marker));
 }
 
 /// A correct file with a few bytes changed. Reading it must return a value or an error.

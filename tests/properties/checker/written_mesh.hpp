@@ -16,7 +16,7 @@ struct WrittenAs {
   MshEncoding msh = MshEncoding::binary;
 };
 inline std::vector<WrittenAs> formats_with_constrained_edges() {
-  return {{"mesh.node"}, {"mesh.vtu"}, {"binary.msh"}, {"text.msh", MshEncoding::ascii}};
+  return {{"mesh.node"}, {"mesh.vtu"}, {"mesh.off"}, {"binary.msh"}, {"text.msh", MshEncoding::ascii}};
 }
 
 /// The verdict and the numbers of violations by kind, for comparison and for messages.

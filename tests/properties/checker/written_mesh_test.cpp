@@ -62,13 +62,14 @@ bool is_of_a_bound(ViolationKind kind) {
   return kind >= ViolationKind::small_angle && kind <= ViolationKind::large_circumradius;
 }
 
-PARDEL_PROPERTY(Certificate, of_a_mesh_and_of_its_files_are_the_same,
-                {.statement = "The verdict on a mesh and its numbers of violations are the same in memory and after "
-                              "writing and reading .node, .msh or .vtu. In meshes of the mesher, all violations are "
-                              "missed bounds.",
-                 .source = "properties/checker/model/chains.hpp",
-                 .families = "lattice domains of every family; a square with bundles of segments that nearly "
-                             "coincide, repaired"}) {
+PARDEL_PROPERTY(
+    Certificate, of_a_mesh_and_of_its_files_are_the_same,
+    {.statement = "The verdict on a mesh and its numbers of violations are the same in memory and after "
+                  "writing and reading .node, .msh, .off or .vtu. In meshes of the mesher, all violations are "
+                  "missed bounds.",
+     .source = "properties/checker/model/chains.hpp",
+     .families = "lattice domains of every family; a square with bundles of segments that nearly "
+                 "coincide, repaired"}) {
   const Problem problem = *rc::gen::arbitrary<bool>() ? lattice_problem() : problem_with_bundles();
   exhibit.show(problem.pslg);
   const Result<Meshed> meshed = mesh(problem.pslg, problem.goal, problem.options);
