@@ -11,11 +11,10 @@
 
 #include "../core/formats.hpp"
 #include "../core/support/output_file.hpp"
-#include "choice.hpp"
 #include "command.hpp"
 #include "domain_or_mesh.hpp"
 #include "input.hpp"
-#include "names.hpp"
+#include "mesh_format_options.hpp"
 #include "output.hpp"
 #include "plural.hpp"
 #include "suffix.hpp"
@@ -27,8 +26,7 @@ namespace {
 struct ConvertArguments {
   fs::path input;
   fs::path output;
-  bool msh_ascii = false;
-  std::optional<MeshFormat> format;
+  MeshFormatOptions format;
   bool quiet = false;
 };
 
@@ -56,13 +54,13 @@ Status check_output_of(const ConvertArguments& arguments, const Pslg& /*domain*/
     return wrong_output(arguments, fmt::format("{0} is a domain, which has no triangles; 'pardel mesh {0} -o {1}' "
                                                "makes a mesh",
                                                in, out));
-  if (arguments.format) return wrong_output(arguments, "--format is for meshes; " + in + " is a domain");
+  if (arguments.format.of_stream) return wrong_output(arguments, "--format is for meshes; " + in + " is a domain");
   return check_poly_output(arguments.output);
 }
 
 Status check_output_of(const ConvertArguments& arguments, const Mesh& /*mesh*/) {
   const std::vector<fs::path> outputs = {arguments.output}, inputs = {arguments.input};
-  if (Status fine = check_stream_format(outputs, arguments.format); !fine) return fine;
+  if (Status fine = check_stream_format(outputs, arguments.format.of_stream); !fine) return fine;
   if (arguments.output.extension() == ".poly")
     return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly",
                                                arguments.input.string()));
@@ -85,8 +83,7 @@ Status convert(const ConvertArguments& arguments, const Pslg& domain, ProgressBa
 
 Status write(const ConvertArguments& arguments, const Mesh& mesh) {
   if (mesh_format(arguments.output) != MeshFormat::triangle)
-    return write_mesh(mesh, {}, arguments.output, arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary,
-                      arguments.format);
+    return write_mesh(mesh, {}, arguments.output, arguments.format.msh(), arguments.format.of_stream);
   // The .poly contains the holes and the regions, too.
   const Result<Pslg> pslg = domain_with(arguments.input, mesh);
   if (!pslg) return with_name(pslg.error(), arguments.input.string());
@@ -126,10 +123,7 @@ Command add_convert(CLI::App& program) {
   app->add_option("OUT", arguments->output, "The file to write: .node, .ele, .msh, .vtu or .off; for a domain .poly")
       ->required()
       ->type_name("");
-  app->add_flag("--msh-ascii", arguments->msh_ascii, "Write .msh as text (default: binary)");
-  app->add_option("--format", arguments->format, "Format of the output - (standard output): msh, off, svg or vtu")
-      ->transform(choice(stream_format_names))
-      ->type_name("FORMAT");
+  add_mesh_format_options(*app, arguments->format);
   app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output");
   app->footer(
       R"(The numbering of the vertices, coordinates, regions, markers and constrained edges stay the same. A note

@@ -148,11 +148,10 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
 }
 
 Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Pslg& pslg, ProgressBar& bar) {
-  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
   for (const auto& output : arguments.outputs) {
     bar.begin("writing " + output.string());
-    const std::optional<MeshFormat> format = output == "-" ? arguments.format : std::nullopt;
-    if (Status written = write_mesh(mesh, pslg, output, msh, format); !written) return written;
+    const std::optional<MeshFormat> format = output == "-" ? arguments.format.of_stream : std::nullopt;
+    if (Status written = write_mesh(mesh, pslg, output, arguments.format.msh(), format); !written) return written;
   }
   return Done{};
 }

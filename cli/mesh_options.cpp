@@ -106,10 +106,7 @@ void add_steps(CLI::App& app, MeshArguments& arguments) {
 }
 
 void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
-  app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
-  app.add_option("--format", arguments.format, "Format of the output - (standard output): msh, off, svg or vtu")
-      ->transform(choice(stream_format_names))
-      ->type_name("FORMAT");
+  add_mesh_format_options(app, arguments.format);
   app.add_option("--json", arguments.json, "Write a report as JSON, also for invalid input; - is standard output")
       ->type_name("FILE|-");
   add_progress_option(app, arguments.progress);
@@ -150,7 +147,7 @@ std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {
 Status check_outputs(const MeshArguments& arguments) {
   const std::vector<std::filesystem::path> inputs = {arguments.input};
   if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes}); !fine) return fine;
-  if (Status fine = check_stream_format(arguments.outputs, arguments.format); !fine) return fine;
+  if (Status fine = check_stream_format(arguments.outputs, arguments.format.of_stream); !fine) return fine;
   if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);

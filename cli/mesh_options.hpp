@@ -9,6 +9,7 @@
 #include "../core/result.hpp"
 #include "../parallel/options.hpp"
 #include "goal_options.hpp"
+#include "mesh_format_options.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
@@ -27,8 +28,7 @@ struct MeshArguments {
   std::optional<double> snap;
   bool check = false;
   bool paranoid = false;
-  bool msh_ascii = false;
-  std::optional<MeshFormat> format;  ///< of the output -
+  MeshFormatOptions format;
   std::filesystem::path json;
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;

@@ -1,6 +1,7 @@
 // pardel-harness: tests any mesher on generated domains with the independent checker.
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -63,6 +64,7 @@ ReportCard blank_card(const Options& options, const Mesher& mesher) {
 
 /// Reports unwritable outputs before any case runs.
 Status check_outputs(const Options& options) {
+  if (Status fine = cli::check_standard_output(std::array{options.report, options.json}); !fine) return fine;
   for (const auto& file : {options.report, options.json}) {
     if (Status fine = cli::check_folder(file); !fine) return fine;
   }

@@ -8,36 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <queue>
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/predicates.hpp"
+#include "sweep_agenda.hpp"
 #include "sweep_status.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// A segment, with its lexicographically smaller end as the left end. Edges are sorted by the events of these ends.
-struct Edge {
-  Point left, right;
-  Index end;  ///< the event of the right end
-  Index segment;
-};
-
-struct Event {
-  Point place;
-  Index first_site;              ///< into the sorted sites
-  Index first_edge = 0;          ///< of the edges that begin here
-  Index ending_edge = no_index;  ///< one of the edges that end here
-};
-
-/// Points, by their indices, and queries, by their indices plus the number of points, that are visited.
-struct Site {
-  Point place;
-  Index id;
-};
 
 /// Two edges that are neighbours and will cross.
 struct Meeting {
@@ -63,30 +43,10 @@ bool sees_widely(Point p, const Edge& edge) {
   return ux * vx + uy * vy < -0.5 * std::sqrt(ux * ux + uy * uy) * std::sqrt(vx * vx + vy * vy);
 }
 
-std::vector<Site> sorted_sites(const SweepInput& input) {
-  const std::size_t n = input.points.size();
-  std::vector<bool> is_visited(n);
-  for (const Segment& s : input.segments) is_visited[s.a] = is_visited[s.b] = true;
-  for (const Index p : input.candidates) is_visited[p] = true;
-  std::vector<Site> sites;
-  sites.reserve(n + input.queries.size());
-  for (std::size_t i = 0; i < n; ++i)
-    if (is_visited[i]) sites.push_back({input.points[i], static_cast<Index>(i)});
-  for (std::size_t q = 0; q < input.queries.size(); ++q)
-    if (is_usable(input.queries[q])) sites.push_back({input.queries[q], static_cast<Index>(n + q)});
-  SparseAsk ask(input.stop);
-  std::ranges::sort(sites, [&](const Site& s, const Site& t) {
-    ask();
-    return lexicographically_less(s.place, t.place) || (s.place == t.place && s.id < t.id);
-  });
-  return sites;
-}
-
 class PlaneSweep {
  public:
   explicit PlaneSweep(const SweepInput& input)
-      : input_(input), ask_(input.stop), sites_(sorted_sites(input)), status_(input.segments.size()) {
-    make_events();
+      : input_(input), ask_(input.stop), agenda_(make_agenda(input)), status_(input.segments.size()) {
     found_.below.assign(input.points.size() + input.queries.size(), no_index);
     found_.through.assign(input.queries.size(), no_index);
   }
@@ -101,30 +61,6 @@ class PlaneSweep {
   }
 
  private:
-  /// Makes the events, with one event after the last as the end of its lists, and the edges.
-  void make_events() {
-    std::vector<Index> event_of(input_.points.size(), no_index);
-    for (Index i = 0; i < sites_.size(); ++i) {
-      if (i == 0 || sites_[i].place != sites_[i - 1].place) events_.push_back({sites_[i].place, i});
-      if (sites_[i].id < event_of.size()) event_of[sites_[i].id] = static_cast<Index>(events_.size() - 1);
-    }
-    events_.push_back({{}, static_cast<Index>(sites_.size())});
-    const auto first_event = [&](const Segment& s) { return std::min(event_of[s.a], event_of[s.b]); };
-    for (const Segment& s : input_.segments) ++events_[first_event(s)].first_edge;
-    Index before = 0;
-    for (Event& event : events_) before += std::exchange(event.first_edge, before);
-
-    std::vector<Index> next(events_.size());
-    std::ranges::transform(events_, next.begin(), &Event::first_edge);
-    edges_.resize(input_.segments.size());
-    for (Index s = 0; s < edges_.size(); ++s) {
-      const Segment& segment = input_.segments[s];
-      const auto [first, last] = std::minmax(event_of[segment.a], event_of[segment.b]);
-      events_[last].ending_edge = next[first];
-      edges_[next[first]++] = {events_[first].place, events_[last].place, last, s};
-    }
-  }
-
   void visit(Index event) {
     exchange_crossings_before(events_[event].place);
     find_edges_through(event);
@@ -320,9 +256,10 @@ class PlaneSweep {
 
   const SweepInput input_;
   SparseAsk ask_;
-  std::vector<Site> sites_;
-  std::vector<Event> events_;
-  std::vector<Edge> edges_;
+  const SweepAgenda agenda_;
+  const std::vector<Site>& sites_ = agenda_.sites;
+  const std::vector<Event>& events_ = agenda_.events;
+  const std::vector<Edge>& edges_ = agenda_.edges;
   SweepStatus status_;
   std::priority_queue<Meeting, std::vector<Meeting>, IsLater> meetings_;
   Swept found_;
@@ -339,23 +276,5 @@ class PlaneSweep {
 }  // namespace
 
 Swept sweep_plane(const SweepInput& input) { return PlaneSweep(input).run(); }
-
-std::vector<NearPoint> find_near_points(const SweepInput& input, const Swept& swept) {
-  const auto transposed = [](std::span<const Point> points) {
-    std::vector<Point> result;
-    result.reserve(points.size());
-    for (const Point& p : points) result.push_back({p.y, p.x});
-    return result;
-  };
-  const std::vector<Point> points = transposed(input.points), queries = transposed(input.queries);
-  SweepInput other = input;
-  other.points = points;
-  other.queries = queries;
-  std::vector<NearPoint> near = sweep_plane(other).near;
-  near.insert(near.end(), swept.near.begin(), swept.near.end());
-  std::ranges::sort(near);
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  return near;
-}
 
 }  // namespace pardel::engine

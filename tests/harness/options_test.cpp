@@ -37,6 +37,10 @@ TEST_F(HarnessOptions, the_message_names_a_missing_program) {
   refuses({"--mesher", "./no-such-mesher {poly} {out}"}, 5, {"no-such-mesher is no program"});
 }
 
+TEST_F(HarnessOptions, the_report_and_the_json_cannot_both_go_to_standard_output) {
+  refuses({"--mesher", "pardel", "--cases", "1", "--json", "-"}, 2, {"only one output can go to standard output"});
+}
+
 TEST_F(HarnessOptions, unknown_families_and_malformed_cases_are_errors) {
   refuses({"--mesher", "pardel", "--families", "cracks,tracks"}, 2, {"no family 'tracks'", "--list-families"});
   refuses({"--mesher", "pardel", "--replay", "1:cracks"}, 2, {"'1:cracks' is no case", "SEED:FAMILY:INDEX"});
