@@ -44,6 +44,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"scheduling/refine_by_sweeps", {"scheduling/after_sweep_test", "scheduling/many_tiles_test"}},
     {"scheduling/schedule", {"scheduling/schedules_test"}},
     {"segments/conflicts", {"input/validate_property_test"}},
+    {"segments/sweep_agenda", {"segments/plane_sweep_test"}},
     {"triangulation/cavity_query", {"triangulation/cavity_test"}},
     {"triangulation/constraint", {"construction/insert_constraints_test"}},
     {"triangulation/in_circumdisk", {"triangulation/flips_test"}},
