@@ -27,12 +27,14 @@ namespace pardel {
 /// triangle at whose centroid it throws, or returns a number that is not positive, is reported as size_exceeded.
 ///
 /// Predicates on coordinates and comparisons with bounds are exact: CGAL's filtered predicates, or intervals and then
-/// rational numbers. There are four exceptions, in which a verdict depends on rounded values:
-/// - goal.size is compared in doubles, with size_tolerance;
-/// - shells around a small input angle are compared in doubles, with shell_tolerance and shell_ulps;
-/// - goal.min_angle_deg stands for the double angle_cosine_bound(min_angle_deg), which is then compared exactly;
-/// - a vertex on a segment may lie off the segment by chain_ulps, and a hole's seed that lies within that distance
-///   of an edge of the triangle around it is not reported.
+/// rational numbers. Two bounds are rounded values, with which triangles are then compared exactly:
+/// - goal.min_angle_deg stands for the double angle_cosine_bound(min_angle_deg);
+/// - goal.size is evaluated at the rounded centroid ((a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3) of the corners in
+///   the order of the triangle.
+/// Three rules allow for the rounding of vertices by a tolerance (tolerances.hpp), which is compared exactly, too:
+/// - a vertex on a segment may lie off the segment by chain_ulps;
+/// - a hole's seed that lies within that distance of an edge of the triangle around it is not reported;
+/// - two vertices lie on one shell around a small input angle within shell_tolerance and shell_ulps.
 ///
 /// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on the number of threads. Exact
 /// arithmetic is used only if a floating-point filter cannot determine the sign. Memory in addition to the mesh: 8

@@ -108,6 +108,20 @@ int compare_lengths(Point a, Point b, Point c, Point d) {
   return sign_of([=](auto number) { return squared_length(a, b, number) - squared_length(c, d, number); });
 }
 
+bool distances_differ(Point c, Point p, Point q, double relative, double absolute) {
+  const bool p_is_nearer = compare_lengths(c, p, c, q) < 0;
+  const Point near = p_is_nearer ? p : q, far = p_is_nearer ? q : p;
+  // (1 - relative) |far| > |near| + absolute. Both sides are squared, and then both sides of
+  // rest > 2 absolute |near|, where the rest may be negative.
+  return decide([=](auto number) {
+    const auto kept = number(1) - number(relative);
+    const auto squared_near = squared_length(c, near, number);
+    const auto squared_absolute = number(absolute) * number(absolute);
+    const auto rest = kept * kept * squared_length(c, far, number) - squared_near - squared_absolute;
+    return rest * CGAL::abs(rest) > number(4) * squared_absolute * squared_near;
+  });
+}
+
 bool circumradius_exceeds(Point a, Point b, Point c, double bound) {
   // R = |ab| |bc| |ca| / (2 D), where D is twice the area.
   return decide([=](auto number) {

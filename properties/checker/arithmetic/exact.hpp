@@ -28,6 +28,9 @@ namespace pardel::checker::exactly {
 /// The sign of |ab| - |cd|.
 [[nodiscard]] int compare_lengths(Point a, Point b, Point c, Point d);
 
+/// True if |cp| and |cq| differ by more than relative * max(|cp|, |cq|) + absolute (0 <= relative <= 1, 0 <= absolute).
+[[nodiscard]] bool distances_differ(Point c, Point p, Point q, double relative, double absolute);
+
 /// True if the circumradius of the counter-clockwise triangle is greater than `bound` (0 <= bound).
 [[nodiscard]] bool circumradius_exceeds(Point a, Point b, Point c, double bound);
 

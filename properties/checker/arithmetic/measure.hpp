@@ -1,5 +1,5 @@
-// Midpoints, lengths, areas and angles in floating-point arithmetic. A verdict depends on these values only in the
-// comparisons with goal.size and in the comparison of shells (see tolerances.hpp).
+// Midpoints, lengths, areas and angles in floating-point arithmetic. No verdict depends on lengths, areas and angles
+// that are computed here. A midpoint only locates the face that contains it.
 #pragma once
 
 #include <cmath>

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "../arithmetic/exact.hpp"
+#include "../tolerances.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -108,7 +109,7 @@ class ChainSearch {
   bool is_near(Point p) const {
     if (p == a_ || p == b_) return true;
     const double distance = std::abs((b_.x - a_.x) * (p.y - a_.y) - (b_.y - a_.y) * (p.x - a_.x)) / length_;
-    if (strictness_ == Strictness::loose) return distance <= 1e-6 * length_;
+    if (strictness_ == Strictness::loose) return distance <= meant_chain_share * length_;
     // The rounding error of `distance` is a few units in the last place, and the tolerance is two such units. So a
     // distance above 64 tolerances needs no exact comparison.
     return !(distance > 64 * tolerance_) && !exactly::line_distance_exceeds(p, a_, b_, tolerance_);

@@ -1,4 +1,5 @@
-// Checks the bounds of the goal. All comparisons are exact, except those with the sizing function.
+// Checks the bounds of the goal. All comparisons are exact. Two bounds are rounded before they are compared: the cosine
+// of the smallest angle, and the size at a centroid, because the centroid is rounded.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -104,13 +105,13 @@ class GoalCheck {
     }
   }
 
-  /// The comparison uses size_tolerance, because the centroid and the lengths are rounded.
+  /// The centroid is rounded; the edges are compared exactly with the size there.
   void check_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
     if (!subject_.goal.size) return;
     const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
     const std::optional<double> size = size_at(centroid);
+    if (size && allows_edges(*size, p)) return;
     const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
-    if (size && longest <= *size * (1 + size_tolerance)) return;
     if (found.admit(ViolationKind::size_exceeded))
       found.keep({ViolationKind::size_exceeded,
                   ids(t),
@@ -118,6 +119,14 @@ class GoalCheck {
                   "triangle " + to_text(t) + " has an edge of length " + to_text(longest) +
                       (size ? " > " + to_text(*size) + ", the size at its centroid"
                             : ", and the size function threw an exception at its centroid")});
+  }
+
+  /// True if no edge is longer than this size. A size that is not positive allows nothing.
+  static bool allows_edges(double size, const std::array<Point, 3>& p) {
+    if (!(size > 0)) return false;
+    return std::isinf(size) ||
+           !(exactly::length_exceeds(p[0], p[1], size) || exactly::length_exceeds(p[1], p[2], size) ||
+             exactly::length_exceeds(p[2], p[0], size));
   }
 
   /// Nothing if the function throws. No exception may leave the parallel loop of the checker.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
@@ -68,11 +67,10 @@ class Justification {
       const Point centre = subject_.pslg.points[apex];
       const Point far_s = subject_.pslg.points[other_end(first, apex)];
       const Point far_r = subject_.pslg.points[other_end(second, apex)];
-      constexpr double cosine_of_60_degrees = 0.5;
-      if (!exactly::cosine_exceeds(centre, far_s, far_r, cosine_of_60_degrees)) continue;
-      const double to_p = distance(centre, subject_.mesh.points[p]);
-      const double to_q = distance(centre, subject_.mesh.points[q]);
-      if (std::abs(to_p - to_q) > shell_tolerance * std::max(to_p, to_q) + shell_ulps * domain_.ulp()) continue;
+      if (!exactly::cosine_exceeds(centre, far_s, far_r, shell_cosine)) continue;
+      if (exactly::distances_differ(centre, subject_.mesh.points[p], subject_.mesh.points[q], shell_tolerance,
+                                    shell_ulps * domain_.ulp()))
+        continue;
       return justified(apex, angle_deg(centre, far_s, far_r));
     }
     return std::nullopt;

@@ -6,7 +6,7 @@
 // - nestled: its smallest angle lies at an input vertex, between pieces of two segments that meet there; or
 // - seditious: its shortest edge joins vertices of two segments that share an end point, the apex, at less than
 //   60 degrees, and both vertices have the same distance from the apex ("lie on one shell").
-// Equal distances are compared in floating point, see tolerances.hpp.
+// Rounded vertices count as equally distant within a tolerance, see tolerances.hpp.
 #pragma once
 
 #include <optional>

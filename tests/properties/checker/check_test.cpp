@@ -122,6 +122,50 @@ TEST(Check, reports_arrays_of_the_wrong_length) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_count));
 }
 
+TEST(Check, requires_all_arrays_of_a_mesh_of_the_mesher_and_none_of_a_foreign_mesh) {
+  const CheckOptions own, foreign{.foreign = true};
+  const auto expect = [&](const Case& c, const std::string& what) {
+    EXPECT_TRUE(reports_only(check(c, no_angle_bound(), own), Kind::wrong_count)) << what;
+    EXPECT_TRUE(is_valid(check(c, no_angle_bound(), foreign))) << what;
+  };
+  Case whole = testing::square_in_eight();
+  whole.pslg.attributes_per_point = whole.mesh.attributes_per_point = 1;
+  whole.pslg.point_attributes = {1, 2, 3, 4, 5, 6};
+  whole.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  EXPECT_TRUE(is_valid(check(whole, no_angle_bound(), own)));
+  EXPECT_TRUE(is_valid(check(whole, no_angle_bound(), foreign)));
+  Case c = whole;
+  c.mesh.origin.clear();
+  expect(c, "origin");
+  c = whole;
+  c.mesh.region.clear();
+  expect(c, "region");
+  c = whole;
+  c.mesh.point_markers.clear();
+  expect(c, "point markers");
+  c = whole;
+  c.mesh.point_attributes.clear();
+  c.mesh.attributes_per_point = 0;
+  expect(c, "attributes");
+  c = whole;
+  c.mesh.constrained_edges.clear();
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), own), Kind::missing_constrained_edge));
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), foreign)));
+}
+
+TEST(Check, requires_that_arrays_of_a_foreign_mesh_are_whole_or_empty) {
+  const CheckOptions foreign{.foreign = true};
+  Case c = testing::square_in_eight();
+  c.mesh.origin.pop_back();
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), foreign), Kind::wrong_count));
+  c = testing::square_in_eight();
+  c.mesh.region.pop_back();
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), foreign), Kind::wrong_count));
+  c = testing::square_in_eight();
+  c.mesh.point_markers.pop_back();
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), foreign), Kind::wrong_count));
+}
+
 // Tests of triangles and neighbours.
 
 TEST(Check, reports_clockwise_and_flat_triangles) {

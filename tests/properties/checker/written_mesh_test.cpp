@@ -10,6 +10,7 @@
 #include "../../../properties/domains/generators/goals.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
+#include "../../../properties/theorems/framework/shares.hpp"
 
 namespace pardel {
 namespace {
@@ -75,7 +76,7 @@ PARDEL_PROPERTY(
   const Result<Meshed> meshed = mesh(problem.pslg, problem.goal, problem.options);
   RC_ASSERT(meshed.ok());
   const Certificate certificate = check(problem.pslg, meshed->mesh, problem.goal);
-  RC_CLASSIFY(certificate.valid, "valid");
+  properties::classify(certificate.valid, "valid", 35);
   for (const Violation& violation : certificate.violations)
     if (!is_of_a_bound(violation.kind)) RC_FAIL(violation.message());
   const auto format = *rc::gen::elementOf(testing::formats_with_constrained_edges());
