@@ -10,12 +10,14 @@
 #include "../../core/mesh.hpp"
 #include "../../core/pslg.hpp"
 #include "../checker/check.hpp"
+#include "target.hpp"
 
 namespace pardel::defects {
 
 struct Defect {
   std::string_view name;
   ViolationKind expected;  ///< must be among the reported kinds; one defect may break several rules
+  Target target;           ///< everything that the defect changes
   /// Makes the defect at one place that depends on the seed. Changes nothing and returns false if the mesh has no
   /// suitable place. Precondition: the mesh is valid for the Pslg and the goal, and has the origins of its vertices.
   bool (*inject)(Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed);

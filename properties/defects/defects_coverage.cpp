@@ -115,37 +115,49 @@ bool add_outside(Mesh& mesh, Side s, Point p) {
 }
 
 constexpr Defect coverage_defects[] = {
-    {"a triangle in the middle is dropped", uncovered_domain,
+    {"a triangle in the middle is dropped",
+     uncovered_domain,
+     {triangle_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          return !touches_constraint(mesh, t) && drop_triangles(mesh, [&](Index u) { return u == t; });
        });
      }},
-    {"a triangle at the boundary is dropped", uncovered_domain,
+    {"a triangle at the boundary is dropped",
+     uncovered_domain,
+     {triangle_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          return edit::across(mesh, s) == no_index && drop_triangles(mesh, [&](Index u) { return u == s.t; });
        });
      }},
-    {"all triangles of a vertex are dropped", uncovered_domain,
+    {"all triangles of a vertex are dropped",
+     uncovered_domain,
+     {triangle_entries, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) {
          const auto star = edit::star(mesh, v);
          return drop_triangles(mesh, [&](Index u) { return std::ranges::count(star, u) != 0; });
        });
      }},
-    {"a face of the domain is missing", uncovered_domain,
+    {"a face of the domain is missing",
+     uncovered_domain,
+     {triangle_entries, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto face = edit::faces(mesh);
        return drop_triangles(mesh, [&](Index t) { return face[t] == face[another(seed, face.size())]; });
      }},
-    {"no triangle is left", missing_input_vertex,
+    {"no triangle is left",
+     missing_input_vertex,
+     {triangle_entries, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        mesh.triangles.clear();
        mesh.region.clear();
        return true;
      }},
-    {"a hole is filled", covered_exterior,
+    {"a hole is filled",
+     covered_exterior,
+     {Field::corners, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto next = outside_paths(mesh);
        return at_some_vertex(mesh, seed, [&](Index v) {
@@ -153,7 +165,9 @@ constexpr Defect coverage_defects[] = {
          return signed_area(mesh, loop) > 0 && fill(mesh, loop);
        });
      }},
-    {"a concave corner of the outside is filled", covered_exterior,
+    {"a concave corner of the outside is filled",
+     covered_exterior,
+     {Field::corners},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto next = outside_paths(mesh);
        const auto all = all_vertices(mesh);
@@ -166,7 +180,9 @@ constexpr Defect coverage_defects[] = {
          return true;
        });
      }},
-    {"a triangle is added outside", covered_exterior,
+    {"a triangle is added outside",
+     covered_exterior,
+     {vertex_entries | triangle_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) != no_index) return false;
@@ -175,7 +191,9 @@ constexpr Defect coverage_defects[] = {
          return add_outside(mesh, s, {middle.x + (b.y - a.y) / 8, middle.y - (b.x - a.x) / 8});
        });
      }},
-    {"a triangle reaches over a gap onto others", overlap,
+    {"a triangle reaches over a gap onto others",
+     overlap,
+     {Field::coordinates | Field::origins | Field::markers | Field::corners},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index other = another(seed, mesh.triangles.size());
@@ -183,7 +201,9 @@ constexpr Defect coverage_defects[] = {
          return add_outside(mesh, s, edit::centroid(mesh, other));
        });
      }},
-    {"a copy of a triangle with new corners lies on the triangle", overlap,
+    {"a copy of a triangle with new corners lies on the triangle",
+     overlap,
+     {vertex_entries | triangle_entries, 3},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          std::array<Index, 3> copy{};
@@ -192,7 +212,9 @@ constexpr Defect coverage_defects[] = {
          return true;
        });
      }},
-    {"a triangle outside touches the boundary in a vertex", covered_exterior,
+    {"a triangle outside touches the boundary in a vertex",
+     covered_exterior,
+     {vertex_entries | triangle_entries, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        // A sliver outside the mesh, next to the side s, with a corner at the tail of s.
        return at_some_side(mesh, seed, [&](Side s) {
@@ -207,7 +229,9 @@ constexpr Defect coverage_defects[] = {
          return true;
        });
      }},
-    {"a vertex is there twice: the mesh is slit open along two edges", uncovered_domain,
+    {"a vertex is there twice: the mesh is slit open along two edges",
+     uncovered_domain,
+     {vertex_entries | Field::corners, 8},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) {
          const auto star = edit::star(mesh, v);

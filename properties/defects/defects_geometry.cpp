@@ -39,15 +39,6 @@ bool some_not_delaunay(const Mesh& mesh, const std::vector<Index>& ids) {
   });
 }
 
-/// Moves a vertex. If suits() is false afterwards, moves the vertex back and returns false.
-template <class Suits>
-bool move(Mesh& mesh, Index v, Point to, const Suits& suits) {
-  const Point from = std::exchange(mesh.points[v], to);
-  if (suits()) return true;
-  mesh.points[v] = from;
-  return false;
-}
-
 /// The length of the shortest constrained edge at v.
 double chain_step(const Mesh& mesh, Index v) {
   double step = HUGE_VAL;
@@ -66,12 +57,14 @@ bool move_off_segment(const Pslg& pslg, Mesh& mesh, Index v, double share) {
   const auto star = edit::star(mesh, v);
   return std::ranges::any_of(std::array{1.0, -1.0}, [&](double side) {
     const Point to{at.x - side * by * (b.y - a.y), at.y + side * by * (b.x - a.x)};
-    return move(mesh, v, to, [&] { return all_positive(mesh, star); });
+    return edit::move(mesh, v, to, [&] { return all_positive(mesh, star); });
   });
 }
 
 constexpr Defect geometry_defects[] = {
-    {"an edge is flipped", not_delaunay,
+    {"an edge is flipped",
+     not_delaunay,
+     {Field::corners, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
        return at_some_side(mesh, seed, [&](Side s) {
@@ -84,29 +77,35 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"a vertex has moved so far that an edge is no longer Delaunay", not_delaunay,
+    {"a vertex has moved so far that an edge is no longer Delaunay",
+     not_delaunay,
+     {Field::coordinates},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) {
          if (!is_interior(mesh, v)) return false;
          const auto star = edit::star(mesh, v);
          const auto around = edit::neighbour_vertices(mesh, v);
          return std::ranges::any_of(around, [&](Index to) {
-           return move(mesh, v, edit::between(mesh.points[v], mesh.points[to]),
-                       [&] { return all_positive(mesh, star) && some_not_delaunay(mesh, star); });
+           return edit::move(mesh, v, edit::between(mesh.points[v], mesh.points[to]),
+                             [&] { return all_positive(mesh, star) && some_not_delaunay(mesh, star); });
          });
        });
      }},
-    {"a vertex lies on an edge of the triangles around it", degenerate_triangle,
+    {"a vertex lies on an edge of the triangles around it",
+     degenerate_triangle,
+     {Field::coordinates},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index v = edit::apex(mesh, s), a = edit::tail(mesh, s), b = edit::head(mesh, s);
          if (!is_interior(mesh, v)) return false;
          // This works only if the rounded midpoint lies exactly on the edge.
-         return move(mesh, v, edit::between(mesh.points[a], mesh.points[b]),
-                     [&] { return edit::orientation(mesh, a, b, v) == 0; });
+         return edit::move(mesh, v, edit::between(mesh.points[a], mesh.points[b]),
+                           [&] { return edit::orientation(mesh, a, b, v) == 0; });
        });
      }},
-    {"a vertex lies on another", degenerate_triangle,
+    {"a vertex lies on another",
+     degenerate_triangle,
+     {Field::coordinates},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (!is_interior(mesh, edit::apex(mesh, s))) return false;
@@ -114,7 +113,9 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"a vertex has moved across an edge of the triangles around it", degenerate_triangle,
+    {"a vertex has moved across an edge of the triangles around it",
+     degenerate_triangle,
+     {Field::coordinates},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index v = edit::apex(mesh, s);
@@ -124,7 +125,9 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"a vertex has moved out of the domain", degenerate_triangle,
+    {"a vertex has moved out of the domain",
+     degenerate_triangle,
+     {Field::coordinates},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) {
          if (!is_interior(mesh, v)) return false;
@@ -134,7 +137,9 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"two new vertices have swapped places", degenerate_triangle,
+    {"two new vertices have swapped places",
+     degenerate_triangle,
+     {Field::coordinates, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index a = edit::tail(mesh, s), b = edit::head(mesh, s);
@@ -143,23 +148,29 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"an input vertex has moved by one unit in the last place", missing_input_vertex,
+    {"an input vertex has moved by one unit in the last place",
+     missing_input_vertex,
+     {Field::coordinates},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(pslg.points.size(), seed, [&](Index v) {
          mesh.points[v].x = std::nextafter(mesh.points[v].x, HUGE_VAL);
          return true;
        });
      }},
-    {"an input vertex has moved, and all its triangles are still counter-clockwise", missing_input_vertex,
+    {"an input vertex has moved, and all its triangles are still counter-clockwise",
+     missing_input_vertex,
+     {Field::coordinates},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(pslg.points.size(), seed, [&](Index v) {
          const auto star = edit::star(mesh, v);
          if (star.empty()) return false;
          const Point to = edit::between(mesh.points[v], edit::centroid(mesh, star[0]), 0x1p-10);
-         return move(mesh, v, to, [&] { return all_positive(mesh, star); });
+         return edit::move(mesh, v, to, [&] { return all_positive(mesh, star); });
        });
      }},
-    {"two input vertices have swapped numbers", missing_input_vertex,
+    {"two input vertices have swapped numbers",
+     missing_input_vertex,
+     {Field::coordinates | Field::markers | Field::attributes | Field::corners | Field::constrained_edges, any_number},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const Index a = another(seed, pslg.points.size()), b = another(seed + 1, pslg.points.size());
        if (a == b) return false;
@@ -168,7 +179,9 @@ constexpr Defect geometry_defects[] = {
        edit::renumber(mesh, to);
        return true;
      }},
-    {"input vertices do not come first", missing_input_vertex,
+    {"input vertices do not come first",
+     missing_input_vertex,
+     {vertex_entries | Field::corners | Field::constrained_edges, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        const auto n = static_cast<Index>(mesh.points.size());
        std::vector<Index> to(n);
@@ -176,7 +189,9 @@ constexpr Defect geometry_defects[] = {
        edit::renumber(mesh, to);
        return true;
      }},
-    {"an input vertex in the interior is removed from the triangulation", missing_input_vertex,
+    {"an input vertex in the interior is removed from the triangulation",
+     missing_input_vertex,
+     {Field::corners, any_number},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
        return at_some(pslg.points.size(), seed, [&](Index v) {
@@ -185,15 +200,21 @@ constexpr Defect geometry_defects[] = {
          return std::ranges::any_of(around, [&](Index to) { return edit::collapse(mesh, v, to); });
        });
      }},
-    {"a vertex of a segment's chain lies a millionth off the segment", chain_off_segment,
+    {"a vertex of a segment's chain lies a millionth off the segment",
+     chain_off_segment,
+     {Field::coordinates},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) { return move_off_segment(pslg, mesh, v, 1e-6); });
      }},
-    {"a segment's chain makes a visible bend", chain_off_segment,
+    {"a segment's chain makes a visible bend",
+     chain_off_segment,
+     {Field::coordinates},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) { return move_off_segment(pslg, mesh, v, 0.125); });
      }},
-    {"two vertices of a segment's chain have swapped places", degenerate_triangle,
+    {"two vertices of a segment's chain have swapped places",
+     degenerate_triangle,
+     {Field::coordinates, 2},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.constrained_edges.size(), seed, [&](Index e) {
          const auto [a, b] = edit::ends(mesh.constrained_edges[e].a, mesh.constrained_edges[e].b);
@@ -202,7 +223,9 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"a vertex splits a triangle, and the edges are not Delaunay", not_delaunay,
+    {"a vertex splits a triangle, and the edges are not Delaunay",
+     not_delaunay,
+     {vertex_entries | triangle_entries, 3},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          Mesh split = mesh;
@@ -212,7 +235,9 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"a sliver is added at an edge", small_angle,
+    {"a sliver is added at an edge",
+     small_angle,
+     {vertex_entries | triangle_entries, 3},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        if (goal.min_angle_deg <= 0) return false;
        return at_some_side(mesh, seed, [&](Side s) {
@@ -222,14 +247,18 @@ constexpr Defect geometry_defects[] = {
          return true;
        });
      }},
-    {"an edge of the mesh crosses a segment", broken_segment,
+    {"an edge of the mesh crosses a segment",
+     broken_segment,
+     {Field::corners, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
        return at_some_side(mesh, seed, [&](Side s) {
          return walls.contains(edit::ends(edit::tail(mesh, s), edit::head(mesh, s))) && edit::flip(mesh, s);
        });
      }},
-    {"an edge of the mesh crosses a segment, and the list of constrained edges hides it", broken_segment,
+    {"an edge of the mesh crosses a segment, and the list of constrained edges hides it",
+     broken_segment,
+     {Field::corners | Field::constrained_edges, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const auto lost = edit::ends(edit::tail(mesh, s), edit::head(mesh, s));

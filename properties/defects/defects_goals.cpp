@@ -85,37 +85,79 @@ bool demand_more(const Mesh& mesh, Goal& goal, double more) {
   return true;
 }
 
+/// The largest bound on edges that this edge exceeds.
+double just_too_small_a_length(const Mesh& mesh, Side s) {
+  const Point a = mesh.points[edit::tail(mesh, s)], b = mesh.points[edit::head(mesh, s)];
+  return just_exceeded(edit::length(mesh, edit::tail(mesh, s), edit::head(mesh, s)),
+                       [&](double bound) { return checker::exactly::length_exceeds(a, b, bound); });
+}
+
+/// Sets the bound on edges such that only one edge exceeds it, by the least amount. Changes nothing and returns false
+/// if another edge is as long, or if the longest edge lies inside (or on the boundary) although the other is wanted.
+bool forbid_longest_edge(const Mesh& mesh, Goal& goal, bool on_boundary) {
+  Side longest{0, 0};
+  const auto compare = [&](Side s, Side t) {
+    return checker::exactly::compare_lengths(mesh.points[edit::tail(mesh, s)], mesh.points[edit::head(mesh, s)],
+                                             mesh.points[edit::tail(mesh, t)], mesh.points[edit::head(mesh, t)]);
+  };
+  at_some_side(mesh, 0, [&](Side s) {
+    if (compare(s, longest) > 0) longest = s;
+    return false;
+  });
+  const auto ends = [&](Side s) { return edit::ends(edit::tail(mesh, s), edit::head(mesh, s)); };
+  const bool another =
+      at_some_side(mesh, 0, [&](Side s) { return ends(s) != ends(longest) && compare(s, longest) == 0; });
+  if (another || (edit::across(mesh, longest) == no_index) != on_boundary) return false;
+  goal.max_edge = just_too_small_a_length(mesh, longest);
+  return true;
+}
+
 constexpr Defect goal_defects[] = {
-    {"an angle is a millionth of a degree below the bound", small_angle,
+    {"an angle is a millionth of a degree below the bound",
+     small_angle,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 1e-6); }},
-    {"an angle is two degrees below the bound", small_angle,
+    {"an angle is two degrees below the bound",
+     small_angle,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return demand_more(mesh, goal, 2); }},
-    {"a triangle far from all segments is flattened", small_angle,
+    {"a triangle far from all segments is flattened",
+     small_angle,
+     {Field::coordinates},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return goal.min_angle_deg > 0 && at_some_side(mesh, seed, [&](Side s) {
                 if (!is_far_from_input(mesh, s.t)) return false;
+                const Index v = edit::apex(mesh, s);
                 const Point foot = edit::between(mesh.points[edit::tail(mesh, s)], mesh.points[edit::head(mesh, s)]);
-                mesh.points[edit::apex(mesh, s)] = edit::between(foot, mesh.points[edit::apex(mesh, s)], 0.03125);
-                return edit::smallest_angle_deg(mesh, s.t) < goal.min_angle_deg / 2;
+                return edit::move(mesh, v, edit::between(foot, mesh.points[v], 0.03125),
+                                  [&] { return edit::smallest_angle_deg(mesh, s.t) < goal.min_angle_deg / 2; });
               });
      }},
-    {"the largest triangle exceeds the cap by the least amount", large_area,
+    {"the largest triangle exceeds the cap by the least amount",
+     large_area,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
        goal.max_area = just_too_small_a_cap(mesh, largest(mesh, no_index));
        return true;
      }},
-    {"half of the triangles are too large", large_area,
+    {"half of the triangles are too large",
+     large_area,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
        goal.max_area = edit::area(mesh, largest(mesh, no_index)) / 2;
        return true;
      }},
-    {"a vertex is deleted, and its triangles merge beyond the cap", large_area,
+    {"a vertex is deleted, and its triangles merge beyond the cap",
+     large_area,
+     {vertex_entries | triangle_entries | Field::constrained_edges | Field::bounds, any_number},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        const double cap = delete_vertex_against_cap(mesh, no_index, seed);
        if (cap > 0) goal.max_area = cap;
        return cap > 0;
      }},
-    {"a region's triangle exceeds its cap by the least amount", region_area,
+    {"a region's triangle exceeds its cap by the least amount",
+     region_area,
+     {Field::input_regions},
      [](Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return goal.region_caps && at_some(pslg.regions.size(), seed, [&](Index r) {
                 const Index t = largest(mesh, r);
@@ -124,7 +166,11 @@ constexpr Defect goal_defects[] = {
                 return true;
               });
      }},
-    {"a vertex is deleted in a region, and its triangles merge beyond the region's cap", region_area,
+    {"a vertex is deleted in a region, and its triangles merge beyond the region's cap",
+     region_area,
+     {Field::coordinates | Field::origins | Field::markers | triangle_entries | Field::constrained_edges |
+          Field::input_regions,
+      any_number},
      [](Pslg& pslg, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return goal.region_caps && at_some(pslg.regions.size(), seed, [&](Index r) {
                 const double cap = delete_vertex_against_cap(mesh, r, seed);
@@ -132,22 +178,34 @@ constexpr Defect goal_defects[] = {
                 return cap > 0;
               });
      }},
-    {"an edge exceeds its bound by the least amount", long_edge,
+    {"an edge exceeds its bound by the least amount",
+     long_edge,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
-         const Point a = mesh.points[edit::tail(mesh, s)], b = mesh.points[edit::head(mesh, s)];
-         goal.max_edge = just_exceeded(edit::length(mesh, edit::tail(mesh, s), edit::head(mesh, s)),
-                                       [&](double bound) { return checker::exactly::length_exceeds(a, b, bound); });
+         goal.max_edge = just_too_small_a_length(mesh, s);
          return true;
        });
      }},
-    {"the sizing function demands shorter edges everywhere", size_exceeded,
+    {"the longest edge lies on the boundary, and it alone exceeds its bound by the least amount",
+     long_edge,
+     {Field::bounds},
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return forbid_longest_edge(mesh, goal, true); }},
+    {"the longest edge lies inside, and it alone exceeds its bound by the least amount",
+     long_edge,
+     {Field::bounds},
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) { return forbid_longest_edge(mesh, goal, false); }},
+    {"the sizing function demands shorter edges everywhere",
+     size_exceeded,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t) {
        const double wanted = longest_edge(mesh, largest(mesh, no_index)) / 2;
        goal.size = [wanted](Point) { return wanted; };
        return true;
      }},
-    {"the sizing function demands shorter edges at one triangle", size_exceeded,
+    {"the sizing function demands shorter edges at one triangle",
+     size_exceeded,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const Point at = edit::centroid(mesh, t);
@@ -156,7 +214,9 @@ constexpr Defect goal_defects[] = {
          return true;
        });
      }},
-    {"an edge of a segment is not Delaunay although the goal is conforming", not_conforming,
+    {"an edge of a segment is not Delaunay although the goal is conforming",
+     not_conforming,
+     {Field::bounds},
      [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
        if (goal.conforming) return false;
        const auto walls = edit::constrained(mesh);

@@ -62,7 +62,9 @@ bool change_origin(Mesh& mesh, std::uint64_t seed, Index origin, const Suits& su
 }
 
 constexpr Defect label_defects[] = {
-    {"a constrained edge is not listed", missing_constrained_edge,
+    {"a constrained edge is not listed",
+     missing_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        auto& edges = mesh.constrained_edges;
        return at_some(edges.size(), seed, [&](Index e) {
@@ -70,13 +72,17 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"no constrained edge is listed", missing_constrained_edge,
+    {"no constrained edge is listed",
+     missing_constrained_edge,
+     {Field::constrained_edges, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        if (mesh.constrained_edges.empty()) return false;
        mesh.constrained_edges.clear();
        return true;
      }},
-    {"a free edge is listed as constrained", wrong_constrained_edge,
+    {"a free edge is listed as constrained",
+     wrong_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
        return !pslg.segments.empty() && at_some_side(mesh, seed, [&](Side s) {
@@ -86,7 +92,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"a free edge is listed as one of the hull", wrong_constrained_edge,
+    {"a free edge is listed as one of the hull",
+     wrong_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto walls = edit::constrained(mesh);
        return at_some_side(mesh, seed, [&](Side s) {
@@ -96,7 +104,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"two vertices that share no edge are listed as a constrained edge", wrong_constrained_edge,
+    {"two vertices that share no edge are listed as a constrained edge",
+     wrong_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        if (mesh.constrained_edges.empty()) return false;
        return at_some_vertex(mesh, seed, [&](Index a) {
@@ -107,7 +117,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"a constrained edge is listed twice", wrong_constrained_edge,
+    {"a constrained edge is listed twice",
+     wrong_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.constrained_edges.size(), seed, [&](Index e) {
          const ConstrainedEdge copy = mesh.constrained_edges[e];
@@ -115,7 +127,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"a constrained edge names another segment", wrong_constrained_edge,
+    {"a constrained edge names another segment",
+     wrong_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_constrained(mesh, seed, [&](ConstrainedEdge& e) {
          if (pslg.segments.size() < 2 || e.segment == no_index) return false;
@@ -123,23 +137,31 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"a piece of a segment is listed as an edge of the hull", wrong_constrained_edge,
+    {"a piece of a segment is listed as an edge of the hull",
+     wrong_constrained_edge,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_constrained(mesh, seed,
                                   [&](ConstrainedEdge& e) { return std::exchange(e.segment, no_index) != no_index; });
      }},
-    {"an edge has lost its marker", wrong_edge_marker,
+    {"an edge has lost its marker",
+     wrong_edge_marker,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_constrained(mesh, seed, [&](ConstrainedEdge& e) { return std::exchange(e.marker, 0) != 0; });
      }},
-    {"an edge has another marker", wrong_edge_marker,
+    {"an edge has another marker",
+     wrong_edge_marker,
+     {Field::constrained_edges},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_constrained(mesh, seed, [&](ConstrainedEdge& e) {
          ++e.marker;
          return true;
        });
      }},
-    {"an unmarked edge of the boundary is not marked 1", wrong_edge_marker,
+    {"an unmarked edge of the boundary is not marked 1",
+     wrong_edge_marker,
+     {Field::constrained_edges},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_constrained(mesh, seed, [&](ConstrainedEdge& e) {
          const bool unmarked = e.segment == no_index || pslg.segments[e.segment].marker == 0;
@@ -148,7 +170,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"an unmarked edge inside is marked as boundary", wrong_edge_marker,
+    {"an unmarked edge inside is marked as boundary",
+     wrong_edge_marker,
+     {Field::constrained_edges},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_constrained(mesh, seed, [&](ConstrainedEdge& e) {
          const bool unmarked = e.segment == no_index || pslg.segments[e.segment].marker == 0;
@@ -157,23 +181,31 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"a vertex has lost its marker", wrong_vertex_marker,
+    {"a vertex has lost its marker",
+     wrong_vertex_marker,
+     {Field::markers},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.point_markers.size(), seed,
                       [&](Index v) { return std::exchange(mesh.point_markers[v], 0) != 0; });
      }},
-    {"a vertex on a segment has lost its marker", wrong_vertex_marker,
+    {"a vertex on a segment has lost its marker",
+     wrong_vertex_marker,
+     {Field::markers},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.point_markers.size(), seed, [&](Index v) {
          return is_on_segment(pslg, mesh, v) && std::exchange(mesh.point_markers[v], 0) != 0;
        });
      }},
-    {"a vertex inside has a marker", wrong_vertex_marker,
+    {"a vertex inside has a marker",
+     wrong_vertex_marker,
+     {Field::markers},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.point_markers.size(), seed,
                       [&](Index v) { return is_interior(mesh, v) && std::exchange(mesh.point_markers[v], 17) != 17; });
      }},
-    {"a triangle lies in another region", wrong_region,
+    {"a triangle lies in another region",
+     wrong_region,
+     {Field::regions},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.region.size(), seed, [&](Index t) {
          const auto regions = static_cast<Index>(mesh.region_attributes.size());
@@ -182,60 +214,88 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"two regions have swapped their triangles", wrong_region,
+    {"two regions have swapped their triangles",
+     wrong_region,
+     {Field::regions, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        if (mesh.region_attributes.size() < 2) return false;
        for (Index& r : mesh.region) r = r == 0 ? 1 : r == 1 ? 0 : r;
        return true;
      }},
-    {"a triangle has lost its region", wrong_region,
+    {"a triangle has lost its region",
+     wrong_region,
+     {Field::regions},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.region.size(), seed,
                       [&](Index t) { return std::exchange(mesh.region[t], no_index) != no_index; });
      }},
-    {"a triangle outside all regions is given one", wrong_region,
+    {"a triangle outside all regions is given one",
+     wrong_region,
+     {Field::regions},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
-       return at_some(mesh.region.size(), seed, [&](Index t) { return std::exchange(mesh.region[t], 0) == no_index; });
+       return !mesh.region_attributes.empty() && at_some(mesh.region.size(), seed, [&](Index t) {
+         if (mesh.region[t] != no_index) return false;
+         mesh.region[t] = 0;
+         return true;
+       });
      }},
-    {"a region has another attribute", wrong_region,
+    {"a region has another attribute",
+     wrong_region,
+     {Field::region_attributes},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.region_attributes.size(), seed, [&](Index r) {
          mesh.region_attributes[r] += 1;
          return true;
        });
      }},
-    {"a vertex of a segment is listed as interior", wrong_origin,
+    {"a vertex of a segment is listed as interior",
+     wrong_origin,
+     {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, interior_vertex, [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
-    {"an interior vertex is listed on a segment", wrong_origin,
+    {"an interior vertex is listed on a segment",
+     wrong_origin,
+     {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return !pslg.segments.empty() && change_origin(mesh, seed, another(seed, pslg.segments.size()),
                                                       [&](Index v) { return is_interior(mesh, v); });
      }},
-    {"a vertex of a segment is listed on another segment", wrong_origin,
+    {"a vertex of a segment is listed on another segment",
+     wrong_origin,
+     {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return !pslg.segments.empty() && change_origin(mesh, seed, another(seed, pslg.segments.size()),
                                                       [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
-    {"a new vertex is listed as input", wrong_origin,
+    {"a new vertex is listed as input",
+     wrong_origin,
+     {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, input_vertex, [&](Index v) { return v >= pslg.points.size(); });
      }},
-    {"an input vertex is listed as new", wrong_origin,
+    {"an input vertex is listed as new",
+     wrong_origin,
+     {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, interior_vertex, [&](Index v) { return v < pslg.points.size(); });
      }},
-    {"an interior vertex is listed on the hull", wrong_origin,
+    {"an interior vertex is listed on the hull",
+     wrong_origin,
+     {Field::origins},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, hull_vertex, [&](Index v) { return is_interior(mesh, v); });
      }},
-    {"an origin is a segment that does not exist", wrong_origin,
+    {"an origin is a segment that does not exist",
+     wrong_origin,
+     {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return change_origin(mesh, seed, static_cast<Index>(pslg.segments.size() + 3),
                             [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
-    {"the input has a segment that the mesh lacks", broken_segment,
+    {"the input has a segment that the mesh lacks",
+     broken_segment,
+     {Field::input_segments},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const Index a = another(seed, pslg.points.size());
        return !pslg.segments.empty() && at_some(pslg.points.size(), seed, [&](Index b) {
@@ -244,7 +304,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"the input has a point that the mesh lacks", missing_input_vertex,
+    {"the input has a point that the mesh lacks",
+     missing_input_vertex,
+     {Field::input_points},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          pslg.points.push_back(edit::centroid(mesh, t));
@@ -253,7 +315,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"the input has a hole that the mesh lacks", covered_exterior,
+    {"the input has a hole that the mesh lacks",
+     covered_exterior,
+     {Field::input_holes},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        const auto face = edit::faces(mesh);
        if (std::ranges::count(face, 0) == std::ssize(face)) return false;  // nothing would be left
@@ -263,7 +327,9 @@ constexpr Defect label_defects[] = {
          return true;
        });
      }},
-    {"the mesh has a hole that the input lacks", uncovered_domain,
+    {"the mesh has a hole that the input lacks",
+     uncovered_domain,
+     {Field::input_holes},
      [](Pslg& pslg, Mesh&, Goal&, std::uint64_t seed) {
        return at_some(pslg.holes.size(), seed, [&](Index h) {
          pslg.holes.erase(pslg.holes.begin() + static_cast<std::ptrdiff_t>(h));

@@ -34,7 +34,9 @@ void add_handle(Mesh& mesh, Index t, Index u) {
 }
 
 constexpr Defect topology_defects[] = {
-    {"a triangle is there twice", duplicate_triangle,
+    {"a triangle is there twice",
+     duplicate_triangle,
+     {triangle_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const Triangle copy = mesh.triangles[t];
@@ -43,7 +45,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"a triangle is there twice, written from another corner", duplicate_triangle,
+    {"a triangle is there twice, written from another corner",
+     duplicate_triangle,
+     {triangle_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const auto v = mesh.triangles[t].v;
@@ -52,7 +56,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"a triangle is clockwise", degenerate_triangle,
+    {"a triangle is clockwise",
+     degenerate_triangle,
+     {Field::corners},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          std::swap(mesh.triangles[t].v[0], mesh.triangles[t].v[1]);
@@ -60,7 +66,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"all triangles are clockwise", degenerate_triangle,
+    {"all triangles are clockwise",
+     degenerate_triangle,
+     {Field::corners, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t) {
        for (Triangle& t : mesh.triangles) {
          std::swap(t.v[0], t.v[1]);
@@ -68,14 +76,18 @@ constexpr Defect topology_defects[] = {
        }
        return true;
      }},
-    {"a triangle has one vertex twice", degenerate_triangle,
+    {"a triangle has one vertex twice",
+     degenerate_triangle,
+     {Field::corners},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          mesh.triangles[s.t].v[s.i] = edit::tail(mesh, s);
          return true;
        });
      }},
-    {"a neighbour is another triangle", wrong_neighbour,
+    {"a neighbour is another triangle",
+     wrong_neighbour,
+     {Field::neighbours},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index other = another(seed, mesh.triangles.size());
@@ -84,14 +96,18 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"a triangle is its own neighbour", wrong_neighbour,
+    {"a triangle is its own neighbour",
+     wrong_neighbour,
+     {Field::neighbours},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          mesh.triangles[s.t].n[s.i] = s.t;
          return true;
        });
      }},
-    {"a neighbour is missing on one side", wrong_neighbour,
+    {"a neighbour is missing on one side",
+     wrong_neighbour,
+     {Field::neighbours},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) == no_index) return false;
@@ -99,7 +115,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"two neighbours do not list each other", wrong_neighbour,
+    {"two neighbours do not list each other",
+     wrong_neighbour,
+     {Field::neighbours, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) == no_index) return false;
@@ -109,7 +127,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"a triangle's neighbours are in the wrong order", wrong_neighbour,
+    {"a triangle's neighbours are in the wrong order",
+     wrong_neighbour,
+     {Field::neighbours},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          auto& n = mesh.triangles[t].n;
@@ -118,7 +138,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"a boundary edge has a neighbour", wrong_neighbour,
+    {"a boundary edge has a neighbour",
+     wrong_neighbour,
+     {Field::neighbours},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          const Index other = another(seed, mesh.triangles.size());
@@ -127,7 +149,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"an edge has three triangles", non_manifold_edge,
+    {"an edge has three triangles",
+     non_manifold_edge,
+     {vertex_entries | triangle_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_side(mesh, seed, [&](Side s) {
          if (edit::across(mesh, s) == no_index) return false;
@@ -137,7 +161,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"an interior vertex has a second fan of triangles", non_manifold_vertex,
+    {"an interior vertex has a second fan of triangles",
+     non_manifold_vertex,
+     {vertex_entries | triangle_entries, 2},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const auto v = mesh.triangles[t].v;
@@ -149,7 +175,9 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"two triangles are joined by a handle", euler_characteristic,
+    {"two triangles are joined by a handle",
+     euler_characteristic,
+     {triangle_entries, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          const Index u = another(seed, mesh.triangles.size());
@@ -158,14 +186,18 @@ constexpr Defect topology_defects[] = {
          return true;
        });
      }},
-    {"a vertex without triangles is appended", unused_vertex,
+    {"a vertex without triangles is appended",
+     unused_vertex,
+     {vertex_entries},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_triangle(mesh, seed, [&](Index t) {
          edit::append_point(mesh, edit::centroid(mesh, t));
          return true;
        });
      }},
-    {"a vertex has lost its triangles to a neighbour", unused_vertex,
+    {"a vertex has lost its triangles to a neighbour",
+     unused_vertex,
+     {triangle_entries, any_number},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some_vertex(mesh, seed, [&](Index v) {
          if (!is_interior(mesh, v)) return false;

@@ -51,6 +51,14 @@ void append_triangle(Mesh& mesh, std::array<Index, 3> v, Index region = no_index
 [[nodiscard]] Index region_of(const Mesh& mesh, Index t);
 /// Appends a point with marker 0 and attributes 0, and returns its index.
 Index append_point(Mesh& mesh, Point p, Index origin = interior_vertex);
+/// Moves a vertex. If suits() is false afterwards, moves the vertex back and returns false.
+template <class Suits>
+bool move(Mesh& mesh, Index v, Point to, const Suits& suits) {
+  const Point from = std::exchange(mesh.points[v], to);
+  if (suits()) return true;
+  mesh.points[v] = from;
+  return false;
+}
 /// Removes point v; the last point gets the number v. Precondition: v has no triangles.
 void erase_unused_point(Mesh& mesh, Index v);
 /// Point v gets the number to[v]. Precondition: `to` is a permutation.

@@ -9,15 +9,16 @@
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
+#include "changes.hpp"
 
 namespace pardel {
 namespace {
 
-struct Subject {
+/// A valid mesh, with a name for messages.
+struct Subject : defects::MeshedCase {
+  Subject(std::string called, Pslg domain, Goal asked, Mesh made)
+      : MeshedCase{std::move(domain), std::move(made), std::move(asked)}, name(std::move(called)) {}
   std::string name;
-  Pslg pslg;
-  Goal goal;
-  Mesh mesh;
 };
 
 Goal goal_of(double min_angle_deg, double max_area = std::numeric_limits<double>::infinity()) {
@@ -124,17 +125,19 @@ PARDEL_FACT(Checker, accepts_right_meshes,
   }
 }
 
+bool inject(const defects::Defect& defect, defects::MeshedCase& into, std::uint64_t seed) {
+  return defect.inject(into.pslg, into.mesh, into.goal, seed);
+}
+
 /// Makes the defect at several places of every mesh and expects the verdict. Returns the number of places.
 std::uint64_t expect_verdict(const defects::Defect& defect) {
   std::uint64_t places = 0;
   for (const Subject& subject : subjects()) {
     for (const std::uint64_t seed : seeds) {
-      Pslg pslg = subject.pslg;
-      Mesh mesh = subject.mesh;
-      Goal goal = subject.goal;
-      if (!defect.inject(pslg, mesh, goal, seed)) continue;
+      defects::MeshedCase changed = subject;
+      if (!inject(defect, changed, seed)) continue;
       ++places;
-      const Certificate certificate = check(pslg, mesh, goal);
+      const Certificate certificate = check(changed.pslg, changed.mesh, changed.goal);
       EXPECT_FALSE(certificate.valid) << defect.name << " in " << subject.name << ", seed " << seed;
       EXPECT_GT(count(certificate, defect.expected), 0u)
           << defect.name << " in " << subject.name << ", seed " << seed << ": expected " << name(defect.expected)
@@ -210,22 +213,52 @@ bool add_verdicts(std::index_sequence<kinds...> /*of all kinds*/) {
 }
 const bool verdicts_are_added = add_verdicts(std::make_index_sequence<violation_kinds>());
 
+/// Fails if `made` is not one change or if it goes beyond the target. Returns the fields that changed.
+defects::Fields expect_within(const defects::Target& target, const std::map<defects::Field, std::size_t>& made) {
+  defects::Fields fields;
+  for (const auto& [field, entries] : made) {
+    if (field == defects::Field::neighbours && target.fields.has(defects::Field::corners)) continue;
+    fields = fields | field;
+    EXPECT_TRUE(target.fields.has(field)) << "field " << static_cast<unsigned>(field) << " is not a target";
+    EXPECT_LE(entries, target.entries) << "in field " << static_cast<unsigned>(field);
+  }
+  EXPECT_NE(fields, defects::Fields()) << "nothing has changed";
+  return fields;
+}
+
+PARDEL_FACT(
+    Defects, change_their_targets_only_and_nothing_where_they_find_no_place,
+    {.statement = "every seeded defect changes the fields that it names, in at most as many entries as it says, "
+                  "and no other field; where a mesh has no suitable place, it changes nothing",
+     .source = "properties/defects/target.hpp",
+     .families = defective_meshes}) {
+  for (const defects::Defect& defect : defects::all()) {
+    defects::Fields changed_somewhere;
+    for (const Subject& subject : subjects())
+      for (const std::uint64_t seed : seeds) {
+        SCOPED_TRACE(std::string(defect.name) + " in " + subject.name + ", seed " + std::to_string(seed));
+        defects::MeshedCase changed = subject;
+        const bool injected = inject(defect, changed, seed);
+        const auto made = defects::changes(subject, changed);
+        if (injected)
+          changed_somewhere = changed_somewhere | expect_within(defect.target, made);
+        else
+          EXPECT_TRUE(made.empty() && changed.pslg == subject.pslg && changed.mesh == subject.mesh);
+        ++facts.cases;
+      }
+    EXPECT_EQ(changed_somewhere, defect.target.fields) << defect.name << ": some field of its target never changes";
+  }
+}
+
 class SeededDefect : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(SeededDefect, changes_nothing_where_it_finds_no_place_and_is_reproducible) {
+TEST_P(SeededDefect, is_the_same_for_the_same_seed) {
   const defects::Defect& defect = defects::all()[GetParam()];
   for (const Subject& subject : subjects()) {
-    Pslg pslg = subject.pslg, same_pslg = subject.pslg;
-    Mesh mesh = subject.mesh, same_mesh = subject.mesh;
-    Goal goal = subject.goal, same_goal = subject.goal;
-    const bool injected = defect.inject(pslg, mesh, goal, 5);
-    EXPECT_EQ(injected, defect.inject(same_pslg, same_mesh, same_goal, 5));
-    EXPECT_EQ(pslg, same_pslg) << subject.name;
-    EXPECT_EQ(mesh.triangles, same_mesh.triangles) << subject.name;
-    if (injected) continue;
-    EXPECT_EQ(pslg, subject.pslg) << subject.name;
-    EXPECT_EQ(mesh, subject.mesh) << subject.name;
-    EXPECT_EQ(goal.max_area, subject.goal.max_area) << subject.name;
+    defects::MeshedCase one = subject, other = subject;
+    EXPECT_EQ(inject(defect, one, 5), inject(defect, other, 5));
+    EXPECT_EQ(one.pslg, other.pslg) << subject.name;
+    EXPECT_EQ(one.mesh.triangles, other.mesh.triangles) << subject.name;
   }
 }
 
