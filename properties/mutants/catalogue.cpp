@@ -4,10 +4,12 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,14 +52,28 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+/// Rounded to whole percents; smaller shares to one digit, so that no share is shown as zero.
+std::string percentage(double share) {
+  std::ostringstream text;
+  if (share < 0.01)
+    text << std::setprecision(1) << 100 * share << " %";
+  else
+    text << std::lround(100 * share) << " %";
+  return text.str();
+}
+
 /// The families of inputs, followed by each tag with its share of all cases, the largest share first.
 std::string tried_on(const json& record) {
   std::string text = record.at("families");
   const double cases = record.at("cases");
   std::multimap<double, std::string, std::greater<>> shares;
-  for (const auto& [tag, count] : record.at("shares").items()) shares.emplace(double(count) / cases, tag);
-  for (const auto& [share, tag] : shares)
-    text += (text.empty() ? "" : "<br>") + tag + " " + std::to_string(std::lround(100 * share)) + " %";
+  for (const auto& [tag, count] : record.at("shares").items()) {
+    if (double(count) <= 0 || double(count) > cases)
+      throw std::runtime_error(std::string(record.at("property")) + ": " + tag + " is the kind of " + count.dump() +
+                               " of its cases");
+    shares.emplace(double(count) / cases, tag);
+  }
+  for (const auto& [share, tag] : shares) text += (text.empty() ? "" : "<br>") + tag + " " + percentage(share);
   return text;
 }
 

@@ -70,6 +70,27 @@ TEST(Catalogue, has_a_row_for_every_statement_of_the_theory) {
     EXPECT_TRUE(suites.contains(suite_of(label))) << label << " has no row";
 }
 
+/// Cases are counted by classify() (framework/shares.hpp), which promises a share. RapidCheck's own macro promises
+/// none.
+TEST(Catalogue, has_a_promised_share_for_every_kind_of_case) {
+  for (const char* folder : {"properties/theorems", "tests"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(PARDEL_SOURCE) / folder))
+      if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
+        EXPECT_EQ(contents(entry.path()).find("RC_CLASSIFY"), std::string::npos) << entry.path();
+}
+
+TEST(Catalogue, has_no_share_of_zero_and_none_above_a_hundred_percent) {
+  const std::string catalogue = contents(fs::path(PARDEL_SOURCE) / "properties/CATALOGUE.md");
+  const std::regex percents(R"(<br>[^|<]* (\d+(?:\.\d+)?) %)");
+  std::size_t shares = 0;
+  for (auto at = std::sregex_iterator(catalogue.begin(), catalogue.end(), percents); at != std::sregex_iterator();
+       ++at, ++shares) {
+    EXPECT_GT(std::stod((*at)[1]), 0) << at->str();
+    EXPECT_LE(std::stod((*at)[1]), 100) << at->str();
+  }
+  EXPECT_GT(shares, 100U);
+}
+
 TEST(Catalogue, has_a_row_for_every_property_and_no_other) {
   const std::set<std::string> rows = rows_of_the_catalogue();
   const std::set<std::string> properties = properties_in_the_sources();

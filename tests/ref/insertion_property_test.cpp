@@ -3,6 +3,7 @@
 #include <map>
 
 #include "../../properties/theorems/framework/property.hpp"
+#include "../../properties/theorems/framework/shares.hpp"
 #include "../../ref/insertion.hpp"
 
 namespace pardel::ref {
@@ -131,7 +132,7 @@ PARDEL_PROPERTY(
   for (const Point& p : insertions)
     if (std::ranges::count(mesh.points, exact(p)) == 0) insert(mesh, exact(p));
 
-  RC_CLASSIFY(mesh.constraints.size() > pieces, "a wall was split");
+  properties::classify(mesh.constraints.size() > pieces, "a wall was split", 8);
   for (const Edge& e : mesh.constraints) after += length_of_projections(mesh, e);
   RC_ASSERT(is_conformal(mesh));
   RC_ASSERT(is_constrained_delaunay(mesh));

@@ -6,6 +6,7 @@
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
+#include "../framework/shares.hpp"
 #include "left_triangle.hpp"
 
 namespace pardel::properties {
@@ -149,8 +150,8 @@ PARDEL_PROPERTY(
   const Number old = squared_circumradius_left_of(before, from, to).value();
   const Number now = squared_circumradius_left_of(after, from, to).value();
   const bool encroaches = ref::encroaches(ref::exact(scene.insertions[0]), p[0], p[2]);
-  RC_CLASSIFY(encroaches, "m encroaches upon ax");
-  RC_CLASSIFY(now > old, "the circumradius grows");
+  classify(encroaches, "m encroaches upon ax", 25);
+  classify(now > old, "the circumradius grows", 15);
   if (encroaches)
     RC_ASSERT(now <= old * squared_factor(squared_cosine(p[0], p[1], p[2])));
   else

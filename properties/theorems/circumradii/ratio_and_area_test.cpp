@@ -13,6 +13,7 @@
 #include "../../domains/domains.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
+#include "../framework/shares.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -187,7 +188,7 @@ PARDEL_PROPERTY(T3Sharp, the_isosceles_triangle_has_the_largest_circumradius,
   RC_ASSERT(power <= bound);
 
   const bool attained = given.ratio == t.ratio() && given.area == t.area;
-  RC_CLASSIFY(given.has_two_shortest_sides && attained, "equality");
+  classify(given.has_two_shortest_sides && attained, "equality", 3);
   RC_ASSERT((power == bound) == (given.has_two_shortest_sides && attained));
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "../../../core/formats.hpp"
+#include "shares.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -62,16 +63,6 @@ void record(const Statement& statement, std::uint64_t cases, const std::map<std:
   std::ofstream(fs::path(folder) / (test_name() + ".json")) << row.dump(1) << '\n';
 }
 
-std::map<std::string, std::uint64_t> shares_of(const rc::detail::Distribution& distribution) {
-  std::map<std::string, std::uint64_t> shares;
-  for (const auto& [tags, count] : distribution)
-    for (std::string tag : tags) {
-      std::erase(tag, '"');  // RapidCheck quotes strings
-      shares[tag] += static_cast<std::uint64_t>(count);
-    }
-  return shares;
-}
-
 }  // namespace
 
 std::string Exhibit::write(const std::string& stem) const {
@@ -120,7 +111,10 @@ void check_property(const Statement& statement, void (*body)(Exhibit&)) {
 
   if (result.is<rc::detail::SuccessResult>()) {
     const auto& success = result.get<rc::detail::SuccessResult>();
-    record(statement, static_cast<std::uint64_t>(success.numSuccess), shares_of(success.distribution), {});
+    const auto cases = static_cast<std::uint64_t>(success.numSuccess);
+    const Shares shares = shares_of(success.distribution);
+    for (const std::string& broken : broken_promises(shares, cases)) ADD_FAILURE() << broken;
+    if (!testing::Test::HasFailure()) record(statement, cases, shares.cases, {});
     return;
   }
   std::ostringstream story;

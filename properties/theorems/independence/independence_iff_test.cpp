@@ -4,6 +4,7 @@
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
+#include "../framework/shares.hpp"
 #include "pairs.hpp"
 
 namespace pardel::properties {
@@ -37,19 +38,23 @@ CGAL::Bounded_side side(const ref::PlainMesh& mesh, const ref::ExactPoint& p, co
 
 /// Tags the case with the way in which the cavities meet. The shares of the tags in the catalogue show that both
 /// directions of the equivalence are tested.
-void classify(const MeshedScene& scene, const ref::ExactPoint& p, const ref::ExactPoint& q) {
+void tag_contact(const MeshedScene& scene, const ref::ExactPoint& p, const ref::ExactPoint& q) {
   const Contact meet = contact(scene.mesh, p, q);
   RC_TAG(name(meet));
-  RC_CLASSIFY(ref::are_independent(scene.mesh, p, q), "independent");
-  if (meet != Contact::edge) return;
-  for (const ref::Edge& e : common_edges(scene.mesh, p, q)) {
+  classify(ref::are_independent(scene.mesh, p, q), "independent", 40);
+  bool wall_inside = false, inside = false, on = false, outside = false;
+  for (const ref::Edge& e : meet == Contact::edge ? common_edges(scene.mesh, p, q) : std::vector<ref::Edge>()) {
     const bool wall = scene.mesh.constraints.contains(ref::edge(e[0], e[1]));
     const CGAL::Bounded_side where = side(scene.mesh, p, q, e);
-    RC_CLASSIFY(wall && where == CGAL::ON_BOUNDED_SIDE, "a wall between: inside the circle");
-    RC_CLASSIFY(!wall && where == CGAL::ON_BOUNDED_SIDE, "a common edge: inside the circle");
-    RC_CLASSIFY(!wall && where == CGAL::ON_BOUNDARY, "a common edge: on the circle");
-    RC_CLASSIFY(!wall && where == CGAL::ON_UNBOUNDED_SIDE, "a common edge: outside of the circle");
+    wall_inside |= wall && where == CGAL::ON_BOUNDED_SIDE;
+    inside |= !wall && where == CGAL::ON_BOUNDED_SIDE;
+    on |= !wall && where == CGAL::ON_BOUNDARY;
+    outside |= !wall && where == CGAL::ON_UNBOUNDED_SIDE;
   }
+  classify(wall_inside, "a wall between: inside the circle", 0.1);
+  classify(inside, "a common edge: inside the circle", 5);
+  classify(on, "a common edge: on the circle", 0.5);
+  classify(outside, "a common edge: outside of the circle", 2);
 }
 
 PARDEL_PROPERTY(
@@ -65,7 +70,7 @@ PARDEL_PROPERTY(
   exhibit.show(scene.scene);
   tag_families(scene);
   const auto points = insertions_of(scene.scene);
-  classify(scene, points[0], points[1]);
+  tag_contact(scene, points[0], points[1]);
   const bool independent = ref::are_independent(scene.mesh, points[0], points[1]);
   const Outcomes made = outcomes(scene.mesh, points);
   RC_ASSERT(is_conformal_and_delaunay(made.at_once) == independent);
@@ -101,7 +106,7 @@ PARDEL_PROPERTY(T1Iff, a_set_of_points_is_independent_iff_every_two_of_them_are,
   tag_families(scene);
   const auto points = insertions_of(scene.scene);
   const bool independent = are_pairwise_independent(scene.mesh, points);
-  RC_CLASSIFY(independent, "independent");
+  classify(independent, "independent", 8);
   const Outcomes made = outcomes(scene.mesh, points);
   RC_ASSERT(is_conformal_and_delaunay(made.at_once) == independent);
   RC_ASSERT(made.are_one_mesh() == independent);

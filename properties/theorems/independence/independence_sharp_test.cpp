@@ -7,6 +7,7 @@
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
+#include "../framework/shares.hpp"
 #include "pairs.hpp"
 #include "widest_pairs.hpp"
 
@@ -39,7 +40,7 @@ PARDEL_PROPERTY(T1Sharp, at_two_circumradii_independent_insertion_is_insertion_i
   tag_families(scene);
   const auto points = insertions_of(scene.scene);
   RC_TAG(name(contact(scene.mesh, points[0], points[1])));
-  RC_CLASSIFY(encroaches_on_its_cavity(scene), "encroaching upon a wall of its cavity");
+  classify(encroaches_on_its_cavity(scene), "encroaching upon a wall of its cavity", 9);
   RC_ASSERT(contact(scene.mesh, points[0], points[1]) != Contact::triangle);
   RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
   const Outcomes made = outcomes(scene.mesh, points);
@@ -102,9 +103,9 @@ PARDEL_PROPERTY(T1Sharp, only_the_circumradii_of_the_two_cavities_matter,
   const ref::Number bound =
       std::max(squared_radius_of_cavity(scene.mesh, points[0]), squared_radius_of_cavity(scene.mesh, points[1]));
   const bool far_enough = CGAL::squared_distance(points[0], points[1]) >= 4 * bound;
-  RC_CLASSIFY(far_enough, "at least 2 R apart");
-  RC_CLASSIFY(far_enough && contact(scene.mesh, points[0], points[1]) == Contact::edge,
-              "at least 2 R apart, with a common edge");
+  classify(far_enough, "at least 2 R apart", 9);
+  classify(far_enough && contact(scene.mesh, points[0], points[1]) == Contact::edge,
+           "at least 2 R apart, with a common edge", 0.5);
   if (far_enough) RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
 }
 

@@ -2,6 +2,7 @@
 // points whose cavities have disjoint closures are independent, too.
 #include "../../../ref/independent.hpp"
 #include "../framework/property.hpp"
+#include "../framework/shares.hpp"
 #include "pairs.hpp"
 
 namespace pardel::properties {
@@ -86,7 +87,7 @@ PARDEL_PROPERTY(
   tag_families(scene);
   const auto points = insertions_of(scene.scene);
   const bool disjoint = ref::closures_are_disjoint(scene.mesh, points[0], points[1]);
-  RC_CLASSIFY(disjoint, "disjoint closures");
+  classify(disjoint, "disjoint closures", 20);
   RC_ASSERT(disjoint == (contact(scene.mesh, points[0], points[1]) == Contact::none));
   if (!disjoint) return;
   const Outcomes made = outcomes(scene.mesh, points);

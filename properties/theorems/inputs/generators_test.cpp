@@ -9,6 +9,7 @@
 #include "../../domains/generators/lattice_domain.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
+#include "../framework/shares.hpp"
 
 namespace pardel::generators {
 namespace {
@@ -92,9 +93,9 @@ PARDEL_PROPERTY(Generator, domains_are_valid,
   const LatticeDomain domain = *domains();
   exhibit.show(to_pslg(domain));
   RC_TAG(std::string(name(domain.family)));
-  RC_CLASSIFY(!domain.holes.empty(), "with holes");
-  RC_CLASSIFY(!domain.regions.empty(), "with regions");
-  RC_CLASSIFY(domain.segments.empty(), "points alone");
+  properties::classify(!domain.holes.empty(), "with holes", 16);
+  properties::classify(!domain.regions.empty(), "with regions", 18);
+  properties::classify(domain.segments.empty(), "points alone", 2);
   RC_ASSERT(is_valid(domain));
   RC_ASSERT(domain.points.size() >= 3U);
   RC_ASSERT(domain.points.size() <= 70U);

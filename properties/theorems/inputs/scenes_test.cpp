@@ -9,6 +9,7 @@
 #include <set>
 
 #include "../framework/property.hpp"
+#include "../framework/shares.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -94,7 +95,7 @@ PARDEL_PROPERTY(
               (count(scene) == count(large.scene) && extent(scene) < extent(large.scene)));
   // Test the mesh of one candidate only; testing all would take too long.
   const MeshedScene small = meshed(candidates[*rc::gen::inRange<std::size_t>(0, candidates.size())]);
-  RC_CLASSIFY(satisfies(small, spec), "satisfies the specification");
+  classify(satisfies(small, spec), "satisfies the specification", 25);
   RC_ASSERT(small.scene.insertions.size() >= 2);
   RC_ASSERT(ref::is_conformal(small.mesh));
   RC_ASSERT(ref::is_constrained_delaunay(small.mesh));

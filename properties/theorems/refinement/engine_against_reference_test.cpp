@@ -9,6 +9,7 @@
 #include "../../../ref/constrained.hpp"
 #include "../../../ref/faces.hpp"
 #include "../../../ref/ruppert.hpp"
+#include "../framework/shares.hpp"
 #include "cocircular_neighbours.hpp"
 #include "meshing.hpp"
 
@@ -81,7 +82,7 @@ PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_the_same_where_only_o
   const ref::PlainMesh expected = triangulation_by_definition(pslg);
   RC_ASSERT(found.triangles.size() == expected.triangles.size());
   const bool ambiguous = has_cocircular_neighbours(expected);
-  RC_CLASSIFY(!ambiguous, "only one Delaunay triangulation");
+  classify(!ambiguous, "only one Delaunay triangulation", 35);
   if (ambiguous) return;
   RC_ASSERT(sorted(found.triangles, [](const Triangle& t) { return t.v; }) ==
             sorted(expected.triangles, [](const ref::Corners& t) { return t; }));
@@ -109,7 +110,7 @@ PARDEL_PROPERTY(EngineAgainstReference, a_conforming_mesh_of_a_hull_without_boun
   const Mesh found =
       value_of(mesh(pslg, {.min_angle_deg = 0, .region_caps = false, .conforming = true, .convex_hull = true})).mesh;
   exhibit.show(pslg, found);
-  RC_CLASSIFY(found.points.size() > pslg.points.size(), "some segment was split");
+  classify(found.points.size() > pslg.points.size(), "some segment was split", 10);
   RC_ASSERT(ref::is_delaunay(ref::to_plain_mesh(found)));
 }
 
@@ -130,7 +131,7 @@ Pslg right_angled_domain(Random& random, int size) {
     if (random.chance(2)) pslg.holes.push_back({(low + high) / 2, (low + high) / 2});
   }
   std::set<std::pair<int, int>> used;
-  for (int i = size / 25; i > 0; --i) {
+  for (int i = 4 + size / 12; i > 0; --i) {
     const int x = random.between(1, 15), y = random.between(1, 15);
     const auto is_outside = [&](int k) { return double(k) < low || double(k) > high; };
     const bool free = !has_square || is_outside(x) || is_outside(y);
@@ -150,12 +151,16 @@ std::vector<Pslg> with_fewer_points(const Pslg& pslg) {
   return simpler;
 }
 
-PARDEL_PROPERTY(EngineAgainstReference, both_refiners_reach_the_goal_with_meshes_of_similar_size,
-                {.statement = "If no two segments meet at less than 60 degrees and the angle bound is at most 20.7 "
-                              "degrees, the engine and Ruppert's algorithm both reach the goal without exempt "
-                              "triangles. Neither mesh has more than twice the triangles of the other plus 16.",
-                 .source = "Ruppert 1995; ref/ruppert.hpp",
-                 .families = "squares with a square hole or island and isolated points"}) {
+PARDEL_PROPERTY(
+    EngineAgainstReference, both_refiners_reach_the_goal_with_meshes_of_similar_size,
+    {.statement = "If no two segments meet at less than 60 degrees and the angle bound is at most 20.7 "
+                  "degrees, the engine and Ruppert's algorithm both reach the goal without exempt "
+                  "triangles. The engine makes at most 1.3 times as many triangles as Ruppert's algorithm. "
+                  "Ruppert's algorithm makes at most 1.75 times as many as the engine if the goal is "
+                  "conforming, and else, where the engine uses lenses in place of circles, at most 4 "
+                  "times as many. (The most in 10,000 cases: 1.19, 1.5 and 3 times.)",
+     .source = "Ruppert 1995; ref/ruppert.hpp",
+     .families = "squares with a square hole or island and isolated points; meshes of 24 triangles or more"}) {
   const Pslg pslg = *generators::generator(right_angled_domain, with_fewer_points);
   const Goal goal{.min_angle_deg = *rc::gen::element(10.0, 20.7), .conforming = *rc::gen::arbitrary<bool>()};
   exhibit.show(pslg);
@@ -168,8 +173,10 @@ PARDEL_PROPERTY(EngineAgainstReference, both_refiners_reach_the_goal_with_meshes
   require_valid(check(pslg, *reference, goal));
   RC_ASSERT(certificate.justified.empty() && engine.report.exempt.empty());
   const std::size_t ours = engine.mesh.triangles.size(), theirs = reference->triangles.size();
-  RC_ASSERT(ours <= 2 * theirs + 16);
-  RC_ASSERT(theirs <= 2 * ours + 16);
+  RC_PRE(theirs >= 24U);
+  classify(theirs <= 2 * ours, "Ruppert's algorithm makes at most twice as many", 95);
+  RC_ASSERT(10 * ours <= 13 * theirs);
+  RC_ASSERT(4 * theirs <= (goal.conforming ? 7 : 16) * ours);
 }
 
 }  // namespace

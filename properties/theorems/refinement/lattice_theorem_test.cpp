@@ -11,6 +11,8 @@
 #include "../../checker/check.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
+#include "../framework/scenes.hpp"
+#include "../framework/shares.hpp"
 #include "channels.hpp"
 
 namespace pardel::properties {
@@ -32,7 +34,8 @@ struct Refined {
 };
 
 Refined refined_channel(Exhibit& exhibit) {
-  const Channel channel = *generators::generator(random_channel, simpler);
+  const auto simpler_channels = [](const Channel& c) { return simpler(c); };
+  const Channel channel = *generators::generator(random_channel, simpler_channels);
   RC_TAG(std::string(name(channel.shape)));
   Refined refined{to_pslg(channel), goal_of(channel), {}};
   exhibit.show(refined.pslg);
@@ -126,7 +129,38 @@ PARDEL_PROPERTY(
       RC_ASSERT((phase.colour == ref::Colour{static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}));
     }
   });
-  RC_CLASSIFY(was_outgrown, "circumradii grew, and a new lattice was computed");
+  classify(was_outgrown, "circumradii grew, and a new lattice was computed", 0.05);
+}
+
+/// By definition: what inserting p reads or writes. The triangles are the cavity and its ring, the triangles that share
+/// an edge with it; the vertices are those of the cavity.
+ref::Touched touched_by_definition(const PlainMesh& mesh, const ExactPoint& p) {
+  ref::Touched touched;
+  for (const Index t : cavity(mesh, p)) {
+    const ref::Corners& inside = mesh.triangles[t];
+    touched.vertices.insert(inside.begin(), inside.end());
+    for (const ref::Corners& other : mesh.triangles) {
+      const auto common = std::ranges::count_if(other, [&](Index v) { return std::ranges::count(inside, v) != 0; });
+      if (common >= 2) touched.triangles.insert(other);
+    }
+  }
+  return touched;
+}
+
+template <class T>
+bool have_common_element(const std::set<T>& a, const std::set<T>& b) {
+  return std::ranges::any_of(a, [&](const T& element) { return b.contains(element); });
+}
+
+/// True if the record of the first insertion of a phase, which was found in the mesh `before`, has everything that it
+/// touched.
+bool is_complete(const ref::Phase& phase, const PlainMesh& before) {
+  if (phase.insertions.empty()) return true;
+  const auto& [cell, point] = phase.insertions.front();
+  const ref::Touched expected = touched_by_definition(before, point);
+  const ref::Touched& recorded = phase.touched.at(cell);
+  return std::ranges::includes(recorded.vertices, expected.vertices) &&
+         std::ranges::includes(recorded.triangles, expected.triangles);
 }
 
 PARDEL_PROPERTY(
@@ -138,7 +172,8 @@ PARDEL_PROPERTY(
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
   std::size_t cells_at_once = 0;
-  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh&) {
+  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh& before) {
+    RC_ASSERT(is_complete(phase, before));
     std::map<Index, ref::Cell> vertex_of;
     std::map<ref::Corners, ref::Cell> triangle_of;
     for (const auto& [cell, touched] : phase.touched) {
@@ -147,8 +182,30 @@ PARDEL_PROPERTY(
     }
     cells_at_once = std::max(cells_at_once, phase.touched.size());
   });
-  RC_CLASSIFY(cells_at_once >= 2, "two or more cells work at once");
-  RC_CLASSIFY(cells_at_once >= 3, "three or more cells work at once");
+  classify(cells_at_once >= 2, "two or more cells work at once", 35);
+  classify(cells_at_once >= 3, "three or more cells work at once", 20);
+}
+
+PARDEL_FACT(
+    Lattice, cavities_that_meet_may_have_a_common_triangle_in_their_rings,
+    {.statement = "Two insertions can touch a common triangle although no triangle is in both cavities: it lies "
+                  "across the boundaries of both. Their cavities then have a common vertex.",
+     .source = "properties/THEORY.md, T1-sharp",
+     .families = "random scenes with two insertions, until 100 such pairs are found"}) {
+  std::uint64_t found = 0;
+  for (std::uint64_t seed = 1; found < 100 && seed <= 20'000; ++seed, ++facts.cases) {
+    Random random(seed);
+    const MeshedScene scene = random_scene(random, {.walls = true, .insertions = 2, .encroaching = false});
+    if (scene.scene.insertions.size() < 2) continue;
+    const ExactPoint p = ref::exact(scene.scene.insertions[0]), q = ref::exact(scene.scene.insertions[1]);
+    const std::vector<Index> at_p = cavity(scene.mesh, p), at_q = cavity(scene.mesh, q);
+    if (have_common_element(std::set(at_p.begin(), at_p.end()), std::set(at_q.begin(), at_q.end()))) continue;
+    const ref::Touched by_p = touched_by_definition(scene.mesh, p), by_q = touched_by_definition(scene.mesh, q);
+    if (!have_common_element(by_p.triangles, by_q.triangles)) continue;
+    EXPECT_TRUE(have_common_element(by_p.vertices, by_q.vertices)) << "seed " << seed;
+    ++found;
+  }
+  EXPECT_EQ(found, 100U);
 }
 
 /// The points of a phase in another order: the order within each cell is kept, and the cells alternate at random.
@@ -201,24 +258,33 @@ PARDEL_PROPERTY(
 PARDEL_PROPERTY(
     Lattice, sweeps_end_and_insert_every_point_that_was_handed_on,
     {.statement = "Sweeps over the four colours end. A split point that one cell needs and another cell contains is "
-                  "handed on to that cell, which has another colour. Every such point is inserted in a later phase.",
+                  "handed on to that cell, which has another colour. Every such point is inserted in a later phase and "
+                  "is a vertex of the mesh. In the mesh after the last sweep, no subsegment is encroached, and no "
+                  "triangle breaks a bound.",
      .source = "[CC] has four iterations; here sweeps are repeated, and their number is measured",
      .families = families}) {
   const Refined refined = refined_channel(exhibit);
-  std::set<ExactPoint> waiting;
+  std::set<ExactPoint> waiting, handed_on;
   for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh&) {
     for (const ref::HandedOn& handed : phase.handed_on) {
       RC_ASSERT(colour_of(handed.from) != colour_of(handed.to));
       waiting.insert(handed.point);
+      handed_on.insert(handed.point);
     }
     for (const ref::Insertion& insertion : phase.insertions) waiting.erase(insertion.point);
-    RC_CLASSIFY(!phase.handed_on.empty(), "handed on");
   });
+  classify(!handed_on.empty(), "handed on", 5);
   RC_ASSERT(waiting.empty());
-  std::vector<std::size_t> inserted;
-  for (const ref::Sweep& sweep : refined.result.sweeps) inserted.push_back(insertions_of(sweep));
-  RC_ASSERT(inserted.back() == 0u);
-  RC_TAG(std::to_string(inserted.size() - 1) + " sweeps that insert");
+  const PlainMesh& last = refined.result.sweeps.back().phases.back().after;
+  const std::set<ExactPoint> vertices(last.points.begin(), last.points.end());
+  RC_ASSERT(std::ranges::includes(vertices, handed_on));
+  for (const ref::Edge& e : last.constraints) RC_ASSERT(!is_encroached(last, e));
+  const Certificate certificate = check(refined.pslg, refined.result.mesh, refined.goal);
+  for (const ViolationKind bound : {ViolationKind::small_angle, ViolationKind::large_area, ViolationKind::region_area})
+    RC_ASSERT(certificate.violation_counts.at(static_cast<std::size_t>(bound)) == 0U);
+  const auto inserting =
+      std::ranges::count_if(refined.result.sweeps, [](const ref::Sweep& s) { return insertions_of(s) > 0; });
+  RC_TAG(std::to_string(inserting) + " sweeps that insert");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "../../../core/digest.hpp"
 #include "../../../ref/faces.hpp"
+#include "../framework/shares.hpp"
 #include "cocircular_neighbours.hpp"
 #include "meshing.hpp"
 
@@ -143,25 +144,29 @@ PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_triangulation,
   const Mesh here = value_of(triangulate(pslg)).mesh;
   const Mesh there = value_of(triangulate(mapped(pslg, map))).mesh;
   const bool unique = !has_cocircular_neighbours(ref::to_plain_mesh(here));
-  RC_CLASSIFY(unique, "only one Delaunay triangulation");
+  classify(unique, "only one Delaunay triangulation", 35);
   RC_ASSERT(there.triangles.size() == here.triangles.size());
   if (unique) RC_ASSERT(digest(there) == digest(mapped(here, map, map.turns_over())));
 }
 
-PARDEL_PROPERTY(Metamorphic, isometries_of_the_lattice_keep_the_guarantees_and_roughly_the_size,
-                {.statement = "If a domain is translated by a lattice vector, turned by 90 degrees or reflected, its "
-                              "mesh is certified, and the number of triangles changes by a factor of at most 8.",
-                 .source = metamorphic_source,
-                 .families = every_family}) {
+PARDEL_PROPERTY(
+    Metamorphic, isometries_of_the_lattice_keep_the_guarantees_and_roughly_the_size,
+    {.statement = "If a domain is translated by a lattice vector, turned by 90 degrees or reflected, its "
+                  "mesh is certified, and the number of triangles changes by a factor of at most 4 (the most in "
+                  "10,000 cases: 2.8; in 99.7 % of them at most 1.25).",
+     .source = metamorphic_source,
+     .families = "lattice domains of every family, random goals; meshes of 16 triangles or more"}) {
   const generators::Case c = some_case(exhibit);
   const Problem problem = to_problem(c);
   const Isometry map = some_isometry(c.domain);
   const std::size_t here = meshed(problem, exhibit).mesh.triangles.size();
+  RC_PRE(here >= 16U);
   const Problem image{mapped(problem.pslg, map), problem.goal};
   const Mesh there = meshed(image, exhibit).mesh;
   require_valid(check(image.pslg, there, image.goal));
-  RC_ASSERT(there.triangles.size() <= 8 * here);
-  RC_ASSERT(here <= 8 * there.triangles.size());
+  const auto [fewer, more] = std::minmax({here, there.triangles.size()});
+  classify(4 * more <= 5 * fewer, "changed by a factor of at most 1.25", 97);
+  RC_ASSERT(more <= 4 * fewer);
 }
 
 /// The corners of each triangle, the least index first.

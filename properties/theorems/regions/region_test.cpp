@@ -13,6 +13,7 @@
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scenes.hpp"
+#include "../framework/shares.hpp"
 #include "point_regions.hpp"
 #include "tasks.hpp"
 
@@ -110,7 +111,7 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
   Scene shown = given.meshed.scene;
   exhibit.show(shown);
   const std::optional<Regions> regions = regions_apart(given.random, given.meshed, how);
-  RC_CLASSIFY(!regions, "no regions found");
+  classify(!regions, "no regions found", 0.3);
   if (!regions) return;
   const std::array<std::vector<Point>, 2> points = {
       some_points(given.random, shown, (*regions)[0], given.insertions, shown.insertions),
@@ -124,11 +125,11 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
   RC_ASSERT(interleaved(mesh, at_once, given.random) == expected);
   if (how != Apart::free_edges_in_sight) RC_ASSERT(are_disjoint(at_once[0].touched(), at_once[1].touched()));
 
-  RC_CLASSIFY(points[0].size() > 4 && points[1].size() > 4, "at least five insertions each");
-  RC_CLASSIFY(
-      how != Apart::vertices_of_disks && !are_apart(mesh, ref::in_reach_of(mesh, (*regions)[0]),
-                                                    ref::in_reach_of(mesh, (*regions)[1]), Apart::vertices_of_disks),
-      "V(L) and V(L') of whole disks meet");
+  classify(points[0].size() > 4 && points[1].size() > 4, "at least five insertions each", 9);
+  if (how == Apart::vertices_of_disks) return;
+  const bool meet = !are_apart(mesh, ref::in_reach_of(mesh, (*regions)[0]), ref::in_reach_of(mesh, (*regions)[1]),
+                               Apart::vertices_of_disks);
+  classify(meet, "V(L) and V(L') of whole disks meet", 12);
 }
 
 constexpr const char* region_kinds =
@@ -202,7 +203,7 @@ PARDEL_PROPERTY(TRegion, a_point_that_reaches_a_new_triangle_reached_one_of_two_
     is_reached = true;
     RC_ASSERT(allowed.contains({t[(at + 1) % 3], t[(at + 2) % 3]}));
   }
-  RC_CLASSIFY(is_reached, "q reaches a new triangle");
+  classify(is_reached, "q reaches a new triangle", 7);
 }
 
 PARDEL_PROPERTY(TRegion, the_triangles_in_reach_and_sight_of_a_point_are_its_cavity,
@@ -266,9 +267,9 @@ void tasks_that_own_boxes_do_not_meet(Exhibit& exhibit, bool walls) {
   Tasks at_once = tasks;
   RC_ASSERT(interleaved(given.meshed.mesh, at_once, given.random) == expected);
   RC_ASSERT(are_disjoint(at_once[0].touched(), at_once[1].touched()));
-  RC_CLASSIFY(!at_once[0].touched().empty() && !at_once[1].touched().empty(), "both tasks insert");
-  RC_CLASSIFY(std::ranges::count(expected.handed_on[0], true) + std::ranges::count(expected.handed_on[1], true) > 0,
-              "some points are handed on");
+  classify(!at_once[0].touched().empty() && !at_once[1].touched().empty(), "both tasks insert", 24);
+  classify(std::ranges::count(expected.handed_on[0], true) + std::ranges::count(expected.handed_on[1], true) > 0,
+           "some points are handed on", 49);
 }
 
 PARDEL_PROPERTY(
