@@ -253,6 +253,20 @@ TEST(Repair, splits_crossing_segments_and_carries_markers_and_attributes) {
   EXPECT_EQ(result.segment_map, (Ids{0, 1, 2, 3, 4, 4, 5, 5}));
 }
 
+TEST(Repair, interpolates_attributes_a_quarter_along_a_segment) {
+  Pslg pslg = square(4);
+  pslg.segments.push_back({0, 2, 5});
+  pslg.points.insert(pslg.points.end(), {{0.5, 1.5}, {1.5, 0.5}});
+  pslg.segments.push_back({4, 5, 6});  // crosses the diagonal at (1, 1)
+  pslg.attributes_per_point = 2;
+  pslg.point_attributes = {8, -1, 0, 0, 16, 3, 0, 0, 10, 0, 10, 0};
+  const Repaired result = repaired(pslg);
+  ASSERT_EQ(result.domain.pslg().points.size(), 7);
+  EXPECT_EQ(result.domain.pslg().points[6], (Point{1, 1}));
+  EXPECT_NEAR(result.domain.pslg().point_attributes[12], 10, 1e-14) << "three quarters of 8 and a quarter of 16";
+  EXPECT_NEAR(result.domain.pslg().point_attributes[13], 0, 1e-14) << "three quarters of -1 and a quarter of 3";
+}
+
 TEST(Repair, uses_the_point_that_lies_on_a_crossing) {
   Pslg pslg = square(4);
   pslg.points.push_back({2, 2});

@@ -16,6 +16,7 @@
 #include "../../../parallel/segments/plane_sweep.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
+#include "../../../properties/theorems/framework/shares.hpp"
 #include "invalid_domains.hpp"
 
 namespace pardel::engine {
@@ -194,6 +195,29 @@ PARDEL_PROPERTY(Repair, repairing_twice_changes_nothing,
   RC_ASSERT(twice.ok());
   RC_ASSERT(twice->domain.pslg() == once);
   RC_ASSERT(twice->log.empty());
+}
+
+PARDEL_PROPERTY(Repair, gives_added_points_the_value_of_an_affine_attribute,
+                {.statement = "if an attribute is an affine function of the coordinates, each point that repair adds "
+                              "to a segment has the value of this function, wherever on the segment it lies",
+                 .source = "parallel/repair.hpp",
+                 .families = messes}) {
+  Pslg pslg = some_mess(exhibit);
+  double extent = 0;
+  for (const Point p : pslg.points) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
+  const auto affine = [=](Point p) { return 3 * p.x - 2 * p.y + 0.25 * extent; };
+  pslg.attributes_per_point = 2;
+  pslg.point_attributes.clear();
+  for (const Point p : pslg.points) pslg.point_attributes.insert(pslg.point_attributes.end(), {affine(p), -affine(p)});
+  const Result<Repaired> result = repair(pslg, {.snap = 0});
+  RC_ASSERT(result.ok());
+  const Pslg& domain = result->domain.pslg();
+  properties::classify(domain.points.size() > pslg.points.size(), "some points are added", 40);
+  for (std::size_t i = 0; i < domain.points.size(); ++i)
+    for (const int sign : {1, -1}) {
+      const double found = domain.point_attributes[2 * i + (sign > 0 ? 0 : 1)];
+      RC_ASSERT(std::abs(found - sign * affine(domain.points[i])) <= 1e-12 * extent);
+    }
 }
 
 PARDEL_PROPERTY(Repair, moves_no_point,

@@ -5,9 +5,8 @@
 #include <optional>
 
 #include "../../../parallel/refinement/criteria.hpp"
-#include "../../../properties/checker/arithmetic/exact.hpp"
-#include "../../../properties/checker/check.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
+#include "exact_bounds.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -50,13 +49,12 @@ PARDEL_PROPERTY(SplitPoint, of_a_bad_triangle_makes_a_good_one_of_its_shortest_s
                  .families = "lattice triangles"}) {
   const double bound = *rc::gen::element(10.0, 20.7, 25.0, 30.0);
   const Goal goal{.min_angle_deg = bound};
-  const Criteria criteria(goal, Placement::off_centre, {});
   const Shape s = some_triangle();
-  RC_PRE(criteria.bad_shape(s));
+  RC_PRE(sharper_than(s, bound));
   const std::optional<Shape> made = made_by_an_off_centre(s, goal);
   if (!made) return;
-  RC_ASSERT(made->twice_area > 0);
-  RC_ASSERT(!criteria.bad_shape(*made));
+  RC_ASSERT(checker::exactly::orientation(made->p[0], made->p[1], made->p[2]) > 0);
+  RC_ASSERT(!sharper_than(*made, bound));
 }
 
 PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortest_side,
@@ -68,12 +66,11 @@ PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_makes_a_small_one_of_its_shortes
   const Shape s = some_triangle();
   const double times = *rc::gen::element(1.25, 1.5, 2.0, 3.0, 5.0);
   const Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.7, 30.0), .max_area = s.twice_area / 2 / times};
-  const Criteria criteria(goal, Placement::off_centre, {});
   const std::optional<Shape> made = made_by_an_off_centre(s, goal);
   if (!made) return;
-  RC_ASSERT(made->twice_area > 0);
-  RC_ASSERT(!criteria.bad_shape(*made));
-  RC_ASSERT(!criteria.too_large(*made) || 0.25 * s.shortest_squared() > 0.98 * goal.max_area);
+  RC_ASSERT(checker::exactly::orientation(made->p[0], made->p[1], made->p[2]) > 0);
+  RC_ASSERT(!sharper_than(*made, goal.min_angle_deg));
+  RC_ASSERT(!larger_than(*made, goal.max_area) || 0.25 * s.shortest_squared() > 0.98 * goal.max_area);
 }
 
 PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_is_far_from_all_vertices,

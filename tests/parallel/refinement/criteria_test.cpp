@@ -5,22 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "../../../properties/checker/arithmetic/exact.hpp"
-#include "../../../properties/checker/check.hpp"
 #include "../samples.hpp"
+#include "exact_bounds.hpp"
 
 namespace pardel::engine {
 namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
-/// True if an angle is smaller than `degrees`, by the exact arithmetic of the checker.
-bool sharper_than(const Shape& s, double degrees) {
-  for (unsigned i = 0; i < 3; ++i)
-    if (checker::exactly::cosine_exceeds(s.p[i], s.p[(i + 1) % 3], s.p[(i + 2) % 3], angle_cosine_bound(degrees)))
-      return true;
-  return false;
-}
 
 Shape moved(const Shape& s, Point by) {
   return {{s.p[0].x + by.x, s.p[0].y + by.y}, {s.p[1].x + by.x, s.p[1].y + by.y}, {s.p[2].x + by.x, s.p[2].y + by.y}};
@@ -71,7 +62,7 @@ TEST(TooLarge, is_every_triangle_above_a_cap_and_no_other) {
     for (int i = -3; i <= 3; ++i) {
       const double leg = std::sqrt(2 * cap) * (1 + i * 0x1p-52);
       const Shape s({0, 0}, {leg, 0}, {0, leg});
-      EXPECT_TRUE(criteria.too_large(s) || !checker::exactly::area_exceeds(s.p[0], s.p[1], s.p[2], cap));
+      EXPECT_TRUE(criteria.too_large(s) || !larger_than(s, cap));
     }
     const double less = std::sqrt(2 * cap) * (1 - 0x1p-39);
     EXPECT_FALSE(criteria.too_large(Shape({0, 0}, {less, 0}, {0, less})));
