@@ -52,7 +52,7 @@ void tag_contact(const MeshedScene& scene, const ref::ExactPoint& p, const ref::
     outside |= !wall && where == CGAL::ON_UNBOUNDED_SIDE;
   }
   classify(wall_inside, "a wall between: inside the circle", 0.1);
-  classify(inside, "a common edge: inside the circle", 5);
+  classify(inside, "a common edge: inside the circle", 1);
   classify(on, "a common edge: on the circle", 0.5);
   classify(outside, "a common edge: outside of the circle", 2);
 }
