@@ -133,8 +133,8 @@ std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& 
 
 Refusal refusal_of(const Domain& domain, std::vector<Problem> problems) {
   const int first_id = domain.pslg.first_id.value;
-  Error error{ErrorKind::invalid_input,
-              domain.name + ": " + problems_text(problems, first_id) + advice(domain.pslg, problems, domain.name, false)};
+  Error error{ErrorKind::invalid_input, domain.name + ": " + problems_text(problems, first_id) +
+                                            advice(domain.pslg, problems, domain.name, false)};
   return {std::move(error), std::move(problems), first_id};
 }
 
