@@ -36,6 +36,7 @@ const std::vector<Layer>& layers() {
       {"fuzz", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli"}},
       {"examples", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"scripts", {}},
       {"tests",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",
         "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz"}},
