@@ -14,20 +14,11 @@ using Kind = ViolationKind;
 using testing::Case;
 using testing::count;
 using testing::is_valid;
+using testing::no_angle_bound;
 using testing::reports_only;
 
 double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
-
-Goal no_angle_bound() {
-  Goal goal;
-  goal.min_angle_deg = 0;
-  return goal;
-}
-
-Certificate check(const Case& c, const Goal& goal, const CheckOptions& options = {}) {
-  return pardel::check(c.pslg, c.mesh, goal, options);
-}
 
 /// The isosceles trapezoid (0, 0), (5, 0), (4, 2), (1, 2) in two triangles. The side of length 5 is longer than the
 /// diagonal. It is side `position` of triangle `t`.

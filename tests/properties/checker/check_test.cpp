@@ -21,18 +21,9 @@ using Kind = ViolationKind;
 using testing::Case;
 using testing::count;
 using testing::is_valid;
+using testing::no_angle_bound;
 using testing::reports;
 using testing::reports_only;
-
-Goal no_angle_bound() {
-  Goal goal;
-  goal.min_angle_deg = 0;
-  return goal;
-}
-
-Certificate check(const Case& c, const Goal& goal = no_angle_bound(), const CheckOptions& options = {}) {
-  return pardel::check(c.pslg, c.mesh, goal, options);
-}
 
 TEST(Check, accepts_valid_meshes_made_by_hand) {
   EXPECT_TRUE(is_valid(check(testing::square_in_two())));

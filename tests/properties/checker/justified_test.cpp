@@ -15,8 +15,6 @@ using testing::is_valid;
 using testing::reports;
 using testing::reports_only;
 
-Certificate check(const Case& c, const Goal& goal) { return pardel::check(c.pslg, c.mesh, goal); }
-
 /// A wedge with its apex at the origin. The second leg is a quarter longer; both legs have a vertex at distance 1.
 Case wedge_with_shell(double degrees = 10, double leg = 2) {
   const double angle = degrees * 3.14159265358979323846 / 180;

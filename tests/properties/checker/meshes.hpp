@@ -14,6 +14,7 @@
 #include "../../../core/mesh.hpp"
 #include "../../../core/neighbours.hpp"
 #include "../../../core/pslg.hpp"
+#include "../../../properties/checker/check.hpp"
 #include "../../../properties/checker/model/domain.hpp"
 
 namespace pardel::testing {
@@ -25,6 +26,16 @@ struct Case {
   Pslg pslg;
   Mesh mesh;
 };
+
+inline Goal no_angle_bound() {
+  Goal goal;
+  goal.min_angle_deg = 0;
+  return goal;
+}
+
+inline Certificate check(const Case& c, const Goal& goal = no_angle_bound(), const CheckOptions& options = {}) {
+  return pardel::check(c.pslg, c.mesh, goal, options);
+}
 
 /// Sets all neighbours from the corners.
 inline void relink(Mesh& mesh) { rebuild_neighbours(mesh.triangles, mesh.points.size()); }

@@ -23,10 +23,10 @@ using testing::is_valid;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* source = "properties/checker/tolerances.hpp";
 
-Certificate check(const Case& c, double min_angle_deg = 0) {
+Certificate check_at(const Case& c, double min_angle_deg) {
   Goal goal;
   goal.min_angle_deg = min_angle_deg;
-  return pardel::check(c.pslg, c.mesh, goal);
+  return testing::check(c, goal);
 }
 
 /// A wedge with its apex at the origin and the ends `far`. The vertices p and q of its mesh lie on the two legs.
@@ -43,7 +43,7 @@ Case wedge(Point far_p, Point far_q, Point p, Point q) {
 
 /// True if the checker finds that p and q justify the triangle of p, q and the end of p's leg.
 bool on_one_shell(const Case& c) {
-  const Certificate certificate = check(c, 15);
+  const Certificate certificate = check_at(c, 15);
   return std::ranges::any_of(certificate.justified, [](const Justified& j) { return j.triangle == 1; });
 }
 
@@ -132,7 +132,7 @@ PARDEL_FACT(Tolerance, of_chains_ends_at_the_stated_distance,
       Case c = square_around_the_origin();
       c.mesh.points[6].x = side * distance;
       if (!listed) c.mesh.constrained_edges.clear();
-      const Certificate certificate = check(c);
+      const Certificate certificate = check_at(c, 0);
       EXPECT_EQ(count(certificate, Kind::chain_off_segment), off) << distance << ": " << to_text(certificate);
       EXPECT_EQ(count(certificate, Kind::broken_segment), broken) << distance << ": " << to_text(certificate);
       ++facts.cases;
@@ -167,7 +167,7 @@ PARDEL_FACT(Tolerance, of_chains_allows_for_every_vertex_that_is_rounded_once,
     std::vector<Point> points = c.pslg.points;
     points.push_back({at(a.x, b.x), at(a.y, b.y)});
     c.mesh = testing::mesh_of(points, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
-    const Certificate certificate = check(c);
+    const Certificate certificate = check_at(c, 0);
     EXPECT_EQ(count(certificate, Kind::chain_off_segment) + count(certificate, Kind::broken_segment), 0U)
         << to_text(certificate);
     ++facts.cases;
@@ -186,7 +186,7 @@ PARDEL_FACT(Tolerance, of_seeds_of_holes_ends_at_the_tolerance_of_chains,
     c.mesh.region_attributes.clear();
     c.pslg.holes = {{-distance, 0.75}};
     ++facts.cases;
-    const Certificate certificate = check(c);
+    const Certificate certificate = check_at(c, 0);
     return std::ranges::count_if(certificate.violations, [](const Violation& v) {
       return v.kind == Kind::covered_exterior && v.witness.find("contains the seed") != std::string::npos;
     });
