@@ -46,8 +46,8 @@ bool same_shell(Point apex, Point u, Point v) {
   return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
 }
 
-/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle. `widest`
-/// is 1 minus the cosine of the largest angle that makes an end an apex.
+/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle. `widest` is
+/// 1 minus the cosine of the largest angle that makes an end an apex.
 VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b, double widest) {
   const double at_a = 1 - segment.cosine_at(a), at_b = 1 - segment.cosine_at(b);  // these grow with the angles
   const double smaller = std::min(at_a, at_b), larger = std::max(at_a, at_b);
@@ -55,21 +55,6 @@ VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b, d
   const bool two_similar_apexes = larger < widest && smaller >= 0.5 * larger;
   if (two_similar_apexes) return no_index;
   return at_a < at_b ? a : b;
-}
-
-/// The number in [low, high] with the fewest binary digits. Precondition: 0 < low < high.
-double shortest_number(double low, double high) {
-  for (double step = std::ldexp(1.0, std::ilogb(high));; step /= 2) {
-    const double multiple = std::ceil(low / step) * step;
-    if (multiple <= high) return multiple;
-  }
-}
-
-/// The end of a segment at which another segment leaves at less than one degree; no_index if there is none.
-VertexId end_of_narrow_wedge(const DomainSegment& segment) {
-  constexpr double cosine_of_one_degree = 0.9998477;
-  if (std::max(segment.cosine_at_a, segment.cosine_at_b) < cosine_of_one_degree) return no_index;
-  return segment.cosine_at_a > segment.cosine_at_b ? segment.a : segment.b;
 }
 
 /// The largest angle that makes an end of an edge an apex, as 1 minus its cosine. It is larger for edges that are much
@@ -87,11 +72,7 @@ Point edge_split_point(const Triangulation& t, const DomainSegment& segment, Ver
   const double widest = widest_apex(length, distance(t.points[segment.a], t.points[segment.b]));
   const VertexId centre = centre_of_shell(segment, a, b, widest);
   double fraction = 0.5;
-  if (const VertexId apex = end_of_narrow_wedge(segment); apex != no_index) {
-    const double at_a = distance(t.points[apex], pa), at_b = distance(t.points[apex], pb);
-    const double near = std::min(at_a, at_b), far = std::max(at_a, at_b);
-    fraction = (shortest_number((2 * near + far) / 3, (near + 2 * far) / 3) - at_a) / (at_b - at_a);
-  } else if (centre != no_index) {
+  if (centre != no_index) {
     fraction = shell(length) / length;
     if (centre == b) fraction = 1 - fraction;
   }

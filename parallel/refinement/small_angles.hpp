@@ -17,10 +17,7 @@ namespace pardel::engine {
 /// around one apex then end on common circles (shells), and the vertices of one segment do not encroach on another. If
 /// both are apexes, the one with the much smaller angle is used; for similar angles, the point is the midpoint.
 /// Measured: this gives the smallest meshes. For an edge shorter than 1/32 of its segment, angles of up to 104 degrees
-/// make an apex: at bounds above 30 degrees, two segments at a right angle can split each other in turn without end. If
-/// a segment meets another at less than one degree, all its edges are split at distances from the apex with few binary
-/// digits, between 1/3 and 2/3 of the edge, so that the vertices of both segments stay side by side even if their other
-/// ends do not.
+/// make an apex: at bounds above 30 degrees, two segments at a right angle can split each other in turn without end.
 /// The point lies on the segment up to the rounding of its coordinates.
 [[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b);
 

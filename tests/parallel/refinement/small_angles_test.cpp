@@ -71,27 +71,6 @@ TEST(EdgeSplitPoint, of_a_short_piece_at_an_angle_above_104_degrees_is_its_midpo
   EXPECT_EQ(edge_split_point(wide.t, wide.segments[0], 0, 4), (Point{0.075, 0}));
 }
 
-TEST(EdgeSplitPoint, of_both_sides_of_a_narrow_wedge_have_the_same_distance_from_the_apex) {
-  Corner wedge({0, 0}, {100, 0}, {99.999, 1e-5}, {200, 1});
-  for (VertexId near_first = 0, near_second = 0, i = 0; i < 12; ++i) {
-    near_first = wedge.split(0, near_first, 1);
-    near_second = wedge.split(1, near_second, 2);
-    EXPECT_NEAR(distance(wedge.t.points[0], wedge.t.points[near_first]),
-                distance(wedge.t.points[0], wedge.t.points[near_second]), 1e-13);
-  }
-}
-
-TEST(EdgeSplitPoint, of_a_side_of_a_narrow_wedge_lies_between_a_third_and_two_thirds) {
-  Corner wedge({0, 0}, {100, 0}, {99.999, 1e-5}, {200, 1});
-  for (double start = 0.01; start < 99; start *= 1.3) {
-    wedge.t.points.push_back({start, 0});
-    const VertexId from = static_cast<VertexId>(wedge.t.points.size() - 1);
-    const double fraction = (edge_split_point(wedge.t, wedge.segments[0], from, 1).x - start) / (100 - start);
-    EXPECT_GE(fraction, 1 / 3.0 - 1e-12);
-    EXPECT_LE(fraction, 2 / 3.0 + 1e-12);
-  }
-}
-
 TEST(EdgeSplitPoint, of_a_segment_with_two_different_small_angles_lies_on_a_shell_around_the_smaller_one) {
   Corner at_first({0, 0}, {5, 0}, {3, 0.5}, {2, 1});
   EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 0, 1).x, 2, 1e-15);
