@@ -73,7 +73,7 @@ void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate&
 Result<ExitCode> run(const CheckArguments& arguments) {
   const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes};
   if (Status fine = check_standard_input(inputs); !fine) return fine.error();
-  if (Status folder = check_folder(arguments.json); !folder) return folder.error();
+  if (Status fine = check_report(arguments.json, inputs); !fine) return fine.error();
   ProgressBar bar(arguments.progress);
   const Result<CheckInput, Refusal> input = read(arguments, bar);
   if (!input) return refused(input.error(), arguments.domain, arguments.json);

@@ -91,7 +91,7 @@ Status check_outputs(const DoctorArguments& arguments) {
   if (!arguments.repaired.empty()) {
     if (Status fine = check_poly_output(arguments.repaired); !fine) return fine;
   }
-  return check_folder(arguments.json);
+  return check_report(arguments.json, std::array{arguments.input, arguments.repaired});
 }
 
 /// Repairs the domain and writes the result. Returns the error that prevents this.

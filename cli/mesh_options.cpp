@@ -150,7 +150,9 @@ Status check_outputs(const MeshArguments& arguments) {
   if (Status fine = check_stream_format(arguments.outputs, arguments.format.of_stream); !fine) return fine;
   if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
-  return check_folder(arguments.json);
+  std::vector<std::filesystem::path> others = arguments.outputs;
+  others.insert(others.end(), {arguments.input, arguments.goal.sizes});
+  return check_report(arguments.json, others);
 }
 
 }  // namespace pardel::cli

@@ -80,6 +80,17 @@ Status check_poly_output(const fs::path& file) {
   return check_folder(file);
 }
 
+Status check_report(const fs::path& report, std::span<const fs::path> others) {
+  if (report.empty() || is_standard_output(report)) return Done{};
+  for (const fs::path& other : others) {
+    if (!other.empty() && other != "-" && family(other) == family(report)) {
+      return Error{ErrorKind::usage, fmt::format("{}: the report would replace files of {}; choose another name",
+                                                 report.string(), other.string())};
+    }
+  }
+  return check_folder(report);
+}
+
 Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
   for (const fs::path& output : outputs) {
     if (output == "-") continue;

@@ -32,6 +32,9 @@ namespace pardel::cli {
 /// Checks an output file for a domain. Errors: `usage` if the suffix is not .poly (devices are accepted); `io` as
 /// above.
 [[nodiscard]] Status check_poly_output(const std::filesystem::path& file);
+/// Checks the output file for a report. "-" and "" are accepted. Errors: `usage` if the report would replace one of the
+/// other files of the command; `io` as above.
+[[nodiscard]] Status check_report(const std::filesystem::path& report, std::span<const std::filesystem::path> others);
 /// Error: `io` if the folder of the file does not exist or is not writable. "-" and "" are accepted.
 [[nodiscard]] Status check_folder(const std::filesystem::path& file);
 

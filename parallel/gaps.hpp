@@ -39,7 +39,7 @@ struct Gap {
 
 /// The gaps of a domain, narrowest first. A gap is narrower than a millionth of the extent of the domain, and a
 /// thousandth of its surroundings; or it is narrower than 2^-32 of the largest coordinate, which is a thousand times
-/// the shortest edge that the mesher makes. Each point is named as the nearer one of one gap at most. Errors and time:
+/// the shortest edge that the mesher makes. Each point is the first point of one gap at most. Errors and time:
 /// those of triangulate(). `threads`: 0 or less for as many as OpenMP offers.
 [[nodiscard]] Result<std::vector<Gap>> find_gaps(const ValidPslg& domain, int threads = 0);
 

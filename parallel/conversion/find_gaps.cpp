@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/bounding_box.hpp"
@@ -54,7 +55,7 @@ class GapSearch {
   /// The gaps, narrowest first, without those whose first point is in a narrower one.
   std::vector<Gap> gaps() && {
     std::ranges::sort(gaps_, [](const Gap& g, const Gap& h) {
-      return g.distance < h.distance || (g.distance == h.distance && g.points < h.points);
+      return std::tie(g.distance, g.points, g.kind, g.segment) < std::tie(h.distance, h.points, h.kind, h.segment);
     });
     std::vector<bool> is_named(t_.points.size());
     std::vector<Gap> chosen;
@@ -72,7 +73,8 @@ class GapSearch {
 
  private:
   [[nodiscard]] double distance(VertexId u, VertexId v) const {
-    return std::hypot(t_.points[u].x - t_.points[v].x, t_.points[u].y - t_.points[v].y);
+    const double dx = t_.points[u].x - t_.points[v].x, dy = t_.points[u].y - t_.points[v].y;
+    return std::sqrt(dx * dx + dy * dy);  // libraries round std::hypot in different ways
   }
   /// The longest segment at a vertex; infinity for an isolated vertex.
   [[nodiscard]] double longest_at(VertexId v) const { return longest_[v] > 0 ? longest_[v] : INFINITY; }

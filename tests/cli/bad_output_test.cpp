@@ -34,6 +34,25 @@ TEST_F(BadOutput, a_file_in_place_of_a_folder_is_refused) {
   EXPECT_TRUE(holds(ran.err, {"square.poly/out.vtu", "Not a directory"}));
 }
 
+TEST_F(BadOutput, a_report_replaces_no_other_file_of_its_command) {
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.ele"}).exit_code, 0);
+  const std::vector<std::vector<std::string>> commands = {
+      {"mesh", "square.poly", "-o", "n.vtu", "--json", "square.poly"},
+      {"mesh", "square.poly", "-o", "n.vtu", "--json", "n.vtu"},
+      {"mesh", "square.poly", "-o", "n.node", "--json", "n.poly"},
+      {"check", "square.poly", "m.ele", "--json", "m.node"},
+      {"check", "square.poly", "m.ele", "--json", "./square.poly"},
+      {"doctor", "square.poly", "--json", "square.poly"},
+      {"doctor", "square.poly", "--repair", "f.poly", "--json", "f.poly"}};
+  const std::string square = read("square.poly");
+  for (const std::vector<std::string>& command : commands) {
+    const Ran ran = pardel(command);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"the report would replace files of"}));
+    EXPECT_EQ(read("square.poly"), square);
+  }
+}
+
 TEST_F(BadOutput, a_suffix_that_names_no_format_is_a_usage_error) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "out.docx"});
   EXPECT_EQ(ran.exit_code, 2) << ran;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 
 #include "../../../core/support/stop_signal.hpp"
 
@@ -17,6 +18,7 @@ inline constexpr std::size_t parallel_loop_size = 1 << 13;
 /// have the order of the threads.
 template <class Body>
 void for_each_index(std::size_t n, StopSignal* stop, const Body& body) {
+  std::exception_ptr thrown;
 #pragma omp parallel if (n >= parallel_loop_size)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
@@ -28,11 +30,14 @@ void for_each_index(std::size_t n, StopSignal* stop, const Body& body) {
       try {  // an exception may not leave a parallel loop
         ask();
         body(i, thread);
-      } catch (const Stopped&) {
+      } catch (...) {
         stopped = true;
+#pragma omp critical(pardel_checker_exception)
+        if (!thrown) thrown = std::current_exception();
       }
     }
   }
+  if (thrown) std::rethrow_exception(thrown);
   if (stop != nullptr && stop->stopped()) stop->ask();
 }
 

@@ -218,7 +218,7 @@ TEST(Vtu, errors_name_the_line_and_the_fault) {
             "f:27: array \"types\": cell 3 is of type 9, neither a triangle (5) nor a line (3) nor a vertex (1)");
   EXPECT_EQ(failure("Name=\"types\"", "Name=\"kinds\""), "f:1: expected an array types in <Cells>");
   EXPECT_EQ(failure("format=\"ascii\">2 5", "format=\"hex\">2 5"),
-            "f:26: expected format ascii_vtu, binary or appended, found \"hex\"");
+            "f:26: expected format ascii, binary or appended, found \"hex\"");
   EXPECT_EQ(failure("format=\"ascii\">2 5", "format=\"appended\" offset=\"0\">2 5"),
             "f:26: there are no appended data at offset 0");
 }
