@@ -7,12 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "length.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
 namespace {
-
-double distance(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
 
 double doubled_area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
@@ -23,11 +22,11 @@ double angle(Point p, Point a, Point b) {
 }
 
 double longest_edge(const std::vector<Point>& p) {
-  return std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+  return std::max({length(p[0], p[1]), length(p[1], p[2]), length(p[2], p[0])});
 }
 
 double circumradius(const std::vector<Point>& p) {
-  return distance(p[0], p[1]) * distance(p[1], p[2]) * distance(p[2], p[0]) /
+  return length(p[0], p[1]) * length(p[1], p[2]) * length(p[2], p[0]) /
          (2 * std::abs(doubled_area(p[0], p[1], p[2])));
 }
 
@@ -65,7 +64,7 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
     case ViolationKind::region_area:
       return fmt::format("{}: area {:.4g} is above the cap of its region", triangle(), area());
     case ViolationKind::long_edge:
-      return above(fmt::format("edge {}-{} of triangle {}", ids[0], ids[1], ids[2]), "length", distance(p[0], p[1]),
+      return above(fmt::format("edge {}-{} of triangle {}", ids[0], ids[1], ids[2]), "length", length(p[0], p[1]),
                    goal.max_edge);
     case ViolationKind::size_exceeded: {
       const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "concurrency/bounding_box.hpp"
 #include "conversion/find_gaps.hpp"
 #include "gaps.hpp"
 #include "input/repair_once.hpp"
@@ -15,10 +16,10 @@ using namespace engine;
 
 namespace {
 
-double largest_magnitude(const Pslg& pslg) {
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return largest;
+/// The smallest box that contains all points; without points, the origin.
+Box box_around(const Pslg& pslg) {
+  if (pslg.points.empty()) return Box::around(Point{});
+  return bounding_box(1, pslg.points.size(), [&](std::size_t i) { return pslg.points[i]; });
 }
 
 Error tangled() {
@@ -68,15 +69,11 @@ Repaired close_tiny_gaps(const Pslg& pslg, Repaired repaired, StopSignal& stop) 
 
 }  // namespace
 
-double default_snap(const Pslg& pslg) { return 0x1p-38 * largest_magnitude(pslg); }
+double default_snap(const Pslg& pslg) { return 0x1p-38 * box_around(pslg).largest_magnitude(); }
 
 double largest_default_snap(const Pslg& pslg) {
-  Point low = pslg.points.empty() ? Point{} : pslg.points[0], high = low;
-  for (const Point& p : pslg.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::min(0x1p-30 * largest_magnitude(pslg), 1e-6 * std::max(high.x - low.x, high.y - low.y));
+  const Box box = box_around(pslg);
+  return std::min(0x1p-30 * box.largest_magnitude(), 1e-6 * box.extent());
 }
 
 Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {

@@ -17,9 +17,10 @@ namespace pardel {
 struct RepairOptions {
   /// Gaps smaller than this length are closed. Finite, >= 0. Zero: only equal points are merged, and no point or
   /// segment moves by more than the rounding of crossings. Without a value: default_snap(); if that repair fails, for
-  /// example because the whole domain is narrower, a 16th of it, a 256th, a 4096th, and finally zero. If the repaired
-  /// domain then has gaps (gaps.hpp) up to largest_default_snap() between longer segments, the repair is made again
-  /// with the distance that closes the narrowest of them (closing_snap), until there are none.
+  /// example because the whole domain is narrower, a 16th of it, a 256th, a 4096th, and finally zero. If splitting at
+  /// rounded crossings makes ever more crossings, zero is tried at once. If the repaired domain then has gaps
+  /// (gaps.hpp) up to largest_default_snap() between longer segments, the repair is made again with the distance that
+  /// closes the narrowest of them (closing_snap), until there are none.
   std::optional<double> snap{};
   /// The domain is the convex hull of the points. An unclosed outline is then no problem.
   bool convex_hull = false;

@@ -61,7 +61,7 @@ struct Report {
   /// Number of split points not inserted: they would have made an edge too short, or a triangle without positive area.
   std::uint64_t refused = 0;
   std::vector<Exemption> exempt;  ///< the triangles that do not satisfy the goal, in ascending order
-  std::vector<Gap> gaps;          ///< the gaps of the domain, as find_gaps() finds them; empty after refine()
+  std::vector<Gap> gaps;          ///< the gaps of the domain, as find_gaps() finds them; only after mesh()
   Tiling tiling;
   double validate_seconds = 0;     ///< 0 if the input was a ValidPslg
   double triangulate_seconds = 0;  ///< for the constrained Delaunay triangulation of the input

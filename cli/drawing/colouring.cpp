@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "../../core/formats.hpp"
+#include "../length.hpp"
 #include "../tile_hues.hpp"
-#include "length.hpp"
 
 namespace pardel::cli {
 namespace {

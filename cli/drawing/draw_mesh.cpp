@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "../length.hpp"
 #include "draw_lines.hpp"
-#include "length.hpp"
 #include "small_triangles.hpp"
 
 namespace pardel::cli {

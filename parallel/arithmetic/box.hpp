@@ -30,6 +30,12 @@ struct Box {
   [[nodiscard]] bool intersects_closed(const Box& other) const {
     return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y && other.min_y <= max_y;
   }
+  /// The longer side.
+  [[nodiscard]] double extent() const { return std::max(max_x - min_x, max_y - min_y); }
+  /// The largest absolute value of a coordinate of the box.
+  [[nodiscard]] double largest_magnitude() const {
+    return std::max({std::abs(min_x), std::abs(min_y), std::abs(max_x), std::abs(max_y)});
+  }
   /// Enlarges the box until it contains `other`.
   void cover(const Box& other) {
     min_x = std::min(min_x, other.min_x);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/parallel_arrays.hpp"
@@ -23,10 +24,8 @@ struct Narrow {
 
 Narrow narrow_in(const Array<Point>& points, const Threads& threads) {
   const Box box = bounding_box(threads, points.size(), [&](std::size_t i) { return points[i]; });
-  const double extent = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
-  const double largest = std::max({std::abs(box.min_x), std::abs(box.min_y), std::abs(box.max_x), std::abs(box.max_y)});
-  const double always = 0x1p-32 * largest;
-  return {always, std::max(always, 1e-6 * extent)};
+  const double always = 0x1p-32 * box.largest_magnitude();
+  return {always, std::max(always, 1e-6 * box.extent())};
 }
 
 class GapSearch {
@@ -73,8 +72,7 @@ class GapSearch {
 
  private:
   [[nodiscard]] double distance(VertexId u, VertexId v) const {
-    const double dx = t_.points[u].x - t_.points[v].x, dy = t_.points[u].y - t_.points[v].y;
-    return std::sqrt(dx * dx + dy * dy);  // libraries round std::hypot in different ways
+    return engine::distance(t_.points[u], t_.points[v]);
   }
   /// The longest segment at a vertex; infinity for an isolated vertex.
   [[nodiscard]] double longest_at(VertexId v) const { return longest_[v] > 0 ? longest_[v] : INFINITY; }

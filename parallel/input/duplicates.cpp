@@ -9,6 +9,7 @@
 
 #include "../../core/array.hpp"
 #include "../../core/support/hash.hpp"
+#include "../arithmetic/distance.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
@@ -120,7 +121,7 @@ std::vector<Duplicate> find_close(std::span<const Point> points, double distance
     const Point p = points[i];
     Index first = no_index;
     kept.for_each_near(p, distance, [&](Index j) {
-      if (points[j] == p || std::hypot(points[j].x - p.x, points[j].y - p.y) < distance) first = std::min(first, j);
+      if (points[j] == p || engine::distance(points[j], p) < distance) first = std::min(first, j);
     });
     if (first == no_index)
       kept.insert(i, p);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
+#include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../segments/plane_sweep.hpp"
 #include "../validate.hpp"
@@ -41,7 +42,7 @@ Moved moved_points(const Pslg& old, const Work& work, SparseAsk& ask) {
   for (Index i = 0; i < old.points.size(); ++i) {
     ask();
     const Point from = old.points[i], to = work.pslg.points[work.point_map[i]];
-    add_move(moved, i, std::hypot(to.x - from.x, to.y - from.y));
+    add_move(moved, i, distance(from, to));
   }
   return moved;
 }
@@ -57,7 +58,7 @@ Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& 
       if (!is_old[end] || end == work.point_map[whole.a] || end == work.point_map[whole.b]) continue;
       const double area = std::abs(orient2d(a, b, work.pslg.points[end]));
       double& farthest = distance[work.source[s]];
-      farthest = std::max(farthest, area / std::hypot(b.x - a.x, b.y - a.y));
+      farthest = std::max(farthest, area / engine::distance(a, b));
     }
   }
   Moved moved;

@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "../arithmetic/distance.hpp"
 #include "../segments/conflicts.hpp"
 #include "../segments/plane_sweep.hpp"
 #include "duplicates.hpp"
@@ -89,8 +90,7 @@ void drop_surplus_segments(Work& work, StopSignal& stop) {
 /// Adds a point on a segment. Its attributes are interpolated between the ends; its marker is that of the segment.
 Index add_point(Pslg& pslg, Point p, const Segment& on) {
   const Point a = pslg.points[on.a], b = pslg.points[on.b];
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
-  const double share = std::min(1.0, std::hypot(p.x - a.x, p.y - a.y) / length);
+  const double share = std::min(1.0, distance(a, p) / distance(a, b));
   const std::size_t width = pslg.attributes_per_point;
   for (std::size_t k = 0; k < width; ++k) {
     const double at_a = pslg.point_attributes[on.a * width + k], at_b = pslg.point_attributes[on.b * width + k];

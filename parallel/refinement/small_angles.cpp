@@ -4,17 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "../arithmetic/distance.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
 namespace {
 
-/// Split points depend on this distance. std::hypot is not used because libraries round it in different ways.
-double distance(Point a, Point b) {
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
 /// The power of two in [length/3, 2 length/3] that is nearest to the middle, as in Triangle.

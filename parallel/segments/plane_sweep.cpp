@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
+#include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "sweep_agenda.hpp"
 #include "sweep_status.hpp"
@@ -170,8 +171,7 @@ class PlaneSweep {
     const Edge& edge = edges_[e];
     const Point p = events_[event].place;
     if (!sees_widely(p, edge)) return;
-    const double length = std::hypot(edge.right.x - edge.left.x, edge.right.y - edge.left.y);
-    if (std::abs(side(edge, p)) / length >= input_.reach) return;
+    if (std::abs(side(edge, p)) / distance(edge.left, edge.right) >= input_.reach) return;
     for (Index i = events_[event].first_site; i < events_[event + 1].first_site; ++i)
       found_.near.push_back({sites_[i].id, edge.segment});
   }

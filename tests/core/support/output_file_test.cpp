@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "../../../core/formats.hpp"
@@ -63,6 +64,7 @@ TEST(OutputFile, is_neither_made_nor_renamed_while_the_process_ends) {
     EXPECT_TRUE(out.commit().ok());
   });
   while (!started) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // enough for a writer that does not wait
   EXPECT_EQ(folder.names(), "");
   lock.unlock();
   writer.join();

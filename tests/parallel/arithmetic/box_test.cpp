@@ -41,5 +41,17 @@ TEST(Box, covers_points_in_any_order) {
   EXPECT_EQ(all.max_y, 7);
 }
 
+TEST(Box, has_its_longer_side_as_extent) {
+  EXPECT_EQ(box.extent(), 3);
+  EXPECT_EQ((Box{-4, 1, 3, 2}).extent(), 7);
+}
+
+TEST(Box, has_a_largest_magnitude_on_any_side) {
+  EXPECT_EQ(box.largest_magnitude(), 5);
+  EXPECT_EQ((Box{1, 2, 6, 5}).largest_magnitude(), 6);
+  EXPECT_EQ((Box{-7, 2, 6, 5}).largest_magnitude(), 7);
+  EXPECT_EQ((Box{-7, -8, 6, 5}).largest_magnitude(), 8);
+}
+
 }  // namespace
 }  // namespace pardel::engine

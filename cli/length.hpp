@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../../core/pslg.hpp"
+#include "../core/pslg.hpp"
 
 namespace pardel::cli {
 
