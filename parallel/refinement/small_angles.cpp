@@ -42,8 +42,8 @@ bool same_shell(Point apex, Point u, Point v) {
   return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
 }
 
-/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle. `widest` is
-/// 1 minus the cosine of the largest angle that makes an end an apex.
+/// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle. `widest`
+/// is 1 minus the cosine of the largest angle that makes an end an apex.
 VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b, double widest) {
   const double at_a = 1 - segment.cosine_at(a), at_b = 1 - segment.cosine_at(b);  // these grow with the angles
   const double smaller = std::min(at_a, at_b), larger = std::max(at_a, at_b);
@@ -51,6 +51,34 @@ VertexId centre_of_shell(const DomainSegment& segment, VertexId a, VertexId b, d
   const bool two_similar_apexes = larger < widest && smaller >= 0.5 * larger;
   if (two_similar_apexes) return no_index;
   return at_a < at_b ? a : b;
+}
+
+/// The number in [low, high] with the fewest binary digits. Precondition: 0 < low < high.
+double shortest_number(double low, double high) {
+  for (double step = std::ldexp(1.0, std::ilogb(high));; step /= 2) {
+    const double multiple = std::ceil(low / step) * step;
+    if (multiple <= high) return multiple;
+  }
+}
+
+/// The end of a segment with a narrow apex around which an edge not at an apex is split. Both ends can be apexes. Then
+/// it is the one whose angle is narrower at the middle of the edge.
+VertexId centre_of_wedge(const Triangulation& t, const DomainSegment& segment, Point a, Point b) {
+  const VertexId other = segment.narrow_apex == segment.a ? segment.b : segment.a;
+  const double squared_angle = 2 * (1 - segment.cosine_at(segment.narrow_apex));
+  const double squared_other_angle = 2 * (1 - segment.cosine_at(other));
+  constexpr double at_60_degrees = 1;
+  if (squared_other_angle >= at_60_degrees) return segment.narrow_apex;
+  const Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+  const double here = distance(t.points[segment.narrow_apex], middle), there = distance(t.points[other], middle);
+  return here * here * squared_angle <= there * there * squared_other_angle ? segment.narrow_apex : other;
+}
+
+/// The fraction at which the edge a-b is split if its distance from the centre is a number with few binary digits.
+double fraction_around(Point centre, Point a, Point b) {
+  const double at_a = distance(centre, a), at_b = distance(centre, b);
+  const double near = std::min(at_a, at_b), far = std::max(at_a, at_b);
+  return (shortest_number((2 * near + far) / 3, (near + 2 * far) / 3) - at_a) / (at_b - at_a);
 }
 
 /// The largest angle that makes an end of an edge an apex, as 1 minus its cosine. It is larger for edges that are much
@@ -71,6 +99,8 @@ Point edge_split_point(const Triangulation& t, const DomainSegment& segment, Ver
   if (centre != no_index) {
     fraction = shell(length) / length;
     if (centre == b) fraction = 1 - fraction;
+  } else if (segment.narrow_apex != no_index) {
+    fraction = fraction_around(t.points[centre_of_wedge(t, segment, pa, pb)], pa, pb);
   }
   const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
   const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);

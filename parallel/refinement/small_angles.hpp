@@ -18,6 +18,10 @@ namespace pardel::engine {
 /// both are apexes, the one with the much smaller angle is used; for similar angles, the point is the midpoint.
 /// Measured: this gives the smallest meshes. For an edge shorter than 1/32 of its segment, angles of up to 104 degrees
 /// make an apex: at bounds above 30 degrees, two segments at a right angle can split each other in turn without end.
+/// If a segment has a narrow apex (DomainSegment), the edges that touch no apex are split at distances from it with few
+/// binary digits, between 1/3 and 2/3 of the edge: the vertices of both sides of a narrow wedge then stay side by side
+/// even if their far ends do not. If the other end is an apex, too, this holds around the apex whose wedge is narrower
+/// at the edge.
 /// The point lies on the segment up to the rounding of its coordinates.
 [[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b);
 

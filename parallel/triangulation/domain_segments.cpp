@@ -7,6 +7,20 @@
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
+namespace {
+
+constexpr double cosine_of_narrow_angle = 0.9998477;  // one degree
+
+/// The end of a segment at which another segment meets it at a narrow angle that is much smaller than the angle at the
+/// other end; or no_index.
+VertexId narrow_end(const DomainSegment& s) {
+  const double at_a = 1 - s.cosine_at_a, at_b = 1 - s.cosine_at_b;  // these grow with the angles
+  const double smaller = std::min(at_a, at_b), larger = std::max(at_a, at_b);
+  if (smaller >= 1 - cosine_of_narrow_angle || smaller >= 0.5 * larger) return no_index;
+  return at_a < at_b ? s.a : s.b;
+}
+
+}  // namespace
 
 DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints,
                                const Threads& threads) {
@@ -28,25 +42,49 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
     incident_[next[segments_[l].b]++] = l;
   }
 
-  // The smallest angles at a vertex lie between segments that are adjacent in the angular order around it.
   for (VertexId v = 0; v < points.size(); ++v) {
     ask();
-    const auto first = incident_.begin() + start_[v], last = incident_.begin() + start_[v + 1U];
-    if (last - first < 2) continue;
-    const auto far = [&](Index l) { return points[other_end(l, v)]; };
-    const auto goes_left = [&](Index l) { return lexicographically_less(far(l), points[v]); };
-    std::sort(first, last, [&](Index l, Index r) {
-      if (goes_left(l) != goes_left(r)) return goes_left(r);
-      return orient2d(points[v], far(l), far(r)) > 0;
-    });
-    for (auto it = first; it != last; ++it) {
-      const Index here = *it, next_segment = it + 1 == last ? *first : *(it + 1);
-      const double cosine = cosine_at(points, v, here, next_segment);
-      for (const Index l : {here, next_segment}) {
+    sort_around(points, v);
+  }
+  find_smallest_angles(points, ask);
+  find_narrow_apexes(points, ask);
+}
+
+void DomainSegments::sort_around(const Array<Point>& points, VertexId v) {
+  const auto far = [&](Index l) { return points[other_end(l, v)]; };
+  const auto goes_left = [&](Index l) { return lexicographically_less(far(l), points[v]); };
+  std::sort(incident_.begin() + start_[v], incident_.begin() + start_[v + 1U], [&](Index l, Index r) {
+    if (goes_left(l) != goes_left(r)) return goes_left(r);
+    return orient2d(points[v], far(l), far(r)) > 0;
+  });
+}
+
+/// The smallest angles at a vertex lie between segments that are adjacent in the angular order around it.
+void DomainSegments::find_smallest_angles(const Array<Point>& points, SparseAsk& ask) {
+  for (VertexId v = 0; v < points.size(); ++v) {
+    ask();
+    for_each_angle_at(v, [&](Index here, Index next) {
+      const double cosine = cosine_at(points, v, here, next);
+      for (const Index l : {here, next}) {
         double& largest = segments_[l].a == v ? segments_[l].cosine_at_a : segments_[l].cosine_at_b;
         largest = std::max(largest, cosine);
       }
-    }
+    });
+  }
+}
+
+void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& ask) {
+  for (DomainSegment& s : segments_) {
+    ask();
+    s.narrow_apex = narrow_end(s);
+  }
+  for (VertexId v = 0; v < points.size(); ++v) {
+    ask();
+    for_each_angle_at(v, [&](Index here, Index next) {
+      if (cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
+      if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
+      if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
+    });
   }
 }
 

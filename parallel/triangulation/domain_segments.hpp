@@ -18,6 +18,9 @@ struct DomainSegment {
   VertexId a, b;
   double cosine_at_a = -1;  ///< of the smallest angle with another segment at a; -1 if there is no other segment
   double cosine_at_b = -1;  ///< the same at b
+  /// The end at which other segments meet this one at less than one degree and at much less than at the other end.
+  /// no_index if there is no such end, or if one of these other segments has another such end or none.
+  VertexId narrow_apex = no_index;
 
   /// The cosine of the smallest angle with another segment at v; -1 if v is a vertex inside the segment.
   [[nodiscard]] double cosine_at(VertexId v) const { return v == a ? cosine_at_a : v == b ? cosine_at_b : -1; }
@@ -48,6 +51,16 @@ class DomainSegments {
   [[nodiscard]] VertexId other_end(Index segment, VertexId end) const {
     return segments_[segment].a == end ? segments_[segment].b : segments_[segment].a;
   }
+  /// Calls visit(s, t) for all segments that are adjacent in the angular order around v.
+  template <class Visit>
+  void for_each_angle_at(VertexId v, const Visit& visit) const {
+    const std::span<const Index> around = at(v);
+    for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i)
+      visit(around[i], around[(i + 1) % around.size()]);
+  }
+  void sort_around(const Array<Point>& points, VertexId v);
+  void find_smallest_angles(const Array<Point>& points, SparseAsk& ask);
+  void find_narrow_apexes(const Array<Point>& points, SparseAsk& ask);
 
   std::vector<DomainSegment> segments_;
   std::vector<Index> start_,

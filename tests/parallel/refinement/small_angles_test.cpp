@@ -71,6 +71,45 @@ TEST(EdgeSplitPoint, of_a_short_piece_at_an_angle_above_104_degrees_is_its_midpo
   EXPECT_EQ(edge_split_point(wide.t, wide.segments[0], 0, 4), (Point{0.075, 0}));
 }
 
+/// Splits the piece u-v of a segment until no part is longer than 0.7. Returns the distances of all new vertices from
+/// vertex 0, ascending.
+std::vector<double> distances_of_splits(Corner& corner, Index line, VertexId u, VertexId v) {
+  if (distance(corner.t.points[u], corner.t.points[v]) <= 0.7) return {};
+  const VertexId w = corner.split(line, u, v);
+  std::vector<double> all = distances_of_splits(corner, line, u, w);
+  all.push_back(distance(corner.t.points[0], corner.t.points[w]));
+  std::ranges::copy(distances_of_splits(corner, line, w, v), std::back_inserter(all));
+  return all;
+}
+
+TEST(EdgeSplitPoint, of_both_sides_of_a_narrow_wedge_have_the_same_distances_from_the_apex) {
+  Corner wedge({0, 0}, {100, 0}, {70, 1e-5}, {200, 50});
+  const std::vector<double> first = distances_of_splits(wedge, 0, 0, 1), second = distances_of_splits(wedge, 1, 0, 2);
+  ASSERT_GT(second.size(), 64u);
+  for (std::size_t i = 0; i < 64; ++i) EXPECT_NEAR(first[i], second[i], 1e-13);
+}
+
+TEST(EdgeSplitPoint, of_a_chain_of_narrow_wedges_is_the_midpoint) {
+  Corner chain({0, 0}, {100, 0}, {70, 1}, {0, 1.3});
+  EXPECT_NEAR(edge_split_point(chain.t, chain.segments[0], 0, 1).x, 50, 1e-12);
+  for (const Point p : {Point{40, 0}, Point{70, 0}}) {
+    chain.t.points.push_back(p);
+    chain.t.origin.push_back(0);
+  }
+  EXPECT_NEAR(edge_split_point(chain.t, chain.segments[0], 4, 5).x, 55, 1e-12);
+}
+
+TEST(EdgeSplitPoint, of_a_side_of_a_narrow_wedge_lies_between_a_third_and_two_thirds) {
+  Corner wedge({0, 0}, {100, 0}, {99.999, 1e-5}, {200, 1});
+  for (double start = 0.01; start < 99; start *= 1.3) {
+    wedge.t.points.push_back({start, 0});
+    const VertexId from = static_cast<VertexId>(wedge.t.points.size() - 1);
+    const double fraction = (edge_split_point(wedge.t, wedge.segments[0], from, 1).x - start) / (100 - start);
+    EXPECT_GE(fraction, 1 / 3.0 - 1e-12);
+    EXPECT_LE(fraction, 2 / 3.0 + 1e-12);
+  }
+}
+
 TEST(EdgeSplitPoint, of_a_segment_with_two_different_small_angles_lies_on_a_shell_around_the_smaller_one) {
   Corner at_first({0, 0}, {5, 0}, {3, 0.5}, {2, 1});
   EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 0, 1).x, 2, 1e-15);
