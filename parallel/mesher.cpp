@@ -8,7 +8,6 @@
 #include "../core/support/shortest.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "concurrency/parallel_for.hpp"
-#include "conversion/background.hpp"
 #include "conversion/domain_triangulation.hpp"
 #include "conversion/export_mesh.hpp"
 #include "conversion/find_gaps.hpp"
@@ -18,6 +17,7 @@
 #include "input/findings.hpp"
 #include "refinement/criteria.hpp"
 #include "refinement/exemptions.hpp"
+#include "refinement/local_bound.hpp"
 #include "scheduling/limits.hpp"
 #include "scheduling/progress_monitor.hpp"
 #include "scheduling/refine_by_sweeps.hpp"
@@ -146,9 +146,8 @@ Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::sp
   std::vector<std::array<Index, 3>> triangles;
   for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
   auto background = std::make_shared<Background>(pslg.points, std::move(triangles), progress.threads());
-  return std::function<double(Point)>([background, values = std::vector<double>(sizes.begin(), sizes.end())](Point p) {
-    return background->interpolate(p, values);
-  });
+  return std::function<double(Point)>(OnBackground<PointValues>{
+      std::make_shared<const PointValues>(std::move(background), std::vector<double>(sizes.begin(), sizes.end()))});
 }
 
 /// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
@@ -191,8 +190,8 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
     for (const Triangle& triangle : coarse.triangles) input.background.push_back(triangle.v);
   std::function<double(Point)> area_cap;
   if (std::ranges::any_of(max_areas, [](double cap) { return cap < INFINITY; })) {
-    const auto background = std::make_shared<Background>(coarse.points.span(), input.background, progress.threads());
-    area_cap = [background, max_areas](Point p) { return max_areas[background->locate(p).triangle]; };
+    auto background = std::make_shared<Background>(coarse.points.span(), input.background, progress.threads());
+    area_cap = OnBackground<TriangleValues>{std::make_shared<const TriangleValues>(std::move(background), max_areas)};
   }
   result.report.triangulate_seconds = watch.lap();
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../concurrency/parallel_arrays.hpp"
-#include "background.hpp"
+#include "../triangulation/background.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -115,9 +115,10 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
   mesh.point_attributes.append(data.attributes);
   const Background on(mesh.points.span().first(inputs), std::move(background), threads);
   SparseAsk ask(threads.stop);
+  LocationHint hint;
   for (std::size_t v = inputs; v < mesh.points.size(); ++v) {
     ask();
-    const Located at = on.locate(mesh.points[v]);
+    const Located at = on.locate(mesh.points[v], hint);
     for (std::size_t a = 0; a < k; ++a) {
       double value = 0;
       for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * data.attributes[at.v[i] * k + a];

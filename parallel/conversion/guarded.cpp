@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
+#include "../refinement/local_bound.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -29,7 +30,7 @@ auto guarded_call(const Call& call, const Where& where) {
 }  // namespace
 
 Goal guarded(Goal goal) {
-  if (!goal.size) return goal;
+  if (!goal.size || goal.size.target<OnBackground<PointValues>>() != nullptr) return goal;
   goal.size = [size = std::move(goal.size)](Point p) {
     const double length = guarded_call([&] { return size(p); }, [&] { return "Goal::size at " + shortest(p); });
     if (!(length > 0))

@@ -14,7 +14,8 @@ struct CallbackError {
 };
 
 /// The goal with a guarded size function. The guarded function throws CallbackError if Goal::size throws, or if it
-/// returns a number that is not positive. Infinity is allowed, and means that there is no bound.
+/// returns a number that is not positive. Infinity is allowed, and means that there is no bound. The functions
+/// that interpolated_size() makes keep their type, and need no guard.
 [[nodiscard]] Goal guarded(Goal goal);
 
 /// The options with guarded functions. They throw CallbackError if the functions of the caller throw.

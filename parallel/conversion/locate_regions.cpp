@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../../core/support/mesh_edges.hpp"
-#include "background.hpp"
+#include "../triangulation/background.hpp"
 
 namespace pardel::engine {
 
@@ -28,11 +28,12 @@ void locate_regions(const Mesh& coarse, Mesh& fine, const Threads& threads) {
   corners.reserve(coarse.triangles.size());
   for (const Triangle& triangle : coarse.triangles) corners.push_back(triangle.v);
   const Background background(coarse.points.span(), std::move(corners));
+  LocationHint hint;
   for (std::size_t t = 0; t < fine.triangles.size(); ++t) {
     ask();
     const auto& v = fine.triangles[t].v;
     const Point a = fine.points[v[0]], b = fine.points[v[1]], c = fine.points[v[2]];
-    fine.region[t] = coarse.region[background.locate({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}).triangle];
+    fine.region[t] = coarse.region[background.locate({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, hint).triangle];
   }
 }
 

@@ -27,18 +27,18 @@ unsigned Assessor::encroached_side(TriangleId id, const Slot& slot, const Measur
   return side;
 }
 
-Assessment Assessor::assess_at_constraint(TriangleId id, const Measure& m) const {
+Assessment Assessor::assess_at_constraint(TriangleId id, const Measure& m, LocalHints& hints) const {
   const unsigned side = encroached_side(id, t_.slots[id], m);
   if (side < 3)
     return {Assessment::Need::split_edge, side, BucketQueue::urgent, m.longest_squared(), /*left_alone=*/false};
-  Assessment result = assess_inside(id, m);
+  Assessment result = assess_inside(id, m, hints);
   result.left_alone = result.left_alone || non_delaunay_side(id) < 3;
   return result;
 }
 
-bool Assessor::breaks_goal(TriangleId id) const {
+bool Assessor::breaks_goal(TriangleId id, LocalHints& hints) const {
   const Shape shape(t_, t_.slots[id]);
-  return criteria_.bad_shape(shape) || too_large(id, shape) || non_delaunay_side(id) < 3;
+  return criteria_.bad_shape(shape) || too_large(id, shape, hints) || non_delaunay_side(id) < 3;
 }
 
 unsigned Assessor::non_delaunay_side(TriangleId id) const {
@@ -60,9 +60,9 @@ Point Assessor::point_on(EdgeRef e) const {
   return edge_split_point(t_, segments_[segment_of(e)], slot.from(e.side()), slot.to(e.side()));
 }
 
-Point Assessor::point_for(TriangleId id, const Assessment& a) const {
+Point Assessor::point_for(TriangleId id, const Assessment& a, LocalHints& hints) const {
   const EdgeRef side(id, a.side);
-  return a.need == Assessment::Need::split_edge ? point_on(side) : point_in(side);
+  return a.need == Assessment::Need::split_edge ? point_on(side) : point_in(side, hints);
 }
 
 }  // namespace pardel::engine

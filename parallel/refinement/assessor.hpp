@@ -22,7 +22,8 @@ struct Assessment {
   bool left_alone = false;  ///< the triangle breaks the goal, but it may not or cannot be split
 };
 
-/// Assesses triangles. All functions are pure functions of the triangulation.
+/// Assesses triangles. All functions are pure functions of the triangulation. Hints (those of the calling thread) make
+/// them faster; functions without hints are for a few triangles.
 class Assessor {
  public:
   Assessor(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options)
@@ -36,14 +37,26 @@ class Assessor {
   [[nodiscard]] QueuedTriangle entry(TriangleId id, const Assessment& a) const {
     return QueuedTriangle::now(t_, EdgeRef(id, a.side));
   }
-  [[nodiscard]] Assessment assess(TriangleId id) const { return assess(id, Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Assessment assess(TriangleId id, const Measure& m) const {
-    return t_.slots[id].any_constrained() ? assess_at_constraint(id, m) : assess_inside(id, m);
+  [[nodiscard]] Assessment assess(TriangleId id) const {
+    LocalHints none;
+    return assess(id, none);
+  }
+  [[nodiscard]] Assessment assess(TriangleId id, LocalHints& hints) const {
+    return assess(id, Shape(t_, t_.slots[id]), hints);
+  }
+  [[nodiscard]] Assessment assess(TriangleId id, const Measure& m, LocalHints& hints) const {
+    return t_.slots[id].any_constrained() ? assess_at_constraint(id, m, hints) : assess_inside(id, m, hints);
   }
   /// The same for a triangle whose sides cannot be split, whether they are encroached or not.
-  [[nodiscard]] Assessment assess_inside(TriangleId id) const { return assess_inside(id, Shape(t_, t_.slots[id])); }
-  [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m) const {
-    const bool large = too_large(id, m);
+  [[nodiscard]] Assessment assess_inside(TriangleId id) const {
+    LocalHints none;
+    return assess_inside(id, none);
+  }
+  [[nodiscard]] Assessment assess_inside(TriangleId id, LocalHints& hints) const {
+    return assess_inside(id, Shape(t_, t_.slots[id]), hints);
+  }
+  [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m, LocalHints& hints) const {
+    const bool large = too_large(id, m, hints);
     if (!large && !criteria_.bad_shape(m)) return {};
     const double shortest = m.shortest_squared();
     if (shortest < squared_floor_ || (!large && small_angle(t_, segments_, t_.slots[id], m)))
@@ -53,25 +66,35 @@ class Assessor {
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
   /// True if the triangle breaks the criteria, even if an exemption justifies this.
-  [[nodiscard]] bool breaks_goal(TriangleId id) const;
+  [[nodiscard]] bool breaks_goal(TriangleId id, LocalHints& hints) const;
+  [[nodiscard]] bool breaks_goal(TriangleId id) const {
+    LocalHints none;
+    return breaks_goal(id, none);
+  }
   /// For a conforming goal: a constrained side that is not Delaunay, or 3 if there is none. For other goals: 3.
   [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
   /// True if the options do not allow to split the edge.
   [[nodiscard]] bool forbidden(EdgeRef e) const;
   /// True if the halves of the edge would be shorter than options.min_edge (the floor).
   [[nodiscard]] bool below_floor(EdgeRef e) const;
-  [[nodiscard]] bool too_large(TriangleId id) const { return too_large(id, Shape(t_, t_.slots[id])); }
+  [[nodiscard]] bool too_large(TriangleId id, LocalHints& hints) const {
+    return too_large(id, Shape(t_, t_.slots[id]), hints);
+  }
   /// The point that has to be inserted. Precondition: the assessment's need is not `nothing`.
-  [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const;
+  [[nodiscard]] Point point_for(TriangleId id, const Assessment& a, LocalHints& hints) const;
+  [[nodiscard]] Point point_for(TriangleId id, const Assessment& a) const {
+    LocalHints none;
+    return point_for(id, a, none);
+  }
   /// The point that splits the constrained edge e.
   [[nodiscard]] Point point_on(EdgeRef e) const;
   /// The point that splits a triangle, given the triangle's shortest side.
-  [[nodiscard]] Point point_in(EdgeRef shortest) const {
+  [[nodiscard]] Point point_in(EdgeRef shortest, LocalHints& hints) const {
     const Slot& slot = t_.slot(shortest);
     const unsigned side = shortest.side();
     assert(side == Shape(t_, slot).shortest_side());
     return criteria_.split_point(t_.points[slot.from(side)], t_.points[slot.to(side)], t_.points[slot.apex(side)],
-                                 region_of(shortest.triangle()));
+                                 region_of(shortest.triangle()), hints);
   }
   /// The input segment on which the constrained edge e lies.
   [[nodiscard]] Index segment_of(EdgeRef e) const;
@@ -79,11 +102,14 @@ class Assessor {
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
-  [[nodiscard]] Assessment assess_at_constraint(TriangleId id, const Measure& m) const;
+  [[nodiscard]] Assessment assess_at_constraint(TriangleId id, const Measure& m, LocalHints& hints) const;
   [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
-  [[nodiscard]] bool too_large(TriangleId id, const Measure& m) const {
-    return criteria_.too_large(m) ||
-           (criteria_.has_local_size() && criteria_.too_large_locally(Shape(t_, t_.slots[id]), region_of(id)));
+  [[nodiscard]] bool too_large(TriangleId id, const Measure& m, LocalHints& hints) const {
+    if (criteria_.too_large(m)) return true;
+    if (!criteria_.has_local_size()) return false;
+    const auto& v = t_.slots[id].v;
+    const Point centroid = centroid_of(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]);
+    return criteria_.too_large_locally(m, centroid, region_of(id), hints);
   }
 
   const Triangulation& t_;

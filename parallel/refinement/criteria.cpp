@@ -44,8 +44,8 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       squared_max_edge_(squared(goal.max_edge) * stricter),
       triangles_by_shape_(shape_factor(goal.min_angle_deg)),
       twice_region_cap_(std::move(region_caps)),
-      size_(goal.size),
-      area_cap_(std::move(area_cap)),
+      size_(local_bound(goal.size)),
+      area_cap_(local_bound(std::move(area_cap))),
       has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ ||
                       (goal.region_caps && any_finite(twice_region_cap_))) {
   if (!goal.region_caps) twice_region_cap_.clear();
@@ -66,21 +66,21 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   }
 }
 
-bool Criteria::too_large_locally(const Shape& s, Index region) const {
-  if (region < twice_region_cap_.size() && s.twice_area > twice_region_cap_[region]) return true;
-  const double longest = s.longest_squared();
+bool Criteria::too_large_locally(const Measure& m, Point centroid, Index region, LocalHints& hints) const {
+  if (region < twice_region_cap_.size() && m.twice_area > twice_region_cap_[region]) return true;
+  const double longest = m.longest_squared();
   if (longest > squared_max_edge_) return true;
-  if (size_ && longest > squared(size_(s.centroid())) * stricter) return true;
-  return area_cap_ && s.twice_area > 2 * area_cap_(s.centroid()) * stricter;
+  if (size_ && longest > squared(size_(centroid, hints.size)) * stricter) return true;
+  return area_cap_ && m.twice_area > 2 * area_cap_(centroid, hints.area) * stricter;
 }
 
-Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index region) const {
+Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index region, LocalHints& hints) const {
   SizeBounds bounds{twice_max_area_, squared_max_edge_};
   if (!has_local_size_) return bounds;
   const Point centroid = centroid_of(a, b, c);
   if (region < twice_region_cap_.size()) bounds.twice_area = std::min(bounds.twice_area, twice_region_cap_[region]);
-  if (size_) bounds.squared_edge = std::min(bounds.squared_edge, squared(size_(centroid)));
-  if (area_cap_) bounds.twice_area = std::min(bounds.twice_area, 2 * area_cap_(centroid));
+  if (size_) bounds.squared_edge = std::min(bounds.squared_edge, squared(size_(centroid, hints.size)));
+  if (area_cap_) bounds.twice_area = std::min(bounds.twice_area, 2 * area_cap_(centroid, hints.area));
   return bounds;
 }
 
@@ -100,7 +100,7 @@ double Criteria::filling_height(const SizeBounds& bounds, double twice_area, dou
   return std::max(height, least);
 }
 
-Point Criteria::split_point(Point q, Point r, Point a, Index region) const {
+Point Criteria::split_point(Point q, Point r, Point a, Index region, LocalHints& hints) const {
   const double rx = r.x - q.x, ry = r.y - q.y, ax = a.x - q.x, ay = a.y - q.y;
   const double a2 = ax * ax + ay * ay, r2 = rx * rx + ry * ry;
   const double twice_area = rx * ay - ry * ax;
@@ -108,7 +108,7 @@ Point Criteria::split_point(Point q, Point r, Point a, Index region) const {
   double dx = (r2 * ay - a2 * ry) * scale;
   double dy = (a2 * rx - r2 * ax) * scale;
   double height = off_centre_height_;
-  if (fills_) height = std::min(height, filling_height(size_bounds(q, r, a, region), twice_area, r2));
+  if (fills_) height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));
   if (height < INFINITY) {
     const double offx = 0.5 * rx - height * ry;
     const double offy = 0.5 * ry + height * rx;
@@ -126,8 +126,8 @@ double Criteria::triangles_needed(const Shape& s, Index region) const {
   return s.twice_area / cap;
 }
 
-double Criteria::triangles_wanted(const Shape& s, Index region) const {
-  const SizeBounds bounds = size_bounds(s.p[0], s.p[1], s.p[2], region);
+double Criteria::triangles_wanted(const Shape& s, Index region, LocalHints& hints) const {
+  const SizeBounds bounds = size_bounds(s.p[0], s.p[1], s.p[2], region, hints);
   return s.twice_area / (fill_ * std::min(bounds.twice_area, 0.6 * bounds.squared_edge));
 }
 

@@ -9,6 +9,7 @@
 #include "../../core/goal.hpp"
 #include "../options.hpp"
 #include "../triangulation/triangle_shape.hpp"
+#include "local_bound.hpp"
 
 namespace pardel::engine {
 
@@ -36,7 +37,12 @@ class Criteria {
   /// True if the goal has bounds on edges, or bounds that depend on the place. too_large() does not test these bounds.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
   /// True if the triangle exceeds one of these local bounds. `region`: the triangle's region, or no_index.
-  [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const;
+  /// `hints`, here and below: of the calling thread.
+  [[nodiscard]] bool too_large_locally(const Measure& m, Point centroid, Index region, LocalHints& hints) const;
+  [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const {
+    LocalHints none;
+    return too_large_locally(s, s.centroid(), region, none);
+  }
   /// True if the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
   /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3). If
@@ -61,14 +67,15 @@ class Criteria {
   ///   half the length of qr (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved
   ///   surfaces", 2016). Not used for triangles that are much too large; bounds on area only up to 31 degrees.
   /// With Placement::circumcentre, the circumcentre is the only candidate.
-  [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region) const;
+  [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region, LocalHints& hints) const;
   [[nodiscard]] Point split_point(const Shape& s, Index region) const {
     const unsigned apex = s.shortest_side();
-    return split_point(s.p[next_corner[apex]], s.p[previous_corner[apex]], s.p[apex], region);
+    LocalHints none;
+    return split_point(s.p[next_corner[apex]], s.p[previous_corner[apex]], s.p[apex], region, none);
   }
 
   /// The estimated number of triangles by which the bounds on size replace this triangle.
-  [[nodiscard]] double triangles_wanted(const Shape& s, Index region) const;
+  [[nodiscard]] double triangles_wanted(const Shape& s, Index region, LocalHints& hints) const;
   /// A lower bound on the number of triangles in the area of this triangle: its area divided by the area cap.
   [[nodiscard]] double triangles_needed(const Shape& s, Index region) const;
 
@@ -77,7 +84,7 @@ class Criteria {
   struct SizeBounds {
     double twice_area, squared_edge;
   };
-  [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region) const;
+  [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region, LocalHints& hints) const;
   /// The height, as a multiple of the shortest side, of the triangle that is as large as the bounds allow. Infinity for
   /// a triangle that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
@@ -93,7 +100,7 @@ class Criteria {
   bool fills_areas_ = false;             ///< the size point uses bounds on area, too
   double fill_ = 0.62;                   ///< the average area of a triangle, as a fraction of its cap
   std::vector<double> twice_region_cap_;
-  std::function<double(Point)> size_, area_cap_;
+  LocalBound size_, area_cap_;
   bool has_local_size_;
 };
 

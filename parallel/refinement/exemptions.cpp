@@ -10,6 +10,7 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
   const Assessor assessor(t, segments, criteria, options);
   Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
+  LocalHints hints;
   const auto reason_of = [](Outcome outcome) {
     return outcome == Outcome::too_close ? ExemptReason::min_edge : ExemptReason::precision;
   };
@@ -21,7 +22,7 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
   const auto why_not_split = [&](TriangleId id) -> Exemption {
     const Shape shape(t, t.slots[id]);
     const unsigned side = assessor.non_delaunay_side(id);
-    if (side == 3 && !assessor.too_large(id))
+    if (side == 3 && !assessor.too_large(id, hints))
       if (const auto small = small_angle(t, segments, t.slots[id], shape))
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached) return {id, ExemptReason::budget};
@@ -35,7 +36,7 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
   SparseAsk ask(threads.stop);
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     ask();
-    if (assessor.breaks_goal(id)) result.push_back(why_not_split(id));
+    if (assessor.breaks_goal(id, hints)) result.push_back(why_not_split(id));
   }
   return result;
 }

@@ -13,6 +13,7 @@ void Task::start(const Lattice& lattice, Index cell, std::span<const QueuedTrian
   free_ = &free;
   insertion_.start(free);
   result_ = {};
+  hints_ = {};
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     if (report && i % steps_between_reports == 0) report(0);
     consider(seeds[i].id());
@@ -58,10 +59,10 @@ void Task::consider_changed() {
   }
   if (insertion_.may_touch_constraint() || assessor_.has_local_size())
     for (std::size_t i = 0; i < changed.size(); ++i)
-      queue_if_bad(changed[i], assessor_.assess(changed[i], measures[i]), measures[i]);
+      queue_if_bad(changed[i], assessor_.assess(changed[i], measures[i], hints_), measures[i]);
   else
     for (const std::size_t i : insertion_.breaking())
-      queue_if_bad(changed[i], assessor_.assess_inside(changed[i], measures[i]), measures[i]);
+      queue_if_bad(changed[i], assessor_.assess_inside(changed[i], measures[i], hints_), measures[i]);
 }
 
 void Task::process(QueuedTriangle triangle) {
@@ -71,7 +72,7 @@ void Task::process(QueuedTriangle triangle) {
     shortest = split_encroached_side(triangle);
     if (shortest.none()) return;
   }
-  const Point p = assessor_.point_in(shortest);
+  const Point p = assessor_.point_in(shortest, hints_);
   if (is_foreign(p)) return hand_on(triangle, p);
   switch (insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:
@@ -92,13 +93,13 @@ void Task::process(QueuedTriangle triangle) {
 
 EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {
   const TriangleId id = triangle.id();
-  Assessment a = assessor_.assess(id);
+  Assessment a = assessor_.assess(id, hints_);
   if (a.need == Assessment::Need::split_edge) {
     const EdgeRef e(id, a.side);
     const Outcome outcome = split_edge(e);
     if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(e));
     if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return {};
-    a = assessor_.assess_inside(id);
+    a = assessor_.assess_inside(id, hints_);
   }
   return a.need == Assessment::Need::nothing ? EdgeRef() : EdgeRef(id, a.side);
 }

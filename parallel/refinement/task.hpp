@@ -57,7 +57,7 @@ class Task {
  private:
   void consider(TriangleId id) {
     const Shape shape(t_, t_.slots[id]);
-    queue_if_bad(id, assessor_.assess(id, shape), shape);
+    queue_if_bad(id, assessor_.assess(id, shape, hints_), shape);
   }
   void consider_changed();
   // Always inlined: otherwise the Assessment is passed through memory.
@@ -91,6 +91,7 @@ class Task {
   bool own_cell_only_;
   FreeIndices* free_ = nullptr;
   BucketQueue queue_;
+  LocalHints hints_;
   TaskResult result_;
   const Lattice* lattice_ = nullptr;
   Index cell_ = 0;

@@ -21,14 +21,15 @@ InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, c
   std::vector<std::vector<Deferred>> bad(blocks);
   std::vector<char> left_alone(blocks, 0);
   parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    LocalHints hints;
     for (std::size_t id = first; id < last; ++id) {
       const auto triangle = static_cast<TriangleId>(id);
       const Shape shape(t, t.slots[triangle]);
-      const double wanted = criteria.triangles_wanted(shape, assessor.region_of(triangle));
+      const double wanted = criteria.triangles_wanted(shape, assessor.region_of(triangle), hints);
       estimates[block].without_angle_bound += std::max(triangles_per_input_triangle, wanted);
       estimates[block].with_angle_bound += std::max(criteria.triangles_by_shape(), wanted);
       estimates[block].lower_bound += criteria.triangles_needed(shape, assessor.region_of(triangle));
-      const Assessment a = assessor.assess(triangle, shape);
+      const Assessment a = assessor.assess(triangle, shape, hints);
       if (a.need != Assessment::Need::nothing) bad[block].push_back({assessor.entry(triangle, a), a});
       if (a.left_alone) left_alone[block] = 1;
     }

@@ -51,17 +51,18 @@ SeedsByCell PendingTriangles::by_cell(const Lattice& lattice, std::span<const Qu
   cell.resize_uninitialised(triangles.size());
   std::vector<std::vector<Deferred>> deferred(block_count(triangles.size()));
   parallel_blocks(threads_, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    LocalHints hints;
     for (std::size_t i = first; i < last; ++i) {
       cell[i] = no_index;
       if (!triangles[i].is_current(t_)) continue;
       const TriangleId id = triangles[i].id();
       const Shape shape(t_, t_.slots[id]);
-      const Assessment a = assessor_.assess(id, shape);
+      const Assessment a = assessor_.assess(id, shape, hints);
       if (a.need == Assessment::Need::nothing) continue;
       if (later.defers(a, shape))
         deferred[block].push_back({triangles[i], a});
       else
-        cell[i] = lattice.cell_of(assessor_.point_for(id, a));
+        cell[i] = lattice.cell_of(assessor_.point_for(id, a, hints));
     }
   });
   append_blocks(threads_, deferred, deferred_);

@@ -67,10 +67,12 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
   if (!criteria_.has_size()) return wanted;
   parallel_for(threads_, seeds.size(), [&](std::size_t cell, int) {
     SparseAsk ask(threads_.stop);
+    LocalHints hints;
     for (const QueuedTriangle seed : seeds[cell]) {
       ask();
       if (seed.is_current(t_))
-        wanted[cell] += criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()));
+        wanted[cell] +=
+            criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()), hints);
     }
   });
   return wanted;

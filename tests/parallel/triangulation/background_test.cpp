@@ -1,4 +1,4 @@
-#include "../../../parallel/conversion/background.hpp"
+#include "../../../parallel/triangulation/background.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,6 +84,48 @@ TEST(Background, of_slivers_interpolates_within_the_values_of_their_corners) {
   for (int i = 0; i < 2000; ++i) {
     const double v = background.interpolate({random.uniform(-1, 2), random.uniform(-1, 8)}, value);
     EXPECT_TRUE(v >= -1e-12 && v <= 1 + 1e-12) << v;
+  }
+}
+
+/// Bit for bit.
+bool same_place(const Located& a, const Located& b) {
+  return a.triangle == b.triangle && a.v == b.v && a.weight == b.weight;
+}
+
+/// Points in triangles, exactly on edges and corners, and outside.
+TEST(Background, gives_the_same_answer_for_every_hint) {
+  for (const bool lattice : {true, false}) {
+    const samples::Sample sample =
+        samples::triangulated(lattice ? samples::lattice_points(9) : samples::uniform_points(200, 7));
+    const Background background = background_of(sample);
+    const auto triangles = static_cast<Index>(sample.triangulation.slots.size());
+    samples::Random random(8);
+    for (int i = 0; i < 300; ++i) {
+      Point p{random.uniform(-1, 9), random.uniform(-1, 9)};
+      if (i % 3 == 0) p = {std::round(p.x), p.y};
+      if (i % 3 == 1) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2};
+      const Located expected = background.locate(p);
+      for (Index leaf = 0; leaf < triangles; leaf += 5) {
+        LocationHint hint{leaf};
+        EXPECT_TRUE(same_place(background.locate(p, hint), expected)) << p.x << ' ' << p.y << " from " << leaf;
+        EXPECT_TRUE(same_place(background.locate(p, hint), expected)) << "from the last answer";
+      }
+    }
+  }
+}
+
+/// The walk cannot cross a hole. Then the hierarchy finds the triangle.
+TEST(Background, finds_points_beyond_a_hole) {
+  // The ring between the squares of sides 3 and 1.
+  const std::vector<Point> points{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  const Background background(points,
+                              {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6}, {3, 7, 6}, {3, 0, 7}, {0, 4, 7}});
+  LocationHint hint;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(background.locate({0.5, 1.5}, hint).triangle, 6U);
+    EXPECT_EQ(background.locate({2.5, 1.4}, hint).triangle, 2U);
+    EXPECT_EQ(background.locate({1.4, 0.5}, hint).triangle, 0U);
+    EXPECT_EQ(background.locate({1.6, 2.5}, hint).triangle, 4U);
   }
 }
 

@@ -1,0 +1,194 @@
+#include "background.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "../../core/neighbours.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "../concurrency/hilbert_order.hpp"
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+namespace {
+
+double squared_distance(const Box& box, Point p) {
+  const double dx = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
+  const double dy = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
+  return dx * dx + dy * dy;
+}
+
+/// The point of the segment a-b nearest to p, as a fraction of the segment from a.
+double nearest_fraction(Point a, Point b, Point p) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double length = dx * dx + dy * dy;
+  return length > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length, 0.0, 1.0) : 0.0;
+}
+
+/// The turn from a over b to p. Its determinant divided by that of the triangle is a barycentric weight of p.
+Orientation<double> turn(Point a, Point b, Point p) { return {b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y}; }
+
+}  // namespace
+
+Background::Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles,
+                       const Threads& threads)
+    : points_(points.begin(), points.end()), leaf_count_(std::bit_ceil(std::max<std::size_t>(1, triangles.size()))) {
+  SparseAsk ask(threads.stop);
+  std::vector<Point> centre;
+  centre.reserve(triangles.size());
+  for (const auto& v : triangles) {
+    ask();
+    const Point a = points_[v[0]], b = points_[v[1]], c = points_[v[2]];
+    centre.push_back({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
+  }
+  number_ = hilbert_order(centre, threads);
+  Array<Triangle> ordered;
+  ordered.reserve(number_.size());
+  for (const Index i : number_) ordered.push_back({triangles[i], {}});
+  rebuild_neighbours(ordered, points_.size());
+  boxes_.assign(2 * leaf_count_, empty_box);
+  leaves_.reserve(ordered.size());
+  for (const Triangle& triangle : ordered) {
+    ask();
+    Box& box = boxes_[leaf_count_ + leaves_.size()];
+    for (const Index v : triangle.v) box.cover(Box::around(points_[v]));
+    leaves_.push_back({triangle.v, triangle.n, 0});
+    const auto c = corners(leaves_.back());
+    leaves_.back().twice_area = turn(c[0], c[1], c[2]).determinant;
+  }
+  for (std::size_t i = leaf_count_ - 1; i > 0; --i) {
+    ask();
+    boxes_[i].cover(boxes_[2 * i]);
+    boxes_[i].cover(boxes_[2 * i + 1]);
+  }
+}
+
+Located Background::weights_in(Index leaf, Point p) const {
+  const auto c = corners(leaves_[leaf]);
+  Located result{number_[leaf], leaves_[leaf].v, {}};
+  const double area = leaves_[leaf].twice_area;
+  bool inside = area > 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    result.weight[i] = turn(c[(i + 1) % 3], c[(i + 2) % 3], p).determinant / area;
+    inside = inside && result.weight[i] >= 0;
+  }
+  return inside ? result : nearest_in(leaf, p);
+}
+
+/// The weights of the point on the boundary of a triangle that is nearest to p.
+Located Background::nearest_in(Index leaf, Point p) const {
+  const auto c = corners(leaves_[leaf]);
+  Located result{number_[leaf], leaves_[leaf].v, {}};
+  double best = INFINITY;
+  for (unsigned i = 0; i < 3; ++i) {
+    const unsigned j = (i + 1) % 3;
+    const double f = nearest_fraction(c[i], c[j], p);
+    const double x = c[i].x + f * (c[j].x - c[i].x) - p.x, y = c[i].y + f * (c[j].y - c[i].y) - p.y;
+    if (x * x + y * y >= best) continue;
+    best = x * x + y * y;
+    result.weight = {};
+    result.weight[i] = 1 - f;
+    result.weight[j] = f;
+  }
+  return result;
+}
+
+/// Walks from `leaf` towards p, through sides that have p on their other side. `leaf` is then the last triangle and, if
+/// it has p in its interior, `found` the position. The walk is `lost` if it would leave the triangulation, or after
+/// `steps` steps: where edges are not Delaunay it may go round in a circle.
+Background::Walk Background::walk(Point p, Index& leaf, int steps, Located& found) const {
+  for (; steps > 0; --steps) {
+    const Leaf& at = leaves_[leaf];
+    const auto c = corners(at);
+    std::array<double, 3> determinant{};
+    bool certain = at.twice_area > 0, inside = true;
+    unsigned beyond = 3;
+    for (unsigned side = 0; side < 3 && beyond == 3; ++side) {
+      const Point from = c[next_corner[side]], to = c[previous_corner[side]];
+      const Orientation<double> sign = turn(from, to, p);
+      determinant[side] = sign.determinant;
+      if (sign.determinant > sign.error) continue;
+      certain = false;
+      const double exactly = sign.is_certain() ? sign.determinant : exact::orient2d(from, to, p);
+      inside = inside && exactly > 0;
+      if (exactly < 0) beyond = side;
+    }
+    if (beyond == 3) {
+      if (!inside) return Walk::on_edge;
+      const double area = at.twice_area;
+      found = {number_[leaf], at.v, {determinant[0] / area, determinant[1] / area, determinant[2] / area}};
+      if (!certain) found = weights_in(leaf, p);
+      return Walk::inside;
+    }
+    if (at.n[beyond] == no_index) return Walk::lost;
+    leaf = at.n[beyond];
+  }
+  return Walk::lost;
+}
+
+/// A triangle near p: descends into the nearer box.
+Index Background::leaf_near(Point p) const {
+  std::size_t node = 1;
+  while (node < leaf_count_) {
+    node *= 2;
+    if (squared_distance(boxes_[node + 1], p) < squared_distance(boxes_[node], p)) ++node;
+  }
+  return static_cast<Index>(std::min(node - leaf_count_, leaves_.size() - 1));
+}
+
+Located Background::locate(Point p, LocationHint& hint) const {
+  if (leaves_.empty()) return {};
+  constexpr int near = 32, far = 1000;
+  Located found;
+  Walk end = hint.leaf == no_index ? Walk::lost : walk(p, hint.leaf, near, found);
+  if (end == Walk::lost) {
+    hint.leaf = leaf_near(p);
+    end = walk(p, hint.leaf, far, found);
+  }
+  return end == Walk::inside ? found : search(p);
+}
+
+/// Finds the triangle by the hierarchy alone.
+Located Background::search(Point p) const {
+  Located best;
+  double best_distance = INFINITY;
+  std::vector<std::size_t> stack{1};
+  while (!stack.empty()) {
+    const std::size_t node = stack.back();
+    stack.pop_back();
+    // A box at the same distance is searched, too: it may contain the triangle that has p in its interior.
+    if (squared_distance(boxes_[node], p) > best_distance) continue;
+    if (node < leaf_count_) {
+      const bool left_first = squared_distance(boxes_[2 * node], p) <= squared_distance(boxes_[2 * node + 1], p);
+      stack.push_back(2 * node + (left_first ? 1 : 0));
+      stack.push_back(2 * node + (left_first ? 0 : 1));
+      continue;
+    }
+    if (node - leaf_count_ >= leaves_.size()) continue;
+    auto leaf = static_cast<Index>(node - leaf_count_);
+    Located here;
+    if (walk(p, leaf, 1, here) == Walk::inside) return here;
+    here = weights_in(static_cast<Index>(node - leaf_count_), p);
+    Point q{0, 0};
+    for (unsigned i = 0; i < 3; ++i) {
+      q.x += here.weight[i] * points_[here.v[i]].x;
+      q.y += here.weight[i] * points_[here.v[i]].y;
+    }
+    const bool inside = here.weight[0] > 0 && here.weight[1] > 0 && here.weight[2] > 0;
+    const double distance = inside ? 0 : (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    if (distance < best_distance) {
+      best = here;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+double Background::interpolate(Point p, std::span<const double> value_per_point, LocationHint& hint) const {
+  const Located at = locate(p, hint);
+  double value = 0;
+  for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * value_per_point[at.v[i]];
+  return value;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,76 @@
+// A fixed triangulation for interpolation: point location and barycentric weights.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../../core/array.hpp"
+#include "../../core/mesh.hpp"
+#include "../arithmetic/box.hpp"
+#include "../concurrency/threads.hpp"
+
+namespace pardel::engine {
+
+/// The position of a point in a Background.
+struct Located {
+  Index triangle = no_index;
+  std::array<Index, 3> v{};
+  std::array<double, 3> weight{};  ///< barycentric, >= 0, sum 1
+};
+
+/// The place where the last search in a Background ended, and where the next one starts. It determines only the time
+/// that the search takes. Threads do not share a hint.
+struct LocationHint {
+  Index leaf = no_index;
+};
+
+/// Owns copies of the points and triangles, and a hierarchy of bounding boxes. It is immutable, so several threads may
+/// use it at the same time.
+class Background {
+ public:
+  /// O(n log n).
+  Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles, const Threads& threads = {});
+
+  /// The triangle that contains p in its interior, and the weights of p in it. If p lies on an edge, or outside because
+  /// of rounding: a nearest triangle, and the weights of its point nearest to p. The interiors are found by a walk from
+  /// the hint, decided exactly, so the result does not depend on the hint. O(1) if p is near the last point, O(log n)
+  /// without a hint on typical input.
+  [[nodiscard]] Located locate(Point p, LocationHint& hint) const;
+  [[nodiscard]] Located locate(Point p) const {
+    LocationHint none;
+    return locate(p, none);
+  }
+  /// The linear interpolation of the values at the points.
+  [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point, LocationHint& hint) const;
+  [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point) const {
+    LocationHint none;
+    return interpolate(p, value_per_point, none);
+  }
+
+ private:
+  /// A leaf of the hierarchy: a triangle, with its neighbours as leaves.
+  struct Leaf {
+    std::array<Index, 3> v, n;
+    double twice_area;
+  };
+  enum class Walk : std::uint8_t { inside, on_edge, lost };
+
+  [[nodiscard]] std::array<Point, 3> corners(const Leaf& leaf) const {
+    return {points_[leaf.v[0]], points_[leaf.v[1]], points_[leaf.v[2]]};
+  }
+  [[nodiscard]] Walk walk(Point p, Index& leaf, int steps, Located& found) const;
+  [[nodiscard]] Index leaf_near(Point p) const;
+  [[nodiscard]] Located search(Point p) const;
+  [[nodiscard]] Located weights_in(Index leaf, Point p) const;
+  [[nodiscard]] Located nearest_in(Index leaf, Point p) const;
+
+  std::vector<Point> points_;
+  std::vector<Leaf> leaves_;
+  Array<Index> number_;     ///< the triangle of each leaf
+  std::vector<Box> boxes_;  ///< an implicit binary tree: root at 1, leaves from leaf_count_ on
+  std::size_t leaf_count_ = 1;
+};
+
+}  // namespace pardel::engine
