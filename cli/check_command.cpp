@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "../core/formats.hpp"
-#include "../core/support/output_file.hpp"
+#include "../core/support/open_file.hpp"
 #include "../properties/checker/check.hpp"
 #include "command.hpp"
+#include "distinct_files.hpp"
 #include "findings_text.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
@@ -70,10 +71,18 @@ void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate&
   }
 }
 
+Status check_output_of(const CheckArguments& arguments) {
+  const std::array outputs = {NamedFile{"--json", arguments.json}};
+  const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
+                             NamedFile{{}, arguments.goal.sizes, false}};
+  if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
+  return check_folder(arguments.json);
+}
+
 Result<ExitCode> run(const CheckArguments& arguments) {
   const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes};
   if (Status fine = check_standard_input(inputs); !fine) return fine.error();
-  if (Status fine = check_report(arguments.json, inputs); !fine) return fine.error();
+  if (Status fine = check_output_of(arguments); !fine) return fine.error();
   ProgressBar bar(arguments.progress);
   const Result<CheckInput, Refusal> input = read(arguments, bar);
   if (!input) return refused(input.error(), arguments.domain, arguments.json);

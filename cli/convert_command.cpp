@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,8 +11,9 @@
 #include <vector>
 
 #include "../core/formats.hpp"
-#include "../core/support/output_file.hpp"
+#include "../core/support/open_file.hpp"
 #include "command.hpp"
+#include "distinct_files.hpp"
 #include "domain_or_mesh.hpp"
 #include "input.hpp"
 #include "mesh_format_options.hpp"
@@ -55,16 +57,19 @@ Status check_output_of(const ConvertArguments& arguments, const Pslg& /*domain*/
                                                "makes a mesh",
                                                in, out));
   if (arguments.format.of_stream) return wrong_output(arguments, "--format is for meshes; " + in + " is a domain");
+  const std::array outputs = {NamedFile{"OUT", arguments.output, false}};
+  if (Status fine = check_distinct(outputs, std::array{domain_input(arguments.input)}); !fine) return fine;
   return check_poly_output(arguments.output);
 }
 
 Status check_output_of(const ConvertArguments& arguments, const Mesh& /*mesh*/) {
-  const std::vector<fs::path> outputs = {arguments.output}, inputs = {arguments.input};
+  const std::array outputs = {arguments.output};
   if (Status fine = check_stream_format(outputs, arguments.format.of_stream); !fine) return fine;
   if (arguments.output.extension() == ".poly")
     return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly",
                                                arguments.input.string()));
-  return check_mesh_outputs(outputs, inputs);
+  if (Status fine = check_mesh_outputs(outputs); !fine) return fine;
+  return check_distinct(std::array{NamedFile{"OUT", arguments.output}}, std::array{NamedFile{{}, arguments.input}});
 }
 
 void print(const ConvertArguments& arguments, ProgressBar& bar, const std::string& content, const std::string& lost) {

@@ -16,9 +16,11 @@
 #include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 #include "command.hpp"
+#include "distinct_files.hpp"
 #include "exit_code.hpp"
 #include "gaps_text.hpp"
 #include "input.hpp"
+#include "json_text.hpp"
 #include "output.hpp"
 #include "plural.hpp"
 #include "problems_text.hpp"
@@ -91,7 +93,9 @@ Status check_outputs(const DoctorArguments& arguments) {
   if (!arguments.repaired.empty()) {
     if (Status fine = check_poly_output(arguments.repaired); !fine) return fine;
   }
-  return check_report(arguments.json, std::array{arguments.input, arguments.repaired});
+  const std::array named = {NamedFile{"--repair", arguments.repaired, false}, NamedFile{"--json", arguments.json}};
+  if (Status fine = check_distinct(named, std::array{domain_input(arguments.input)}); !fine) return fine;
+  return check_folder(arguments.json);
 }
 
 /// Repairs the domain and writes the result. Returns the error that prevents this.
@@ -112,7 +116,7 @@ Status report(const DoctorArguments& arguments, const Domain& domain, const Find
   if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, examined.string(), domain.pslg.first_id.value));
   if (!arguments.quiet && !has_standard_output(outputs)) print(domain, findings.problems, findings.repaired);
   if (arguments.json.empty()) return Done{};
-  return write_text(to_json(domain, findings).dump(2) + "\n", arguments.json);
+  return write_text(json_text(to_json(domain, findings)), arguments.json);
 }
 
 Result<ExitCode> run(const DoctorArguments& arguments) {

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,12 +13,14 @@
 #include "../core/formats.hpp"
 #include "choice.hpp"
 #include "command.hpp"
+#include "distinct_files.hpp"
 #include "domain_or_mesh.hpp"
 #include "drawing/canvas.hpp"
 #include "drawing/colouring.hpp"
 #include "drawing/draw_domain.hpp"
 #include "drawing/draw_legend.hpp"
 #include "drawing/draw_mesh.hpp"
+#include "drawing/valid_utf8.hpp"
 #include "names.hpp"
 #include "output.hpp"
 #include "plural.hpp"
@@ -34,7 +37,8 @@ struct DrawArguments {
   fs::path input;
   fs::path output;
   std::optional<ColourBy> by;
-  fs::path report;  ///< the report that `by` needs
+  fs::path report;                         ///< the report that `by` needs
+  std::optional<PictureFormat> of_stream;  ///< the format of the output -
   std::vector<double> window;
   std::optional<int> pixels;
   bool no_legend = false;
@@ -42,9 +46,27 @@ struct DrawArguments {
 
 Error usage(const std::string& message) { return {ErrorKind::usage, message}; }
 
-Status check_arguments(const DrawArguments& arguments) {
+/// The format that --format sets for the output -, and the suffix for a file; empty if neither does.
+std::optional<PictureFormat> format_of(const DrawArguments& arguments) {
+  if (arguments.output == "-") return arguments.of_stream;
   const fs::path suffix = arguments.output.extension();
-  if (suffix != ".svg" && suffix != ".png") return unknown_format(arguments.output, "a picture", ".svg and .png");
+  if (suffix == ".png") return PictureFormat::png;
+  if (suffix == ".svg") return PictureFormat::svg;
+  return {};
+}
+
+Status check_files(const DrawArguments& arguments) {
+  const bool to_stream = arguments.output == "-";
+  if (to_stream && !arguments.of_stream) return usage("-: standard output has no suffix; set --format png or svg");
+  if (!to_stream && arguments.of_stream)
+    return usage("--format is for the output -; a suffix sets the format of a file");
+  if (!format_of(arguments)) return unknown_format(arguments.output, "a picture", ".svg and .png");
+  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.report}};
+  return check_distinct(std::array{NamedFile{"OUT", arguments.output}}, inputs);
+}
+
+Status check_arguments(const DrawArguments& arguments) {
+  if (Status fine = check_files(arguments); !fine) return fine;
   const bool of_work = arguments.by && *arguments.by >= ColourBy::tile;
   if (of_work && arguments.report.empty())
     return usage(fmt::format("--by {} needs --report FILE.json", colour_names[*arguments.by]));
@@ -58,11 +80,14 @@ Status check_arguments(const DrawArguments& arguments) {
 Canvas canvas_for(const DrawArguments& arguments, std::span<const Point> points) {
   const std::vector<double>& w = arguments.window;
   const Window window = w.empty() ? window_around(points) : Window{{w[0], w[1]}, {w[2], w[3]}};
-  const double pixels = arguments.output.extension() == ".png" ? 1600 : 1000;
-  return {arguments.output, window, {arguments.pixels ? *arguments.pixels : pixels, !arguments.no_legend, !w.empty()}};
+  const PictureFormat format = format_of(arguments).value_or(PictureFormat::svg);
+  const double pixels = arguments.pixels.value_or(format == PictureFormat::png ? 1600 : 1000);
+  return {arguments.output,
+          window,
+          {.format = format, .pixels = pixels, .legend = !arguments.no_legend, .cut = !w.empty()}};
 }
 
-std::string headline(const DrawArguments& arguments) { return arguments.input.filename().string(); }
+std::string headline(const DrawArguments& arguments) { return valid_utf8(arguments.input.filename().string()); }
 
 Status draw(const DrawArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
   const Result<Colouring> coloured = colouring(mesh, arguments.by.value_or(ColourBy::region), arguments.report);
@@ -100,9 +125,12 @@ Command add_draw(CLI::App& program) {
                   "A domain (.poly, .node) or a mesh (.node, .ele, .msh, .vtu, .off); - is standard\ninput")
       ->required()
       ->type_name("");
-  app->add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png")
+  app->add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png; - is standard output")
       ->required()
       ->type_name("OUT");
+  app->add_option("--format", arguments->of_stream, "Format of the output - (standard output): png or svg")
+      ->transform(choice(picture_format_names))
+      ->type_name("FORMAT");
   app->add_option("--by", arguments->by,
                   "Colour triangles by quality (smallest angle), size (longest edge), region (the default), or by the "
                   "tile,\nphase or thread that made them; a tile is a cell of the lattice")

@@ -1,11 +1,14 @@
 #include "end_process.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdio>
-#include <string>
+#include <string_view>
 
 #include "../core/support/output_file.hpp"
 #include "exit_code.hpp"
@@ -14,7 +17,7 @@ namespace pardel::cli {
 namespace {
 
 /// Writes to standard error, unless it is a full pipe: a reader that does not read must not keep the process alive.
-void write_message(const std::string& message) {
+void write_message(std::string_view message) {
   (void)ftrylockfile(stderr);  // another thread then draws no progress after the message
   pollfd standard_error{STDERR_FILENO, POLLOUT, 0};
   if (::poll(&standard_error, 1, 0) == 1) (void)!::write(STDERR_FILENO, message.data(), message.size());
@@ -24,7 +27,10 @@ void write_message(const std::string& message) {
 
 void end_process(const Error& error) {
   const auto lock = remove_partial_files();
-  write_message(fmt::format("{}pardel: {}\n", erase_progress_line(), error.message));
+  std::array<char, 512> text{};  // no memory is allocated, because there may be none left
+  const auto written =
+      fmt::format_to_n(text.data(), text.size(), "{}pardel: {}\n", erase_progress_line(), error.message);
+  write_message({text.data(), std::min(written.size, text.size())});
   _exit(static_cast<int>(exit_code(error.kind)));
 }
 

@@ -14,9 +14,9 @@ enum class ExitCode : int {
   usage = 2,          ///< the command line is wrong
   invalid_input = 3,  ///< the input is invalid
   goal_missed = 4,    ///< a bound could not be met for another reason; the mesh is written anyway
-  failure = 5,        ///< out of memory, or a file cannot be opened, read or written
+  failure = 5,        ///< out of memory or of time, or a file cannot be opened, read or written
   internal = 6,       ///< internal error: a self-check failed; nothing is written
-  interrupted = 130,  ///< stopped by SIGINT or SIGTERM
+  interrupted = 130,  ///< stopped by SIGINT, SIGTERM or SIGHUP
 };
 
 [[nodiscard]] ExitCode exit_code(ErrorKind kind);

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "../core/formats.hpp"
+#include "../core/support/byte_order_mark.hpp"
+#include "../core/support/open_file.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
 #include "problems_text.hpp"
@@ -20,7 +23,8 @@ namespace {
 /// The first number of the next line that starts with a number; `fallback` if there is no such line.
 long long first_number(std::istream& in, long long fallback) {
   for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line.substr(0, line.find('#')));
+    const std::string_view text = without_byte_order_mark(line);
+    std::istringstream words(std::string(text.substr(0, text.find('#'))));
     if (long long value = 0; words >> value) return value;
   }
   return fallback;
@@ -29,7 +33,7 @@ long long first_number(std::istream& in, long long fallback) {
 }  // namespace
 
 Status check_standard_input(std::span<const fs::path> inputs) {
-  if (std::ranges::count(inputs, fs::path("-")) < 2) return Done{};
+  if (std::ranges::count_if(inputs, is_standard_input) < 2) return Done{};
   return Error{ErrorKind::usage, "-: only one input can come from standard input"};
 }
 
@@ -70,7 +74,7 @@ Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   adopt_segments(coarse);
   const fs::path area = fs::path(file).replace_extension(".area");
   std::error_code ignored;
-  if (file != "-" && fs::exists(area, ignored)) {
+  if (!is_standard_input(file) && fs::exists(area, ignored)) {
     if (Status read = read_caps(coarse, area); !read) return read.error();
   }
   return coarse;
@@ -108,9 +112,8 @@ Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const Repair
   if (valid && options.snap == 0.0) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
   Result<Repaired> repaired = repair(valid ? valid->pslg() : domain.pslg, options);
   if (!repaired && repaired.error().kind == ErrorKind::usage) return Refusal(repaired.error());
-  // A valid domain whose gaps cannot be closed is meshed as it is.
-  if (valid && (!repaired || repaired->log.empty()))
-    return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
+  if (!repaired && valid) return Refusal(with_name(repaired.error(), domain.name));
+  if (valid && repaired->log.empty()) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
   if (!repaired) return refusal_of(domain, valid.error(), repaired.error());
   std::vector<std::string> log;
   for (const std::string& line : repaired->log) log.push_back(fmt::format("{}: repaired: {}", domain.name, line));

@@ -65,8 +65,8 @@ struct MaybeRepaired {
   std::vector<Index> point_map;  ///< if repaired: maps points of the original to points of the domain
   std::vector<std::string> log;  ///< if repaired: one line per change, to be printed
 };
-/// Repairs the domain if it is invalid or has gaps smaller than the snapping distance. If the repair fails, the
-/// problems of the domain become a refusal whose message has one line per problem.
+/// Repairs the domain if it is invalid or has gaps smaller than the snapping distance. If the repair fails, its error
+/// is the refusal of a valid domain; for an invalid one the refusal has one line per problem, too.
 [[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
                                                                    int threads = 1);
 

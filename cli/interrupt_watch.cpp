@@ -3,15 +3,24 @@
 #include <pthread.h>
 
 #include "end_process.hpp"
+#include "watch_thread.hpp"
 
 namespace pardel::cli {
+namespace {
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
 
 InterruptWatch::InterruptWatch() {
+  std::signal(SIGXFSZ, SIG_IGN);  // a write then fails with EFBIG
   sigemptyset(&signals_);
-  sigaddset(&signals_, SIGINT);
-  sigaddset(&signals_, SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) sigaddset(&signals_, signal);
   pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-  thread_ = std::thread([this] { wait(); });
+  thread_ = start_watch<std::thread>("signals", [this] { wait(); });
 }
 
 InterruptWatch::~InterruptWatch() {
@@ -22,8 +31,11 @@ InterruptWatch::~InterruptWatch() {
 
 void InterruptWatch::wait() {
   int signal = 0;
-  while (sigwait(&signals_, &signal) != 0) continue;
-  if (!finished_) end_process({ErrorKind::cancelled, "interrupted"});
+  while (!finished_) {
+    // sigwait also returns signals that are ignored, because they are blocked.
+    if (sigwait(&signals_, &signal) != 0 || finished_ || is_ignored(signal)) continue;
+    end_process(signal == SIGXCPU ? out_of_time_ : interrupted_);
+  }
 }
 
 }  // namespace pardel::cli

@@ -1,17 +1,23 @@
-// Handling of SIGINT (Ctrl-C) and SIGTERM: they end the process at once, and it leaves nothing half done.
+// Handling of signals that ask the program to end: it ends at once and leaves nothing half done.
 #pragma once
 
 #include <atomic>
 #include <csignal>
 #include <thread>
 
+#include "../core/result.hpp"
+
 namespace pardel::cli {
 
-/// While an object of this class exists, SIGINT and SIGTERM end the process with end_process(). A thread waits for the
-/// signals. So no part of the work has to ask for them, also not sorting, libraries, or the release of memory. main()
-/// makes the object before there are other threads, because the signals must be blocked in all threads.
+/// While an object of this class exists, SIGINT (Ctrl-C), SIGTERM, SIGHUP (the terminal was closed) and SIGXCPU (the
+/// limit on processor time) end the process with end_process(). A thread waits for the signals. So no part of the work
+/// has to ask for them, also not sorting, libraries, or the release of memory. A signal that the process ignores stays
+/// ignored: nohup ignores SIGHUP, and shells start background processes that ignore SIGINT. A file that exceeds the
+/// limit on its size (SIGXFSZ) is an error of writing. main() makes the object before there are other threads, because
+/// the signals must be blocked in all threads.
 class InterruptWatch {
  public:
+  /// Throws std::system_error if the thread cannot be started.
   InterruptWatch();
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
@@ -20,6 +26,9 @@ class InterruptWatch {
  private:
   void wait();
 
+  // The thread allocates no memory, because there may be none left. So its messages exist before it starts.
+  Error interrupted_{ErrorKind::cancelled, "interrupted"};
+  Error out_of_time_{ErrorKind::resources, "the process has reached the limit on its processor time"};
   sigset_t signals_{};
   std::atomic<bool> finished_{false};
   std::thread thread_;

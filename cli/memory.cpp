@@ -1,9 +1,12 @@
 #include "memory.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -64,8 +67,18 @@ std::uint64_t available_memory() {
 }
 
 std::uint64_t used_memory() {
+  // Not with a stream: streams allocate memory, and there may be none left.
+  const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  std::array<char, 128> text{};
+  const ssize_t got = ::read(file, text.data(), text.size());
+  ::close(file);
+  const char* const end = text.data() + std::max<ssize_t>(got, 0);
   std::uint64_t address_space = 0, resident = 0;  // in pages: proc(5)
-  return std::ifstream("/proc/self/statm") >> address_space >> resident ? bytes_of(resident) : 0;
+  const char* const blank = std::from_chars(text.data(), end, address_space).ptr;
+  if (blank == end) return 0;
+  std::from_chars(blank + 1, end, resident);
+  return bytes_of(resident);
 }
 
 std::chrono::microseconds time_to_next_look(std::uint64_t used, std::uint64_t limit) {

@@ -11,6 +11,7 @@ namespace pardel::cli {
 [[nodiscard]] std::uint64_t available_memory();
 
 /// In bytes: the physical memory that this process uses, with the pages of its program and libraries. 0 if unknown.
+/// Allocates no memory.
 [[nodiscard]] std::uint64_t used_memory();
 
 /// The time after which a process that uses `used` bytes has to look again, so that it does not use many more than

@@ -1,8 +1,12 @@
 // The limit on the memory of the process.
 #pragma once
 
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <thread>
+
+#include "../core/result.hpp"
 
 namespace pardel::cli {
 
@@ -11,14 +15,18 @@ namespace pardel::cli {
 /// the limit holds for all of the work: reading, validation, meshing, checking and writing.
 class MemoryWatch {
  public:
-  /// limit: in bytes; 0: no limit.
+  /// limit: in bytes; 0: no limit. Throws std::system_error if the thread cannot be started.
   explicit MemoryWatch(std::uint64_t limit);
 
  private:
-  void look_regularly(const std::stop_token& stop) const;
+  void look_regularly(const std::stop_token& stop);
 
   std::uint64_t limit_;
-  std::jthread thread_;
+  // The thread allocates no memory, because there may be none left. So all that it needs exists before it starts.
+  Error outgrown_;
+  std::mutex mutex_;
+  std::condition_variable_any stopped_;
+  std::jthread thread_;  ///< the last member: the thread ends before the others are destroyed
 };
 
 }  // namespace pardel::cli

@@ -8,6 +8,7 @@
 
 #include "../parallel/mesher.hpp"
 #include "choice.hpp"
+#include "distinct_files.hpp"
 #include "input.hpp"
 #include "memory.hpp"
 #include "names.hpp"
@@ -145,14 +146,16 @@ std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {
 }
 
 Status check_outputs(const MeshArguments& arguments) {
-  const std::vector<std::filesystem::path> inputs = {arguments.input};
+  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.goal.sizes, false}};
+  std::vector<NamedFile> outputs;
+  for (const auto& output : arguments.outputs) outputs.push_back({"-o", output});
+  outputs.push_back({"--json", arguments.json});
   if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes}); !fine) return fine;
   if (Status fine = check_stream_format(arguments.outputs, arguments.format.of_stream); !fine) return fine;
   if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
-  if (Status fine = check_mesh_outputs(arguments.outputs, inputs); !fine) return fine;
-  std::vector<std::filesystem::path> others = arguments.outputs;
-  others.insert(others.end(), {arguments.input, arguments.goal.sizes});
-  return check_report(arguments.json, others);
+  if (Status fine = check_mesh_outputs(arguments.outputs); !fine) return fine;
+  if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
+  return check_folder(arguments.json);
 }
 
 }  // namespace pardel::cli

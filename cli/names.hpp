@@ -4,6 +4,7 @@
 #include "../core/formats.hpp"
 #include "../core/support/enum_names.hpp"
 #include "../parallel/options.hpp"
+#include "drawing/canvas.hpp"
 #include "drawing/colouring.hpp"
 #include "progress_bar.hpp"
 
@@ -24,6 +25,10 @@ inline constexpr auto show_progress_names = enum_names<ShowProgress>({
     {ShowProgress::never, "never"},
 });
 
+inline constexpr auto picture_format_names = enum_names<PictureFormat>({
+    {PictureFormat::svg, "svg"},
+    {PictureFormat::png, "png"},
+});
 /// Without the last enumerator: Triangle's files are several, which standard output would not separate.
 inline constexpr EnumNames<MeshFormat, 4> stream_format_names{{"msh", "off", "svg", "vtu"}};
 

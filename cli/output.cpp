@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <system_error>
 
 #include "../core/formats.hpp"
+#include "../core/support/open_file.hpp"
 #include "../core/support/output_file.hpp"
 #include "suffix.hpp"
 
@@ -20,18 +20,6 @@ namespace {
 
 Error io_error(const fs::path& file, int error) {
   return {ErrorKind::io, fmt::format("{}: {}", file.string(), std::strerror(error))};
-}
-
-/// Returns the same path for all files that are read or written together, such as Triangle's files with one stem.
-fs::path family(const fs::path& file) {
-  std::error_code ignored;
-  fs::path full = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
-  if (full.empty()) full = file;
-  constexpr std::array together = {".poly", ".node", ".ele", ".area"};
-  for (const char* suffix : together) {
-    if (full.extension() == suffix) return full.replace_extension();
-  }
-  return full;
 }
 
 }  // namespace
@@ -63,7 +51,7 @@ Status check_stream_format(std::span<const fs::path> outputs, std::optional<Mesh
 }
 
 Status check_folder(const fs::path& file) {
-  if (file.empty() || file == "-") return Done{};
+  if (file.empty() || is_standard_output(file)) return Done{};
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return io_error(file, EISDIR);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -80,18 +68,7 @@ Status check_poly_output(const fs::path& file) {
   return check_folder(file);
 }
 
-Status check_report(const fs::path& report, std::span<const fs::path> others) {
-  if (report.empty() || is_standard_output(report)) return Done{};
-  for (const fs::path& other : others) {
-    if (!other.empty() && other != "-" && family(other) == family(report)) {
-      return Error{ErrorKind::usage, fmt::format("{}: the report would replace files of {}; choose another name",
-                                                 report.string(), other.string())};
-    }
-  }
-  return check_folder(report);
-}
-
-Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
+Status check_mesh_outputs(std::span<const fs::path> outputs) {
   for (const fs::path& output : outputs) {
     if (output == "-") continue;
     if (output.extension().empty() && is_written_directly(output)) {
@@ -102,13 +79,6 @@ Status check_mesh_outputs(std::span<const fs::path> outputs, std::span<const fs:
     }
     if (!mesh_format(output)) {
       return unknown_format(output, "a mesh", ".node, .ele, .vtu, .msh, .off and .svg");
-    }
-    for (const fs::path& input : inputs) {
-      if (family(output) == family(input)) {
-        return Error{ErrorKind::usage,
-                     fmt::format("{}: this output would replace files of the input {}; choose another name",
-                                 output.string(), input.string())};
-      }
     }
     if (Status folder = check_folder(output); !folder) return folder;
   }

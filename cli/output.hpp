@@ -25,17 +25,14 @@ namespace pardel::cli {
 [[nodiscard]] Status check_stream_format(std::span<const std::filesystem::path> outputs,
                                          std::optional<MeshFormat> format);
 
-/// Checks output files for meshes. "-" is accepted. Errors: `usage` if a suffix is unknown or an output would replace
-/// an input; `io` if a folder does not exist or is not writable.
-[[nodiscard]] Status check_mesh_outputs(std::span<const std::filesystem::path> outputs,
-                                        std::span<const std::filesystem::path> inputs);
+/// Checks output files for meshes. "-" is accepted. Errors: `usage` if a suffix is unknown; `io` if a folder does not
+/// exist or is not writable.
+[[nodiscard]] Status check_mesh_outputs(std::span<const std::filesystem::path> outputs);
 /// Checks an output file for a domain. Errors: `usage` if the suffix is not .poly (devices are accepted); `io` as
 /// above.
 [[nodiscard]] Status check_poly_output(const std::filesystem::path& file);
-/// Checks the output file for a report. "-" and "" are accepted. Errors: `usage` if the report would replace one of the
-/// other files of the command; `io` as above.
-[[nodiscard]] Status check_report(const std::filesystem::path& report, std::span<const std::filesystem::path> others);
-/// Error: `io` if the folder of the file does not exist or is not writable. "-" and "" are accepted.
+/// Error: `io` if the folder of the file does not exist or is not writable. Names of standard output and "" are
+/// accepted.
 [[nodiscard]] Status check_folder(const std::filesystem::path& file);
 
 }  // namespace pardel::cli

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exit_code.hpp"
+#include "json_text.hpp"
 #include "output.hpp"
 
 namespace pardel::cli {
@@ -24,7 +25,7 @@ Error refused(const Refusal& refusal, const std::filesystem::path& input, const 
       {"file", input.string()},           {"exit_code", static_cast<int>(exit_code(refusal.error.kind))},
       {"message", refusal.error.message}, {"problems", nlohmann::ordered_json::array()}};
   for (const Problem& problem : refusal.problems) text["problems"].push_back(problem_json(problem, refusal.first_id));
-  if (Status written = write_text(text.dump(2) + "\n", json); !written) return written.error();
+  if (Status written = write_text(json_text(text), json); !written) return written.error();
   return refusal.error;
 }
 

@@ -10,6 +10,7 @@
 
 #include "../core/formats.hpp"
 #include "gaps_text.hpp"
+#include "json_text.hpp"
 #include "names.hpp"
 #include "plural.hpp"
 #include "warnings_json.hpp"
@@ -162,7 +163,7 @@ std::string to_json(const MeshRun& run) {
       {"peak_rss_bytes", peak_rss_bytes()},
       {"digest", to_string(run.digest)}};
   if (run.certificate) json["certificate"] = nlohmann::ordered_json::parse(to_json(*run.certificate));
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string to_text(const MeshRun& run) {

@@ -1,6 +1,7 @@
 // Readers and writers of files: Triangle's formats, VTU, Gmsh's MSH, OFF, SVG. Numbers are written with enough digits
-// to read back the same double. A writer never leaves a partial file under the final name: it writes to `NAME.partial`
-// in the same folder and renames this file on success. A device or a pipe is written directly. Every error message
+// to read back the same double. A writer never leaves a partial file under the final name: it writes to a new
+// file `NAME.PROCESS-NUMBER.partial` in the same folder and renames this file on success. A byte order mark at the
+// beginning of a file is skipped. A device or a pipe is written directly. Every error message
 // names the file; for text files it also names the line. These functions are in the library pardel::formats.
 #pragma once
 

@@ -58,7 +58,7 @@ Window window_around(std::span<const Point> points) {
 }
 
 Canvas::Canvas(const std::filesystem::path& file, const Window& window, const Layout& layout)
-    : out_(file), name_(file.string()), png_(file.extension() == ".png"), window_(window) {
+    : out_(file), name_(file.string()), png_(layout.format == PictureFormat::png), window_(window) {
   const double extent = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
   scale_ = layout.pixels / extent;
   unit_ = layout.pixels / 1000;

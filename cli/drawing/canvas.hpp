@@ -3,6 +3,7 @@
 
 #include <cairo.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -24,8 +25,11 @@ struct Window {
 /// The smallest window around the points; a square of side 1 if it would be empty.
 [[nodiscard]] Window window_around(std::span<const Point> points);
 
+enum class PictureFormat : std::uint8_t { svg, png };
+
 /// Sizes are in pixels for PNG and in user units for SVG.
 struct Layout {
+  PictureFormat format = PictureFormat::svg;
   double pixels = 1600;  ///< the longer side of the drawing, without margins
   bool legend = true;    ///< leaves a column free to the right of the drawing
   bool cut = false;      ///< nothing is drawn outside the window; otherwise marks at its border are drawn completely

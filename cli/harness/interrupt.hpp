@@ -6,7 +6,7 @@
 namespace pardel::harness {
 
 /// While an object of this class exists, the first SIGINT makes requested() true and does nothing else. The second one
-/// ends the process.
+/// ends the process. A SIGINT that the process ignores stays ignored.
 class Interrupt {
  public:
   Interrupt();

@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 
+#include "../distinct_files.hpp"
 #include "../exit_code.hpp"
 #include "../output.hpp"
 #include "failures.hpp"
@@ -65,6 +66,8 @@ ReportCard blank_card(const Options& options, const Mesher& mesher) {
 /// Reports unwritable outputs before any case runs.
 Status check_outputs(const Options& options) {
   if (Status fine = cli::check_standard_output(std::array{options.report, options.json}); !fine) return fine;
+  const std::array outputs = {cli::NamedFile{"--report", options.report}, cli::NamedFile{"--json", options.json}};
+  if (Status fine = cli::check_distinct(outputs, {}); !fine) return fine;
   for (const auto& file : {options.report, options.json}) {
     if (Status fine = cli::check_folder(file); !fine) return fine;
   }

@@ -8,6 +8,9 @@
 #include <cstring>
 #include <memory>
 
+#include "../support/byte_order_mark.hpp"
+#include "../support/open_file.hpp"
+
 namespace pardel::files {
 namespace {
 
@@ -26,7 +29,8 @@ Result<std::string> read_file(const std::filesystem::path& file) {
     return Error{ErrorKind::io, file.string() + ": " + what + ": " + std::strerror(errno)};
   };
   const auto close = [](std::FILE* f) { f == stdin ? 0 : std::fclose(f); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream(file == "-" ? stdin : std::fopen(file.c_str(), "rb"), close);
+  const std::unique_ptr<std::FILE, decltype(close)> stream(
+      is_standard_input(file) ? stdin : std::fopen(file.c_str(), "rb"), close);
   if (!stream) return failure("cannot be opened");
 
   std::string bytes;
@@ -43,6 +47,7 @@ Result<std::string> read_file(const std::filesystem::path& file) {
   }
   if (std::ferror(stream.get()) != 0) return failure("cannot be read");
   bytes.resize(length);
+  if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
   return bytes;
 }
 

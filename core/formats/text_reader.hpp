@@ -11,8 +11,8 @@
 
 namespace pardel::files {
 
-/// Returns the bytes of a file, or of standard input if the name is `-`, or an `io` error that names the file if it
-/// cannot be opened or read.
+/// Returns the bytes of a file, without a byte order mark (EF BB BF) at the beginning. Names of standard input, such as
+/// `-`, are accepted. Error: `io`, with the name of the file, if it cannot be opened or read.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file);
 
 /// `token` in quotation marks, for messages: its first 40 bytes at most. Bytes that cannot be printed appear as \xNN.

@@ -2,6 +2,8 @@
 #include <limits>
 
 #include "../formats.hpp"
+#include "../support/byte_order_mark.hpp"
+#include "../support/open_file.hpp"
 #include "mesh_readers.hpp"
 #include "triangle_sections.hpp"
 
@@ -103,7 +105,7 @@ Result<std::vector<double>> read_numbered_values(const fs::path& file, std::stri
 Result<Pslg> files::parse_pslg(std::string_view text, const fs::path& file) {
   TextReader in(text, file.string());
   const fs::path node = fs::path(file).replace_extension(".node");
-  return read_poly(in, file == "-" ? nullptr : &node);
+  return read_poly(in, is_standard_input(file) ? nullptr : &node);
 }
 
 Result<Pslg> read_pslg(const fs::path& file) {
@@ -118,7 +120,7 @@ Result<Pslg> read_pslg(const fs::path& file) {
 }
 
 Result<Pslg> parse_poly(std::string_view text, const std::string& name) {
-  TextReader in(text, name);
+  TextReader in(without_byte_order_mark(text), name);
   return read_poly(in, nullptr);
 }
 

@@ -3,35 +3,23 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
-#include <optional>
+#include <cstdint>
 #include <set>
 #include <system_error>
+
+#include "open_file.hpp"
 
 namespace pardel {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The open file that the name stands for: 1 for `-` and /dev/stdout, N for /dev/fd/N.
-std::optional<int> descriptor_of(const fs::path& file) {
-  std::string name = file.lexically_normal().string();
-  if (name == "-" || name == "/dev/stdout") return STDOUT_FILENO;
-  if (name == "/dev/stderr") return STDERR_FILENO;
-  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-    if (!name.starts_with(folder)) continue;
-    int number = -1;
-    const auto [stop, status] = std::from_chars(name.data() + folder.size(), name.data() + name.size(), number);
-    if (status == std::errc() && stop == name.data() + name.size()) return number;
-  }
-  return std::nullopt;
-}
-
 /// The partial files that exist. There is one list for the process, because the process may have to end while any of
 /// its threads writes. Whoever makes, renames or removes a partial file holds the mutex.
 struct PartialFiles {
   std::mutex mutex;
   std::set<fs::path> names;
+  std::uint64_t made = 0;  ///< counts the names that were tried
 };
 
 PartialFiles& partial_files() {
@@ -47,8 +35,6 @@ bool is_written_directly(const fs::path& file) {
   const fs::file_status status = fs::status(file, missing);
   return fs::exists(status) && !fs::is_regular_file(status);
 }
-
-bool is_standard_output(const fs::path& file) { return descriptor_of(file) == STDOUT_FILENO; }
 
 OutputFile::OutputFile(const fs::path& file)
     : name_(file == "-" ? "standard output" : file), target_(file), written_(file) {
@@ -70,11 +56,16 @@ void OutputFile::write_aside() {
     const fs::path pointed_to = fs::canonical(target_, dangling);
     if (!dangling) target_ = pointed_to;
   }
-  written_ = target_;
-  written_ += ".partial";
-  const std::scoped_lock lock(partial_files().mutex);
-  stream_ = std::fopen(written_.c_str(), "wb");
-  if (stream_ != nullptr) partial_files().names.insert(written_);
+  PartialFiles& files = partial_files();
+  const std::scoped_lock lock(files.mutex);
+  // "x": the file must not exist yet. So a file of another process, or of the user, is never replaced or removed.
+  do {
+    written_ = target_;
+    written_ += "." + std::to_string(getpid()) + "-" + std::to_string(++files.made) + ".partial";
+    stream_ = std::fopen(written_.c_str(), "wbx");
+  } while (stream_ == nullptr && errno == EEXIST);
+  if (stream_ == nullptr) return written_.clear();
+  files.names.insert(written_);
 }
 
 OutputFile::~OutputFile() {

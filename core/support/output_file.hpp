@@ -16,12 +16,10 @@ namespace pardel {
 /// and /dev/stdout for standard output, /dev/fd/N.
 [[nodiscard]] bool is_written_directly(const std::filesystem::path& file);
 
-/// True for all names of standard output, such as `-` and /dev/stdout.
-[[nodiscard]] bool is_standard_output(const std::filesystem::path& file);
-
-/// Writes to `NAME.partial` in the folder of NAME. commit() renames that file to NAME; without commit() the destructor
-/// removes it. A file for which is_written_directly() is true is written directly. A symbolic link is followed: the
-/// file that it points to is replaced. The object stores the first failure, and close() reports it.
+/// Writes to a new file `NAME.PROCESS-NUMBER.partial` in the folder of NAME. commit() renames that file to NAME;
+/// without commit() the destructor removes it. A file for which is_written_directly() is true is written directly. A
+/// symbolic link is followed: the file that it points to is replaced. The object stores the first failure, and close()
+/// reports it.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);

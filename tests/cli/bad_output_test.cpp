@@ -34,7 +34,9 @@ TEST_F(BadOutput, a_file_in_place_of_a_folder_is_refused) {
   EXPECT_TRUE(holds(ran.err, {"square.poly/out.vtu", "Not a directory"}));
 }
 
-TEST_F(BadOutput, a_report_replaces_no_other_file_of_its_command) {
+TEST_F(BadOutput, replaces_no_other_file_of_its_command) {
+  std::filesystem::create_symlink("n.vtu", folder_ / "work" / "link.vtu");
+  write("n.vtu", "");
   ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.ele"}).exit_code, 0);
   const std::vector<std::vector<std::string>> commands = {
       {"mesh", "square.poly", "-o", "n.vtu", "--json", "square.poly"},
@@ -43,14 +45,52 @@ TEST_F(BadOutput, a_report_replaces_no_other_file_of_its_command) {
       {"check", "square.poly", "m.ele", "--json", "m.node"},
       {"check", "square.poly", "m.ele", "--json", "./square.poly"},
       {"doctor", "square.poly", "--json", "square.poly"},
+      {"doctor", "square.poly", "--repair", "square.poly"},
+      {"convert", "square.poly", "./square.poly"},
+      {"draw", "m.ele", "p.svg", "--by", "tile", "--report", "p.svg"},
+      {"mesh", "square.poly", "--sizes", "s.off", "-o", "s.off"},
+      {"mesh", "square.poly", "-o", "n.vtu", "-o", "n.vtu"},
+      {"mesh", "square.poly", "-o", "n.vtu", "-o", "./n.vtu"},
+      {"mesh", "square.poly", "-o", "n.vtu", "-o", "link.vtu"},
+      {"mesh", "square.poly", "-o", "n.node", "-o", "n.ele"},
+      {"mesh", "square.poly", "-o", "n.svg", "--json", "n.svg"},
       {"doctor", "square.poly", "--repair", "f.poly", "--json", "f.poly"}};
   const std::string square = read("square.poly");
   for (const std::vector<std::string>& command : commands) {
     const Ran ran = pardel(command);
     EXPECT_EQ(ran.exit_code, 2) << ran;
-    EXPECT_TRUE(holds(ran.err, {"the report would replace files of"}));
+    EXPECT_TRUE(holds(ran.err, {"this output would replace files of "}));
     EXPECT_EQ(read("square.poly"), square);
+    EXPECT_EQ(read("n.vtu"), "");
   }
+}
+
+TEST_F(BadOutput, that_two_options_name_is_an_error_that_names_both) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "-o", "n.vtu", "--json", "./m.vtu"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"--json ./m.vtu: ", "of -o m.vtu; choose another name"}));
+}
+
+TEST_F(BadOutput, may_be_a_domain_beside_the_points_that_it_is_made_of) {
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.node"}).exit_code, 0);
+  std::filesystem::copy(folder_ / "work" / "m.node", folder_ / "work" / "p.node");
+  EXPECT_EQ(pardel({"convert", "p.node", "p.poly"}).exit_code, 0);
+  EXPECT_EQ(pardel({"doctor", "square.poly", "--repair", "/dev/null", "--json", "/dev/null"}).exit_code, 0);
+}
+
+TEST_F(BadOutput, with_a_name_that_is_not_UTF_8_is_written_with_its_report) {
+  const std::string name = "caf\xE9.poly", mesh = "caf\xE9.vtu";
+  write(name, square_poly);
+  const Ran ran = pardel({"mesh", name, "-o", mesh, "--json", "r.json"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(exists(mesh));
+  EXPECT_TRUE(holds(read("r.json"), {"caf\xEF\xBF\xBD.poly"}));
+  EXPECT_EQ(pardel({"doctor", name, "--json", "r.json"}).exit_code, 0);
+  EXPECT_EQ(pardel({"draw", name, "p.svg"}).exit_code, 0);
+  EXPECT_EQ(pardel({"draw", name, "p.png"}).exit_code, 0);
+  write(name, "wrong");
+  EXPECT_EQ(pardel({"mesh", name, "-o", mesh, "--json", "r.json"}).exit_code, 3);
+  EXPECT_TRUE(holds(read("r.json"), {"caf\xEF\xBF\xBD.poly:1"}));
 }
 
 TEST_F(BadOutput, a_suffix_that_names_no_format_is_a_usage_error) {
@@ -107,7 +147,6 @@ TEST_F(BadOutput, a_mesh_goes_to_standard_output_in_the_format_that_is_named) {
     EXPECT_EQ(ran.exit_code, 0) << ran;
     EXPECT_EQ(ran.out, read("m." + format));
     EXPECT_FALSE(exists("-"));
-    EXPECT_FALSE(exists("-.partial"));
   }
   const Ran without = pardel({"mesh", "square.poly", "-o", "-"});
   EXPECT_EQ(without.exit_code, 2) << without;

@@ -284,6 +284,32 @@ TEST_F(MeshCommand, an_invalid_domain_is_repaired_on_request) {
   EXPECT_TRUE(holds(ran.err, {"crossed.poly: repaired"}));
 }
 
+TEST_F(MeshCommand, a_repair_that_leaves_no_domain_is_an_error_and_not_a_mesh_of_the_original) {
+  write("square.poly", square_poly);
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--repair", "--snap", "10"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_EQ(ran.err, pardel({"doctor", "square.poly", "--repair", "fixed.poly", "--snap", "10", "-q"}).err);
+  EXPECT_TRUE(holds(ran.err, {"pardel: square.poly: "}));
+  EXPECT_FALSE(exists("m.vtu"));
+}
+
+TEST_F(MeshCommand, a_byte_order_mark_at_the_beginning_of_a_file_is_skipped) {
+  const std::string mark = "\xEF\xBB\xBF";
+  write("square.poly", square_poly);
+  const std::string formats[] = {"off", "vtu", "msh", "node"};
+  std::vector<std::string> make = {"mesh", "square.poly", "--msh-ascii"};
+  for (const std::string& format : formats) make.insert(make.end(), {"-o", "m." + format});
+  ASSERT_EQ(pardel(make).exit_code, 0);
+  for (const std::string name : {"square.poly", "m.node", "m.ele", "m.poly", "m.off", "m.vtu", "m.msh"})
+    write(name, mark + read(name));
+  for (const std::string& format : formats) {
+    const Ran ran = pardel({"check", "square.poly", "m." + format});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+  }
+  EXPECT_EQ(pardel({"triangle", "-pq", "square.poly"}).exit_code, 0);
+  EXPECT_TRUE(exists("square.1.node"));  // the points are in the .poly, so they are written as for a .poly
+}
+
 TEST_F(MeshCommand, a_gap_of_one_rounding_is_closed_by_repair_unless_the_snap_is_zero) {
   write("gap.poly",
         "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-15\n6 0.5 0.5\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n0\n");

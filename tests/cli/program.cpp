@@ -48,11 +48,17 @@ void redirect(int to, const char* file, int flags = O_WRONLY | O_CREAT | O_TRUNC
     redirect(STDERR_FILENO, err.c_str());
   }
   if (options.file_size_limit) {
-    signal(SIGXFSZ, SIG_IGN);                               // a write then fails, as on a full disk
+    if (!options.file_size_signal) signal(SIGXFSZ, SIG_IGN);
     if (sanitized) setenv("TMPDIR", "/no-such-folder", 1);  // ThreadSanitizer would keep a large file there
   }
   limit(RLIMIT_FSIZE, options.file_size_limit);
   limit(RLIMIT_AS, options.address_space);
+  limit(RLIMIT_STACK, options.stack_size);
+  if (options.processor_time) {
+    const rlimit soft = {*options.processor_time, *options.processor_time + 10};
+    setrlimit(RLIMIT_CPU, &soft);
+  }
+  if (options.ignored_signal != 0) signal(options.ignored_signal, SIG_IGN);
   std::vector<std::string> copy = arguments;
   std::vector<char*> argv = {program.data()};
   for (std::string& argument : copy) argv.push_back(argument.data());

@@ -37,9 +37,13 @@ struct RunOptions {
   std::string in_file = {};                           ///< if not empty, standard input is this file
   std::string out_file = {};                          ///< if not empty, standard output is written to this file
   std::optional<std::uint64_t> file_size_limit = {};  ///< in bytes; a larger file gives the error "File too large"
+  bool file_size_signal = false;                      ///< it also gives the signal SIGXFSZ
   std::optional<std::uint64_t> address_space = {};    ///< bytes
+  std::optional<std::uint64_t> stack_size = {};       ///< bytes; also of each new thread
+  std::optional<std::uint64_t> processor_time = {};   ///< seconds; then SIGXCPU
   std::string interrupt_when = {};                    ///< a signal is sent when standard error contains this text
   int signal = SIGINT;                                ///< that signal
+  int ignored_signal = 0;                             ///< the program starts with this signal ignored
   bool terminal = false;                              ///< standard error is a terminal
 };
 

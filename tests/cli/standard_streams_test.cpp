@@ -95,11 +95,35 @@ TEST_F(StandardStreams, points_of_a_domain_from_standard_input_cannot_be_in_anot
 TEST_F(StandardStreams, two_inputs_cannot_both_come_from_standard_input) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"check", "-", "-"},
                                                     {"check", "-", "m.vtu", "--sizes", "-"},
-                                                    {"mesh", "-", "--sizes", "-", "-o", "out.vtu"}}) {
+                                                    {"mesh", "-", "--sizes", "-", "-o", "out.vtu"},
+                                                    {"check", "-", "/dev/stdin"},
+                                                    {"check", "/dev/fd/0", "/proc/self/fd/0"},
+                                                    {"mesh", "/dev/stdin", "--sizes", "-", "-o", "out.vtu"}}) {
     const Ran ran = with_input("square.poly", arguments);
     EXPECT_EQ(ran.exit_code, 2) << ran;
     EXPECT_TRUE(holds(ran.err, {"-: only one input can come from standard input"}));
   }
+}
+
+TEST_F(StandardStreams, standard_input_is_read_from_where_it_is_under_all_its_names) {
+  write("late.poly", "one line that another program has read\n" + read("square.poly"));
+  for (const std::string name : {"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"}) {
+    const Ran ran = run("/bin/sh", {"-c", "{ read line; " PARDEL_PROGRAM " check " + name + " m.vtu; } < late.poly"});
+    EXPECT_EQ(ran.exit_code, 0) << name << ": " << ran;
+  }
+}
+
+TEST_F(StandardStreams, a_picture_goes_to_standard_output_in_the_format_that_is_named) {
+  for (const std::string format : {"svg", "png"}) {
+    ASSERT_EQ(pardel({"draw", "m.vtu", "m." + format}).exit_code, 0);
+    const Ran ran = pardel({"draw", "m.vtu", "-", "--format", format});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_EQ(ran.out, read("m." + format));
+  }
+  const Ran without = pardel({"draw", "m.vtu", "-"});
+  EXPECT_EQ(without.exit_code, 2) << without;
+  EXPECT_TRUE(holds(without.err, {"-: standard output has no suffix; set --format png or svg"}));
+  EXPECT_EQ(pardel({"draw", "m.vtu", "m.svg", "--format", "svg"}).exit_code, 2);
 }
 
 TEST_F(StandardStreams, two_outputs_cannot_both_go_to_standard_output) {
@@ -120,7 +144,6 @@ TEST_F(StandardStreams, one_output_on_standard_output_is_all_that_is_printed) {
     EXPECT_EQ(pardel({"generate", "square", "-o", name}).out, read("generated.poly"));
     EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "n.vtu", "--json", name}).out.substr(0, 1), "{");
   }
-  EXPECT_EQ(pardel({"draw", "square.poly", "-"}).exit_code, 2);
 }
 
 }  // namespace

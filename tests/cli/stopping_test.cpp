@@ -1,5 +1,5 @@
-// SIGINT and SIGTERM stop every command in every step, with exit code 130, and leave no partial file. Pipes that nobody
-// reads or writes hold a command in a step.
+// SIGINT, SIGTERM and SIGHUP stop every command in every step, with exit code 130, and leave no partial file. Pipes
+// that nobody reads or writes hold a command in a step.
 #include <sys/stat.h>
 
 #include "program.hpp"
@@ -66,6 +66,45 @@ TEST_F(Stopping, is_the_same_for_SIGTERM) {
   make_pipe("out.poly");
   expect_stop({"mesh", "square.poly", "-o", "out.ele", "--progress", "always"},
               {.interrupt_when = "writing", .signal = SIGTERM});
+}
+
+TEST_F(Stopping, is_the_same_for_SIGHUP) {
+  make_pipe("out.poly");
+  expect_stop({"mesh", "square.poly", "-o", "out.ele", "--progress", "always"},
+              {.interrupt_when = "writing", .signal = SIGHUP});
+}
+
+TEST_F(Stopping, does_not_happen_by_a_signal_that_the_program_was_told_to_ignore) {
+  for (const int signal : {SIGINT, SIGHUP, SIGTERM}) {
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "out.off", "--max-area", "2e-6", "--progress", "always"},
+                           {.interrupt_when = "triangles", .signal = signal, .ignored_signal = signal});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_TRUE(exists("out.off"));
+  }
+}
+
+TEST_F(Stopping, at_the_limit_on_processor_time_leaves_no_partial_file) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-8"}, {.processor_time = 1});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel: the process has reached the limit on its processor time\n"}));
+  EXPECT_EQ(files(), start_);
+}
+
+TEST_F(Stopping, at_the_limit_on_the_size_of_files_leaves_no_partial_file) {
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "0.0001"},
+                         {.file_size_limit = 40'000, .file_size_signal = true});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"out.vtu: cannot be written: File too large"}));
+  EXPECT_EQ(files(), start_);
+}
+
+TEST_F(Stopping, that_cannot_be_watched_for_is_an_error) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer's shadow memory alone is larger than the limit";
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu"},
+                         {.address_space = std::uint64_t{8} << 30, .stack_size = std::uint64_t{64} << 30});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel: the thread that watches signals cannot be started: "}));
+  EXPECT_EQ(files(), start_);
 }
 
 TEST_F(Stopping, interrupts_check_while_it_reads) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "../../../core/formats.hpp"
 #include "../../temporary_folder.hpp"
 
 namespace pardel::files {
@@ -32,6 +33,23 @@ std::string failure_of_integer(std::string_view text) {
   in.next_line();
   in.integer("a count", 0, 9);
   return in.failed() ? in.error().message : "";
+}
+
+TEST(ReadFile, skips_a_byte_order_mark_at_the_beginning_only) {
+  const TemporaryFolder folder;
+  for (const auto& [written, expected] : {std::pair{"\xEF\xBB\xBF"
+                                                    "1 2",
+                                                    "1 2"},
+                                          {"1\xEF\xBB\xBF", "1\xEF\xBB\xBF"},
+                                          {"\xEF\xBB", "\xEF\xBB"}}) {
+    const Result<std::string> text = read_file(folder.write("file", written));
+    ASSERT_TRUE(text.ok());
+    EXPECT_EQ(*text, expected);
+  }
+  EXPECT_TRUE(parse_poly("\xEF\xBB\xBF"
+                         "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n0 0\n0\n",
+                         "text")
+                  .ok());
 }
 
 TEST(TextReader, skips_blank_lines_and_comments) {

@@ -1,6 +1,7 @@
 #include "../../../core/support/output_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <chrono>
@@ -17,16 +18,63 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The end of the name of a partial file that this process is about to make: of the next one, or of a later one.
+std::string partial_suffix(int later = 0) {
+  const TemporaryFolder folder;
+  const OutputFile probe(folder / "probe");
+  const std::string name = folder.names();  // "probe.PROCESS-NUMBER.partial "
+  const int number = std::stoi(name.substr(name.find('-') + 1)) + 1 + later;
+  return std::to_string(::getpid()) + "-" + std::to_string(number) + ".partial";
+}
+
 TEST(OutputFile, gets_its_name_only_when_it_is_complete) {
   const TemporaryFolder folder;
   folder.write("a b.txt", "old");
+  const std::string suffix = partial_suffix();
   OutputFile out(folder / "a b.txt");
   out.write("new");
-  EXPECT_EQ(folder.names(), "a b.txt a b.txt.partial ");
+  EXPECT_EQ(folder.names(), "a b.txt a b.txt." + suffix + " ");
   EXPECT_EQ(folder.read("a b.txt"), "old");
   ASSERT_TRUE(out.commit().ok());
   EXPECT_EQ(folder.names(), "a b.txt ");
   EXPECT_EQ(folder.read("a b.txt"), "new");
+}
+
+TEST(OutputFile, leaves_all_files_alone_that_it_has_not_made) {
+  const TemporaryFolder folder;
+  folder.write("a.txt.partial", "of the user");
+  const std::string taken = "a.txt." + partial_suffix(1);
+  folder.write(taken, "of an earlier process with the same number");
+  fs::create_directory(folder / ("a.txt." + partial_suffix(1)));
+  const std::string before = folder.names();
+  {
+    OutputFile out(folder / "a.txt"), again(folder / "a.txt");
+    out.write("new");
+    again.write("newer");
+    ASSERT_TRUE(out.commit().ok());
+    ASSERT_TRUE(again.commit().ok());
+  }
+  EXPECT_EQ(folder.names(), "a.txt " + before);
+  EXPECT_EQ(folder.read("a.txt"), "newer");
+  EXPECT_EQ(folder.read("a.txt.partial"), "of the user");
+  EXPECT_EQ(folder.read(taken), "of an earlier process with the same number");
+}
+
+TEST(OutputFile, that_cannot_be_written_aside_removes_nothing) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "a.txt.partial");
+  { OutputFile out(folder / "a.txt"); }
+  EXPECT_EQ(folder.names(), "a.txt.partial ");
+}
+
+TEST(OutputFile, has_the_permissions_of_a_new_file) {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  OutputFile out(folder / "a.txt");
+  EXPECT_TRUE(out.commit().ok());
+  ::umask(before);
+  using enum fs::perms;
+  EXPECT_EQ(fs::status(folder / "a.txt").permissions(), owner_read | owner_write | group_read);
 }
 
 TEST(OutputFile, leaves_no_file_without_commit) {
@@ -115,10 +163,11 @@ TEST(OutputFile, writes_to_devices_directly) {
 TEST(OutputFile, below_dev_is_written_aside_if_it_is_a_regular_file) {
   if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is no /dev/shm";
   const fs::path file = "/dev/shm/pardel-test-" + std::to_string(::getpid());
+  const std::string suffix = partial_suffix();
   OutputFile out(file);
   out.write("x");
   EXPECT_FALSE(fs::exists(file)) << "the file appears under its name before it is complete";
-  EXPECT_TRUE(fs::exists(file.string() + ".partial"));
+  EXPECT_TRUE(fs::exists(file.string() + "." + suffix));
   EXPECT_TRUE(out.commit().ok());
   EXPECT_TRUE(fs::is_regular_file(file));
   fs::remove(file);

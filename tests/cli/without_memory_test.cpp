@@ -1,0 +1,32 @@
+// The threads that watch the process work when there is no memory left to allocate.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "../../cli/end_process.hpp"
+#include "../../cli/memory.hpp"
+#include "full_memory.hpp"
+
+namespace pardel::cli {
+namespace {
+
+TEST(WithoutMemory, the_memory_in_use_is_known) {
+  std::uint64_t used = 0;
+  {
+    const testing::FullMemory full;
+    used = used_memory();
+  }
+  EXPECT_GT(used, 0U);
+}
+
+TEST(WithoutMemory, the_process_ends_with_its_message) {
+  const Error error{ErrorKind::resources, "a message that is too long for the storage within a string object"};
+  const auto end = [&] {
+    const testing::FullMemory full;
+    end_process(error);
+  };
+  EXPECT_EXIT(end(), ::testing::ExitedWithCode(5), error.message);
+}
+
+}  // namespace
+}  // namespace pardel::cli
