@@ -52,7 +52,7 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   bar.begin("reading " + arguments.mesh.string());
   Result<Mesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return Refusal(mesh.error());
-  const Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+  const Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
   if (!goal) return Refusal(goal.error());

@@ -84,7 +84,8 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
       ->group(group);
   app.add_flag("--regions", options.regions, "Apply the area caps of the regions in IN.poly")->group(group);
   app.add_option("--sizes", options.sizes,
-                 "File with one edge length per input point ('n', then lines 'i length'), interpolated in between")
+                 "Edge lengths, interpolated in between: one per input point ('n', then lines 'i length'), or a raster "
+                 "(.asc, .npy)")
       ->type_name("FILE")
       ->group(group);
   app.add_flag("--conforming", options.conforming, "Make the mesh Delaunay, not only constrained Delaunay")
@@ -104,20 +105,10 @@ Goal goal_without_sizes(const GoalOptions& options) {
   return goal;
 }
 
-Result<std::vector<double>> read_sizes_of(const GoalOptions& options) {
-  if (options.sizes.empty()) return std::vector<double>();
-  return read_sizes(options.sizes);
-}
-
-Result<Goal> make_goal(const GoalOptions& options, std::span<const double> sizes, const ValidPslg& domain) {
+Result<Goal> make_goal(const GoalOptions& options, const SizeField& sizes, const ValidPslg& domain) {
   Goal goal = goal_without_sizes(options);
   if (options.sizes.empty()) return goal;
-  const std::size_t points = domain.pslg().points.size();
-  if (sizes.size() != points) {
-    return Error{ErrorKind::invalid_input,
-                 fmt::format("{}: {} sizes for {} input points", options.sizes.string(), sizes.size(), points)};
-  }
-  Result<std::function<double(Point)>> size = interpolated_size(domain, sizes);
+  Result<std::function<double(Point)>> size = size_function(sizes, options.sizes.string(), domain);
   if (!size) return size.error();
   goal.size = std::move(*size);
   return goal;

@@ -5,12 +5,11 @@
 #include <CLI/Validators.hpp>
 #include <filesystem>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "../core/goal.hpp"
 #include "../core/result.hpp"
 #include "../parallel/validate.hpp"
+#include "size_field.hpp"
 
 namespace pardel::cli {
 
@@ -37,11 +36,7 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
 /// The goal without the size function.
 [[nodiscard]] Goal goal_without_sizes(const GoalOptions& options);
 
-/// Reads the file of sizes. Returns an empty list if none is given.
-[[nodiscard]] Result<std::vector<double>> read_sizes_of(const GoalOptions& options);
-
-/// The goal. `sizes` is what read_sizes_of() returned: nothing, or one size per point of `domain`.
-[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, std::span<const double> sizes,
-                                     const ValidPslg& domain);
+/// The goal. `sizes`: what the file of options.sizes has.
+[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const SizeField& sizes, const ValidPslg& domain);
 
 }  // namespace pardel::cli

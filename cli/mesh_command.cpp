@@ -33,8 +33,8 @@ namespace pardel::cli {
 namespace {
 
 struct MeshInput {
-  Source source;              ///< with --refine a mesh, otherwise a domain
-  std::vector<double> sizes;  ///< as read_sizes_of() returns them
+  Source source;  ///< with --refine a mesh, otherwise a domain
+  SizeField sizes;
   std::vector<Warning> warnings{};
 };
 
@@ -42,13 +42,13 @@ ValidateOptions how_to_validate(const MeshArguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
 }
 
-Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain domain) {
+Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain domain, const SizeField& sizes) {
   Result<MaybeRepaired, Refusal> repaired =
       validated_or_repaired(std::move(domain), {.snap = arguments.snap, .convex_hull = arguments.goal.convex_hull},
                             arguments.options.threads);
   if (!repaired) return repaired.error();
   for (const std::string& line : repaired->log) warn(line);
-  if (repaired->original && !arguments.goal.sizes.empty()) {
+  if (repaired->original && std::holds_alternative<PointSizes>(sizes)) {
     return Refusal({ErrorKind::usage,
                     "--sizes refers to the points of the input, which --repair changed; write the repaired "
                     "domain with 'pardel doctor' and give sizes for its points"});
@@ -63,18 +63,18 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return Refusal(coarse.error());
-    Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+    Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
     return MeshInput{std::move(*coarse), std::move(*sizes)};
   }
   Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return Refusal(domain.error());
-  Result<std::vector<double>> sizes = read_sizes_of(arguments.goal);
+  Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
   if (!sizes) return Refusal(sizes.error());
   seconds.read = watch.lap();
   bar.begin("validating " + arguments.input.string());
-  Result<ValidPslg, Refusal> valid = arguments.repair ? repair_domain(arguments, std::move(*domain))
+  Result<ValidPslg, Refusal> valid = arguments.repair ? repair_domain(arguments, std::move(*domain), *sizes)
                                                       : validated(std::move(*domain), how_to_validate(arguments));
   if (!valid) return valid.error();
   std::vector<Warning> warnings = print_warnings(*valid, arguments.input.string());
@@ -82,7 +82,7 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
   return MeshInput{std::move(*valid), std::move(*sizes), std::move(warnings)};
 }
 
-/// With --refine only --sizes needs a valid domain, because it triangulates the domain.
+/// With --refine only --sizes needs a valid domain: one that can be triangulated.
 Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const MeshInput& input) {
   const auto with_sizes = [&](const ValidPslg& domain) -> Result<Goal, Refusal> {
     Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain);

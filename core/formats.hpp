@@ -15,6 +15,7 @@
 
 #include "mesh.hpp"
 #include "pslg.hpp"
+#include "raster.hpp"
 #include "result.hpp"
 
 namespace pardel {
@@ -94,6 +95,14 @@ struct TriangleFiles {
 [[nodiscard]] Status write_area(const std::filesystem::path& file, std::span<const double> caps, int base = 1);
 /// Reads one positive number per input vertex. Format, as in Triangle's files: a line `n`, then n lines `i size`.
 [[nodiscard]] Result<std::vector<double>> read_sizes(const std::filesystem::path& file);
+
+/// Reads a raster; the suffix determines the format. Values that are missing become NaN.
+///   .asc  an ESRI ASCII grid: NCOLS, NROWS, XLLCORNER or XLLCENTER, YLLCORNER or YLLCENTER, CELLSIZE (or DX and DY),
+///         and optionally NODATA_VALUE (default -9999). Upper and lower case are the same.
+///   .npy  a two-dimensional array of NumPy, of integers or of floating-point numbers, in which the first row is the
+///         northernmost. The world file NAME.wld has its place: six numbers, the step to the east, two zeros, the step
+///         to the south (negative), and the coordinates of the grid point in the north-west corner.
+[[nodiscard]] Result<Raster> read_raster(const std::filesystem::path& file);
 
 /// Writes MSH 4.1. Each attribute of a region and each marker becomes a physical group named `region X` or `marker N`;
 /// triangles without a region are in the group `domain`. The tag of a group is the attribute or marker itself if that

@@ -23,8 +23,9 @@ struct Goal {
   bool region_caps = false;
   /// Sizing: returns the longest edge allowed near a point, > 0; infinity means no bound there. A triangle is too large
   /// if its longest edge exceeds size(centroid). Empty: no such bound. The function must be pure and callable from
-  /// several threads at once. If it throws, or returns a number that is not positive, the mesher returns a `usage`
-  /// error that names the point. The error is the same for any number of threads.
+  /// several threads at once. If it throws an Error (result.hpp), the mesher returns this error. If it
+  /// throws anything else, or returns a number that is not positive, the mesher returns a `usage` error that names the
+  /// point. The error is the same for any number of threads.
   std::function<double(Point)> size{};
   /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh
   /// must be constrained Delaunay.

@@ -8,6 +8,7 @@
 #include <pardel/core/mesh.hpp>
 #include <pardel/core/neighbours.hpp>
 #include <pardel/core/pslg.hpp>
+#include <pardel/core/raster.hpp>
 #include <pardel/core/result.hpp>
 #include <pardel/parallel/gaps.hpp>
 #include <pardel/parallel/mesher.hpp>

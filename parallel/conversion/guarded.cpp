@@ -20,6 +20,8 @@ auto guarded_call(const Call& call, const Where& where) {
     return call();
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const Error& e) {
+    throw CallbackError{e};
   } catch (const std::exception& e) {
     throw callback_error(where() + " threw an exception: " + e.what());
   } catch (...) {

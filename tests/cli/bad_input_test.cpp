@@ -234,6 +234,23 @@ TEST_F(BadInput, a_size_that_is_not_positive_is_refused_with_its_line) {
   EXPECT_TRUE(holds(ran.err, {"zero.sizes:3:"}));
 }
 
+TEST_F(BadInput, a_raster_that_does_not_cover_the_domain_is_refused_with_the_point) {
+  write("square.poly", square_poly);
+  const std::string header = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize ";
+  write("small.asc", header + "0.4\n1 1\n1 1\n");
+  const Ran small = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "small.asc"});
+  EXPECT_EQ(small.exit_code, 3) << small;
+  EXPECT_TRUE(holds(small.err, {"small.asc: the raster from (0, 0) to (0.8, 0.8) does not cover point 2 at (1, 0)"}));
+  write("hole.asc", header + "0.5\n0.1 -9999\n0.1 0.1\n");
+  const Ran hole = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "hole.asc"});
+  EXPECT_EQ(hole.exit_code, 3) << hole;
+  EXPECT_TRUE(holds(hole.err, {"hole.asc has no size at ("}));
+  write("zero.asc", header + "0.5\n0.1 0\n0.1 0.1\n");
+  const Ran zero = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "zero.asc"});
+  EXPECT_EQ(zero.exit_code, 3) << zero;
+  EXPECT_TRUE(holds(zero.err, {"zero.asc: the size in row 1, column 2", "at (0.75, 0.75), is 0"}));
+}
+
 TEST_F(BadInput, problems_are_numbered_as_the_file_numbers_its_points) {
   is_refused("6 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0.5 0.5\n5 0.5 0.5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n",
              {"bad.poly", "4", "5"});

@@ -184,6 +184,29 @@ TEST_F(MeshCommand, sizes_at_the_points_grade_the_mesh) {
   EXPECT_GT(near, 4 * far);
 }
 
+TEST_F(MeshCommand, a_raster_of_sizes_grades_the_mesh) {
+  write("field.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ndx 0.5\ndy 1\n0.02 0.3\n");
+  const json r = report({"square.poly", "-o", "m.node", "--sizes", "field.asc", "--check"});
+  EXPECT_EQ(r["goal"]["sizes"], "field.asc");
+  EXPECT_TRUE(r["certificate"]["valid"]);
+  EXPECT_TRUE(certified("square.poly", "m.node", {"--sizes", "field.asc"}));
+  int left = 0, right = 0;
+  const auto nodes = table("m.node");
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    left += nodes[i][1] < 0.25;
+    right += nodes[i][1] > 0.75;
+  }
+  EXPECT_GT(left, 20 * right);
+}
+
+TEST_F(MeshCommand, a_raster_of_sizes_serves_a_repaired_domain_and_a_refined_mesh) {
+  write("field.asc", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n0.2\n");
+  write("twice.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n");
+  EXPECT_EQ(pardel({"mesh", "twice.poly", "-o", "t.vtu", "--repair", "--sizes", "field.asc", "--check"}).exit_code, 0);
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "coarse.node"}).exit_code, 0);
+  EXPECT_EQ(pardel({"mesh", "coarse.node", "--refine", "-o", "f.vtu", "--sizes", "field.asc", "--check"}).exit_code, 0);
+}
+
 TEST_F(MeshCommand, a_check_is_part_of_the_report) {
   const json r = report({"key.poly", "-o", "m.vtu", "--min-angle", "30", "--check"});
   EXPECT_TRUE(r["certificate"]["valid"]);

@@ -1,0 +1,51 @@
+#include "size_field.hpp"
+
+#include <fmt/format.h>
+
+#include "../core/formats.hpp"
+#include "../core/support/shortest.hpp"
+#include "../parallel/mesher.hpp"
+
+namespace pardel::cli {
+namespace {
+
+using Size = Result<std::function<double(Point)>>;
+
+Size function_of(const PointSizes& sizes, const std::string& name, const ValidPslg& domain) {
+  const std::size_t points = domain.pslg().points.size();
+  if (sizes.size() != points) {
+    return Error{ErrorKind::invalid_input, fmt::format("{}: {} sizes for {} input points", name, sizes.size(), points)};
+  }
+  return interpolated_size(domain, sizes);
+}
+
+Size function_of(const Raster& raster, const std::string& name, const ValidPslg& domain) {
+  const Pslg& pslg = domain.pslg();
+  for (std::size_t i = 0; i < pslg.points.size(); ++i)
+    if (!raster.covers(pslg.points[i])) {
+      return Error{ErrorKind::invalid_input, fmt::format("{}: the raster from {} to {} does not cover point {} at {}",
+                                                         name, shortest(raster.low()), shortest(raster.high()),
+                                                         i + pslg.first_id.value, shortest(pslg.points[i]))};
+    }
+  return interpolated_size(raster, name);
+}
+
+Size function_of(std::monostate, const std::string&, const ValidPslg&) { return std::function<double(Point)>(); }
+
+}  // namespace
+
+Result<SizeField> read_size_field(const std::filesystem::path& file) {
+  if (file.empty()) return SizeField();
+  const auto field = [](auto read) -> Result<SizeField> {
+    if (!read) return read.error();
+    return SizeField(std::move(*read));
+  };
+  if (file.extension() == ".asc" || file.extension() == ".npy") return field(read_raster(file));
+  return field(read_sizes(file));
+}
+
+Size size_function(const SizeField& field, const std::string& name, const ValidPslg& domain) {
+  return std::visit([&](const auto& sizes) { return function_of(sizes, name, domain); }, field);
+}
+
+}  // namespace pardel::cli

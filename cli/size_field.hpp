@@ -1,0 +1,29 @@
+// The edge lengths that --sizes names.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "../core/raster.hpp"
+#include "../core/result.hpp"
+#include "../parallel/validate.hpp"
+
+namespace pardel::cli {
+
+/// One edge length per input point.
+using PointSizes = std::vector<double>;
+/// What a file of edge lengths has; nothing if there is no file.
+using SizeField = std::variant<std::monostate, PointSizes, Raster>;
+
+/// Reads a file of edge lengths: a raster if the suffix is .asc or .npy. An empty path means no file.
+[[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file);
+
+/// The function for Goal::size. `name` names the file in messages. Fails with `invalid_input` if the field does not fit
+/// the domain. Precondition: the field is not empty.
+[[nodiscard]] Result<std::function<double(Point)>> size_function(const SizeField& field, const std::string& name,
+                                                                 const ValidPslg& domain);
+
+}  // namespace pardel::cli

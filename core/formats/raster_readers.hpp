@@ -1,0 +1,17 @@
+// One reader per format of rasters. Messages use `name` as the file name.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "../raster.hpp"
+#include "../result.hpp"
+
+namespace pardel::files {
+
+[[nodiscard]] Result<Raster> parse_asc(std::string_view text, const std::string& name);
+/// `world`: the text of the world file, `world_name` its name.
+[[nodiscard]] Result<Raster> parse_npy(std::string_view bytes, const std::string& name, std::string_view world,
+                                       const std::string& world_name);
+
+}  // namespace pardel::files

@@ -1,0 +1,70 @@
+#include "raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "support/shortest.hpp"
+
+namespace pardel {
+namespace {
+
+/// The position of a coordinate between two neighbouring columns or rows.
+struct Between {
+  std::size_t low, high;
+  double share;  ///< of the higher one, from 0 to 1
+};
+
+Between position(double coordinate, double first, double step, Index count) {
+  const double last = count - 1.0;
+  const double index = std::clamp((coordinate - first) / step, 0.0, last);
+  const double low = std::min(std::floor(index), std::max(0.0, last - 1));
+  const auto at = static_cast<std::size_t>(low);
+  return {at, std::min(at + 1, static_cast<std::size_t>(count - 1)), index - low};
+}
+
+/// a + share (b - a). A value without a weight does not count, not even NaN.
+double mixed(double a, double b, double share) {
+  if (share == 0) return a;
+  if (share == 1) return b;
+  return a + share * (b - a);
+}
+
+}  // namespace
+
+double interpolate(const Raster& raster, Point p) {
+  const Between x = position(p.x, raster.first.x, raster.step_x, raster.columns);
+  const Between y = position(p.y, raster.first.y, raster.step_y, raster.rows);
+  const auto in_row = [&](std::size_t row) {
+    const double* values = raster.values.data() + row * raster.columns;
+    return mixed(values[x.low], values[x.high], x.share);
+  };
+  return mixed(in_row(y.low), in_row(y.high), y.share);
+}
+
+Result<std::function<double(Point)>> interpolated_size(Raster raster, std::string name) {
+  for (std::size_t k = 0; k < raster.values.size(); ++k) {
+    if (!(raster.values[k] <= 0)) continue;
+    const std::size_t column = k % raster.columns, row = k / raster.columns;
+    const Point at{raster.first.x + static_cast<double>(column) * raster.step_x,
+                   raster.first.y + static_cast<double>(row) * raster.step_y};
+    return Error{ErrorKind::invalid_input, name + ": the size in row " + std::to_string(raster.rows - row) +
+                                               ", column " + std::to_string(column + 1) +
+                                               " (counted from the north-west corner), at " + shortest(at) + ", is " +
+                                               shortest(raster.values[k]) + "; sizes must be greater than 0"};
+  }
+  struct Field {
+    Raster raster;
+    std::string name;
+  };
+  const auto field = std::make_shared<const Field>(Field{std::move(raster), std::move(name)});
+  return std::function<double(Point)>([field](Point p) {
+    const double size = field->raster.covers(p) ? interpolate(field->raster, p) : NAN;
+    if (std::isnan(size)) throw Error{ErrorKind::invalid_input, field->name + " has no size at " + shortest(p)};
+    return size;
+  });
+}
+
+}  // namespace pardel

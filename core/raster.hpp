@@ -1,0 +1,40 @@
+// Raster: values on a regular grid of points, for example edge lengths made by a program for geographic data.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pslg.hpp"
+#include "result.hpp"
+
+namespace pardel {
+
+/// Values at the points of a grid. Point (i, j) of column i and row j lies at (first.x + i step_x, first.y + j step_y).
+/// Preconditions of all functions: columns and rows are > 0, steps are finite and > 0, values.size() == columns * rows.
+struct Raster {
+  Index columns = 0, rows = 0;
+  Point first;                    ///< the grid point in the south-west corner
+  double step_x = 1, step_y = 1;  ///< the distances between grid points
+  std::vector<double> values;     ///< row by row from south to north, each from west to east; NaN: no value
+
+  /// The corners of the rectangle in which the raster has values. It extends half a step beyond the outer grid points.
+  [[nodiscard]] Point low() const { return {first.x - 0.5 * step_x, first.y - 0.5 * step_y}; }
+  [[nodiscard]] Point high() const { return {low().x + columns * step_x, low().y + rows * step_y}; }
+  [[nodiscard]] bool covers(Point p) const {
+    return p.x >= low().x && p.y >= low().y && p.x <= high().x && p.y <= high().y;
+  }
+};
+
+/// The bilinear interpolation of the values at the four grid points around p. Beyond the outer grid points, the value
+/// at the nearest point of their rectangle. NaN if one of the values that have a weight is NaN. O(1).
+[[nodiscard]] double interpolate(const Raster& raster, Point p);
+
+/// Makes a function for Goal::size that interpolates. It shares one copy of the raster with its own copies, and several
+/// threads may call it. At a point without a value the function throws an Error (`invalid_input`), which the mesher
+/// returns. `name` names the raster in messages.
+///
+/// Errors: `invalid_input` if a value is not greater than 0. NaN (no value) and infinity (no bound) are allowed.
+[[nodiscard]] Result<std::function<double(Point)>> interpolated_size(Raster raster, std::string name = "the raster");
+
+}  // namespace pardel

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "../../../core/formats.hpp"
+#include "../../temporary_folder.hpp"
+#include "broken_text.hpp"
+
+namespace pardel {
+namespace {
+
+const std::string grid = "ncols 3\nnrows 2\nxllcorner 9\nyllcorner 18\ncellsize 2\nNODATA_value -1\n5 6 -1\n1 2 4\n";
+
+TEST(Asc, has_the_northernmost_row_first_and_its_corner_half_a_step_before_the_grid_points) {
+  const TemporaryFolder folder;
+  const auto raster = read_raster(folder.write("g.asc", grid));
+  ASSERT_TRUE(raster.ok()) << raster.error().message;
+  EXPECT_EQ(raster->columns, 3u);
+  EXPECT_EQ(raster->rows, 2u);
+  EXPECT_EQ(raster->first, (Point{10, 19}));
+  EXPECT_EQ(raster->step_x, 2);
+  EXPECT_EQ(raster->step_y, 2);
+  EXPECT_EQ(std::vector<double>(raster->values.begin(), raster->values.begin() + 5),
+            (std::vector<double>{1, 2, 4, 5, 6}));
+  EXPECT_TRUE(std::isnan(raster->values[5]));
+}
+
+TEST(Asc, may_give_centres_two_steps_upper_case_and_any_line_breaks) {
+  const TemporaryFolder folder;
+  const auto raster = read_raster(folder.write(
+      "g.asc", "NROWS 2\r\nNCOLS 3\r\nXLLCENTER 10\r\nYLLCENTER 20\r\nDX 2\r\nDY 4\r\n5 6\r\n7 1 2 4\r\n"));
+  ASSERT_TRUE(raster.ok()) << raster.error().message;
+  EXPECT_EQ(raster->first, (Point{10, 20}));
+  EXPECT_EQ(raster->step_y, 4);
+  EXPECT_EQ(raster->values, (std::vector<double>{1, 2, 4, 5, 6, 7}));
+}
+
+TEST(Asc, has_minus_9999_for_missing_values_by_default) {
+  const TemporaryFolder folder;
+  const auto raster =
+      read_raster(folder.write("g.asc", replaced(replaced(grid, "NODATA_value -1\n", ""), "5 6 -1", "5 -9999 -1")));
+  ASSERT_TRUE(raster.ok()) << raster.error().message;
+  EXPECT_TRUE(std::isnan(raster->values[4]));
+  EXPECT_EQ(raster->values[5], -1);
+}
+
+TEST(Asc, errors_name_the_line_and_the_fault) {
+  const TemporaryFolder folder;
+  const auto failure = [&](const std::string& from, const std::string& to) {
+    return message_of_invalid(read_raster(folder.write("g.asc", replaced(grid, from, to))));
+  };
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"xllcorner 9\n", "", "g.asc:6: the header of the grid has neither xllcorner nor xllcenter"},
+      {"ncols 3\n", "", "g.asc:6: the header of the grid has no ncols"},
+      {"nrows 2", "nrows 2.5", "nrows must be a whole number greater than 0"},
+      {"nrows 2", "nrows 0", "nrows must be a whole number greater than 0"},
+      {"cellsize 2", "cellsize 0", "the size of a cell must be greater than 0"},
+      {"cellsize 2", "cellsize two", "g.asc:5: expected the value of cellsize, found \"two\""},
+      {"1 2 4\n", "1 2\n", "expected 6 values, found the end of the file"},
+      {"1 2 4\n", "1 x 4\n", "g.asc:8: expected a value of the grid, found \"x\""},
+      {"ncols 3", "ncols 300000", "values"},
+  };
+  for (const auto& [from, to, words] : cases)
+    EXPECT_NE(failure(from, to).find(words), std::string::npos) << failure(from, to);
+}
+
+/// An array of NumPy with this dictionary, and the bytes of the numbers.
+template <class Number>
+std::string npy(const std::string& dictionary, const std::vector<Number>& numbers, bool swap = false) {
+  std::string text = "\x93NUMPY";
+  text += {'\1', '\0', static_cast<char>(dictionary.size()), '\0'};
+  text += dictionary;
+  for (const Number number : numbers) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if (swap) std::ranges::reverse(bytes);
+    text.append(bytes.data(), bytes.size());
+  }
+  return text;
+}
+
+const std::string doubles = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }\n";
+const std::string world = "2\n0\n0\n-4\n10\n24\n";
+const std::vector<double> south_to_north = {1, 2, 4, 5, 6, 7};
+
+class Npy : public ::testing::Test {
+ protected:
+  [[nodiscard]] Result<Raster> read(const std::string& text, const std::string& place = world) const {
+    (void)folder_.write("a.wld", place);
+    return read_raster(folder_.write("a.npy", text));
+  }
+  [[nodiscard]] std::string failure(const std::string& text, const std::string& place = world) const {
+    return message_of_invalid(read(text, place));
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Npy, has_the_northernmost_row_first_and_lies_where_the_world_file_says) {
+  const auto raster = read(npy<double>(doubles, {5, 6, 7, 1, 2, 4}));
+  ASSERT_TRUE(raster.ok()) << raster.error().message;
+  EXPECT_EQ(raster->columns, 3u);
+  EXPECT_EQ(raster->rows, 2u);
+  EXPECT_EQ(raster->first, (Point{10, 20}));
+  EXPECT_EQ(raster->step_x, 2);
+  EXPECT_EQ(raster->step_y, 4);
+  EXPECT_EQ(raster->values, south_to_north);
+}
+
+TEST_F(Npy, may_have_columns_first_and_the_other_byte_order) {
+  const auto raster =
+      read(npy<float>("{'descr': '>f4', 'fortran_order': True, 'shape': (2, 3)}", {5, 1, 6, 2, 7, 4}, true));
+  ASSERT_TRUE(raster.ok()) << raster.error().message;
+  EXPECT_EQ(raster->values, south_to_north);
+}
+
+TEST_F(Npy, may_have_integers) {
+  const std::string dictionary = "{'descr': '<i2', 'fortran_order': False, 'shape': (2, 3), }";
+  const auto signed_numbers = read(npy<std::int16_t>(dictionary, {5, 6, -7, 1, 2, 4}));
+  ASSERT_TRUE(signed_numbers.ok()) << signed_numbers.error().message;
+  EXPECT_EQ(signed_numbers->values[5], -7);
+  const auto bytes = read(npy<std::uint8_t>(replaced(dictionary, "<i2", "|u1"), {5, 6, 250, 1, 2, 4}));
+  ASSERT_TRUE(bytes.ok()) << bytes.error().message;
+  EXPECT_EQ(bytes->values[5], 250);
+}
+
+TEST_F(Npy, errors_name_the_file_and_the_fault) {
+  const std::string good = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
+  EXPECT_NE(failure("NUMPY").find("a.npy: this is not an array of NumPy"), std::string::npos);
+  EXPECT_NE(failure(good.substr(0, 30)).find("its header is not complete"), std::string::npos);
+  EXPECT_NE(failure(good.substr(0, good.size() - 1)).find("expected 6 numbers, found the end of the file after 5"),
+            std::string::npos);
+  EXPECT_NE(failure(replaced(good, "<f8", "<c8")).find("the type of numbers is \"<c8\""), std::string::npos);
+  EXPECT_NE(failure(replaced(good, "descr", "typed")).find("the header has no type of numbers"), std::string::npos);
+  for (const char* shape : {"(23)  ", "(2, 0)", "(2, x)", "2, 3)) ", "(-2,3)"})
+    EXPECT_NE(failure(replaced(good, "(2, 3)", shape)).find("two dimensions"), std::string::npos) << shape;
+}
+
+TEST_F(Npy, needs_a_world_file_without_rotation) {
+  const std::string good = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
+  EXPECT_NE(failure(good, "2\n0.1\n0\n-4\n10\n24\n").find("a.wld:6: rotated rasters are not supported"),
+            std::string::npos);
+  EXPECT_NE(failure(good, "2\n0\n0\n4\n10\n24\n").find("the fourth must be less than 0"), std::string::npos);
+  EXPECT_NE(failure(good, "2\n0\n0\n").find("one of six numbers"), std::string::npos);
+  const auto alone = read_raster(folder_.write("alone.npy", good));
+  ASSERT_FALSE(alone.ok());
+  EXPECT_NE(alone.error().message.find("needs a world file"), std::string::npos) << alone.error().message;
+}
+
+}  // namespace
+}  // namespace pardel

@@ -1,0 +1,102 @@
+#include "../../core/raster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pardel {
+namespace {
+
+/// Three columns and two rows; the south row is 1, 2, 4, the north row 5, 6, 8.
+Raster sample() {
+  Raster raster;
+  raster.columns = 3;
+  raster.rows = 2;
+  raster.first = {10, 20};
+  raster.step_x = 2;
+  raster.step_y = 4;
+  raster.values = {1, 2, 4, 5, 6, 8};
+  return raster;
+}
+
+TEST(Raster, has_its_values_at_the_grid_points) {
+  const Raster raster = sample();
+  for (Index row = 0; row < 2; ++row)
+    for (Index column = 0; column < 3; ++column)
+      EXPECT_EQ(interpolate(raster, {10 + 2.0 * column, 20 + 4.0 * row}), raster.values[row * 3 + column]);
+}
+
+TEST(Raster, is_bilinear_between_the_grid_points) {
+  EXPECT_EQ(interpolate(sample(), {11, 20}), 1.5);
+  EXPECT_EQ(interpolate(sample(), {10, 21}), 2);
+  EXPECT_EQ(interpolate(sample(), {13, 22}), 5);
+}
+
+TEST(Raster, is_constant_beyond_the_outer_grid_points) {
+  EXPECT_EQ(interpolate(sample(), {9, 18}), 1);
+  EXPECT_EQ(interpolate(sample(), {15, 26}), 8);
+  EXPECT_EQ(interpolate(sample(), {12, 18}), 2);
+}
+
+TEST(Raster, covers_half_a_step_around_the_grid_points) {
+  EXPECT_TRUE(sample().covers({9, 18}));
+  EXPECT_TRUE(sample().covers({15, 26}));
+  EXPECT_FALSE(sample().covers({8.999, 20}));
+  EXPECT_FALSE(sample().covers({10, 26.001}));
+  EXPECT_FALSE(sample().covers({NAN, 20}));
+}
+
+TEST(Raster, of_one_value_is_constant) {
+  Raster raster;
+  raster.columns = raster.rows = 1;
+  raster.values = {3};
+  EXPECT_EQ(interpolate(raster, {0.25, -0.5}), 3);
+}
+
+TEST(Raster, has_no_value_only_if_a_missing_one_has_a_weight) {
+  Raster raster = sample();
+  raster.values[1] = NAN;
+  EXPECT_TRUE(std::isnan(interpolate(raster, {11, 20})));
+  EXPECT_TRUE(std::isnan(interpolate(raster, {13, 23.9})));
+  EXPECT_EQ(interpolate(raster, {10, 20}), 1);
+  EXPECT_EQ(interpolate(raster, {13, 24}), 7);
+  EXPECT_EQ(interpolate(raster, {14, 22}), 6);
+}
+
+TEST(SizeOfARaster, is_the_interpolated_value) {
+  const auto size = interpolated_size(sample());
+  ASSERT_TRUE(size);
+  EXPECT_EQ((*size)({13, 22}), 5);
+}
+
+TEST(SizeOfARaster, must_be_greater_than_zero) {
+  for (const double wrong : {0.0, -1.0, -std::numeric_limits<double>::infinity()}) {
+    Raster raster = sample();
+    raster.values[2] = wrong;
+    const auto size = interpolated_size(raster, "field");
+    ASSERT_FALSE(size);
+    EXPECT_EQ(size.error().kind, ErrorKind::invalid_input);
+    EXPECT_TRUE(size.error().message.starts_with("field: the size in row 2, column 3")) << size.error().message;
+    EXPECT_NE(size.error().message.find("at (14, 20)"), std::string::npos) << size.error().message;
+  }
+}
+
+TEST(SizeOfARaster, throws_an_error_that_names_the_point_where_there_is_none) {
+  Raster raster = sample();
+  raster.values[1] = NAN;
+  const auto size = interpolated_size(raster, "field");
+  ASSERT_TRUE(size);
+  for (const Point p : {Point{11, 20}, Point{100, 20}}) {
+    try {
+      (void)(*size)(p);
+      ADD_FAILURE() << "no exception";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind, ErrorKind::invalid_input);
+      EXPECT_EQ(e.message.find("field has no size at ("), 0u) << e.message;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pardel
