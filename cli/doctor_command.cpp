@@ -110,10 +110,14 @@ Status repair(const DoctorArguments& arguments, const Domain& domain, Findings& 
   return with_name(result.error(), domain.name);
 }
 
+/// Warns of the gaps of the repaired domain, or of the domain that was read.
+void print_gaps(const DoctorArguments& arguments, const ValidPslg& domain, const Findings& findings) {
+  const std::filesystem::path& examined = findings.repaired ? arguments.repaired : arguments.input;
+  if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, examined.string(), domain));
+}
+
 Status report(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
   const std::array outputs = {arguments.repaired, arguments.json};
-  const std::filesystem::path& examined = findings.repaired ? arguments.repaired : arguments.input;
-  if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, examined.string(), domain.pslg.first_id.value));
   if (!arguments.quiet && !has_standard_output(outputs)) print(domain, findings.problems, findings.repaired);
   if (arguments.json.empty()) return Done{};
   return write_text(json_text(to_json(domain, findings)), arguments.json);
@@ -131,13 +135,15 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
   Status repaired = Done{};
   if (!arguments.repaired.empty()) repaired = repair(arguments, *domain, findings);
   if (!repaired && repaired.error().kind == ErrorKind::io) return repaired.error();
-  if (findings.repaired || valid) {
-    Result<std::vector<Gap>> found = find_gaps(findings.repaired ? findings.repaired->domain : *valid);
+  const ValidPslg* examined = findings.repaired ? &findings.repaired->domain : valid ? &*valid : nullptr;
+  if (examined != nullptr) {
+    Result<std::vector<Gap>> found = find_gaps(*examined);
     if (!found) return found.error();
     findings.gaps = std::move(*found);
   }
   bar.finish();
   if (valid) findings.warnings = print_warnings(*valid, domain->name);
+  if (examined != nullptr) print_gaps(arguments, *examined, findings);
   if (Status reported = report(arguments, *domain, findings); !reported) return reported.error();
   if (!repaired) return repaired.error();
   return findings.problems.empty() || findings.repaired ? ExitCode::done : ExitCode::invalid_input;

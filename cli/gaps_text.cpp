@@ -6,20 +6,36 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../parallel/repair.hpp"
 #include "plural.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
 
-std::string gaps_text(std::span<const Gap> gaps, const std::string& file, int first_id) {
+namespace {
+
+std::string advice_on(double snap, const ValidPslg& domain) {
+  const Result<bool> harmless = keeps_all_parts(domain, snap);
+  if (harmless && *harmless)
+    return fmt::format("\n--repair with --snap {:.2g} closes the narrowest; look at the result", snap);
+  return fmt::format(
+      "\n--repair with --snap {:.2g} would close the narrowest, but also remove a narrow part of the "
+      "domain, a hole or a region",
+      snap);
+}
+
+}  // namespace
+
+std::string gaps_text(std::span<const Gap> gaps, const std::string& file, const ValidPslg& domain) {
   if (gaps.empty()) return {};
-  std::string text = fmt::format("{}: warning: {} much narrower than the segments around", file,
-                                 plural(gaps.size(), "gap is", "gaps are"));
+  const int first_id = domain.pslg().first_id.value;
+  std::string text =
+      fmt::format("{}: warning: {} much narrower than the segments around, or too narrow for double precision", file,
+                  plural(gaps.size(), "gap is", "gaps are"));
   for (const Gap& gap : gaps.first(std::min(gaps.size(), most_listed))) text += "\n  " + gap.message(first_id);
   if (gaps.size() > most_listed) text += fmt::format("\n  ... and {} more (all in --json)", gaps.size() - most_listed);
   // Rounding to two digits must not make the distance too small.
-  if (const double snap = closing_snap(gaps); snap > 0)
-    text += fmt::format("\n--repair with --snap {:.2g} closes the narrowest; look at the result", 1.1 * snap);
+  if (const double snap = closing_snap(gaps); snap > 0) text += advice_on(1.1 * snap, domain);
   return text;
 }
 

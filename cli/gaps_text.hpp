@@ -9,9 +9,9 @@
 
 namespace pardel::cli {
 
-/// A warning that lists ten gaps, one per line, and names a snapping distance that closes the narrowest. Empty without
-/// gaps. `first_id`: the first id of the file.
-[[nodiscard]] std::string gaps_text(std::span<const Gap> gaps, const std::string& file, int first_id);
+/// A warning that lists ten gaps of the domain, one per line, and names a snapping distance that closes the narrowest.
+/// A trial of the repair shows if the distance removes more than gaps; the text then says so. Empty without gaps.
+[[nodiscard]] std::string gaps_text(std::span<const Gap> gaps, const std::string& file, const ValidPslg& domain);
 
 /// All gaps, as an array. Ids are counted from `first_id`.
 [[nodiscard]] nlohmann::ordered_json gaps_json(std::span<const Gap> gaps, int first_id);

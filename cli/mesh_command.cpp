@@ -114,6 +114,19 @@ Result<Meshed> make_mesh(const MeshInput& input, const Goal& goal, const Options
   return mesh(std::get<ValidPslg>(input.source), goal, options);
 }
 
+/// Warns before the refinement if the mesh needs very many triangles, unless --max-vertices keeps it smaller.
+void watch_size(const MeshArguments& arguments, std::optional<LeastSize>& large, Options& options) {
+  constexpr double many = 50e6;
+  if (options.max_vertices > 0 && 2 * static_cast<double>(options.max_vertices) < many) return;
+  options.before_refinement = [&](const LeastSize& least) -> Status {
+    if (least.triangles < many) return Done{};
+    large = least;
+    warn(fmt::format("{}: warning: {} --max-vertices limits their number; 'pardel doctor' lists narrow places",
+                     arguments.input.string(), least.message()));
+    return Done{};
+  };
+}
+
 Certificate check_mesh(const MeshArguments& arguments, const MeshInput& input, const Meshed& meshed, const Goal& goal,
                        ProgressBar& bar) {
   bar.begin("checking");
@@ -132,7 +145,7 @@ void watch_sweeps(const MeshArguments& arguments, const Pslg& pslg, const Goal& 
   };
 }
 
-Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
+Result<ExitCode> verdict(const MeshRun& run, const Source& source, const Mesh& mesh) {
   bool broken = false;
   if (run.certificate && !run.certificate->valid) {
     broken = !only_bounds_missed(*run.certificate);
@@ -140,7 +153,9 @@ Result<ExitCode> verdict(const MeshRun& run, const Mesh& mesh) {
     warn(run.name + (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
          findings_text(*run.certificate, "the report of --json"));
   }
-  if (!run.report.gaps.empty()) warn(gaps_text(run.report.gaps, run.name, run.first_id));
+  // A mesh that is refined has no gaps in its report.
+  if (const auto* domain = std::get_if<ValidPslg>(&source); domain != nullptr && !run.report.gaps.empty())
+    warn(gaps_text(run.report.gaps, run.name, *domain));
   if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--json"));
   if (broken) return ExitCode::violations;
   if (!run.report.goal_met()) return ExitCode::goal_missed;
@@ -160,7 +175,6 @@ Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Psl
 void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal, Meshed& meshed, MeshRun& run) {
   Stopwatch watch;
   run.name = arguments.input.string();
-  run.first_id = pslg.first_id.value;
   run.points = pslg.points.size();
   run.segments = pslg.segments.size();
   run.holes = pslg.holes.size();
@@ -204,6 +218,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
 
   Options how = arguments.options;
   if (arguments.paranoid) watch_sweeps(arguments, pslg, *goal, run.sweeps_checked.emplace(0), how);
+  watch_size(arguments, run.large, how);
   Result<Meshed> meshed = make_mesh(*input, *goal, with_progress(how, bar));
   if (!meshed) return refuse(why_not_meshed(arguments, *input, meshed.error()));
   watch.lap();
@@ -218,7 +233,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
   bar.finish();
   run.seconds.total = total.seconds();
   if (Status printed = print(arguments, run); !printed) return printed.error();
-  return verdict(run, meshed->mesh);
+  return verdict(run, input->source, meshed->mesh);
 }
 
 }  // namespace

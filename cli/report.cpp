@@ -162,6 +162,7 @@ std::string to_json(const MeshRun& run) {
       {"goal_met", run.report.goal_met()},
       {"peak_rss_bytes", peak_rss_bytes()},
       {"digest", to_string(run.digest)}};
+  if (run.large) json["warnings"].push_back(warning_json(*run.large));
   if (run.certificate) json["certificate"] = nlohmann::ordered_json::parse(to_json(*run.certificate));
   return json_text(json);
 }

@@ -27,10 +27,10 @@ struct Seconds {
 
 struct MeshRun {
   std::string name;  ///< the name of the input file
-  int first_id = 0;  ///< of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   Goal goal;
   std::vector<Warning> warnings;    ///< of the domain
+  std::optional<LeastSize> large;   ///< if the mesh needs very many triangles
   bool hull_by_default = false;     ///< the domain has no segments, and --convex-hull is not given
   bool region_caps_unused = false;  ///< regions have area caps, but the goal ignores them
   std::filesystem::path sizes;      ///< the file of goal.size, or empty

@@ -16,21 +16,25 @@ const char* name(GapKind kind) {
 }
 
 std::string Gap::message(int base) const {
+  // The other rule that makes a narrow place a gap (find_gaps()).
+  const std::string precision = much_narrower * distance < surroundings
+                                    ? "."
+                                    : ", less than 1000 times the shortest edge that double precision allows.";
   const auto id = [&](Index i) { return std::to_string(static_cast<long long>(i) + base); };
   const std::string first = id(points[0]) + " at " + shortest(where), length = shortest(distance);
   switch (kind) {
     case GapKind::close_points:
-      return "The distance of point " + first + " from point " + id(points[1]) + " is only " + length + ".";
+      return "The distance of point " + first + " from point " + id(points[1]) + " is only " + length + precision;
     case GapKind::short_segment:
       return "The length of segment " + id(segment) + " from point " + first + " to point " + id(points[1]) +
-             " is only " + length + ".";
+             " is only " + length + precision;
     case GapKind::point_near_segment:
-      return "The distance of point " + first + " from segment " + id(segment) + " is only " + length + ".";
+      return "The distance of point " + first + " from segment " + id(segment) + " is only " + length + precision;
     case GapKind::point_near_hull:
       break;
   }
   return "The distance of point " + first + " from the side of the convex hull between points " + id(points[1]) +
-         " and " + id(points[2]) + " is only " + length + ".";
+         " and " + id(points[2]) + " is only " + length + precision;
 }
 
 Result<std::vector<Gap>> find_gaps(const ValidPslg& domain, int threads) try {

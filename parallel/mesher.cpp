@@ -11,8 +11,10 @@
 #include "conversion/domain_triangulation.hpp"
 #include "conversion/export_mesh.hpp"
 #include "conversion/find_gaps.hpp"
+#include "conversion/find_least_size.hpp"
 #include "conversion/guarded.hpp"
 #include "conversion/import_mesh.hpp"
+#include "conversion/least_min_edge.hpp"
 #include "conversion/locate_regions.hpp"
 #include "input/findings.hpp"
 #include "refinement/criteria.hpp"
@@ -32,14 +34,6 @@ Status check_valid(const Pslg& pslg, bool convex_hull, const Threads& threads) {
   const std::vector<Problem> problems = find_problems(pslg, {.convex_hull = convex_hull}, threads);
   if (problems.empty()) return Done{};
   return Error{ErrorKind::invalid_input, messages(problems, pslg.first_id.value)};
-}
-
-/// The shortest edge for which double precision suffices: coordinates near 2^k are 2^(k-53) apart. The direction of an
-/// edge 2^11 times as long has three correct digits.
-double least_min_edge(std::span<const Point> points) {
-  double largest = 0;
-  for (const Point p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return largest * 0x1p-42;
 }
 
 /// The data of the input that the result contains, too.
@@ -83,6 +77,15 @@ Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, cons
   return Done{};
 }
 
+/// Calls options.before_refinement, if there is one. Its error ends the run.
+Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, const Options& options,
+                           const Threads& threads) {
+  if (!options.before_refinement) return Done{};
+  const bool all_splits = !options.no_boundary_splits && !options.no_segment_splits;
+  return options.before_refinement(
+      find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
+}
+
 /// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
 Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
                           ProgressMonitor& progress) {
@@ -102,6 +105,8 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   }
   if (goal != nullptr) {
     result.report.gaps = find_gaps(*domain, progress.threads());
+    if (Status wanted = announce_least_size(*domain, *goal, options, progress.threads()); !wanted)
+      return wanted.error();
     const Criteria criteria(guarded(*goal), options.placement, std::move(caps));
     if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
       return refined.error();

@@ -8,6 +8,7 @@
 #include "../core/mesh.hpp"
 #include "../core/pslg.hpp"
 #include "../core/result.hpp"
+#include "least_size.hpp"
 #include "sweep.hpp"
 
 namespace pardel {
@@ -59,11 +60,14 @@ struct Options {
   double min_edge = 0;
   bool no_boundary_splits = false;  ///< do not split segments on the boundary of the domain (Triangle's switch -Y)
   bool no_segment_splits = false;   ///< do not split any segment (Triangle's switch -YY)
-  // If one of the two functions throws, the mesher returns a `usage` error with the text of the exception.
+  // If one of the functions throws, the mesher returns a `usage` error with the text of the exception.
   /// Called in the calling thread during the whole run, about every 4 ms. Return false to stop with
   /// ErrorKind::cancelled: no further task starts, and the mesher returns as soon as each thread has done a few
   /// insertions more.
   std::function<bool(const Progress&)> progress{};
+  /// Called in the calling thread by mesh(), before the refinement, with a lower bound on the size of the mesh. An
+  /// Error ends the run, and mesh() returns it. The bound is 0 if segments may not be split.
+  std::function<Status(const LeastSize&)> before_refinement{};
   /// Called in the calling thread after each sweep, with a copy of the mesh. That mesh is constrained Delaunay and
   /// conforms to the domain; it need not satisfy the goal yet. An Error stops the refinement, and mesh() returns it.
   std::function<Status(const Mesh&, const Sweep&)> after_sweep{};

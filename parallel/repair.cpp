@@ -7,6 +7,8 @@
 
 #include "concurrency/bounding_box.hpp"
 #include "conversion/find_gaps.hpp"
+#include "conversion/guarded.hpp"
+#include "conversion/narrowest_part.hpp"
 #include "gaps.hpp"
 #include "input/repair_once.hpp"
 
@@ -48,7 +50,8 @@ std::vector<Gap> tiny_gaps(const ValidPslg& domain, double tiny, StopSignal& sto
   if (!triangulated) return {};
   std::vector<Gap> gaps = find_gaps(*triangulated, one);
   std::erase_if(gaps, [&](const Gap& gap) {
-    return gap.kind == GapKind::point_near_hull || gap.distance > tiny || 1000 * gap.distance > gap.surroundings;
+    return gap.kind == GapKind::point_near_hull || gap.distance > tiny ||
+           much_narrower * gap.distance > gap.surroundings;
   });
   return gaps;
 }
@@ -88,6 +91,18 @@ Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
   return repaired;
 } catch (const Stopped& stopped) {
   return stopped.error;
+}
+
+Result<bool> keeps_all_parts(const ValidPslg& domain, double snap) try {
+  const Result<DomainTriangulation> triangulated = triangulate_domain(domain.pslg(), domain.convex_hull());
+  if (!triangulated) return triangulated.error();
+  if (narrowest_part(*triangulated) <= snap) return false;
+  const Result<Repaired> repaired = repair(domain.pslg(), {.snap = snap, .convex_hull = domain.convex_hull()});
+  if (!repaired) return repaired.error().kind == ErrorKind::invalid_input ? Result<bool>(false) : repaired.error();
+  const Pslg& after = repaired->domain.pslg();
+  return after.holes.size() == domain.pslg().holes.size() && after.regions.size() == domain.pslg().regions.size();
+} catch (...) {
+  return error_of_exception();
 }
 
 }  // namespace pardel

@@ -12,6 +12,7 @@
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../triangulation/triangle_shape.hpp"
+#include "straight_walk.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -71,15 +72,15 @@ class GapSearch {
   }
 
  private:
-  [[nodiscard]] double distance(VertexId u, VertexId v) const {
-    return engine::distance(t_.points[u], t_.points[v]);
-  }
+  [[nodiscard]] double distance(VertexId u, VertexId v) const { return engine::distance(t_.points[u], t_.points[v]); }
   /// The longest segment at a vertex; infinity for an isolated vertex.
   [[nodiscard]] double longest_at(VertexId v) const { return longest_[v] > 0 ? longest_[v] : INFINITY; }
   [[nodiscard]] Index input(VertexId v) const { return domain_.input_of_vertex[v]; }
 
+  /// Nobody drew the sides of the convex hull. Among many random points some are near them, which means nothing.
   void add(GapKind kind, std::vector<Index> points, Index segment, double wide, double surroundings, Point where) {
-    if (wide < narrow_.always || (wide < narrow_.relatively && 1000 * wide < surroundings))
+    const bool is_drawn = kind != GapKind::point_near_hull;
+    if (wide < narrow_.always || (is_drawn && wide < narrow_.relatively && much_narrower * wide < surroundings))
       gaps_.push_back({kind, std::move(points), segment, wide, surroundings, where});
   }
 
@@ -96,22 +97,9 @@ class GapSearch {
   /// Walks from a corner of a flat triangle straight across the longest side, to a segment if there is one.
   void find_segment_below(TriangleId id, const Shape& shape) {
     const auto largest = static_cast<unsigned>(std::ranges::max_element(shape.squared) - shape.squared.begin());
-    const VertexId top = t_.slots[id].v[largest];
-    const Point p = shape.p[largest], a = shape.p[next_corner[largest]], b = shape.p[previous_corner[largest]];
-    const auto lies_ahead = [&](VertexId v) {
-      return (b.x - a.x) * (t_.points[v].x - p.x) + (b.y - a.y) * (t_.points[v].y - p.y) > 0;
-    };
-    constexpr int most_steps = 64;
-    EdgeRef e(id, largest);
-    for (int step = 0; step < most_steps; ++step) {
-      const EdgeRef across = t_.slot(e).n[e.side()];
-      if (across.constrained()) return add_beside(top, e);
-      const Slot& next = t_.slot(across);
-      const unsigned apex = across.side();
-      // The apex replaces the end of the side on which it lies.
-      const bool replaces_from = lies_ahead(next.apex(apex)) == lies_ahead(next.from(apex));
-      e = EdgeRef(across.triangle(), replaces_from ? next_corner[apex] : previous_corner[apex]);
-    }
+    const StraightWalk walk(t_, shape.p[largest], shape.p[next_corner[largest]], shape.p[previous_corner[largest]]);
+    const EdgeRef e = walk.to_constraint(EdgeRef(id, largest));
+    if (!e.none()) add_beside(t_.slots[id].v[largest], e);
   }
 
   void add_beside(VertexId top, EdgeRef e) {

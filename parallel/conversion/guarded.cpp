@@ -48,6 +48,10 @@ Options guarded(Options options) {
     options.progress = [progress = std::move(options.progress)](const Progress& now) {
       return guarded_call([&] { return progress(now); }, [] { return std::string("Options::progress"); });
     };
+  if (options.before_refinement)
+    options.before_refinement = [call = std::move(options.before_refinement)](const LeastSize& least) {
+      return guarded_call([&] { return call(least); }, [] { return std::string("Options::before_refinement"); });
+    };
   if (options.after_sweep)
     options.after_sweep = [after_sweep = std::move(options.after_sweep)](const Mesh& mesh, const Sweep& sweep) {
       return guarded_call([&] { return after_sweep(mesh, sweep); }, [] { return std::string("Options::after_sweep"); });

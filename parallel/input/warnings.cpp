@@ -1,12 +1,16 @@
 #include "../warnings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "../../core/support/shortest.hpp"
 #include "../segments/faces.hpp"
 #include "../segments/plane_sweep.hpp"
+#include "far_part.hpp"
 
 namespace pardel {
 
@@ -55,8 +59,18 @@ class Groups {
 
 }  // namespace
 
+const char* name(WarningKind kind) {
+  constexpr std::array names{"open_outline", "far_part"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
 std::string Warning::message(int base) const {
-  const std::string first = std::to_string(static_cast<long long>(segments[0]) + base);
+  const auto id = [&](Index i) { return std::to_string(static_cast<long long>(i) + base); };
+  if (kind == WarningKind::far_part)
+    return (segments.empty() ? "Point " + id(points[0]) : "Segment " + id(segments[0])) + " at " + shortest(where) +
+           " lies far away from everything else. Without it, the extent of the domain would be " +
+           shortest(extent_without) + ".";
+  const std::string first = id(segments[0]);
   const std::string which = segments.size() == 1
                                 ? "Segment " + first + " has an open end"
                                 : std::to_string(segments.size()) + " segments, the first of them segment " + first +
@@ -68,21 +82,22 @@ std::string Warning::message(int base) const {
 
 std::vector<Warning> find_warnings(const ValidPslg& domain) {
   const Pslg& pslg = domain.pslg();
+  std::vector<Warning> warnings;
+  if (std::optional<Warning> far = find_far_part(pslg)) warnings.push_back(std::move(*far));
   const std::vector<Index> degree = degrees(pslg);
-  if (domain.convex_hull() || std::find(degree.begin(), degree.end(), 1U) == degree.end()) return {};
+  if (domain.convex_hull() || std::find(degree.begin(), degree.end(), 1U) == degree.end()) return warnings;
   const std::vector<bool> outside = segments_outside(pslg);
   Groups groups(pslg, outside);
   std::vector<Index> open_end(pslg.points.size(), no_index), number(pslg.points.size(), no_index);
   for (Index s = 0; s < outside.size(); ++s)
     for (const Index end : {pslg.segments[s].a, pslg.segments[s].b})
       if (outside[s] && degree[end] == 1) open_end[groups.root(end)] = end;
-  std::vector<Warning> warnings;
   for (Index s = 0; s < outside.size(); ++s) {
     const Index group = groups.root(pslg.segments[s].a);
     if (!outside[s] || open_end[group] == no_index) continue;
     if (number[group] == no_index) {
       number[group] = static_cast<Index>(warnings.size());
-      warnings.push_back({{}, pslg.points[open_end[group]]});
+      warnings.push_back({WarningKind::open_outline, {}, pslg.points[open_end[group]]});
     }
     warnings[number[group]].segments.push_back(s);
   }

@@ -188,6 +188,7 @@ std::string to_json(const Certificate& certificate) {
                          {"angle_deg", j.angle_deg}});
   Json json{{"schema", "pardel.certificate/1"},
             {"valid", certificate.valid},
+            {"cancelled", certificate.cancelled},
             {"goal", to_json(certificate.goal)},
             {"mesh",
              {{"vertices", certificate.vertices},

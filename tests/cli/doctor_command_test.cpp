@@ -129,6 +129,23 @@ TEST_F(DoctorCommand, and_mesh_warn_of_an_outline_that_is_not_closed_beside_a_cl
   EXPECT_TRUE(holds(mesh.err, {warning}));
 }
 
+TEST_F(DoctorCommand, names_no_snapping_distance_without_saying_that_it_removes_the_domain) {
+  write("plate.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-8\n4 0 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const Ran ran = pardel({"doctor", "plate.poly"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(
+      holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a narrow part of the domain"}));
+  EXPECT_EQ(pardel({"doctor", "plate.poly", "--repair", "fixed.poly", "--snap", "2.2e-8"}).exit_code, 3);
+}
+
+TEST_F(DoctorCommand, warns_of_a_point_far_away_from_everything_else) {
+  write("far.poly", "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0.5\n6 -500 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const Ran ran = pardel({"doctor", "far.poly", "--json", "far.json"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"far.poly: warning: Point 6 at (-500, 0) lies far away from everything else."}));
+  EXPECT_TRUE(holds(read("far.json"), {R"("kind": "far_part")"}));
+}
+
 TEST_F(DoctorCommand, and_mesh_warn_of_gaps_and_name_a_snapping_distance_that_closes_them) {
   write("gap.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   const std::string message = "The distance of point 5 at (0.5, 1e-08) from segment 1 is only 1e-08.";

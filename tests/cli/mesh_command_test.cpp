@@ -316,6 +316,21 @@ TEST_F(MeshCommand, a_repair_that_leaves_no_domain_is_an_error_and_not_a_mesh_of
   EXPECT_FALSE(exists("m.vtu"));
 }
 
+TEST_F(MeshCommand, warns_before_the_refinement_of_a_mesh_with_very_many_triangles) {
+  write("plate.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-9\n4 0 1e-9\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const std::string warning = "plate.poly: warning: The domain is only 1e-09 wide at (0.125, 0).";
+  const Ran stopped = pardel({"mesh", "plate.poly", "-o", "m.vtu", "--progress", "always"},
+                             {.interrupt_when = "million triangles. --max-vertices limits their number"});
+  EXPECT_EQ(stopped.exit_code, 130) << stopped;
+  EXPECT_TRUE(holds(stopped.err, {warning, "needs at least 377.9 million triangles."}));
+  const Ran limited = pardel({"mesh", "plate.poly", "-o", "m.vtu", "--max-vertices", "1000"});
+  EXPECT_EQ(limited.exit_code, 4) << limited;
+  EXPECT_EQ(limited.err.find("million"), std::string::npos) << limited;
+  const Ran none = pardel({"mesh", "plate.poly", "-o", "m.vtu", "--min-angle", "0"});
+  EXPECT_EQ(none.exit_code, 0) << none;
+  EXPECT_EQ(none.err.find("million"), std::string::npos) << none;
+}
+
 TEST_F(MeshCommand, a_byte_order_mark_at_the_beginning_of_a_file_is_skipped) {
   const std::string mark = "\xEF\xBB\xBF";
   write("square.poly", square_poly);

@@ -41,6 +41,15 @@ TEST_F(RealInputs, that_are_meshed_give_code_0_and_one_line_each) {
   EXPECT_NE(read("runs.csv").find("b.poly,20.7,valid,0"), std::string::npos);
 }
 
+TEST_F(RealInputs, have_their_lines_in_the_table_before_the_next_input_is_meshed) {
+  write("a.poly", square);
+  write("b.poly", square);
+  const std::string folder = folder_ / "work";
+  const Ran ran = run_with("cat " + folder + "/runs.csv >> " + folder + "/seen.csv");
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_NE(read("seen.csv").find("a.poly,20.7,valid,0"), std::string::npos);
+}
+
 TEST_F(RealInputs, that_cannot_be_repaired_are_refused_and_give_code_0) {
   write("a.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 1 1\n2 0\n0 0 1\n1 1 2\n0\n");
   const Ran ran = run_with(":");

@@ -71,6 +71,15 @@ TEST(Gaps, are_a_short_segment_between_long_ones) {
   EXPECT_EQ(gaps[0].segment, 3);
 }
 
+TEST(Gaps, in_small_surroundings_are_too_narrow_for_double_precision_and_their_messages_say_so) {
+  Pslg island = square(1);
+  add_square(island, 1e-10, {0.5, 0.5});
+  const std::vector<Gap> gaps = gaps_of(island);
+  ASSERT_FALSE(gaps.empty());
+  for (const Gap& gap : gaps)
+    EXPECT_TRUE(gap.message().ends_with(", less than 1000 times the shortest edge that double precision allows."));
+}
+
 TEST(Gaps, are_a_point_beside_the_convex_hull) {
   const std::vector<Gap> gaps = gaps_of(points_only({{0, 0}, {1, 0}, {0.5, 1}, {0.5, 0x1p-44}}));
   ASSERT_EQ(gaps.size(), 1);
@@ -78,6 +87,11 @@ TEST(Gaps, are_a_point_beside_the_convex_hull) {
   EXPECT_EQ(gaps[0].points.size(), 3);
   EXPECT_EQ(gaps[0].points[0], 3);
   EXPECT_EQ(closing_snap(gaps), 0);
+}
+
+TEST(Gaps, are_not_random_points_that_happen_to_lie_near_a_side_of_the_convex_hull) {
+  EXPECT_TRUE(gaps_of(points_only({{0, 0}, {1, 0}, {0.5, 1}, {0.5, 1e-8}})).empty());
+  EXPECT_TRUE(gaps_of(domains::random_points(300'000, 1)).empty());
 }
 
 TEST(Gaps, are_not_small_shapes_nor_places_outside_the_domain) {

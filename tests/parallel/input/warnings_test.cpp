@@ -29,6 +29,35 @@ TEST(Warnings, name_an_outline_that_is_not_closed_beside_a_closed_one) {
             "domain. They are not in the mesh.");
 }
 
+TEST(Warnings, name_a_point_or_a_segment_that_is_far_away_from_everything_else) {
+  Pslg point = square(4);
+  add_square(point, 1, {1, 1});
+  point.points.push_back({1, 600});
+  const std::vector<Warning> warnings = find_warnings(*validate(point));
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0].kind, WarningKind::far_part);
+  EXPECT_EQ(warnings[0].points, (std::vector<Index>{8}));
+  EXPECT_EQ(warnings[0].message(1),
+            "Point 9 at (1, 600) lies far away from everything else. Without it, the extent of the domain would be 4.");
+  Pslg segment = point;
+  segment.points.push_back({5, 700});
+  segment.segments.push_back({8, 9, 0});
+  const std::vector<Warning> of_segment = find_warnings(*validate(segment));
+  ASSERT_EQ(of_segment.size(), 2);
+  EXPECT_EQ(of_segment[0].segments, (std::vector<Index>{8}));
+  EXPECT_TRUE(of_segment[0].message().starts_with("Segment 8 at (5, 700) lies far away from everything else."));
+  EXPECT_EQ(of_segment[1].kind, WarningKind::open_outline);
+}
+
+TEST(Warnings, are_none_for_parts_at_a_moderate_distance_or_with_more_than_two_points) {
+  Pslg near = square(4);
+  near.points.insert(near.points.end(), {{1, 100}, {1, 1}});
+  EXPECT_TRUE(find_warnings(*validate(near)).empty());
+  Pslg island = square(4);
+  add_square(island, 1, {10000, 0});
+  EXPECT_TRUE(find_warnings(*validate(island)).empty());
+}
+
 TEST(Warnings, name_a_single_segment_in_a_hole) {
   Pslg pslg = square(8);
   add_square(pslg, 4, {2, 2});

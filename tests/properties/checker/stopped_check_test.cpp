@@ -108,6 +108,7 @@ TEST(Checker, that_its_caller_stops_says_so_and_gives_no_verdict) {
     EXPECT_FALSE(certificate.valid);
     EXPECT_EQ(asked, last) << "the caller is not asked again";
     EXPECT_TRUE(to_text(certificate).starts_with("cancelled: "));
+    EXPECT_NE(to_json(certificate).find(R"("cancelled": true)"), std::string::npos);
   }
 }
 
