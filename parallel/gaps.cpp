@@ -5,8 +5,8 @@
 
 #include "../core/support/shortest.hpp"
 #include "concurrency/parallel_for.hpp"
-#include "conversion/find_gaps.hpp"
 #include "conversion/guarded.hpp"
+#include "diagnosis/find_gaps.hpp"
 
 namespace pardel {
 

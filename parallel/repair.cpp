@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "concurrency/bounding_box.hpp"
-#include "conversion/find_gaps.hpp"
 #include "conversion/guarded.hpp"
-#include "conversion/narrowest_part.hpp"
+#include "diagnosis/find_gaps.hpp"
+#include "diagnosis/narrowest_part.hpp"
 #include "gaps.hpp"
 #include "input/repair_once.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "../arithmetic/distance.hpp"
 #include "../concurrency/parallel_arrays.hpp"
+#include "../conversion/least_min_edge.hpp"
 #include "../triangulation/triangle_shape.hpp"
-#include "least_min_edge.hpp"
 #include "straight_walk.hpp"
 
 namespace pardel::engine {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "../conversion/domain_triangulation.hpp"
 #include "../gaps.hpp"
-#include "domain_triangulation.hpp"
 
 namespace pardel::engine {
 

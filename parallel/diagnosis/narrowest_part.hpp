@@ -1,7 +1,7 @@
 // The width of the narrowest connected part of a domain.
 #pragma once
 
-#include "domain_triangulation.hpp"
+#include "../conversion/domain_triangulation.hpp"
 
 namespace pardel::engine {
 

@@ -1,8 +1,8 @@
 // Finds a lower bound on the size of the mesh of a domain in its constrained Delaunay triangulation.
 #pragma once
 
+#include "../conversion/domain_triangulation.hpp"
 #include "../least_size.hpp"
-#include "domain_triangulation.hpp"
 
 namespace pardel::engine {
 
