@@ -30,6 +30,21 @@ Size function_of(const Raster& raster, const std::string& name, const ValidPslg&
   return interpolated_size(raster, name);
 }
 
+Size function_of(const Mesh& background, const std::string& name, const ValidPslg&) {
+  const std::size_t width = background.attributes_per_point;
+  if (width == 0) {
+    return Error{ErrorKind::invalid_input,
+                 fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu the point "
+                             "array 'size' or 'attributes', in a .msh $NodeData, in a .node the first attribute)",
+                             name)};
+  }
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < background.points.size(); ++i) sizes.push_back(background.point_attributes[i * width]);
+  Size size = interpolated_size(background, sizes);
+  if (!size) return Error{size.error().kind, name + ": " + size.error().message};
+  return size;
+}
+
 Size function_of(std::monostate, const std::string&, const ValidPslg&) { return std::function<double(Point)>(); }
 
 }  // namespace
@@ -41,6 +56,7 @@ Result<SizeField> read_size_field(const std::filesystem::path& file) {
     return SizeField(std::move(*read));
   };
   if (file.extension() == ".asc" || file.extension() == ".npy") return field(read_raster(file));
+  if (const auto format = mesh_format(file); format && format != MeshFormat::svg) return field(read_mesh(file));
   return field(read_sizes(file));
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "../core/mesh.hpp"
 #include "../core/raster.hpp"
 #include "../core/result.hpp"
 #include "../parallel/validate.hpp"
@@ -16,9 +17,11 @@ namespace pardel::cli {
 /// One edge length per input point.
 using PointSizes = std::vector<double>;
 /// What a file of edge lengths has; nothing if there is no file.
-using SizeField = std::variant<std::monostate, PointSizes, Raster>;
+/// Of a mesh, the first attribute of a point is the length there.
+using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 
-/// Reads a file of edge lengths: a raster if the suffix is .asc or .npy. An empty path means no file.
+/// Reads a file of edge lengths: a raster if the suffix is .asc or .npy, a mesh if it is the suffix of a mesh. An empty
+/// path means no file.
 [[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file);
 
 /// The function for Goal::size. `name` names the file in messages. Fails with `invalid_input` if the field does not fit

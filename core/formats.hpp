@@ -47,10 +47,11 @@ enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, triangle };
 ///                out, and the nodes after them get smaller indices.
 ///   .msh         versions 4.1 and 2.x, ASCII or binary. Triangles are read, lines become constrained edges, points are
 ///                ignored. The attribute of a region and the marker of an edge are X and N for physical groups named
-///                `region X` and `marker N`, else the tag of the group. Points get neither markers nor attributes.
+///                `region X` and `marker N`, else the tag of the group. Points get no markers. Their attribute is the
+///                first value of the first $NodeData.
 ///   .vtu         one piece, not compressed or compressed by zlib; arrays as text, base64 or raw bytes. Triangles are
 ///                read, lines become constrained edges. Cell arrays `region` and `marker` (of lines), point arrays
-///                `marker` and `attributes`.
+///                `marker` and `attributes` or, without `attributes`, `size`.
 ///   .off         triangles, and the constrained edges that write_off() lists in comments.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
 

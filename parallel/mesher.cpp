@@ -7,6 +7,7 @@
 
 #include "../core/support/shortest.hpp"
 #include "../core/support/stopwatch.hpp"
+#include "arithmetic/predicates.hpp"
 #include "concurrency/parallel_for.hpp"
 #include "conversion/domain_triangulation.hpp"
 #include "conversion/export_mesh.hpp"
@@ -131,15 +132,36 @@ Status check_threads(int threads) {
   return Error{ErrorKind::usage, "the number of threads must be zero or positive, not " + std::to_string(threads)};
 }
 
-Status check_sizes(const Pslg& pslg, std::span<const double> sizes) {
-  if (sizes.size() != pslg.points.size())
+template <class Points>
+Status check_sizes(const Points& of, std::span<const double> sizes) {
+  if (sizes.size() != of.points.size())
     return Error{ErrorKind::invalid_input,
-                 std::to_string(sizes.size()) + " sizes for " + std::to_string(pslg.points.size()) + " points"};
+                 std::to_string(sizes.size()) + " sizes for " + std::to_string(of.points.size()) + " points"};
   for (std::size_t v = 0; v < sizes.size(); ++v)
     if (!(sizes[v] > 0 && sizes[v] < INFINITY))
-      return Error{ErrorKind::invalid_input, "the size at point " + std::to_string(v + pslg.first_id.value) +
+      return Error{ErrorKind::invalid_input, "the size at point " + std::to_string(v + of.first_id.value) +
                                                  " must be positive, not " + shortest(sizes[v])};
   return Done{};
+}
+
+/// The triangles of a background, counter-clockwise.
+Result<std::vector<std::array<Index, 3>>> triangles_of_background(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return Error{ErrorKind::invalid_input, "the mesh of the sizes has no triangles"};
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<Index, 3> v = triangle.v;
+    const auto fault = [&](const char* what) {
+      return Error{ErrorKind::invalid_input, "triangle " + std::to_string(triangles.size() + mesh.first_id.value) +
+                                                 " of the mesh of the sizes " + what};
+    };
+    if (std::ranges::any_of(v, [&](Index i) { return i >= mesh.points.size(); }))
+      return fault("has a corner that does not exist");
+    const double area = orient2d(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
+    if (area == 0) return fault("is flat");
+    if (area < 0) std::swap(v[0], v[1]);
+    triangles.push_back(v);
+  }
+  return triangles;
 }
 
 /// Precondition: the Pslg is valid and check_sizes() accepts the sizes.
@@ -268,6 +290,19 @@ Result<std::function<double(Point)>> interpolated_size(const ValidPslg& domain, 
   if (Status fit = check_sizes(domain.pslg(), sizes); !fit) return fit.error();
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
     return interpolate_sizes(domain.pslg(), sizes, domain.convex_hull(), safe, progress);
+  });
+}
+
+Result<std::function<double(Point)>> interpolated_size(const Mesh& background, std::span<const double> sizes,
+                                                       const Options& options) {
+  using Size = Result<std::function<double(Point)>>;
+  if (Status fit = check_sizes(background, sizes); !fit) return fit.error();
+  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Size {
+    Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
+    if (!triangles) return triangles.error();
+    auto located = std::make_shared<Background>(background.points, std::move(*triangles), progress.threads());
+    return std::function<double(Point)>(OnBackground<PointValues>{std::make_shared<const PointValues>(
+        std::move(located), std::vector<double>(sizes.begin(), sizes.end()), true)});
   });
 }
 

@@ -77,7 +77,16 @@ inline constexpr double largest_min_angle_deg = 33;
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const ValidPslg& domain,
                                                                      std::span<const double> sizes,
                                                                      const Options& options = {});
-/// The same, after validation as in mesh().
+/// Makes a function for Goal::size from one edge length per point of any mesh, for example the result of an earlier
+/// computation. Beside the mesh, the length at the nearest point counts. Farther away than the length of the longest
+/// side of the nearest triangle, the function throws an Error (`invalid_input`), which the mesher returns.
+///
+/// Errors: `invalid_input` if a size is not finite and > 0, if there is no triangle, or if an index of a triangle is
+/// out of range or a triangle is flat. Orientations may differ. Where triangles overlap, one of them counts.
+[[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Mesh& background,
+                                                                     std::span<const double> sizes,
+                                                                     const Options& options = {});
+/// The same for a domain, after validation as in mesh().
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
                                                                      bool convex_hull = false,
                                                                      const Options& options = {});

@@ -18,11 +18,10 @@ def read_domain(path):
     return points, {int(row[0]): (int(row[1]), int(row[2])) for row in segments}
 
 
-def narrow_gaps(gaps, domain):
-    """The gaps that are too narrow for double precision. The mesher makes no edge shorter than 2^-42 of the largest
-    coordinate. Around a gap of up to 1,000 such lengths not all bounds can hold."""
-    narrow = 2.0 ** -32 * max(abs(c) for p in domain[0].values() for c in p)
-    return [gap for gap in gaps if gap["distance"] <= narrow]
+def narrow_width(points):
+    """The width of gaps that are too narrow for double precision. The mesher makes no edge shorter than 2^-42 of the
+    largest coordinate. Around a gap of up to 1,000 such lengths not all bounds can hold."""
+    return 2.0 ** -32 * max(abs(c) for p in points.values() for c in p)
 
 
 def distance(p, a, b):
@@ -46,9 +45,23 @@ def runs_along(domain, gap, centre, radius):
     return is_near(segments[gap["segment"]]) and any(is_near(s) for s in segments.values() if gap["points"][0] in s)
 
 
+def width_at(domain, gap, place):
+    """The width of the gap at a place. If the sides of the gap meet, they are a wedge, and it shrinks to the apex."""
+    points, segments = domain
+    if gap["kind"] != "point_near_segment":
+        return gap["distance"]
+    point = gap["points"][0]
+    for apex in segments[gap["segment"]]:
+        if any({point, apex} == set(s) for s in segments.values()):
+            return gap["distance"] * math.dist(place, points[apex]) / math.dist(points[point], points[apex])
+    return gap["distance"]
+
+
 def explains(domain, gap, corners):
-    """True if the gap is near the triangle with these corners."""
+    """True if the gap is near the triangle with these corners, and too narrow there."""
     centre = tuple(sum(c) / 3 for c in zip(*corners))
+    if width_at(domain, gap, centre) > narrow_width(domain[0]):
+        return False
     longest = max(math.dist(a, b) for a in corners for b in corners)
     # "Near" includes some triangles in between, because a triangle that misses a bound spoils those around it.
     radius = 10 * (longest + gap["distance"])

@@ -69,6 +69,7 @@ class MshReader {
     if (section == "$Entities" && version_ > 4) return read_entities();
     if (section == "$Nodes") return version_ > 4 ? read_nodes() : read_nodes_2();
     if (section == "$Elements") return version_ > 4 ? read_elements() : read_elements_2();
+    if (section == "$NodeData" && has_nodes_ && mesh_.point_attributes.empty()) return read_node_data();
     if (!section.starts_with('$')) return in_.fail("expected a section, found " + in_quotes(section));
     const std::string end = "$End" + std::string(section.substr(1));
     const std::size_t at = in_.rest().find("\n" + end);
@@ -261,6 +262,42 @@ class MshReader {
     }
     if (mesh_.triangles.size() > max_mesh_triangles) in_.fail("more triangles than a mesh can hold");
     expect_end("$EndElements");
+  }
+
+  /// Lists of strings, numbers and integers, each after its length; the integers are the time step, the number of
+  /// values per node and the number of nodes. Then `tag values...` for each node. The first value becomes the attribute
+  /// of the point. The lists are text, also in binary files.
+  void read_node_data() {
+    for (const std::string_view list : {"the number of strings", "the number of numbers"}) {
+      in_.expect_line(list);
+      for (std::size_t n = in_.count(list); n > 0 && !in_.failed(); --n) in_.expect_line("a line of the list");
+    }
+    in_.expect_line("the number of integers");
+    std::array<std::size_t, 3> integers{};
+    const std::size_t n = in_.count("the number of integers");
+    for (std::size_t i = 0; i < n && !in_.failed(); ++i) {
+      in_.expect_line("an integer");
+      const std::size_t value = in_.count("an integer");
+      if (i < integers.size()) integers[i] = value;
+    }
+    const auto [step, values, nodes] = integers;
+    if (n < 3 || values == 0 || !source_.room_for(nodes, 1 + values, "values at nodes"))
+      return in_.fail("expected the number of values per node and the number of nodes");
+    mesh_.attributes_per_point = 1;
+    mesh_.point_attributes.resize(nodes_.size(), std::numeric_limits<double>::quiet_NaN());
+    source_.open_section();
+    for (std::size_t i = 0; i < nodes && source_.record("node", i, nodes); ++i) read_value_of_node(values);
+    for (std::size_t i = 0; i < nodes_.size() && !in_.failed(); ++i)
+      if (std::isnan(mesh_.point_attributes[i])) in_.fail("$NodeData has no value for every node");
+    expect_end("$EndNodeData");
+  }
+
+  void read_value_of_node(std::size_t values) {
+    const std::int64_t tag = source_.integer("a node's tag", 1, any_marker_high);
+    const double first = source_.number("a value at a node");
+    for (std::size_t k = 1; k < values; ++k) source_.number("a value at a node");
+    const Index node = nodes_.find(static_cast<std::size_t>(tag));
+    if (node != no_index) mesh_.point_attributes[node] = first;
   }
 
   /// Version 2: `tag x y z`. The number of nodes is text, also in binary files.

@@ -135,6 +135,7 @@ class VtuMesh {
     const auto markers = values<std::int64_t>(markers_array, file_.points());
     for (std::size_t i = 0; i < markers.size(); ++i) mesh_.point_markers.push_back(marker(markers_array, markers, i));
     const VtuArray* attributes = file_.find("PointData", "attributes");
+    if (attributes == nullptr) attributes = file_.find("PointData", "size");
     if (attributes == nullptr || file_.points() == 0) return;
     mesh_.point_attributes = values<double>(attributes);
     mesh_.attributes_per_point = mesh_.point_attributes.size() / file_.points();

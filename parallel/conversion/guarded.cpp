@@ -66,6 +66,8 @@ Error error_of_exception() {
     return {ErrorKind::resources, "out of memory"};
   } catch (const CallbackError& e) {
     return e.error;
+  } catch (const Error& e) {
+    return e;
   }
 }
 

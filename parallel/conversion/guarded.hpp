@@ -21,8 +21,8 @@ struct CallbackError {
 /// The options with guarded functions. They throw CallbackError if the functions of the caller throw.
 [[nodiscard]] Options guarded(Options options);
 
-/// Call this where an exception has been caught. Returns the error of a CallbackError, and `resources` for
-/// std::bad_alloc. Throws all other exceptions again.
+/// Call this where an exception has been caught. Returns the error of a CallbackError, an Error itself, and `resources`
+/// for std::bad_alloc. Throws all other exceptions again.
 [[nodiscard]] Error error_of_exception();
 
 }  // namespace pardel::engine

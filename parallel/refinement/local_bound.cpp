@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "../../core/result.hpp"
+#include "../../core/support/shortest.hpp"
+
 namespace pardel::engine {
 namespace {
 
@@ -13,6 +16,13 @@ LocalBound with_hint(const std::function<double(Point)>& function) {
 }
 
 }  // namespace
+
+double PointValues::at(Point p, LocationHint& hint) const {
+  const Located found = background->locate(p, hint);
+  if (limited && !background->is_near(found, p))
+    throw Error{ErrorKind::invalid_input, "the mesh of the sizes does not cover " + shortest(p)};
+  return background->value_at(found, values);
+}
 
 LocalBound local_bound(std::function<double(Point)> function) {
   if (!function) return {};

@@ -10,11 +10,13 @@
 
 namespace pardel::engine {
 
-/// A function that interpolates values at the points of a background.
+/// A function that interpolates values at the points of a background. With limited == true it throws an Error at points
+/// that are farther from the background than the longest side of the nearest triangle.
 struct PointValues {
   std::shared_ptr<const Background> background;
   std::vector<double> values;
-  [[nodiscard]] double at(Point p, LocationHint& hint) const { return background->interpolate(p, values, hint); }
+  bool limited = false;
+  [[nodiscard]] double at(Point p, LocationHint& hint) const;
 };
 /// A function that is constant on each triangle of a background. The values have to outlive it.
 struct TriangleValues {

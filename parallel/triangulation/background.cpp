@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../../core/neighbours.hpp"
+#include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/hilbert_order.hpp"
 #include "triangulation.hpp"
@@ -169,11 +170,7 @@ Located Background::search(Point p) const {
     Located here;
     if (walk(p, leaf, 1, here) == Walk::inside) return here;
     here = weights_in(static_cast<Index>(node - leaf_count_), p);
-    Point q{0, 0};
-    for (unsigned i = 0; i < 3; ++i) {
-      q.x += here.weight[i] * points_[here.v[i]].x;
-      q.y += here.weight[i] * points_[here.v[i]].y;
-    }
+    const Point q = point_at(here);
     const bool inside = here.weight[0] > 0 && here.weight[1] > 0 && here.weight[2] > 0;
     const double distance = inside ? 0 : (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
     if (distance < best_distance) {
@@ -184,11 +181,26 @@ Located Background::search(Point p) const {
   return best;
 }
 
-double Background::interpolate(Point p, std::span<const double> value_per_point, LocationHint& hint) const {
-  const Located at = locate(p, hint);
+Point Background::point_at(const Located& at) const {
+  Point q{0, 0};
+  for (unsigned i = 0; i < 3; ++i) {
+    q.x += at.weight[i] * points_[at.v[i]].x;
+    q.y += at.weight[i] * points_[at.v[i]].y;
+  }
+  return q;
+}
+
+double Background::value_at(const Located& at, std::span<const double> value_per_point) const {
   double value = 0;
   for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * value_per_point[at.v[i]];
   return value;
+}
+
+bool Background::is_near(const Located& at, Point p) const {
+  if (at.weight[0] > 0 && at.weight[1] > 0 && at.weight[2] > 0) return true;
+  const std::array<Point, 3> c{points_[at.v[0]], points_[at.v[1]], points_[at.v[2]]};
+  const double longest = std::max({distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0])});
+  return distance(point_at(at), p) <= longest;
 }
 
 }  // namespace pardel::engine

@@ -43,11 +43,12 @@ class Background {
     return locate(p, none);
   }
   /// The linear interpolation of the values at the points.
-  [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point, LocationHint& hint) const;
+  [[nodiscard]] double value_at(const Located& at, std::span<const double> value_per_point) const;
   [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point) const {
-    LocationHint none;
-    return interpolate(p, value_per_point, none);
+    return value_at(locate(p), value_per_point);
   }
+  /// True if p is in the triangle at which it was located, or not farther from it than the length of its longest side.
+  [[nodiscard]] bool is_near(const Located& at, Point p) const;
 
  private:
   /// A leaf of the hierarchy: a triangle, with its neighbours as leaves.
@@ -65,6 +66,7 @@ class Background {
   [[nodiscard]] Located search(Point p) const;
   [[nodiscard]] Located weights_in(Index leaf, Point p) const;
   [[nodiscard]] Located nearest_in(Index leaf, Point p) const;
+  [[nodiscard]] Point point_at(const Located& at) const;
 
   std::vector<Point> points_;
   std::vector<Leaf> leaves_;

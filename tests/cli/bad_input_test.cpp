@@ -251,6 +251,19 @@ TEST_F(BadInput, a_raster_that_does_not_cover_the_domain_is_refused_with_the_poi
   EXPECT_TRUE(holds(zero.err, {"zero.asc: the size in row 1, column 2", "at (0.75, 0.75), is 0"}));
 }
 
+TEST_F(BadInput, a_mesh_of_sizes_without_values_or_too_small_is_refused) {
+  write("square.poly", square_poly);
+  write("small.node", "3 2 1 0\n1 0 0 0.1\n2 0.1 0 0.1\n3 0 0.1 0.1\n");
+  write("small.ele", "1 3 0\n1 1 2 3\n");
+  const Ran small = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "small.node"});
+  EXPECT_EQ(small.exit_code, 3) << small;
+  EXPECT_TRUE(holds(small.err, {"the mesh of the sizes does not cover ("}));
+  write("plain.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Ran plain = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "plain.off"});
+  EXPECT_EQ(plain.exit_code, 3) << plain;
+  EXPECT_TRUE(holds(plain.err, {"plain.off: the mesh has no values at its points", "$NodeData"}));
+}
+
 TEST_F(BadInput, problems_are_numbered_as_the_file_numbers_its_points) {
   is_refused("6 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0.5 0.5\n5 0.5 0.5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n",
              {"bad.poly", "4", "5"});

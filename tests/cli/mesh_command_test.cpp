@@ -199,6 +199,25 @@ TEST_F(MeshCommand, a_raster_of_sizes_grades_the_mesh) {
   EXPECT_GT(left, 20 * right);
 }
 
+TEST_F(MeshCommand, sizes_at_the_points_of_a_mesh_grade_the_mesh) {
+  write("field.node", "4 2 1 0\n1 0 0 0.02\n2 1 0 0.3\n3 1 1 0.3\n4 0 1 0.02\n");
+  write("field.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
+  ASSERT_EQ(pardel({"convert", "field.node", "field.vtu"}).exit_code, 0);
+  write("field.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+        "$Elements\n2\n1 2 0 1 2 3\n2 2 0 1 3 4\n$EndElements\n"
+        "$NodeData\n1\n\"size\"\n1\n0.0\n3\n0\n1\n4\n1 0.02\n2 0.3\n3 0.3\n4 0.02\n$EndNodeData\n");
+  std::vector<json> digests;
+  for (const std::string field : {"field.node", "field.vtu", "field.msh"}) {
+    const json r = report({"square.poly", "-o", "m.node", "--sizes", field, "--check"});
+    EXPECT_TRUE(r["certificate"]["valid"]) << field;
+    EXPECT_GT(r["mesh"]["triangles"], 500) << field;
+    digests.push_back(r["digest"]);
+  }
+  EXPECT_EQ(digests[0], digests[1]);
+  EXPECT_EQ(digests[0], digests[2]);
+}
+
 TEST_F(MeshCommand, a_raster_of_sizes_serves_a_repaired_domain_and_a_refined_mesh) {
   write("field.asc", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n0.2\n");
   write("twice.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n");

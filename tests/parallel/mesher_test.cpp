@@ -178,6 +178,55 @@ TEST(Mesher, grades_from_sizes_at_the_input_points) {
   EXPECT_GT(meshed.mesh.points.size(), 150U);
 }
 
+/// Two triangles over the unit square; the second is clockwise.
+Mesh two_triangles() {
+  Mesh mesh;
+  for (const Point p : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) mesh.points.push_back(p);
+  for (const std::array<Index, 3> v : {std::array<Index, 3>{0, 1, 2}, std::array<Index, 3>{0, 3, 2}}) {
+    Triangle triangle;
+    triangle.v = v;
+    mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+TEST(SizeOnAMesh, is_linear_on_triangles_of_both_orientations) {
+  const auto size = interpolated_size(two_triangles(), std::vector<double>{1, 2, 3, 4});
+  ASSERT_TRUE(size);
+  EXPECT_NEAR((*size)({0.75, 0.25}), 2, 1e-15);
+  EXPECT_NEAR((*size)({0.25, 0.75}), 3, 1e-15);
+  EXPECT_EQ((*size)({0, 1}), 4);
+}
+
+TEST(SizeOnAMesh, reaches_beyond_the_mesh_by_the_length_of_a_side) {
+  const auto size = interpolated_size(two_triangles(), std::vector<double>{1, 2, 3, 4});
+  ASSERT_TRUE(size);
+  EXPECT_EQ((*size)({1.5, -0.25}), 2);
+  EXPECT_THROW((*size)({3, 0}), Error);
+  const Result<Meshed> meshed = mesh(domains::moved(domains::square(), 3, 0), {.size = *size});
+  ASSERT_FALSE(meshed);
+  EXPECT_EQ(meshed.error().kind, ErrorKind::invalid_input);
+  EXPECT_NE(meshed.error().message.find("the mesh of the sizes does not cover ("), std::string::npos);
+}
+
+TEST(SizeOnAMesh, names_what_is_wrong_with_its_mesh) {
+  const auto message = [](const Mesh& mesh, std::vector<double> sizes = {1, 1, 1, 1}) {
+    const auto size = interpolated_size(mesh, sizes);
+    return size ? "no error" : size.error().message;
+  };
+  EXPECT_EQ(message(two_triangles(), {1, 1, 1}), "3 sizes for 4 points");
+  EXPECT_EQ(message(two_triangles(), {1, 1, 0, 1}), "the size at point 2 must be positive, not 0");
+  Mesh empty = two_triangles();
+  empty.triangles.clear();
+  EXPECT_EQ(message(empty), "the mesh of the sizes has no triangles");
+  Mesh beyond = two_triangles();
+  beyond.triangles[1].v[2] = 4;
+  EXPECT_EQ(message(beyond), "triangle 1 of the mesh of the sizes has a corner that does not exist");
+  Mesh flat = two_triangles();
+  flat.triangles[1].v[1] = 0;
+  EXPECT_EQ(message(flat), "triangle 1 of the mesh of the sizes is flat");
+}
+
 TEST(Mesher, keeps_the_attributes_of_points_and_interpolates_them_for_new_ones) {
   Pslg pslg = domains::pipe();
   pslg.attributes_per_point = 2;

@@ -168,6 +168,29 @@ $EndElements
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 6}}));
 }
 
+const std::string with_values =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n1\n"
+    "1 2 0 1 2 3\n$EndElements\n$NodeData\n1\n\"size\"\n1\n0.5\n3\n0\n2\n3\n3 30 7\n1 10 7\n2 20 7\n$EndNodeData\n";
+
+TEST(Msh, has_the_first_value_of_the_first_node_data_as_attribute_of_a_point) {
+  const auto mesh = parse_msh(with_values, "m.msh");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->attributes_per_point, 1u);
+  EXPECT_EQ(std::vector<double>(mesh->point_attributes.begin(), mesh->point_attributes.end()),
+            (std::vector<double>{10, 20, 30}));
+}
+
+TEST(Msh, with_incomplete_node_data_is_refused) {
+  const auto failure = [](const std::string& from, const std::string& to) {
+    return message_of_invalid(parse_msh(replaced(with_values, from, to), "m.msh"));
+  };
+  EXPECT_NE(failure("2\n3\n3 30 7\n", "2\n2\n").find("$NodeData has no value for every node"), std::string::npos);
+  EXPECT_NE(failure("3\n0\n2\n3\n", "2\n0\n2\n").find("expected the number of values per node"), std::string::npos);
+  EXPECT_NE(failure("1 10 7", "1 ten 7").find("expected a value at a node, found \"ten\""), std::string::npos);
+  EXPECT_NE(failure("$EndNodeData\n", "").find("m.msh:"), std::string::npos);
+  EXPECT_NE(failure("2\n3\n3 30", "2\n3000000\n3 30").find("values at nodes"), std::string::npos);
+}
+
 TEST(Msh, errors_name_the_line_and_the_fault) {
   const auto failure = [&](const char* from, const char* to) { return failure_of_msh(replaced(ascii, from, to)); };
   EXPECT_EQ(failure_of_msh(""), "f:1: expected $MeshFormat, found the end of the file");
