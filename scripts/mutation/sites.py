@@ -4,6 +4,7 @@ A site is one place, with one or two mutants, and the edits that make them switc
 for the number of the site's first mutant. schemata.hpp defines the functions that the edits call.
 """
 import dataclasses
+import re
 
 from clang.cindex import Config, CursorKind as Kind, Index, TypeKind
 
@@ -149,7 +150,7 @@ class Finder:
                  Edit(start, start, f"if ({NAMESPACE}active(NUMBER)) return{value};", ""))
 
     def visit(self, cursor, parent):
-        if cursor.kind in NOT_AT_RUN_TIME or self.is_constant(cursor):
+        if cursor.kind in NOT_AT_RUN_TIME or self.is_constant(cursor) or self.is_template_argument(cursor):
             return
         children = list(cursor.get_children())
         self.statements(cursor, children)
@@ -167,6 +168,10 @@ class Finder:
             return False
         literal = [c for c in cursor.walk_preorder() if c.kind in NAMES or c.kind == Kind.CALL_EXPR] == []
         return b"constexpr" in text.split(b"=")[0] or (cursor.type.is_const_qualified() and literal)
+
+    def is_template_argument(self, cursor):
+        """True for the first argument of a template. The style has no space before the bracket, unlike before <."""
+        return re.search(rb"\w<$", self.text[:extent(cursor)[0]][-2:]) is not None
 
     def statements(self, cursor, children):
         """Statements that are left out."""

@@ -32,6 +32,11 @@ int number_of_steps(int n) {
 // No mutants: the compiler computes these.
 constexpr int limit = 4 - 1;
 static_assert(limit < 5);
+template <int N>
+struct Multiple {
+  int of;
+};
+[[maybe_unused]] int six(int a) { return Multiple<2 * 3>(a).of; }
 
 // Nested expressions, each with mutants of its own.
 double nested(double a, double b) { return (a + b) * (a - b) / (a + 2.5); }
