@@ -49,6 +49,20 @@ TEST(Budget, ends_the_run_and_the_report_lists_the_triangles_that_remain) {
   }
 }
 
+/// One triangle with an angle of 7 degrees.
+TEST(Budget, no_small_input_angle_excuses_a_triangle_that_is_too_large) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {8, 0}, {8, 1}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 0}};
+  const Options options{.max_vertices = 3};
+  const Result<Meshed> narrow = mesh(pslg, {}, options), large = mesh(pslg, {.max_area = 1}, options);
+  ASSERT_TRUE(narrow && large);
+  EXPECT_EQ(narrow->report.count(ExemptReason::nestled), 1U);
+  EXPECT_TRUE(narrow->report.goal_met());
+  EXPECT_EQ(large->report.count(ExemptReason::budget), 1U);
+  EXPECT_FALSE(large->report.goal_met());
+}
+
 TEST(Memory, that_cannot_suffice_is_reported_before_the_work) {
   const Pslg pslg = domains::square();
   const Result<Meshed> refused = mesh(pslg, {.max_area = 1e-8}, {.max_memory = std::uint64_t{1} << 30U});
@@ -155,6 +169,21 @@ TEST(KeptSegments, are_not_split_where_the_options_forbid_it) {
       EXPECT_LT(std::max(t.v[(i + 1) % 3], t.v[(i + 2) % 3]), pslg.points.size()) << "a boundary edge was split";
     }
   expect_valid_but_for_angles(pslg, outline->mesh);
+}
+
+/// Two points next to a long segment, one on each side.
+TEST(KeptSegments, that_are_not_delaunay_break_a_conforming_goal) {
+  Pslg pslg = domains::square();
+  pslg.points.insert(pslg.points.end(), {{0.1, 0.5}, {0.9, 0.5}, {0.5, 0.55}, {0.5, 0.45}});
+  pslg.segments.push_back({4, 5});
+  const Goal goal{.min_angle_deg = 0, .conforming = true};
+  const Result<Meshed> kept = mesh(pslg, goal, {.no_segment_splits = true}), split = mesh(pslg, goal);
+  ASSERT_TRUE(kept && split);
+  EXPECT_EQ(kept->report.count(ExemptReason::kept_segment), 2U) << "the triangles on both sides of the segment";
+  EXPECT_FALSE(kept->report.goal_met());
+  EXPECT_FALSE(check(pslg, kept->mesh, goal).valid);
+  EXPECT_TRUE(split->report.goal_met());
+  EXPECT_TRUE(check(pslg, split->mesh, goal).valid);
 }
 
 TEST(Cancellation, ends_the_run_with_an_error_of_its_kind) {

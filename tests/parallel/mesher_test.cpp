@@ -278,6 +278,18 @@ TEST(Mesher, marks_a_vertex_as_the_first_marked_segment_on_which_it_lies) {
   }
 }
 
+TEST(Mesher, marks_a_vertex_of_the_boundary_as_the_segment_that_ends_there) {
+  Pslg pslg = domains::square();
+  pslg.points.push_back({0.5, 0.5});
+  pslg.has_segment_markers = true;
+  for (Index corner = 0; corner < 4; ++corner) pslg.segments.push_back({corner, 4, 7});
+  const Mesh m = expect_met(pslg, {.max_area = 0.01}).mesh;
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    const bool diagonal = m.origin[v] == input_vertex || (m.origin[v] != interior_vertex && m.origin[v] >= 4);
+    EXPECT_EQ(m.point_markers[v], diagonal ? 7 : m.origin[v] == interior_vertex ? 0 : 1) << v;
+  }
+}
+
 TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {
   const Pslg pslg = domain("cracks");
   const Meshed meshed = expect_met(pslg, {.min_angle_deg = 30});

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "../../core/digest.hpp"
+#include "../../core/neighbours.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
@@ -119,6 +121,33 @@ TEST(RefineMesh, of_a_triangulation_gives_a_mesh_of_the_domain) {
     ASSERT_TRUE(fine) << fine.error().message;
     EXPECT_TRUE(fine->report.goal_met());
     const Certificate certificate = check(pslg, fine->mesh, goal);
+    EXPECT_TRUE(certificate.valid) << to_text(certificate);
+  }
+}
+
+/// All triangles share the vertex 0 of a polygon of 24 sides in an ellipse. Only many flips make this mesh Delaunay.
+TEST(RefineMesh, of_a_mesh_that_is_not_delaunay_gives_one_that_is) {
+  constexpr Index sides = 24;
+  Pslg pslg;
+  Mesh fan;
+  for (Index i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.25) / sides;
+    pslg.points.push_back({3 * std::cos(angle), std::sin(angle)});
+    pslg.segments.push_back({i, (i + 1) % sides});
+  }
+  for (const Point p : pslg.points) fan.points.push_back(p);
+  for (Index i = 1; i + 1 < sides; ++i) fan.triangles.push_back({{0, i, i + 1}, {}});
+  rebuild_neighbours(fan.triangles, sides);
+  const Goal goal{.min_angle_deg = 0};
+  ASSERT_FALSE(check(pslg, fan, goal).valid);
+  const Result<Meshed> same_points = refine(fan, {}, goal), finer = refine(fan, {}, {.min_angle_deg = 25});
+  ASSERT_TRUE(same_points && finer);
+  EXPECT_EQ(same_points->mesh.points.size(), sides);
+  for (const Meshed* meshed : {&*same_points, &*finer}) {
+    Mesh mesh = meshed->mesh;
+    mesh.constrained_edges.clear();  // the fan did not say on which segments its edges lie
+    mesh.origin.clear();
+    const Certificate certificate = check(pslg, mesh, goal, {.foreign = true});
     EXPECT_TRUE(certificate.valid) << to_text(certificate);
   }
 }

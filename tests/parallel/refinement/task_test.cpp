@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "assessed_sample.hpp"
 
@@ -29,8 +30,8 @@ struct TaskScene : samples::AssessedSample {
   }
   /// Runs the task of a cell with all bad triangles in the cell's box.
   TaskResult run(
-      const Lattice& lattice, Index cell, const Deferral& later = {},
-      const Task::Report& report = [](std::uint64_t) {}) {
+      const Lattice& lattice, Index cell, const Deferral& later = {}, const Task::Report& report = [](std::uint64_t) {},
+      bool own_cell_only = false) {
     const Box box = lattice.box_of(cell);
     std::vector<QueuedTriangle> seeds;
     for (TriangleId id = 0; id < triangles(); ++id) {
@@ -38,7 +39,7 @@ struct TaskScene : samples::AssessedSample {
       if (std::all_of(v.begin(), v.end(), [&](VertexId c) { return box.contains_half_open(t().points[c]); }))
         seeds.push_back(QueuedTriangle::now(t(), EdgeRef(id, 0)));
     }
-    Task task(t(), assessor, criteria, options.min_edge, /*own_cell_only=*/false);
+    Task task(t(), assessor, criteria, options.min_edge, own_cell_only);
     return task.run(lattice, cell, seeds, later, free, report);
   }
   [[nodiscard]] std::vector<TriangleId> bad() const {
@@ -79,6 +80,29 @@ TEST(Task, changes_no_triangle_outside_its_box) {
       for (const VertexId c : v) EXPECT_TRUE(box.contains_half_open(before.points[c]));
     }
   }
+}
+
+/// In the paper's lattice, a point belongs to the cell in which it lies, also a point on a segment.
+TEST(Task, inserts_only_points_of_its_own_cell_if_asked) {
+  const Lattice lattice({0, 0, 1, 1}, 3, 3);
+  std::uint64_t of_other_cells = 0;
+  for (const bool own_cell_only : {true, false}) {
+    std::array<int, 2> beyond{};  // points in faces, and on segments
+    for (Index cell = 0; cell < lattice.cells(); ++cell) {
+      TaskScene scene;
+      const auto first = static_cast<Index>(scene.t().points.size() - scene.free.vertices.left());
+      const TaskResult result = scene.run(
+          lattice, cell, {}, [](std::uint64_t) {}, own_cell_only);
+      const auto made = static_cast<Index>(result.inserted + result.segment_splits);
+      EXPECT_GT(made, 20U);
+      for (Index v = first; v < first + made; ++v)
+        if (lattice.cell_of(scene.t().points[v]) != cell) ++beyond[scene.t().origin[v] == interior_vertex ? 0 : 1];
+      of_other_cells += result.handed_on.size();
+    }
+    EXPECT_EQ(beyond[0] == 0, own_cell_only);
+    EXPECT_EQ(beyond[1] == 0, own_cell_only);
+  }
+  EXPECT_GT(of_other_cells, 0U);
 }
 
 TEST(Task, defers_what_the_rule_defers) {

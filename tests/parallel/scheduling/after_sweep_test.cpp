@@ -1,5 +1,6 @@
 // The caller of a running refinement gets the mesh after each sweep, the progress, and the thread of each cell.
 #include <algorithm>
+#include <set>
 
 #include "../../../core/digest.hpp"
 #include "../../../parallel/mesher.hpp"
@@ -132,6 +133,18 @@ TEST(Tiling, records_which_thread_worked_on_each_cell) {
       EXPECT_DOUBLE_EQ(tiling.high.x - tiling.low.x, tiling.columns * tiling.cell_width) << c.name;
       EXPECT_DOUBLE_EQ(tiling.high.y - tiling.low.y, tiling.rows * tiling.cell_height) << c.name;
     }
+}
+
+TEST(Tiling, has_cells_of_all_four_colours_that_were_refined) {
+  for (const Case& c : cases()) {
+    const Result<Meshed> meshed = mesh(c.pslg, c.goal, options_for(c));
+    ASSERT_TRUE(meshed) << c.name;
+    const Tiling& tiling = meshed->report.tiling;
+    std::set<unsigned> colours;
+    for (Index cell = 0; cell < tiling.thread_of_cell.size(); ++cell)
+      if (tiling.thread_of_cell[cell] >= 0) colours.insert(tiling.colour_of(cell));
+    EXPECT_EQ(colours.size(), 4U) << c.name;
+  }
 }
 
 }  // namespace
