@@ -83,10 +83,8 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
       ->type_name("LENGTH")
       ->group(group);
   app.add_flag("--regions", options.regions, "Apply the area caps of the regions in IN.poly")->group(group);
-  app.add_option(
-         "--sizes", options.sizes,
-         "Edge lengths, interpolated in between: one per input point ('n', then lines 'i length'), a raster (.asc, "
-         ".npy), or one per point of a mesh (.vtu, .msh, .node)")
+  app.add_option("--sizes", options.sizes,
+                 "Edge lengths: one per input point ('i length'), a raster (.asc, .npy) or a mesh (.vtu, .msh, .node)")
       ->type_name("FILE")
       ->group(group);
   app.add_flag("--conforming", options.conforming, "Make the mesh Delaunay, not only constrained Delaunay")
