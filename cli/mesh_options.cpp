@@ -81,9 +81,10 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
   app.add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
       ->transform(choice(placement_names))
       ->type_name("WHERE");
-  app.add_option(
-         "--decomposition", options.decomposition,
-         "How the plane is cut into cells: auto (by work; the default), paper (sides of four circumradii) or none")
+  app.add_option("--decomposition", options.decomposition,
+                 "How the plane is cut into cells: lattice (cells of one size, by work), quadtree (large and small "
+                 "cells, for\ngraded "
+                 "meshes), auto (one of these two; the default), paper (sides of four circumradii) or none")
       ->transform(choice(decomposition_names))
       ->type_name("HOW");
   app.add_option(
@@ -133,8 +134,9 @@ Status complete_options(MeshArguments& arguments) {
   options.max_memory =
       arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
   if (arguments.cells.empty()) return Done{};
-  if (options.decomposition == Decomposition::none)
-    return Error{ErrorKind::usage, "--cells cannot be used with --decomposition none"};
+  if (options.decomposition == Decomposition::none || options.decomposition == Decomposition::quadtree)
+    return Error{ErrorKind::usage, std::string("--cells cannot be used with --decomposition ") +
+                                       decomposition_names[options.decomposition]};
   options.cells = {arguments.cells[0], arguments.cells[1]};
   return Done{};
 }

@@ -18,6 +18,8 @@ inline constexpr auto decomposition_names = enum_names<Decomposition>({
     {Decomposition::automatic, "auto"},
     {Decomposition::paper, "paper"},
     {Decomposition::none, "none"},
+    {Decomposition::lattice, "lattice"},
+    {Decomposition::quadtree, "quadtree"},
 });
 inline constexpr auto show_progress_names = enum_names<ShowProgress>({
     {ShowProgress::automatic, "auto"},

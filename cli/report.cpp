@@ -64,7 +64,13 @@ nlohmann::ordered_json exemption_json(const Exemption& exemption) {
           {"input_angle_deg", angle}};
 }
 
-/// The lattice of tiles, its bounds on circumradii from the theory, and the number of triangles handed on (passed to
+nlohmann::ordered_json leaves_json(const Tiling& tiling) {
+  nlohmann::ordered_json leaves = nlohmann::ordered_json::array();
+  for (const TileLeaf& leaf : tiling.leaves) leaves.push_back({leaf.level, leaf.column, leaf.row, leaf.colour});
+  return leaves;
+}
+
+/// The tiles, their bounds on circumradii from the theory, and the number of triangles handed on (passed to
 /// another cell).
 nlohmann::ordered_json decomposition_json(const MeshRun& run) {
   const Tiling& tiling = run.report.tiling;
@@ -94,7 +100,8 @@ nlohmann::ordered_json decomposition_json(const MeshRun& run) {
             {"beyond_box", sum.beyond_box},
             {"out_of_numbers", sum.out_of_numbers},
             {"against_promise", sum.against_promise}}},
-          {"thread_of_cell", tiling.thread_of_cell}};
+          {"thread_of_cell", tiling.thread_of_cell},
+          {"leaves", leaves_json(tiling)}};
 }
 
 nlohmann::ordered_json sweeps_json(const Tiling& tiling) {

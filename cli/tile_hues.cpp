@@ -35,6 +35,12 @@ Result<Tiling> tiling_of(const nlohmann::json& json, const Mesh& mesh, const std
   tiling.low = {low[0], low[1]};
   tiling.high = {high[0], high[1]};
   tiling.thread_of_cell = std::move(threads);
+  for (const nlohmann::json& leaf : cut.value("leaves", nlohmann::json::array())) {
+    const auto numbers = leaf.get<std::array<std::uint32_t, 4>>();
+    tiling.leaves.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
+  }
+  if (!tiling.leaves.empty() && tiling.leaves.size() != tiling.thread_of_cell.size())
+    return unfit(report, "the quadtree in the report is not valid");
   return tiling;
 }
 
@@ -52,6 +58,11 @@ Result<Tiling> read_tiling(const Mesh& mesh, const std::filesystem::path& report
 
 /// One of twelve hues. The hues of cells that share a side or a corner differ by at least 60 degrees.
 std::uint16_t hue_of_tile(const Tiling& tiling, Index cell) {
+  // A leaf of a quadtree has its colour's third of the circle of hues, and a part of it that depends on its place.
+  if (!tiling.leaves.empty()) {
+    const TileLeaf& leaf = tiling.leaves[cell];
+    return static_cast<std::uint16_t>((leaf.colour * 60 + (leaf.column + 2 * leaf.row + leaf.level) % 4 * 15) % 360);
+  }
   return static_cast<std::uint16_t>((3 * (cell % tiling.columns) + 5 * (cell / tiling.columns)) % 12 * 30);
 }
 

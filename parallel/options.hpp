@@ -23,11 +23,16 @@ enum class Placement : std::uint8_t {
 
 /// How the plane is cut into tiles, which are refined in parallel.
 enum class Decomposition : std::uint8_t {
-  automatic,  ///< tiles of about equal work, whose triangles fit a core's cache
+  /// `quadtree` if the bounds on size depend on the place and the work per cell of a lattice would be very uneven, else
+  /// `lattice`.
+  automatic,
   /// Cells at least 4 r̄ wide, with r̄ the largest circumradius. A task inserts points only in its own cell
   /// (THEORY.md, Lattice).
   paper,
-  none,  ///< one tile
+  none,     ///< one tile
+  lattice,  ///< the cells of a lattice, of about equal work if triangles are about equally large
+  /// The leaves of a quadtree, of about equal work although triangles differ much in size.
+  quadtree,
 };
 
 struct Progress {
@@ -41,12 +46,12 @@ struct Options {
   /// The number of threads; 0: as many as OpenMP offers, one per core by default. The result does not depend on it.
   int threads = 0;
   Decomposition decomposition = Decomposition::automatic;
-  /// The number of triangles per tile that Decomposition::automatic aims at, > 0. A task works on a box as large as
-  /// four tiles. By default the triangles of a box, with their vertices, fill a second-level cache of 1 MiB. Another
-  /// number gives another mesh.
+  /// The number of triangles per tile that Decomposition::lattice and quadtree aim at, > 0. A task works on a box as
+  /// large as four cells or 2.25 leaves. By default the triangles of a box, with their vertices, fill a second-level
+  /// cache of 1 MiB. Another number gives another mesh.
   std::uint32_t triangles_per_tile = 8'000;
-  /// Columns and rows of the finest lattice of tiles; 0: the expected work determines them. With Decomposition::paper
-  /// there may be fewer, because r̄ limits their number. Another number gives another mesh.
+  /// Columns and rows of the finest lattice of tiles; 0: the expected work determines them. Not used for a quadtree.
+  /// With Decomposition::paper there may be fewer, because r̄ limits their number. Another number gives another mesh.
   std::array<Index, 2> cells{0, 0};
   /// As soon as the mesh has this number of vertices, no vertex is inserted any more; 0: no limit.
   std::uint64_t max_vertices = 0;

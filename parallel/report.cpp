@@ -4,6 +4,7 @@
 
 #include "../core/support/enum_names.hpp"
 #include "concurrency/lattice.hpp"
+#include "concurrency/quadtree.hpp"
 
 namespace pardel {
 namespace {
@@ -24,9 +25,15 @@ engine::Lattice lattice_of(const Tiling& tiling) {
 
 }  // namespace
 
-Index Tiling::cell_of(Point p) const { return lattice_of(*this).cell_of(p); }
+Index Tiling::cell_of(Point p) const {
+  if (leaves.empty()) return lattice_of(*this).cell_of(p);
+  const engine::Square square(engine::Box{low.x, low.y, high.x, high.y});
+  return engine::leaf_of(leaves, square, p);
+}
 
-unsigned Tiling::colour_of(Index cell) const { return lattice_of(*this).colour_of(cell); }
+unsigned Tiling::colour_of(Index cell) const {
+  return leaves.empty() ? lattice_of(*this).colour_of(cell) : leaves[cell].colour;
+}
 
 const char* name(ExemptReason reason) { return reason_names[reason]; }
 

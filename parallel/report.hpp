@@ -34,11 +34,19 @@ struct Exemption {
   double angle_deg = 0;   ///< the input angle at the apex
 };
 
-/// The lattice of tiles, with the bounds on circumradii that the theory gives.
+/// A leaf of a quadtree of tiles: the square (column, row) among the 2^level x 2^level squares of its level. The square
+/// of level 0 has the lower left corner of the domain's bounding box, and the longer of its sides.
+struct TileLeaf {
+  std::uint32_t level = 0, column = 0, row = 0;
+  unsigned colour = 0;
+};
+
+/// The tiles, cells of a lattice or leaves of a quadtree, with the bounds on circumradii that the theory gives.
 struct Tiling {
-  Index columns = 1, rows = 1;  ///< of the finest lattice
-  double cell_width = 0, cell_height = 0;
-  Point low, high;  ///< corners of the rectangle that the lattice divides
+  Index columns = 1, rows = 1;             ///< of the finest lattice; for a quadtree the number of leaves, and 1
+  double cell_width = 0, cell_height = 0;  ///< for a quadtree the side of the least leaf
+  Point low, high;               ///< corners of the rectangle that the lattice divides, and of the bounding box
+  std::vector<TileLeaf> leaves;  ///< of the finest quadtree, along a Z-curve; empty for a lattice
   /// For each cell of the finest lattice the first thread, from 0, that worked on it; -1: no thread. The lowest row
   /// comes first. Only this list and the times may differ from run to run.
   std::vector<std::int16_t> thread_of_cell;
@@ -51,7 +59,7 @@ struct Tiling {
   /// The cell of the finest lattice that contains the point, or the nearest cell. Cells are numbered row by row from
   /// the lowest.
   [[nodiscard]] Index cell_of(Point p) const;
-  /// The colour, 0 to 3, of a cell. Cells of one colour are refined in parallel.
+  /// The colour of a cell: 0 to 3 in a lattice, less than 9 in a quadtree. Cells of one colour are refined in parallel.
   [[nodiscard]] unsigned colour_of(Index cell) const;
 };
 

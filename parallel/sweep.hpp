@@ -10,7 +10,7 @@ namespace pardel {
 /// One pass over the cells of a lattice. Cells have four colours; the cells of one colour are refined in parallel, one
 /// task per cell.
 struct Sweep {
-  Index columns = 1, rows = 1;  ///< size of the lattice
+  Index columns = 1, rows = 1;  ///< size of the lattice; for a quadtree the number of leaves, and 1
   std::uint64_t inserted = 0;   ///< number of vertices inserted
   /// The numbers of bad triangles that were handed on, by reason. A task hands a triangle on if it leaves the triangle
   /// to a later task.

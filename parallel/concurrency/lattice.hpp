@@ -15,7 +15,7 @@ namespace pardel::engine {
 /// one cell.
 class Lattice {
  public:
-  static constexpr unsigned colours = 4;
+  [[nodiscard]] static constexpr unsigned colours() { return 4; }
   /// In the paper's lattice the side of a cell is at least this number of circumradii (THEORY, T1 and Lattice).
   static constexpr double radii_per_side = 4;
 
@@ -68,6 +68,9 @@ class Lattice {
     if (j + 1 < rows_) box.max_y = bounds_.min_y + (j + 1.5) * height_;
     return box;
   }
+
+  /// The area of the box, without its parts beyond the border.
+  [[nodiscard]] double box_area(Index) const { return 4 * width_ * height_; }
 
   /// The sum of a quantity over the box of a cell, given its values per cell. The value of the cell counts fully, the
   /// values of the four edge neighbours by one half, and the values of the four corner neighbours by one quarter.

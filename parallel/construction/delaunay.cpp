@@ -134,7 +134,7 @@ class RoundInserter {
         [&](std::size_t i) { return lattice.cell_of(t_.points[order_[first + i]]); },
         [&](Index cell, std::size_t i) { tiles[cell].positions.push_back(static_cast<Index>(first + i)); });
     find_starts(lattice, tiles, triangle_count(first));
-    for (unsigned colour = 0; colour < Lattice::colours; ++colour) {
+    for (unsigned colour = 0; colour < Lattice::colours(); ++colour) {
       // Check here that each tile's start is still in its box: while tasks run, another task may change the start.
       std::vector<Index> cells;
       for (Index cell = 0; cell < lattice.cells(); ++cell)

@@ -36,6 +36,8 @@ class Criteria {
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
   /// True if the goal has bounds on edges, or bounds that depend on the place. too_large() does not test these bounds.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
+  /// True if the goal has bounds that are functions of the place.
+  [[nodiscard]] bool depends_on_place() const { return size_ || area_cap_; }
   /// True if the triangle exceeds one of these local bounds. `region`: the triangle's region, or no_index.
   /// `hints`, here and below: of the calling thread.
   [[nodiscard]] bool too_large_locally(const Measure& m, Point centroid, Index region, LocalHints& hints) const;

@@ -1,7 +1,10 @@
 // Selects the bad triangles that a later pass processes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "assessor.hpp"
 
@@ -39,6 +42,28 @@ struct Deferral {
     const unsigned least = BucketQueue::key(longest_squared);
     return d.key > last_key || d.longest < least;
   }
+};
+
+/// The rules of a pass: one for all cells, or one for each cell.
+class Deferrals {
+ public:
+  Deferrals(const Deferral& everywhere = {}) : rules_{everywhere}, weakest_(everywhere) {}
+  explicit Deferrals(std::vector<Deferral> per_cell) : rules_(std::move(per_cell)) {
+    weakest_ = rules_.front();
+    for (const Deferral& rule : rules_) {
+      weakest_.longest_squared = std::min(weakest_.longest_squared, rule.longest_squared);
+      weakest_.last_key = std::max(weakest_.last_key, rule.last_key);
+    }
+  }
+
+  [[nodiscard]] bool same_everywhere() const { return rules_.size() == 1; }
+  [[nodiscard]] const Deferral& of(Index cell) const { return rules_[same_everywhere() ? 0 : cell]; }
+  /// A rule that defers only what all rules defer.
+  [[nodiscard]] const Deferral& weakest() const { return weakest_; }
+
+ private:
+  std::vector<Deferral> rules_;
+  Deferral weakest_;
 };
 
 }  // namespace pardel::engine

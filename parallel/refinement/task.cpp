@@ -4,11 +4,11 @@
 
 namespace pardel::engine {
 
-void Task::start(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
+void Task::start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
                  FreeIndices& free, const Report& report) {
-  lattice_ = &lattice;
+  tiles_ = &tiles;
   cell_ = cell;
-  box_ = lattice.box_of(cell);
+  box_ = tiles.box_of(cell);
   later_ = later;
   free_ = &free;
   insertion_.start(free);
@@ -33,9 +33,9 @@ bool Task::step() {
   return false;
 }
 
-TaskResult Task::run(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
+TaskResult Task::run(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
                      FreeIndices& free, const Report& report) {
-  start(lattice, cell, seeds, later, free, report);
+  start(tiles, cell, seeds, later, free, report);
   std::uint64_t reported = 0;
   for (std::uint64_t steps = 1; step(); ++steps) {
     if (steps % steps_between_reports != 0) continue;
@@ -134,7 +134,7 @@ void Task::count_refused() {
 }
 
 void Task::hand_on(QueuedTriangle triangle, Point p) {
-  const Index cell = lattice_->cell_of(p);
+  const Index cell = tiles_->cell_of(p);
   if (cell == cell_)
     result_.needs_larger_box.push_back(triangle);
   else
@@ -142,7 +142,7 @@ void Task::hand_on(QueuedTriangle triangle, Point p) {
 }
 
 bool Task::violates_t1(Point p) const {
-  const double fits = lattice_->radius_that_fits();
+  const double fits = tiles_->lattice()->radius_that_fits();
   return box_.contains_half_open(p) && insertion_.left_box_for(p, box_, fits * fits);
 }
 

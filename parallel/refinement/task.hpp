@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "../concurrency/lattice.hpp"
+#include "../concurrency/tiles.hpp"
 #include "assessor.hpp"
 #include "bucket_queue.hpp"
 #include "deferral.hpp"
@@ -45,11 +45,11 @@ class Task {
   static constexpr std::uint64_t steps_between_reports = 64;
 
   /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box.
-  TaskResult run(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
+  TaskResult run(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
                  FreeIndices& free, const Report& report);
 
   /// run() in single steps: call start(), then step() until it returns false, then finish().
-  void start(const Lattice& lattice, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
+  void start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
              FreeIndices& free, const Report& report = {});
   [[nodiscard]] bool step();
   [[nodiscard]] TaskResult finish() { return std::move(result_); }
@@ -75,7 +75,7 @@ class Task {
   [[nodiscard]] EdgeRef split_encroached_side(QueuedTriangle triangle);
   /// Splits the edge on which the triangle's split point encroaches.
   void split_blocker(QueuedTriangle triangle);
-  [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && lattice_->cell_of(p) != cell_; }
+  [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && tiles_->cell_of(p) != cell_; }
   void hand_on_to_own_cell(QueuedTriangle triangle);
   void count_refused();
   [[nodiscard]] Outcome split_edge(EdgeRef e);
@@ -83,6 +83,7 @@ class Task {
   /// cell, the triangle needs a larger box.
   void hand_on(QueuedTriangle triangle, Point p);
   /// True if p, inserted in a face, left the box although its cavity fits by T1 (Lattice::radius_that_fits).
+  /// Precondition: the tiles are the cells of a lattice.
   [[nodiscard]] bool violates_t1(Point p) const;
 
   Triangulation& t_;
@@ -93,7 +94,7 @@ class Task {
   BucketQueue queue_;
   LocalHints hints_;
   TaskResult result_;
-  const Lattice* lattice_ = nullptr;
+  const Tiles* tiles_ = nullptr;
   Index cell_ = 0;
   Box box_;
   Deferral later_;

@@ -1,5 +1,6 @@
 #include "pending_triangles.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "../concurrency/parallel_arrays.hpp"
@@ -36,17 +37,54 @@ unsigned PendingTriangles::median_key() const {
   return key;
 }
 
-SeedsByCell PendingTriangles::take_due_by_cell(const Lattice& lattice, const Deferral& later) {
-  const Array<QueuedTriangle> due = take_due(threads_, deferred_, later, [](const Deferred& d) { return d.triangle; });
-  return by_cell(lattice, due.span(), later);
+std::vector<unsigned> PendingTriangles::median_keys(const Tiles& tiles) const {
+  std::vector<std::vector<std::uint16_t>> keys(tiles.cells());
+  SparseAsk ask(threads_.stop);
+  for (const Deferred& d : deferred_) {
+    ask();
+    if (d.triangle.is_current(t_)) keys[tiles.cell_of(t_.points[t_.slots[d.triangle.id()].v[0]])].push_back(d.key);
+  }
+  std::vector<unsigned> median;
+  for (std::vector<std::uint16_t>& of_cell : keys) {
+    const auto middle = of_cell.begin() + static_cast<std::ptrdiff_t>(of_cell.size() / 2);
+    std::nth_element(of_cell.begin(), middle, of_cell.end());
+    median.push_back(of_cell.empty() ? BucketQueue::last : *middle);
+  }
+  return median;
 }
 
-SeedsByCell PendingTriangles::take_needing_larger_box_by_cell(const Lattice& lattice) {
-  return by_cell(lattice, std::exchange(needs_larger_box_, {}), {});
+std::vector<double> PendingTriangles::work(const Quadtree& tree, const Criteria& criteria) const {
+  // The least number of triangles by which a bad triangle is replaced.
+  constexpr double least = 2;
+  std::vector<std::vector<std::pair<Index, double>>> found(block_count(deferred_.size()));
+  parallel_blocks(threads_, deferred_.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    LocalHints hints;
+    for (std::size_t i = first; i < last; ++i) {
+      const QueuedTriangle triangle = deferred_[i].triangle;
+      if (!triangle.is_current(t_)) continue;
+      const Shape shape(t_, t_.slots[triangle.id()]);
+      const double wanted = criteria.triangles_wanted(shape, assessor_.region_of(triangle.id()), hints);
+      found[block].emplace_back(tree.cell_of(shape.centroid()), std::max(least, wanted));
+    }
+  });
+  std::vector<double> sum(tree.cells(), 0);
+  for (const auto& of_block : found)
+    for (const auto& [cell, wanted] : of_block) sum[cell] += wanted;
+  return sum;
 }
 
-SeedsByCell PendingTriangles::by_cell(const Lattice& lattice, std::span<const QueuedTriangle> triangles,
-                                      const Deferral& later) {
+SeedsByCell PendingTriangles::take_due_by_cell(const Tiles& tiles, const Deferrals& later) {
+  const Array<QueuedTriangle> due =
+      take_due(threads_, deferred_, later.weakest(), [](const Deferred& d) { return d.triangle; });
+  return by_cell(tiles, due.span(), later);
+}
+
+SeedsByCell PendingTriangles::take_needing_larger_box_by_cell(const Tiles& tiles) {
+  return by_cell(tiles, std::exchange(needs_larger_box_, {}), {});
+}
+
+SeedsByCell PendingTriangles::by_cell(const Tiles& tiles, std::span<const QueuedTriangle> triangles,
+                                      const Deferrals& later) {
   Array<Index> cell;  // no_index: the triangle needs no work on this lattice
   cell.resize_uninitialised(triangles.size());
   std::vector<std::vector<Deferred>> deferred(block_count(triangles.size()));
@@ -59,15 +97,17 @@ SeedsByCell PendingTriangles::by_cell(const Lattice& lattice, std::span<const Qu
       const Shape shape(t_, t_.slots[id]);
       const Assessment a = assessor_.assess(id, shape, hints);
       if (a.need == Assessment::Need::nothing) continue;
-      if (later.defers(a, shape))
+      const bool skip = later.same_everywhere() && later.of(0).defers(a, shape);
+      const Index to = skip ? 0 : tiles.cell_of(assessor_.point_for(id, a, hints));
+      if (skip || later.of(to).defers(a, shape))
         deferred[block].push_back({triangles[i], a});
       else
-        cell[i] = lattice.cell_of(assessor_.point_for(id, a, hints));
+        cell[i] = to;
     }
   });
   append_blocks(threads_, deferred, deferred_);
-  SeedsByCell seeds(lattice.cells());
-  visit_by_cell(threads_, cell.span(), lattice.cells(),
+  SeedsByCell seeds(tiles.cells());
+  visit_by_cell(threads_, cell.span(), tiles.cells(),
                 [&](Index to, std::size_t i) { seeds[to].push_back(triangles[i]); });
   return seeds;
 }

@@ -1,18 +1,18 @@
-// The bad triangles that wait for a later pass, and their distribution to the cells of a lattice.
+// The bad triangles that wait for a later pass, and their distribution to the cells of the tiles.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "../../core/array.hpp"
-#include "../concurrency/lattice.hpp"
+#include "../concurrency/tiles.hpp"
 #include "../refinement/deferral.hpp"
 #include "phase.hpp"
 
 namespace pardel::engine {
 
-/// Holds two lists: deferred triangles, which a finer lattice or the next round processes, and triangles whose cavities
-/// need a larger box, which a coarser lattice processes. Entries may be stale (refinement/queued_triangle.hpp).
+/// Holds two lists: deferred triangles, which finer tiles or the next round processes, and triangles whose cavities
+/// need a larger box, which coarser tiles process. Entries may be stale (refinement/queued_triangle.hpp).
 class PendingTriangles {
  public:
   PendingTriangles(const Triangulation& t, const Assessor& assessor, const Threads& threads)
@@ -33,16 +33,20 @@ class PendingTriangles {
 
   /// The median of the keys of the deferred triangles, stale ones included.
   [[nodiscard]] unsigned median_key() const;
+  /// For each cell, the median of the keys of the deferred triangles whose first corners lie in the cell.
+  [[nodiscard]] std::vector<unsigned> median_keys(const Tiles& tiles) const;
+  /// For each leaf, the estimated number of triangles by which the deferred triangles in it will be replaced.
+  [[nodiscard]] std::vector<double> work(const Quadtree& tree, const Criteria& criteria) const;
 
   /// Takes the deferred triangles that are due. Puts each into the list of the cell in which its split point lies.
   /// Defers a triangle again if `later` says so.
-  [[nodiscard]] SeedsByCell take_due_by_cell(const Lattice& lattice, const Deferral& later);
+  [[nodiscard]] SeedsByCell take_due_by_cell(const Tiles& tiles, const Deferrals& later);
   /// The same for the triangles that need a larger box. No triangle is deferred.
-  [[nodiscard]] SeedsByCell take_needing_larger_box_by_cell(const Lattice& lattice);
+  [[nodiscard]] SeedsByCell take_needing_larger_box_by_cell(const Tiles& tiles);
 
  private:
-  [[nodiscard]] SeedsByCell by_cell(const Lattice& lattice, std::span<const QueuedTriangle> triangles,
-                                    const Deferral& later);
+  [[nodiscard]] SeedsByCell by_cell(const Tiles& tiles, std::span<const QueuedTriangle> triangles,
+                                    const Deferrals& later);
 
   const Triangulation& t_;
   const Assessor& assessor_;

@@ -48,15 +48,15 @@ std::unique_ptr<Task> PhaseRunner::new_task() {
   return std::make_unique<Task>(t_, assessor_, criteria_, options_.min_edge, own_cell_only);
 }
 
-std::vector<PlannedTask> PhaseRunner::plan(const Lattice& lattice, unsigned colour, SeedsByCell& seeds) const {
+std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, SeedsByCell& seeds) const {
   const std::vector<double> wanted = triangles_wanted(seeds);
   std::vector<PlannedTask> tasks;
-  for (Index cell = 0; cell < lattice.cells(); ++cell)
-    if (lattice.colour_of(cell) == colour && !seeds[cell].empty()) {
+  for (Index cell = 0; cell < tiles.cells(); ++cell)
+    if (tiles.colour_of(cell) == colour && !seeds[cell].empty()) {
       tasks.emplace_back();
       tasks.back().cell = cell;
       tasks.back().seeds = std::exchange(seeds[cell], {});
-      tasks.back().insertions = insertions_per_triangle * lattice.sum_over_box(cell, wanted);
+      tasks.back().insertions = insertions_per_triangle * tiles.sum_over_box(cell, wanted);
     }
   return tasks;
 }
@@ -78,12 +78,12 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
   return wanted;
 }
 
-void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
+void PhaseRunner::run(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later,
                       const Task::Report& report) {
-  const double most = most_insertions(later, 4 * lattice.width() * lattice.height());
   parallel_for(threads_, tasks.size(), [&](std::size_t i, int) {
+    const double most = most_insertions(later.of(tasks[i].cell), tiles.box_area(tasks[i].cell));
     tasks[i].insertions = std::min(tasks[i].insertions, most);
-    select_seeds(tasks[i], lattice);
+    select_seeds(tasks[i], tiles);
   });
   assign_indices(tasks);
   t_.points.resize_uninitialised(vertices_.end());
@@ -92,9 +92,9 @@ void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, c
   if (!t_.region.empty()) t_.region.resize_uninitialised(triangles_.end());
 
   if (schedule_.next)
-    run_interleaved(lattice, tasks, later);
+    run_interleaved(tiles, tasks, later);
   else
-    run_on_threads(lattice, tasks, later, report);
+    run_on_threads(tiles, tasks, later, report);
   if (schedule_.after_phase) schedule_.after_phase();
 
   for (const PlannedTask& task : tasks) {
@@ -107,17 +107,17 @@ void PhaseRunner::run(const Lattice& lattice, std::vector<PlannedTask>& tasks, c
 
 /// The test of Task::violates_t1 for a triangle that does not lie in the box of its cell. By theorem T1 the triangle
 /// lies in the box if its split point lies in a face and in the cell, and its circumradius is small enough.
-bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Lattice& lattice) const {
-  const double fits = lattice.radius_that_fits();
-  if (options_.decomposition != Decomposition::paper || Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits)
-    return false;
+bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Tiles& tiles) const {
+  if (options_.decomposition != Decomposition::paper) return false;
+  const double fits = tiles.lattice()->radius_that_fits();
+  if (Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits) return false;
   const Assessment a = assessor_.assess(id);
-  return a.need == Assessment::Need::split_triangle && lattice.cell_of(assessor_.point_for(id, a)) == cell;
+  return a.need == Assessment::Need::split_triangle && tiles.cell_of(assessor_.point_for(id, a)) == cell;
 }
 
 /// Keeps the seeds that are current and lie in the box. Adds their share to the expected number of insertions.
-void PhaseRunner::select_seeds(PlannedTask& task, const Lattice& lattice) const {
-  const Box box = lattice.box_of(task.cell);
+void PhaseRunner::select_seeds(PlannedTask& task, const Tiles& tiles) const {
+  const Box box = tiles.box_of(task.cell);
   constexpr double insertions_per_seed = 2.5, spare = 32;
   task.insertions += spare;
   SparseAsk ask(threads_.stop);
@@ -127,7 +127,7 @@ void PhaseRunner::select_seeds(PlannedTask& task, const Lattice& lattice) const 
     for (const VertexId v : t_.slots[seed.id()].v)
       if (!box.contains_half_open(t_.points[v])) {
         task.outside_box.push_back(seed);
-        if (violates_t1(seed.id(), task.cell, lattice)) ++task.t1_violations;
+        if (violates_t1(seed.id(), task.cell, tiles)) ++task.t1_violations;
         return true;
       }
     task.insertions += insertions_per_seed;
@@ -152,7 +152,7 @@ void PhaseRunner::assign_indices(std::vector<PlannedTask>& tasks) {
     tasks[i].free = {IndexPool(std::move(vertices[i])), IndexPool(std::move(triangles[i]))};
 }
 
-void PhaseRunner::run_on_threads(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
+void PhaseRunner::run_on_threads(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later,
                                  const Task::Report& report) {
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -164,16 +164,16 @@ void PhaseRunner::run_on_threads(const Lattice& lattice, std::vector<PlannedTask
     PlannedTask& planned = tasks[order[i]];
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
     planned.thread = thread;
-    planned.result = task.run(lattice, planned.cell, planned.seeds, later, planned.free, report);
+    planned.result = task.run(tiles, planned.cell, planned.seeds, later.of(planned.cell), planned.free, report);
   });
 }
 
-void PhaseRunner::run_interleaved(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later) {
+void PhaseRunner::run_interleaved(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later) {
   std::vector<std::unique_ptr<Task>> all;
   std::vector<std::size_t> unfinished;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     all.push_back(new_task());
-    all[i]->start(lattice, tasks[i].cell, tasks[i].seeds, later, tasks[i].free);
+    all[i]->start(tiles, tasks[i].cell, tasks[i].seeds, later.of(tasks[i].cell), tasks[i].free);
     unfinished.push_back(i);
   }
   while (!unfinished.empty()) {

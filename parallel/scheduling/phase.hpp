@@ -23,7 +23,7 @@ struct PlannedTask {
   int thread = 0;  ///< the thread that ran the task
 };
 
-/// For each cell of a lattice, the triangles with which the cell's next task starts (seeds).
+/// For each cell, the triangles with which the cell's next task starts (seeds).
 using SeedsByCell = std::vector<std::vector<QueuedTriangle>>;
 
 /// Runs phases. Owns the allocators of vertex and triangle indices, and one Task per thread.
@@ -33,23 +33,23 @@ class PhaseRunner {
               const Threads& threads, const Schedule& schedule);
 
   /// Plans one task for each cell of the colour that has seeds. Moves the seeds into the tasks.
-  [[nodiscard]] std::vector<PlannedTask> plan(const Lattice& lattice, unsigned colour, SeedsByCell& seeds) const;
+  [[nodiscard]] std::vector<PlannedTask> plan(const Tiles& tiles, unsigned colour, SeedsByCell& seeds) const;
 
   /// Runs the tasks. Each calls `report` from time to time. Precondition: their cells have one colour, so that their
   /// boxes are disjoint.
-  void run(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later, const Task::Report& report);
+  void run(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later, const Task::Report& report);
 
   [[nodiscard]] const IndexAllocator& vertices() const { return vertices_; }
   [[nodiscard]] const IndexAllocator& triangles() const { return triangles_; }
 
  private:
   [[nodiscard]] std::vector<double> triangles_wanted(const SeedsByCell& seeds) const;
-  void select_seeds(PlannedTask& task, const Lattice& lattice) const;
-  [[nodiscard]] bool violates_t1(TriangleId id, Index cell, const Lattice& lattice) const;
+  void select_seeds(PlannedTask& task, const Tiles& tiles) const;
+  [[nodiscard]] bool violates_t1(TriangleId id, Index cell, const Tiles& tiles) const;
   void assign_indices(std::vector<PlannedTask>& tasks);
-  void run_on_threads(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later,
+  void run_on_threads(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later,
                       const Task::Report& report);
-  void run_interleaved(const Lattice& lattice, std::vector<PlannedTask>& tasks, const Deferral& later);
+  void run_interleaved(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later);
   [[nodiscard]] std::unique_ptr<Task> new_task();
 
   Triangulation& t_;

@@ -1,6 +1,7 @@
 #include "refine_by_sweeps.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "../triangulation/radii.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
+#include "overload.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
 #include "tiling_record.hpp"
@@ -21,6 +23,13 @@ namespace {
 /// A level splits triangles whose longest side exceeds this fraction of the side of a cell of the next finer level. The
 /// cavities of shorter triangles fit the boxes of the finer level.
 constexpr double long_in_finer_cells = 0.25;
+
+/// A leaf of a quadtree is divided if more triangles than this multiple of Options::triangles_per_tile are expected. A
+/// task works on a box of 2.25 leaves, and of four cells in a lattice.
+constexpr double triangles_per_leaf = 2.5;
+
+/// The decomposition is a quadtree if the work in a cell of a lattice exceeds the average by more than this factor.
+constexpr double most_overload = 4;
 
 Error t1_violated(const Sweep& sweep) {
   return {ErrorKind::internal, "a self-check of the refinement failed: on a lattice of " +
@@ -51,13 +60,12 @@ class Refinement {
     if (Status fits = check_size(initial.estimates.lower_bound, options_); !fits) return fits;
     const Box bounds = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, options_);
-    std::vector<Lattice> levels = lattice_levels(bounds, finest);
     progress_.start(initial.estimates.with_angle_bound, runner_.vertices().in_use(), runner_.triangles().in_use());
 
-    go_down(levels);
-    lay_finest(bounds, levels);
-    refine_on_finest(levels.back());
-    go_up(levels);
+    if (prefers_quadtree(finest))
+      refine_in_quadtree(bounds);
+    else
+      refine_in_lattice(bounds, finest);
     compact(t_, runner_.vertices(), runner_.triangles(), threads_);
     // A triangle is left over if its split point lies in no triangle, or if the refinement ended early.
     counts_.left_alone = counts_.left_alone || pending_.any_needs_larger_box();
@@ -68,6 +76,58 @@ class Refinement {
   [[nodiscard]] RefineCounts counts() && { return std::move(counts_); }
 
  private:
+  /// From coarse tiles to fine ones. References to the elements stay valid when levels are added.
+  using Levels = std::deque<Tiles>;
+
+  [[nodiscard]] bool prefers_quadtree(const Lattice& finest) const {
+    if (options_.decomposition == Decomposition::quadtree) return true;
+    const bool may = options_.decomposition == Decomposition::automatic && options_.cells[0] == 0;
+    return may && criteria_.depends_on_place() && finest.cells() > 1 &&
+           overload(t_, criteria_, assessor_, finest, threads_) > most_overload;
+  }
+
+  void refine_in_lattice(const Box& bounds, const Lattice& finest) {
+    Levels levels;
+    for (const Lattice& lattice : lattice_levels(bounds, finest)) levels.emplace_back(lattice);
+    go_down(levels);
+    lay_finest(bounds, levels);
+    refine_on_finest(levels.back(), Deferral{.last_key = pending_.median_key()});
+    go_up(levels);
+  }
+
+  /// Each level divides the leaves in which too much work waits. The work is estimated from the mesh that the level
+  /// before has made.
+  void refine_in_quadtree(const Box& bounds) {
+    Levels levels;
+    levels.emplace_back(Quadtree(bounds));
+    for (;;) {
+      const Tiles& present = levels.back();
+      Quadtree finer = *present.quadtree();
+      for (int halvings = 0; halvings < 2; ++halvings)
+        finer = finer.divided(pending_.work(finer, criteria_), triangles_per_leaf * options_.triangles_per_tile);
+      if (finer.cells() == present.cells()) break;
+      refine_due(present, short_enough_for(*present.quadtree(), finer));
+      levels.emplace_back(std::move(finer));
+    }
+    record_.set_finest(levels.back(), bounds, largest_radii(t_, runner_.triangles(), threads_),
+                       counts_.inserted + counts_.segment_splits);
+    std::vector<Deferral> shorter_half;
+    for (const unsigned key : pending_.median_keys(levels.back())) shorter_half.push_back({.last_key = key});
+    refine_on_finest(levels.back(), Deferrals(std::move(shorter_half)));
+    go_up(levels);
+  }
+
+  /// For each leaf: the rule that leaves triangles to the finer leaves in it.
+  [[nodiscard]] static Deferrals short_enough_for(const Quadtree& tree, const Quadtree& finer) {
+    std::vector<Deferral> rules(tree.cells(), {.longest_squared = INFINITY});
+    for (Index cell = 0; cell < finer.cells(); ++cell) {
+      const double longest = long_in_finer_cells * finer.side_of(cell);
+      double& bound = rules[tree.cell_of(finer.centre_of(cell))].longest_squared;
+      bound = std::min(bound, longest * longest);
+    }
+    return Deferrals(std::move(rules));
+  }
+
   [[nodiscard]] Deferral short_enough_for(const Lattice& finer) const {
     if (options_.decomposition == Decomposition::paper) {
       const double largest = finer.side() / Lattice::radii_per_side;
@@ -81,19 +141,20 @@ class Refinement {
   /// wait for a finer level. Most triangles of a fine input are short from the start. They are taken out first, so that
   /// the coarse levels do not examine them. (With the paper's decomposition, levels compare circumradii instead of
   /// lengths, and no triangle is taken out.)
-  void go_down(const std::vector<Lattice>& levels) {
-    pending_.set_aside(short_enough_for(levels.back()));
+  void go_down(const Levels& levels) {
+    pending_.set_aside(short_enough_for(*levels.back().lattice()));
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
-      refine_due(levels[level], short_enough_for(levels[level + 1]));
+      refine_due(levels[level], short_enough_for(*levels[level + 1].lattice()));
     pending_.bring_back();
   }
 
   /// Measures the circumradii. With the paper's decomposition, widens the cells of the finest lattice to the size that
   /// the largest circumradius demands.
-  void lay_finest(const Box& bounds, std::vector<Lattice>& levels) {
+  void lay_finest(const Box& bounds, Levels& levels) {
     const Radii largest = largest_radii(t_, runner_.triangles(), threads_);
     if (options_.decomposition == Decomposition::paper)
-      levels.back() = with_cells_at_least(Lattice::radii_per_side * largest.radius, bounds, levels.back());
+      levels.back() =
+          Tiles(with_cells_at_least(Lattice::radii_per_side * largest.radius, bounds, *levels.back().lattice()));
     record_.set_finest(levels.back(), bounds, largest, counts_.inserted + counts_.segment_splits);
   }
 
@@ -101,37 +162,37 @@ class Refinement {
   /// triangles also split many long ones. In the opposite order, the points for long triangles would be additional.
   /// Tiles that finish one after the other do not produce this order by themselves. A single queue for all triangles
   /// does not produce it either, and makes larger meshes.
-  void refine_on_finest(const Lattice& finest) {
-    refine_due(finest, {.last_key = pending_.median_key()});
+  void refine_on_finest(const Tiles& finest, const Deferrals& longer_half) {
+    refine_due(finest, longer_half);
     refine_due(finest, {});
   }
 
   /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels.
-  void go_up(const std::vector<Lattice>& levels) {
+  void go_up(const Levels& levels) {
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], pending_.take_needing_larger_box_by_cell(levels[level]), {});
   }
 
-  void refine_due(const Lattice& lattice, const Deferral& later) {
-    sweep_to_fixpoint(lattice, pending_.take_due_by_cell(lattice, later), later);
+  void refine_due(const Tiles& tiles, const Deferrals& later) {
+    sweep_to_fixpoint(tiles, pending_.take_due_by_cell(tiles, later), later);
   }
 
-  void sweep_to_fixpoint(const Lattice& lattice, SeedsByCell seeds, const Deferral& later) {
+  void sweep_to_fixpoint(const Tiles& tiles, SeedsByCell seeds, const Deferrals& later) {
     const auto waiting = [&] {
       return !counts_.budget_reached &&
              std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); });
     };
     // A triangle may need a point in one cell, then a point in another cell. Two tasks could hand it on to each other
     // for ever. After two sweeps without an insertion both have tried, and the triangle needs a larger box.
-    for (int idle = 0; idle < 2 && waiting();) idle = sweep(lattice, seeds, later) > 0 ? 0 : idle + 1;
+    for (int idle = 0; idle < 2 && waiting();) idle = sweep(tiles, seeds, later) > 0 ? 0 : idle + 1;
     for (const std::vector<QueuedTriangle>& of_cell : seeds) pending_.add_needing_larger_box(of_cell);
   }
 
   /// Returns the number of vertices inserted.
-  std::uint64_t sweep(const Lattice& lattice, SeedsByCell& seeds, const Deferral& later) {
+  std::uint64_t sweep(const Tiles& tiles, SeedsByCell& seeds, const Deferrals& later) {
     Stopwatch watch;
-    Sweep done{lattice.columns(), lattice.rows()};
-    for (unsigned colour = 0; colour < Lattice::colours; ++colour) run_phase(lattice, colour, seeds, later, done);
+    Sweep done{tiles.columns(), tiles.rows()};
+    for (unsigned colour = 0; colour < tiles.colours(); ++colour) run_phase(tiles, colour, seeds, later, done);
     done.seconds = watch.seconds();
     record_.add_sweep(done);
     if (runner_.vertices().available() == 0) counts_.budget_reached = counts_.left_alone = true;
@@ -139,14 +200,14 @@ class Refinement {
     return done.inserted;
   }
 
-  void run_phase(const Lattice& lattice, unsigned colour, SeedsByCell& seeds, const Deferral& later, Sweep& done) {
-    std::vector<PlannedTask> tasks = runner_.plan(lattice, colour, seeds);
-    runner_.run(lattice, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
+  void run_phase(const Tiles& tiles, unsigned colour, SeedsByCell& seeds, const Deferrals& later, Sweep& done) {
+    std::vector<PlannedTask> tasks = runner_.plan(tiles, colour, seeds);
+    runner_.run(tiles, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
     for (const PlannedTask& task : tasks) {
       threads_.ask();
       for (const HandedOn& h : task.result.handed_on) seeds[h.cell].push_back(h.triangle);
       collect(task, done);
-      record_.add_task(lattice, task.cell, task.thread);
+      record_.add_task(tiles, task.cell, task.thread);
     }
     pending_.defer_all_of(tasks);
     progress_.phase_ended(runner_.vertices().in_use(), runner_.triangles().in_use());

@@ -94,6 +94,18 @@ Located Background::nearest_in(Index leaf, Point p) const {
   return result;
 }
 
+/// The side of a triangle beyond which p lies; no_side if p lies inside, on_side if p lies on a side. Exact.
+unsigned Background::side_towards(Point p, const Leaf& leaf) const {
+  const auto c = corners(leaf);
+  bool inside = true;
+  for (unsigned side = 0; side < 3; ++side) {
+    const double sign = orient2d(c[next_corner[side]], c[previous_corner[side]], p);
+    if (sign < 0) return side;
+    inside = inside && sign > 0;
+  }
+  return inside ? no_side : on_side;
+}
+
 /// Walks from `leaf` towards p, through sides that have p on their other side. `leaf` is then the last triangle and, if
 /// it has p in its interior, `found` the position. The walk is `lost` if it would leave the triangulation, or after
 /// `steps` steps: where edges are not Delaunay it may go round in a circle.
@@ -101,28 +113,22 @@ Background::Walk Background::walk(Point p, Index& leaf, int steps, Located& foun
   for (; steps > 0; --steps) {
     const Leaf& at = leaves_[leaf];
     const auto c = corners(at);
-    std::array<double, 3> determinant{};
-    bool certain = at.twice_area > 0, inside = true;
-    unsigned beyond = 3;
-    for (unsigned side = 0; side < 3 && beyond == 3; ++side) {
-      const Point from = c[next_corner[side]], to = c[previous_corner[side]];
-      const Orientation<double> sign = turn(from, to, p);
-      determinant[side] = sign.determinant;
-      if (sign.determinant > sign.error) continue;
-      certain = false;
-      const double exactly = sign.is_certain() ? sign.determinant : exact::orient2d(from, to, p);
-      inside = inside && exactly > 0;
-      if (exactly < 0) beyond = side;
-    }
-    if (beyond == 3) {
-      if (!inside) return Walk::on_edge;
+    const Orientation<double> a = turn(c[1], c[2], p), b = turn(c[2], c[0], p), d = turn(c[0], c[1], p);
+    if (a.determinant > a.error && b.determinant > b.error && d.determinant > d.error && at.twice_area > 0) {
+      // The weights of weights_in(), with the same bits.
       const double area = at.twice_area;
-      found = {number_[leaf], at.v, {determinant[0] / area, determinant[1] / area, determinant[2] / area}};
-      if (!certain) found = weights_in(leaf, p);
+      found = {number_[leaf], at.v, {a.determinant / area, b.determinant / area, d.determinant / area}};
       return Walk::inside;
     }
-    if (at.n[beyond] == no_index) return Walk::lost;
-    leaf = at.n[beyond];
+    unsigned side = a.determinant < -a.error ? 0 : b.determinant < -b.error ? 1 : d.determinant < -d.error ? 2 : 3;
+    if (side == 3) side = side_towards(p, at);
+    if (side == on_side) return Walk::on_edge;
+    if (side == no_side) {
+      found = weights_in(leaf, p);
+      return Walk::inside;
+    }
+    if (at.n[side] == no_index) return Walk::lost;
+    leaf = at.n[side];
   }
   return Walk::lost;
 }

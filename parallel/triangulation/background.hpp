@@ -61,6 +61,8 @@ class Background {
   [[nodiscard]] std::array<Point, 3> corners(const Leaf& leaf) const {
     return {points_[leaf.v[0]], points_[leaf.v[1]], points_[leaf.v[2]]};
   }
+  static constexpr unsigned no_side = 4, on_side = 5;
+  [[nodiscard]] unsigned side_towards(Point p, const Leaf& leaf) const;
   [[nodiscard]] Walk walk(Point p, Index& leaf, int steps, Located& found) const;
   [[nodiscard]] Index leaf_near(Point p) const;
   [[nodiscard]] Located search(Point p) const;

@@ -73,6 +73,33 @@ TEST_P(MeshOf, has_the_digest_that_is_recorded) {
   });
 }
 
+TEST(GradedMesh, is_identical_on_any_number_of_threads_with_any_order_and_delays_of_tasks) {
+  std::uint64_t with_many_tasks = 0;
+  for (std::uint64_t number = 0; number < graded_problems; ++number) {
+    const Problem p = graded_problem(number);
+    SCOPED_TRACE(p.what.name);
+    const auto expected = samples::refined(p.what, p.options, {});
+    std::uint64_t handed_on = 0;
+    for (const Sweep& sweep : expected.counts.tiling.sweeps) handed_on += sweep.handed_on();
+    if (expected.counts.tiling.leaves.size() >= 16 && handed_on >= 10) ++with_many_tasks;
+    Options options = p.options;
+    for (const int threads : {1, 2, 3, 4, 8, 16}) {
+      options.threads = threads;
+      const engine::Schedule schedule = samples::shuffled(number + static_cast<std::size_t>(threads));
+      EXPECT_TRUE(samples::refined(p.what, options, schedule).mesh == expected.mesh) << threads << " threads";
+    }
+  }
+  EXPECT_GE(with_many_tasks, graded_problems / 2);
+}
+
+TEST(GradedMesh, has_the_digest_that_is_recorded) {
+  for (std::uint64_t number = 0; number < graded_problems; ++number)
+    for (const int threads : {1, 2}) {
+      const std::string found = line(graded_problem(number), threads);
+      EXPECT_TRUE(recorded().contains(found)) << "not in " PARDEL_DIGESTS ": " << found;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, MeshOf, testing::ValuesIn(generators::all_families()),
                          [](const auto& parameter) { return std::string(generators::name(parameter.param)); });
 

@@ -27,6 +27,8 @@ void print_recorded() {
   for (const generators::Family family : generators::all_families())
     for (std::uint64_t number = 0; number < problems_per_family; ++number)
       std::cout << line(problem(family, number), 1) << '\n';
+  for (std::uint64_t number = 0; number < graded_problems; ++number)
+    std::cout << line(graded_problem(number), 1) << '\n';
 }
 
 /// A problem whose mesh has about this number of triangles: a domain with a bound on areas, or random points with the

@@ -59,6 +59,24 @@ Problem problem(generators::Family family, std::uint64_t number) {
   return p;
 }
 
+Problem graded_problem(std::uint64_t number) {
+  const std::vector<generators::Family> families = generators::all_families();
+  Problem p = problem(families[number % families.size()], number % problems_per_family);
+  generators::Random random(number);
+  const auto points = p.what.pslg.points;
+  const Point centre = points[random.below(points.size())];
+  const double extent = std::sqrt(area_of_bounding_box(p.what.pslg));
+  const double least = extent * std::ldexp(1.0, -random.between(6, 12)), slope = 0.0625 * random.between(2, 4);
+  p.what.goal.size = [=](Point q) {
+    return least + slope * std::sqrt((q.x - centre.x) * (q.x - centre.x) + (q.y - centre.y) * (q.y - centre.y));
+  };
+  p.options.decomposition = Decomposition::quadtree;
+  const std::string paper = ", the paper's";
+  if (const auto at = p.what.name.find(paper); at != std::string::npos) p.what.name.erase(at, paper.size());
+  p.what.name = "graded " + std::to_string(number) + " of " + p.what.name;
+  return p;
+}
+
 std::string line(const Problem& problem, int threads) {
   Options options = problem.options;
   options.threads = threads;

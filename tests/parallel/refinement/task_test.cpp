@@ -30,9 +30,9 @@ struct TaskScene : samples::AssessedSample {
   }
   /// Runs the task of a cell with all bad triangles in the cell's box.
   TaskResult run(
-      const Lattice& lattice, Index cell, const Deferral& later = {}, const Task::Report& report = [](std::uint64_t) {},
+      const Tiles& tiles, Index cell, const Deferral& later = {}, const Task::Report& report = [](std::uint64_t) {},
       bool own_cell_only = false) {
-    const Box box = lattice.box_of(cell);
+    const Box box = tiles.box_of(cell);
     std::vector<QueuedTriangle> seeds;
     for (TriangleId id = 0; id < triangles(); ++id) {
       const auto& v = t().slots[id].v;
@@ -40,7 +40,7 @@ struct TaskScene : samples::AssessedSample {
         seeds.push_back(QueuedTriangle::now(t(), EdgeRef(id, 0)));
     }
     Task task(t(), assessor, criteria, options.min_edge, own_cell_only);
-    return task.run(lattice, cell, seeds, later, free, report);
+    return task.run(tiles, cell, seeds, later, free, report);
   }
   [[nodiscard]] std::vector<TriangleId> bad() const {
     std::vector<TriangleId> bad;
@@ -50,7 +50,7 @@ struct TaskScene : samples::AssessedSample {
   }
 };
 
-const Lattice one_cell{{0, 0, 1, 1}, 1, 1};
+const Tiles one_cell(Lattice({0, 0, 1, 1}, 1, 1));
 
 TEST(Task, refines_the_whole_plane_until_no_triangle_is_bad) {
   TaskScene scene;
@@ -66,7 +66,7 @@ TEST(Task, refines_the_whole_plane_until_no_triangle_is_bad) {
 
 TEST(Task, changes_no_triangle_outside_its_box) {
   TaskScene scene;
-  const Lattice lattice({0, 0, 1, 1}, 3, 3);
+  const Tiles lattice(Lattice({0, 0, 1, 1}, 3, 3));
   const Box box = lattice.box_of(0);
   const Triangulation before = scene.t();
   const Index triangles = scene.triangles();
@@ -84,7 +84,7 @@ TEST(Task, changes_no_triangle_outside_its_box) {
 
 /// In the paper's lattice, a point belongs to the cell in which it lies, also a point on a segment.
 TEST(Task, inserts_only_points_of_its_own_cell_if_asked) {
-  const Lattice lattice({0, 0, 1, 1}, 3, 3);
+  const Tiles lattice(Lattice({0, 0, 1, 1}, 3, 3));
   std::uint64_t of_other_cells = 0;
   for (const bool own_cell_only : {true, false}) {
     std::array<int, 2> beyond{};  // points in faces, and on segments

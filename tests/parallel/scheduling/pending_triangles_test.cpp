@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "../../../parallel/scheduling/initial_assessment.hpp"
 #include "../refinement/assessed_sample.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 /// Random points in the unit square, with most triangles bad.
 struct PendingScene : samples::AssessedSample {
-  Lattice lattice{{0, 0, 1, 1}, 4, 4};
+  Tiles lattice{Lattice({0, 0, 1, 1}, 4, 4)};
 
   PendingScene() : AssessedSample(samples::uniform_points(2000, 3), {.min_angle_deg = 30}, Placement::circumcentre) {}
   [[nodiscard]] const Triangulation& t() const { return sample.triangulation; }
@@ -68,6 +69,40 @@ TEST(PendingTriangles, are_deferred_where_the_rule_says_so_and_are_due_later) {
   seen.insert(seen.end(), rest.begin(), rest.end());
   std::sort(seen.begin(), seen.end());
   EXPECT_EQ(seen, bad_triangles(scene));
+}
+
+/// Each cell has a rule of its own.
+TEST(PendingTriangles, are_deferred_by_the_rule_of_their_cell) {
+  const PendingScene scene;
+  const Tiles leaves{Quadtree({0, 0, 1, 1}).divided(std::vector<double>{1}, 0)};
+  PendingTriangles pending = scene.all_bad(2);
+  const std::vector<unsigned> medians = pending.median_keys(leaves);
+  ASSERT_EQ(medians.size(), 4U);
+  std::vector<Deferral> rules{{}, {.longest_squared = INFINITY}};
+  rules.push_back({.last_key = medians[2]});
+  rules.push_back({.last_key = medians[3]});
+  const SeedsByCell seeds = pending.take_due_by_cell(leaves, Deferrals(rules));
+  EXPECT_FALSE(seeds[0].empty());
+  EXPECT_TRUE(seeds[1].empty());
+  for (const Index cell : {2U, 3U})
+    for (const QueuedTriangle seed : seeds[cell]) EXPECT_LE(scene.assessor.assess(seed.id()).key, medians[cell]);
+  const SeedsByCell rest = pending.take_due_by_cell(leaves, {});
+  EXPECT_TRUE(rest[0].empty());
+  for (const Index cell : {2U, 3U}) {
+    EXPECT_GT(3 * rest[cell].size(), seeds[cell].size());
+    EXPECT_GT(3 * seeds[cell].size(), rest[cell].size());
+  }
+  EXPECT_EQ(ids(seeds).size() + ids(rest).size(), bad_triangles(scene).size());
+}
+
+TEST(PendingTriangles, have_the_work_that_is_estimated_on_any_number_of_threads) {
+  const PendingScene scene;
+  const Quadtree tree = Quadtree({0, 0, 1, 1}).divided(std::vector<double>{1}, 0);
+  const std::vector<double> one = scene.all_bad(1).work(tree, scene.criteria);
+  EXPECT_EQ(one, scene.all_bad(3).work(tree, scene.criteria));
+  double sum = 0;
+  for (const double of_leaf : one) sum += of_leaf;
+  EXPECT_NEAR(sum, 2.0 * static_cast<double>(bad_triangles(scene).size()), 1e-9) << "a goal without bounds on size";
 }
 
 TEST(PendingTriangles, come_back_after_they_were_set_aside) {

@@ -10,7 +10,7 @@ namespace {
 
 TEST(TilingRecord, holds_the_finest_lattice_and_the_bounds_on_circumradii) {
   const Box bounds{-1, 2, 5, 4};
-  const Lattice finest(bounds, 3, 2);
+  const Tiles finest(Lattice(bounds, 3, 2));
   TilingRecord record;
   record.set_finest(finest, bounds, {.radius = 0.25, .ratio = 1.5, .area = 0.125}, 77);
   record.add_sweep({.columns = 3, .rows = 2, .inserted = 5});
@@ -31,7 +31,7 @@ TEST(TilingRecord, holds_the_finest_lattice_and_the_bounds_on_circumradii) {
 
 TEST(TilingRecord, holds_the_first_thread_of_each_cell_of_the_finest_lattice) {
   const Box bounds{0, 0, 1, 1};
-  const Lattice coarse(bounds, 1, 1), finest(bounds, 2, 2);
+  const Tiles coarse(Lattice(bounds, 1, 1)), finest(Lattice(bounds, 2, 2));
   TilingRecord record;
   record.add_task(coarse, 0, 3);
   record.set_finest(finest, bounds, {}, 0);
@@ -40,6 +40,26 @@ TEST(TilingRecord, holds_the_first_thread_of_each_cell_of_the_finest_lattice) {
   record.add_task(finest, 3, 0);
   record.add_task(coarse, 0, 3);
   EXPECT_EQ(std::move(record).take().thread_of_cell, (std::vector<std::int16_t>{-1, -1, 1, 0}));
+}
+
+TEST(TilingRecord, finds_the_leaf_of_a_point_and_its_colour) {
+  const Box bounds{0, 0, 1, 0.75};
+  Quadtree tree(bounds);
+  for (int i = 0; i < 5; ++i) {
+    std::vector<double> quantity(tree.cells(), 0);
+    quantity[tree.cell_of({0.3, 0.4})] = 1;
+    tree = tree.divided(quantity, 0.5);
+  }
+  const Tiles finest(tree);
+  TilingRecord record;
+  record.set_finest(finest, bounds, {}, 0);
+  const Tiling tiling = std::move(record).take();
+  EXPECT_EQ(tiling.columns, tree.cells());
+  EXPECT_EQ(tiling.cell_width, 1.0 / 32);
+  for (Index cell = 0; cell < tree.cells(); ++cell) {
+    EXPECT_EQ(tiling.cell_of(tree.centre_of(cell)), cell);
+    EXPECT_EQ(tiling.colour_of(cell), tree.colour_of(cell));
+  }
 }
 
 }  // namespace

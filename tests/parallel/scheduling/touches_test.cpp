@@ -59,6 +59,21 @@ TEST_P(Touches, of_the_tasks_of_a_phase_are_disjoint) {
   }
 }
 
+TEST_P(Touches, of_tasks_on_the_leaves_of_a_quadtree_are_disjoint) {
+  samples::Case graded = case_;
+  const Point centre = graded.pslg.points.front();
+  graded.goal.size = [centre](Point p) { return 0.01 + 0.2 * std::hypot(p.x - centre.x, p.y - centre.y); };
+  Options options = samples::options_for(graded, Decomposition::quadtree);
+  options.triangles_per_tile = 40;
+  Watch watch;
+  const Schedule schedule = watch.schedule();
+  const auto done = samples::refined(graded, options, schedule);
+  EXPECT_GT(done.counts.tiling.leaves.size(), 20U);
+  EXPECT_GT(watch.touched(), done.counts.inserted);
+  EXPECT_GT(watch.most_tasks(), 3U);
+  EXPECT_EQ(watch.common(), 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, Touches, testing::Range(std::size_t{0}, samples::cases().size()),
                          [](const auto& parameter) { return samples::cases()[parameter.param].name; });
 

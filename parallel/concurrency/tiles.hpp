@@ -1,0 +1,52 @@
+// The tiles of a pass: the cells of a lattice, or the leaves of a quadtree.
+#pragma once
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lattice.hpp"
+#include "quadtree.hpp"
+
+namespace pardel::engine {
+
+/// Divides the plane into cells. Each cell has a colour and a box; the boxes of the cells of one colour are disjoint.
+class Tiles {
+ public:
+  explicit Tiles(Lattice lattice) : shape_(lattice) {}
+  explicit Tiles(Quadtree tree) : shape_(std::move(tree)) {}
+
+  [[nodiscard]] Index cells() const {
+    return std::visit([](const auto& s) { return s.cells(); }, shape_);
+  }
+  [[nodiscard]] Index cell_of(Point p) const {
+    return std::visit([p](const auto& s) { return s.cell_of(p); }, shape_);
+  }
+  [[nodiscard]] unsigned colours() const {
+    return std::visit([](const auto& s) -> unsigned { return s.colours(); }, shape_);
+  }
+  [[nodiscard]] unsigned colour_of(Index cell) const {
+    return std::visit([cell](const auto& s) { return s.colour_of(cell); }, shape_);
+  }
+  [[nodiscard]] Box box_of(Index cell) const {
+    return std::visit([cell](const auto& s) { return s.box_of(cell); }, shape_);
+  }
+  [[nodiscard]] double box_area(Index cell) const {
+    return std::visit([cell](const auto& s) { return s.box_area(cell); }, shape_);
+  }
+  [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
+    return std::visit([&](const auto& s) { return s.sum_over_box(cell, per_cell); }, shape_);
+  }
+  /// The columns and rows of the lattice; for a quadtree, the number of leaves and 1.
+  [[nodiscard]] Index columns() const { return lattice() != nullptr ? lattice()->columns() : cells(); }
+  [[nodiscard]] Index rows() const { return lattice() != nullptr ? lattice()->rows() : 1; }
+  /// Null if the tiles are not the cells of a lattice.
+  [[nodiscard]] const Lattice* lattice() const { return std::get_if<Lattice>(&shape_); }
+  /// Null if the tiles are not the leaves of a quadtree.
+  [[nodiscard]] const Quadtree* quadtree() const { return std::get_if<Quadtree>(&shape_); }
+
+ private:
+  std::variant<Lattice, Quadtree> shape_;
+};
+
+}  // namespace pardel::engine
