@@ -82,9 +82,9 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
       ->transform(choice(placement_names))
       ->type_name("WHERE");
   app.add_option("--decomposition", options.decomposition,
-                 "How the plane is cut into cells: lattice (cells of one size, by work), quadtree (large and small "
-                 "cells, for\ngraded "
-                 "meshes), auto (one of these two; the default), paper (sides of four circumradii) or none")
+                 "How the plane is cut into cells: auto (the default), lattice (by work),\nquadtree (by work, for "
+                 "graded meshes), "
+                 "paper (sides of four circumradii)\nor none")
       ->transform(choice(decomposition_names))
       ->type_name("HOW");
   app.add_option(

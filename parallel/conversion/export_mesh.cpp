@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../concurrency/parallel_arrays.hpp"
-#include "../triangulation/background.hpp"
+#include "../interpolation/background.hpp"
 
 namespace pardel::engine {
 namespace {

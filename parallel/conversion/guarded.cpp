@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
-#include "../refinement/local_bound.hpp"
+#include "../interpolation/local_bound.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../../core/support/mesh_edges.hpp"
-#include "../triangulation/background.hpp"
+#include "../interpolation/background.hpp"
 
 namespace pardel::engine {
 

@@ -8,8 +8,8 @@
 
 #include "../../core/goal.hpp"
 #include "../options.hpp"
+#include "../interpolation/local_bound.hpp"
 #include "../triangulation/triangle_shape.hpp"
-#include "local_bound.hpp"
 
 namespace pardel::engine {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../../core/array.hpp"
+#include "../concurrency/lattice.hpp"
 #include "../concurrency/threads.hpp"
 #include "../refinement/deferral.hpp"
 
@@ -23,5 +24,11 @@ struct InitialAssessment {
 /// Assesses all triangles. Precondition: all their indices are in use. O(n).
 [[nodiscard]] InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
                                            const Threads& threads);
+
+/// The expected number of triangles in the cell of the lattice in which an average triangle of the final mesh will lie,
+/// divided by the average over all cells: 1 if the work is even. Precondition: all indices of triangles are in use.
+/// O(n + cells).
+[[nodiscard]] double overload(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
+                              const Lattice& lattice, const Threads& threads);
 
 }  // namespace pardel::engine

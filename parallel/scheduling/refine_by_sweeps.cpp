@@ -12,7 +12,6 @@
 #include "../triangulation/radii.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
-#include "overload.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
 #include "tiling_record.hpp"

@@ -63,6 +63,7 @@ const std::vector<Room>& rooms() {
       {"core", "core/formats", 1, "pardel::files"},
       {"parallel", "parallel/arithmetic", 0, "pardel::engine"},
       {"parallel", "parallel/concurrency", 1, "pardel::engine"},
+      {"parallel", "parallel/interpolation", 2, "pardel::engine"},
       {"parallel", "parallel/segments", 2, "pardel::engine"},
       {"parallel", "parallel/input", 3, "pardel::engine"},
       {"parallel", "parallel/triangulation", 3, "pardel::engine"},

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <utility>
+
 #include "../../../parallel/concurrency/parallel_for.hpp"
 #include "../refinement/assessed_sample.hpp"
 
@@ -47,6 +50,18 @@ TEST(InitialAssessment, tells_whether_a_triangle_is_left_alone) {
   EXPECT_FALSE(AssessmentScene({{0, 0}, {1, 0}, {0.5, 0.8}}, {.min_angle_deg = 25}).assessment(1).left_alone);
   EXPECT_TRUE(AssessmentScene({{0, 0}, {1, 0}, {1, 0.1}}, {.min_angle_deg = 25}).assessment(1).left_alone)
       << "a triangle between two segments";
+}
+
+/// The same domain, with even sizes and with small sizes in one corner.
+TEST(InitialAssessment, predicts_how_unevenly_a_lattice_divides_the_work) {
+  const Lattice lattice({0, 0, 1, 1}, 16, 16);
+  const auto overload_of = [&](std::function<double(Point)> size) {
+    const samples::AssessedSample scene(samples::uniform_points(2000, 3), {.size = std::move(size)},
+                                        Placement::off_centre);
+    return overload(scene.sample.triangulation, scene.criteria, scene.assessor, lattice, 1);
+  };
+  EXPECT_NEAR(overload_of([](Point) { return 0.001; }), 1, 0.1);
+  EXPECT_GT(overload_of([](Point p) { return 1e-4 + 0.01 * (p.x + p.y); }), 10);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "../../../parallel/triangulation/background.hpp"
+#include "../../../parallel/interpolation/background.hpp"
 
 #include <gtest/gtest.h>
 

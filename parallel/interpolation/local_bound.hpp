@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "../triangulation/background.hpp"
+#include "background.hpp"
 
 namespace pardel::engine {
 

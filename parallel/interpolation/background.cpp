@@ -8,10 +8,11 @@
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/hilbert_order.hpp"
-#include "triangulation.hpp"
 
 namespace pardel::engine {
 namespace {
+
+constexpr std::array<unsigned, 3> next_corner{1, 2, 0}, previous_corner{2, 0, 1};
 
 double squared_distance(const Box& box, Point p) {
   const double dx = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
