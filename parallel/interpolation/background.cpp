@@ -12,8 +12,6 @@
 namespace pardel::engine {
 namespace {
 
-constexpr std::array<unsigned, 3> next_corner{1, 2, 0}, previous_corner{2, 0, 1};
-
 double squared_distance(const Box& box, Point p) {
   const double dx = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
   const double dy = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
@@ -100,7 +98,7 @@ unsigned Background::side_towards(Point p, const Leaf& leaf) const {
   const auto c = corners(leaf);
   bool inside = true;
   for (unsigned side = 0; side < 3; ++side) {
-    const double sign = orient2d(c[next_corner[side]], c[previous_corner[side]], p);
+    const double sign = orient2d(c[(side + 1) % 3], c[(side + 2) % 3], p);
     if (sign < 0) return side;
     inside = inside && sign > 0;
   }
