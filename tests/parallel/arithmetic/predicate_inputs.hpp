@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <utility>
 
 #include "../../../core/pslg.hpp"
 
@@ -114,6 +115,32 @@ inline rc::Gen<Four> nearly_on_a_line() {
       uniform(), rc::gen::container<std::array<double, 2>>(fraction()),
       rc::gen::container<std::array<int, 4>>(rc::gen::inRange(-2, 3)));
 }
+/// Three points whose determinant is about 1 although its two products are about 2^104: (m, n) and (k, l) with
+/// m l - n k = 1, and a point so near to the origin that the differences of coordinates are not exact. Any fourth
+/// point.
+inline rc::Gen<Four> barely_turning() {
+  return rc::gen::apply(
+      [](std::int64_t m, std::int64_t k, std::array<int, 2> third, bool right, Point fourth) {
+        // Euclid's algorithm, which keeps x m + y k = rest.
+        std::array<std::int64_t, 3> now{m, 1, 0}, next{k, 0, 1};  // rest, x, y
+        while (next[0] != 0) {
+          const std::int64_t quotient = now[0] / next[0];
+          for (std::size_t i = 0; i < 3; ++i) now[i] -= quotient * next[i];
+          std::swap(now, next);
+        }
+        const auto divisor = static_cast<double>(now[0]);
+        const Point a{static_cast<double>(m) / divisor, -static_cast<double>(now[2])};
+        const Point b{static_cast<double>(k) / divisor, static_cast<double>(now[1])};
+        const Point c{std::ldexp(third[0], -60), std::ldexp(third[1], -60)};
+        return right ? Four{b, a, c, fourth} : Four{a, b, c, fourth};
+      },
+      rc::gen::inRange<std::int64_t>(std::int64_t{1} << 51, std::int64_t{1} << 53),
+      rc::gen::inRange<std::int64_t>(std::int64_t{1} << 51, std::int64_t{1} << 53),
+      rc::gen::container<std::array<int, 2>>(rc::gen::inRange(1, 1000)), rc::gen::arbitrary<bool>(),
+      rc::gen::map(rc::gen::pair(fraction(), fraction()), [](auto p) {
+        return Point{p.first, p.second};
+      }));
+}
 /// The points of the generator, all multiplied by one power of two.
 inline rc::Gen<Four> scaled(const rc::Gen<Four>& generator) {
   return rc::gen::apply(
@@ -137,12 +164,12 @@ inline rc::Gen<Four> nudged(const rc::Gen<Four>& generator) {
 inline constexpr const char* hard_families =
     "lattices, tenths, far offsets, extreme exponents, circles, rectangles, lines, some of them nudged by one "
     "rounding, "
-    "and points next to a line";
+    "points next to a line or a circle at all magnitudes, and products of 2^104 that differ by 1";
 inline rc::Gen<Four> hard_points() {
   return rc::gen::oneOf(uniform(), small_lattice(), large_lattice(), tenths(), far_offset(), extreme_exponents(),
                         on_a_circle(), rectangle(), on_a_line(), nudged(rectangle()), nudged(on_a_line()),
-                        nudged(small_lattice()), nudged(far_offset()), nearly_on_a_line(),
-                        scaled(nudged(on_a_circle())));
+                        nudged(small_lattice()), nudged(far_offset()), nearly_on_a_line(), scaled(nearly_on_a_line()),
+                        scaled(nudged(on_a_circle())), barely_turning());
 }
 
 }  // namespace pardel::testing

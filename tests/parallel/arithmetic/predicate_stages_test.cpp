@@ -45,13 +45,15 @@ PARDEL_FACT(IncircleStages, doubles_settle_a_small_lattice_wherever_it_lies,
             {.statement = "doubles settle the in-circle test if the differences are integers of at most 4096, wherever "
                           "the points lie; beyond 4096 they are not asked",
              .source = "parallel/arithmetic/predicate_stages.hpp",
-             .families = "unit squares at three places, quadrangles of 4096 and 4097 units"}) {
-  for (const double x : {0.0, 1e9, -4987654.0}) {
-    const Decision square = decide_incircle({x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1});
-    EXPECT_EQ(square.value, 0);
-    EXPECT_EQ(square.stage, Stage::lattice);
-    ++facts.cases;
-  }
+             .families = "squares of three sizes at three places, quadrangles of 4096 and 4097 units"}) {
+  for (const double x : {0.0, 1e9, -4987654.0})
+    for (const double unit : {1.0, 0x1p-40, 0x1p40}) {
+      const double left = unit * x, right = unit * (x + 1);
+      const Decision square = decide_incircle({left, 0}, {right, 0}, {right, unit}, {left, unit});
+      EXPECT_EQ(square.value, 0);
+      EXPECT_EQ(square.stage, Stage::lattice);
+      ++facts.cases;
+    }
   EXPECT_EQ(decide_incircle({0, 0}, {4096, 0}, {4096, 4096}, {0, 4096}).stage, Stage::lattice);
   EXPECT_EQ(decide_incircle({0, 0}, {4096, 0}, {4097, 4096}, {0, 4096}).stage, Stage::exact_differences);
   facts.cases += 2;

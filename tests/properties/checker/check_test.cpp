@@ -172,6 +172,19 @@ TEST(Check, reports_clockwise_and_flat_triangles) {
   EXPECT_TRUE(reports(check(c), Kind::degenerate_triangle));
 }
 
+TEST(Check, names_a_triangle_with_unusable_corners_and_its_corners_in_order) {
+  const auto ids_of = [](const std::array<Index, 3>& corners, Kind kind) {
+    Case c = testing::square_in_two();
+    c.mesh.triangles[1].v = corners;
+    const Certificate certificate = check(c);
+    const auto found = std::ranges::find(certificate.violations, kind, &Violation::kind);
+    return found == certificate.violations.end() ? std::vector<Index>{} : found->ids;
+  };
+  EXPECT_EQ(ids_of({0, 99, 3}, Kind::index_out_of_range), (std::vector<Index>{1, 0, 99, 3}));
+  EXPECT_EQ(ids_of({3, 0, 0}, Kind::degenerate_triangle), (std::vector<Index>{1, 3, 0, 0}));
+  EXPECT_EQ(ids_of({0, 0, 3}, Kind::degenerate_triangle), (std::vector<Index>{1, 0, 0, 3}));
+}
+
 TEST(Check, reports_a_duplicate_triangle) {
   for (const bool linked : {true, false}) {
     Case c = testing::square_in_eight();
@@ -257,6 +270,17 @@ TEST(Check, reports_a_hole_that_is_filled) {
   c.pslg.regions.clear();
   c.mesh.region.clear();
   EXPECT_TRUE(reports(check(c), Kind::covered_exterior));
+}
+
+TEST(Check, reports_every_hole_that_is_filled_in_any_order_of_the_holes) {
+  const Point left{0.5, 2.75}, right{3.5, 1.25};
+  for (const auto& holes : {std::vector{left, right}, std::vector{right, left}}) {
+    Case c = testing::square_in_eight();
+    c.pslg.holes = holes;
+    const std::string text = to_text(check(c));
+    for (const char* seed : {"contains the seed of hole 0", "contains the seed of hole 1"})
+      EXPECT_NE(text.find(seed), std::string::npos) << seed << " in\n" << text;
+  }
 }
 
 TEST(Check, reports_a_triangle_outside_the_outline) {
@@ -436,6 +460,20 @@ TEST(Check, compares_angles_with_the_bound_exactly) {
   EXPECT_EQ(count(check(c, goal), Kind::small_angle), 2u);
 }
 
+TEST(Check, names_the_smallest_angle_of_a_triangle_with_two_small_angles) {
+  for (const double x : {1.5, 2.5}) {
+    Case c;
+    c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {x, 0.125}};
+    c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
+    c.mesh = testing::triangulated_by_cgal(c.pslg);
+    Goal goal;
+    goal.min_angle_deg = 20;
+    const Certificate certificate = check(c, goal);
+    ASSERT_EQ(certificate.violations.size(), 1u) << to_text(certificate);
+    EXPECT_EQ(certificate.violations[0].where[0], (Point{x < 2 ? 4.0 : 0.0, 0}));
+  }
+}
+
 TEST(Check, compares_areas_edges_and_radii_exactly) {
   const Case c = testing::square_in_eight();  // right triangles with legs of 2
   Goal goal = no_angle_bound();
@@ -524,6 +562,37 @@ TEST(Check, matches_the_vertices_of_a_foreign_mesh_by_coordinates) {
   EXPECT_TRUE(reports(check(c, no_angle_bound(), options), Kind::chain_off_segment));
 }
 
+TEST(Check, compares_the_markers_of_a_foreign_mesh_with_the_points_at_the_same_places) {
+  const Case own = testing::square_in_eight();
+  Case c = own;
+  const auto renumbered = [](Index v) { return 8 - v; };
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Triangle& t : own.mesh.triangles)
+    triangles.push_back({renumbered(t.v[0]), renumbered(t.v[1]), renumbered(t.v[2])});
+  std::vector<Point> points;
+  std::vector<int> markers;
+  for (Index v = 9; v-- > 0;) {
+    points.push_back(own.mesh.points[v]);
+    markers.push_back(own.mesh.point_markers[v]);
+  }
+  c.mesh = testing::mesh_of(points, triangles);
+  c.mesh.origin.clear();
+  c.mesh.point_markers.append(markers);
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true})));
+  c.mesh.point_markers[renumbered(0)] = 5;
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), {.foreign = true}), Kind::wrong_vertex_marker));
+}
+
+TEST(Check, takes_edges_of_a_foreign_mesh_as_unmarked_only_if_all_markers_are_zero) {
+  Case c = testing::square_in_eight();
+  const auto verdict = [&](int marker) {
+    for (ConstrainedEdge& e : c.mesh.constrained_edges) e.marker = marker;
+    return check(c, no_angle_bound(), {.foreign = true});
+  };
+  EXPECT_TRUE(is_valid(verdict(0)));
+  EXPECT_TRUE(reports_only(verdict(1), Kind::wrong_edge_marker));
+}
+
 TEST(Check, accepts_a_mesh_of_Mesh_2_for_its_own_bounds_and_for_no_larger_angle) {
   Case c;
   c.pslg = domains::pipe();
@@ -553,6 +622,8 @@ TEST(Certificate, has_the_extremes_and_their_triangles) {
   EXPECT_NEAR(certificate.max_edge.value, std::sqrt(8), 1e-12);
   EXPECT_NEAR(certificate.max_circumradius.value, std::sqrt(2), 1e-12);
   EXPECT_EQ(certificate.max_area.triangle, 0u);
+  EXPECT_NEAR(certificate.max_area.where.x, 4.0 / 3, 1e-15) << "the centroid of the triangle";
+  EXPECT_NEAR(certificate.max_area.where.y, 2.0 / 3, 1e-15);
   std::uint64_t angles = 0;
   for (const std::uint64_t bin : certificate.angle_histogram) angles += bin;
   EXPECT_EQ(certificate.angle_histogram.size(), 18u);
@@ -582,6 +653,13 @@ TEST(Certificate, is_text_with_the_violation_and_its_place) {
   EXPECT_NE(text.find("in-circle determinant"), std::string::npos) << text;
   EXPECT_NE(text.find("(1.25, 1)"), std::string::npos) << text;
   EXPECT_EQ(to_text(check(testing::square_in_two())).substr(0, 6), "valid:");
+}
+
+TEST(Certificate, is_text_with_the_goal_and_a_histogram) {
+  const std::string text = to_text(check(testing::square_in_eight(), {.min_angle_deg = 31, .max_area = 3.5}));
+  for (const std::string& words : {std::string("angles of at least 31 degrees"), std::string("3.5"),
+                                   "16  " + std::string(50, '#') + '\n', "8  " + std::string(25, '#') + '\n'})
+    EXPECT_NE(text.find(words), std::string::npos) << words << " in\n" << text;
 }
 
 TEST(Certificate, lists_at_most_max_violations_and_counts_all) {

@@ -1,0 +1,106 @@
+// T2 with a lens in place of the diametral circle: the variant that the engine uses. Proof: properties/THEORY.md, T2.
+#include <algorithm>
+
+#include "../../../ref/insertion.hpp"
+#include "../framework/property.hpp"
+#include "../framework/scenes.hpp"
+#include "../framework/shares.hpp"
+#include "left_triangle.hpp"
+
+namespace pardel::properties {
+namespace {
+using ref::Number;
+
+/// The lens of an angle bound α of 20.6 to 32 degrees, with a rational tangent of α.
+struct Lens {
+  Number squared_cosine, squared_sine;  ///< of 2 α
+
+  explicit Lens(const Number& tangent) {
+    const Number squares = 1 + tangent * tangent, cosine = (1 - tangent * tangent) / squares;
+    squared_cosine = cosine * cosine;
+    squared_sine = 1 - squared_cosine;
+  }
+  /// Does p see ab at an angle of 180° - 2 α or more?
+  [[nodiscard]] bool contains(const ref::ExactPoint& p, const ref::ExactPoint& a, const ref::ExactPoint& b) const {
+    const auto u = a - p, v = b - p;
+    const Number dot = u * v;
+    return dot < 0 && dot * dot >= squared_cosine * u.squared_length() * v.squared_length();
+  }
+};
+
+Lens some_lens() { return Lens(Number(*rc::gen::inRange(24, 41).as("64 times the tangent of the bound")) / 64); }
+
+/// An edge of the boundary of the cavity of p that is a wall or on the hull, and the triangle of p on it.
+struct Border {
+  ref::ExactPoint a, b;
+  Number inside, made;  ///< r² of the triangle of the cavity, and of the new triangle
+};
+
+std::vector<Border> borders(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
+  ref::PlainMesh with_p = mesh;
+  with_p.points.push_back(p);
+  std::vector<Border> result;
+  for (const ref::Corners& t :
+       ref::retriangulation(with_p, ref::cavity(mesh, p), static_cast<Index>(mesh.points.size())))
+    if (mesh.constraints.contains(ref::edge(t[0], t[1])) || !squared_circumradius_left_of(mesh, t[1], t[0]))
+      result.push_back({mesh.points[t[0]], mesh.points[t[1]], *squared_circumradius_left_of(mesh, t[0], t[1]),
+                        squared_circumradius(with_p, t)});
+  return result;
+}
+
+MeshedScene some_scene(Exhibit& exhibit) {
+  MeshedScene meshed = *scenes({.walls = true, .insertions = 3, .on_walls = true}).as("scene");
+  exhibit.show(meshed.scene);
+  tag_families(meshed);
+  return meshed;
+}
+
+constexpr const char* families =
+    "all layouts, walls and positions of random scenes; lenses of angle bounds from 20.6 to 32 degrees";
+
+PARDEL_PROPERTY(T2Lens, a_point_outside_the_lens_of_a_wall_bounds_the_new_circumradius_by_the_length_of_the_wall,
+                {.statement = "Let p lie outside the lens of the wall or hull edge mn on the boundary of its cavity: "
+                              "the angle mpn is less than 180° - 2 alpha. Then the circumradius of the new triangle "
+                              "mnp is at most the larger of that of the old triangle at mn, and |mn| / (2 sin 2 "
+                              "alpha).",
+                 .source = "THEORY.md, T2, with a lens in place of the circle",
+                 .families = families}) {
+  const MeshedScene meshed = some_scene(exhibit);
+  const Lens lens = some_lens();
+  bool between = false;
+  for (const Point& at : meshed.scene.insertions) {
+    const ref::ExactPoint p = ref::exact(at);
+    for (const Border& e : borders(meshed.mesh, p)) {
+      if (lens.contains(p, e.a, e.b)) continue;
+      between |= ref::encroaches(p, e.a, e.b);
+      RC_ASSERT(e.made <= std::max(e.inside, Number(CGAL::squared_distance(e.a, e.b) / (4 * lens.squared_sine))));
+    }
+  }
+  classify(between, "outside the lens, but inside the diametral circle", 1);
+}
+
+PARDEL_PROPERTY(T2Lens, while_no_point_lies_in_a_lens_circumradii_stay_below_one_multiple_of_the_bound,
+                {.statement = "Insert points into a constrained Delaunay mesh one after the other, each outside the "
+                              "lenses of all walls and hull edges on the boundary of its cavity. Then no circumradius "
+                              "exceeds r / sin 2 alpha, where r is the largest circumradius at the start, however many "
+                              "points are inserted.",
+                 .source = "THEORY.md, T2, with a lens in place of the circle",
+                 .families = families}) {
+  const MeshedScene meshed = some_scene(exhibit);
+  const Lens lens = some_lens();
+  ref::PlainMesh mesh = meshed.mesh;
+  bool grew = false;
+  for (const Point& at : meshed.scene.insertions) {
+    const ref::ExactPoint p = ref::exact(at);
+    const std::vector<Border> edges = borders(mesh, p);
+    if (std::ranges::any_of(edges, [&](const Border& e) { return lens.contains(p, e.a, e.b); })) continue;
+    ref::insert(mesh, p);
+    const Number bound = squared_circumradius_bound(mesh);
+    grew |= bound > meshed.squared_bound;
+    RC_ASSERT(bound * lens.squared_sine <= meshed.squared_bound);
+  }
+  classify(grew, "the largest circumradius grew", 0.2);
+}
+
+}  // namespace
+}  // namespace pardel::properties
