@@ -37,7 +37,7 @@ TEST(Statistics, a_right_triangle_of_sides_3_4_5_is_measured) {
 }
 
 TEST(Statistics, an_obtuse_angle_is_the_largest_wherever_it_stands) {
-  const Point a{0, 0}, b{1, 0}, c{-1, 1};
+  const Point a{0, 0}, b{3, 0}, c{-3, 3};
   for (const Mesh& mesh : {one_triangle(a, b, c), one_triangle(b, c, a), one_triangle(c, a, b)}) {
     EXPECT_DOUBLE_EQ(statistics(mesh).max_angle_deg, 135);
     EXPECT_DOUBLE_EQ(statistics(mesh).min_angle_deg, degrees(1, 3));
