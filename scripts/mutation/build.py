@@ -12,7 +12,7 @@ from . import rewrite, sites
 SCHEMATA = pathlib.Path(__file__).with_name("schemata.hpp")
 MOST_BUILDS = 12
 # Tests of other things than the mutated folders, and tests with mutants of their own.
-LEFT_OUT = {"mutants_test", "catalogue_test", "structure_test", "documents_test", "api_snippets_test"}
+LEFT_OUT = {"mutants_test", "catalogue_test", "structure_test", "docs_test"}
 
 
 def copy_project(root, source):
