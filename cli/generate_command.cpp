@@ -19,15 +19,23 @@ struct GenerateArguments {
   std::string name;
   std::uint64_t n = 0;
   std::uint64_t seed = 1;
-  std::filesystem::path output;
+  std::filesystem::path output, sizes;
+  double ratio = 0.02;
 };
 
 Result<ExitCode> run(const GenerateArguments& arguments) {
   if (Status fine = check_poly_output(arguments.output); !fine) return fine.error();
+  if (!arguments.sizes.empty() && arguments.name != "radial")
+    return Error{ErrorKind::usage, "--sizes can be used with the domain 'radial' only"};
   const Result<Pslg> pslg = domains::generate(arguments.name, arguments.n, arguments.seed);
   if (!pslg) return pslg.error();
   const Status written = write_poly(*pslg, arguments.output);
   if (!written) return written.error();
+  if (arguments.sizes.empty()) return ExitCode::done;
+  // The file of --sizes has the format of a .area file.
+  const Status sizes = write_area(arguments.sizes, domains::radial_sizes(*pslg, arguments.ratio),
+                                  static_cast<int>(pslg->first_id.value));
+  if (!sizes) return sizes.error();
   return ExitCode::done;
 }
 
@@ -44,12 +52,19 @@ Command add_generate(CLI::App& program) {
   CLI::App* app = program.add_subcommand("generate", "Write a named domain as a .poly file");
   app->add_option("NAME", arguments->name, "The name of the domain")->required()->type_name("");
   app->add_option("-n,--size", arguments->n,
-                  "The size of the domain, if it has one: how many points, teeth of a comb, or cells (0: the default)")
+                  "The size of the domain, if it has one: how many points, teeth of a comb, cells, or decades of radii "
+                  "(0: the\ndefault)")
       ->type_name("N");
   app->add_option("--seed", arguments->seed,
                   "Seed of a random domain (default 1); a seed gives the same file on every machine")
       ->type_name("S");
   app->add_option("-o,--output", arguments->output, "The file to write (required)")->required()->type_name("FILE.poly");
+  app->add_option("--sizes", arguments->sizes,
+                  "For radial: also write edge lengths that grow with the distance from the centre")
+      ->type_name("FILE");
+  app->add_option("--ratio", arguments->ratio, "For --sizes: edge length divided by distance (default 0.02)")
+      ->check(CLI::PositiveNumber.description(""))
+      ->type_name("R");
   app->footer(list_of_names() + "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");
   return {app, [arguments] { return run(*arguments); }};
 }

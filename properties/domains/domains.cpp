@@ -1,5 +1,6 @@
 #include "domains.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -212,6 +213,29 @@ Pslg regions() {
   return pslg;
 }
 
+Pslg radial(int decades) {
+  Pslg pslg;
+  add_closed(pslg, rectangle(-1, -1, 1, 1));
+  add_points(pslg, {{0, 0}});
+  constexpr int spokes = 24;
+  const int rings = 24 * decades;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double radius = 0.95 * std::pow(10.0, decades * (static_cast<double>(ring) / (rings - 1) - 1));
+    for (int i = 0; i < spokes; ++i)
+      add_points(pslg, {on_circle({0, 0}, radius, (i + 0.5 * (ring % 2)) * (360.0 / spokes))});
+  }
+  return pslg;
+}
+
+std::vector<double> radial_sizes(const Pslg& radial, double ratio) {
+  double innermost = std::numeric_limits<double>::infinity();
+  for (const Point p : radial.points)
+    if (const double radius = std::sqrt(p.x * p.x + p.y * p.y); radius > 0) innermost = std::min(innermost, radius);
+  std::vector<double> sizes;
+  for (const Point p : radial.points) sizes.push_back(ratio * std::max(innermost, std::sqrt(p.x * p.x + p.y * p.y)));
+  return sizes;
+}
+
 Pslg moved(Pslg pslg, double dx, double dy, double scale) {
   const auto move = [&](Point& p) { p = {p.x * scale + dx, p.y * scale + dy}; };
   for (Point& p : pslg.points) move(p);
@@ -248,6 +272,7 @@ const std::vector<Entry>& entries() {
       {"grid-points", 10, 1, 10'000, [](int n, std::uint64_t) { return grid_points(n); }},
       {"touching-holes", 0, 0, 0, [](int, std::uint64_t) { return touching_holes(); }},
       {"cracks", 0, 0, 0, [](int, std::uint64_t) { return cracks(); }},
+      {"radial", 2, 1, 6, [](int n, std::uint64_t) { return radial(n); }},
       {"regions", 0, 0, 0, [](int, std::uint64_t) { return regions(); }},
   };
   return table;

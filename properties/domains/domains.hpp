@@ -57,6 +57,13 @@ namespace pardel::domains {
 /// A rectangle of 3 by 1 in three regions with attributes 10, 20, 30 and area caps 2^-6, 2^-9, 2^-5.
 [[nodiscard]] Pslg regions();
 
+/// A square with sides of length 2, its centre, and 24 `decades` rings of 24 points around it, whose radii grow by the
+/// same factor from 0.95e-`decades` to 0.95. For graded meshes. Precondition: 1 <= decades <= 6.
+[[nodiscard]] Pslg radial(int decades);
+/// Wanted edge lengths at the points of radial(): `ratio` times the distance from the centre; at the centre, the length
+/// of the innermost ring.
+[[nodiscard]] std::vector<double> radial_sizes(const Pslg& radial, double ratio);
+
 /// Every point p, hole and seed becomes scale * p + (dx, dy), in doubles; area caps are multiplied by scale^2. For
 /// tests of coordinates far from the origin, such as (654321, 4987654). The result is valid only if different points
 /// stay different after rounding.

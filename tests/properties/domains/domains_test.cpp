@@ -56,6 +56,18 @@ TEST(Domains, have_coordinates_on_a_dyadic_lattice) {
   }
 }
 
+TEST(Domains, radial_has_rings_whose_radii_grow_by_one_factor_and_sizes_that_grow_with_them) {
+  const Pslg pslg = domains::radial(3);
+  ASSERT_EQ(pslg.points.size(), 5U + 24 * 72);
+  const std::vector<double> sizes = domains::radial_sizes(pslg, 0.5);
+  ASSERT_EQ(sizes.size(), pslg.points.size());
+  const auto radius = [&](std::size_t i) { return std::hypot(pslg.points[i].x, pslg.points[i].y); };
+  EXPECT_NEAR(radius(5), 0.95e-3, 1e-8);
+  EXPECT_NEAR(radius(pslg.points.size() - 1), 0.95, 1e-8);
+  for (std::size_t i = 5; i < sizes.size(); ++i) EXPECT_NEAR(sizes[i], 0.5 * radius(i), 1e-12);
+  EXPECT_NEAR(sizes[4], 0.5 * 0.95e-3, 1e-8) << "the centre";
+}
+
 TEST(Domains, the_key_and_pipe_in_examples_are_what_the_functions_return) {
   for (const auto& [file, pslg] : {std::pair{"key.poly", domains::key()}, std::pair{"pipe.poly", domains::pipe()}}) {
     const auto shipped = read_pslg(std::filesystem::path(PARDEL_EXAMPLES) / file);
