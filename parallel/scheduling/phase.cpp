@@ -10,6 +10,9 @@
 namespace pardel::engine {
 namespace {
 
+/// So many seeds are examined sooner by one thread than by several, which have to be woken.
+constexpr std::size_t few_seeds = 10'000;
+
 /// One vertex makes two triangles; a fifth is added as a reserve.
 constexpr double insertions_per_triangle = 0.6;
 
@@ -65,7 +68,9 @@ std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, 
 std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) const {
   std::vector<double> wanted(seeds.size(), 0);
   if (!criteria_.has_size()) return wanted;
-  parallel_for(threads_, seeds.size(), [&](std::size_t cell, int) {
+  std::size_t all = 0;
+  for (const std::vector<QueuedTriangle>& of_cell : seeds) all += of_cell.size();
+  parallel_for(all > few_seeds ? threads_ : Threads(1, threads_.stop), seeds.size(), [&](std::size_t cell, int) {
     SparseAsk ask(threads_.stop);
     LocalHints hints;
     for (const QueuedTriangle seed : seeds[cell]) {

@@ -201,6 +201,7 @@ class Refinement {
 
   void run_phase(const Tiles& tiles, unsigned colour, SeedsByCell& seeds, const Deferrals& later, Sweep& done) {
     std::vector<PlannedTask> tasks = runner_.plan(tiles, colour, seeds);
+    if (tasks.empty()) return;
     runner_.run(tiles, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
     for (const PlannedTask& task : tasks) {
       threads_.ask();
