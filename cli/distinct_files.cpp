@@ -15,11 +15,23 @@ namespace {
 
 constexpr std::array family = {".poly", ".node", ".ele", ".area"};
 
-/// The full names, without symbolic links, of all files that the file stands for.
+/// The full name without symbolic links, also if the last link leads to a file that does not exist.
+fs::path full_name(fs::path file) {
+  std::error_code error;
+  constexpr int most_links = 40;
+  for (int i = 0; i < most_links && fs::is_symlink(file, error); ++i) {
+    const fs::path target = fs::read_symlink(file, error);
+    if (error) break;
+    file = file.parent_path() / target;
+  }
+  const fs::path full = fs::weakly_canonical(fs::absolute(file, error), error);
+  return full.empty() ? file : full;
+}
+
+/// The full names of all files that the file stands for. An .npy is read with its world file.
 std::vector<fs::path> full_names(const NamedFile& named) {
-  std::error_code ignored;
-  fs::path full = fs::weakly_canonical(fs::absolute(named.file, ignored), ignored);
-  if (full.empty()) full = named.file;
+  const fs::path full = full_name(named.file);
+  if (full.extension() == ".npy") return {full, fs::path(full).replace_extension(".wld")};
   if (!named.with_family || std::ranges::find(family, full.extension()) == family.end()) return {full};
   std::vector<fs::path> names;
   for (const char* suffix : family) names.push_back(fs::path(full).replace_extension(suffix));

@@ -29,6 +29,7 @@ Between position(double coordinate, double first, double step, Index count) {
 double mixed(double a, double b, double share) {
   if (share == 0) return a;
   if (share == 1) return b;
+  if (std::isinf(a) || std::isinf(b)) return a + b;
   return a + share * (b - a);
 }
 

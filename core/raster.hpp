@@ -27,7 +27,8 @@ struct Raster {
 };
 
 /// The bilinear interpolation of the values at the four grid points around p. Beyond the outer grid points, the value
-/// at the nearest point of their rectangle. NaN if one of the values that have a weight is NaN. O(1).
+/// at the nearest point of their rectangle. Infinity if one of the values that have a weight is infinite, NaN if one is
+/// NaN. O(1).
 [[nodiscard]] double interpolate(const Raster& raster, Point p);
 
 /// Makes a function for Goal::size that interpolates. It shares one copy of the raster with its own copies, and several

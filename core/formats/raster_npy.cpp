@@ -65,11 +65,11 @@ Result<ArrayHeader> read_header(std::string_view text, const std::string& name) 
   header.bytes = static_cast<unsigned>(type[3] - '0');
   if (!is_supported(header.kind, header.bytes) || type[4] != '\'') {
     return broken(name, "the type of numbers is " + in_quotes(type.substr(1, type.find('\'', 1) - 1)) +
-                            "; only integers and floating-point numbers are supported");
+                            "; only integers, and floating-point numbers of 4 or 8 bytes, are supported");
   }
   header.columns_first = value_of(text, "fortran_order").starts_with("True");
   if (!read_shape(value_of(text, "shape"), header))
-    return broken(name, "the array must have two dimensions, both greater than 0");
+    return broken(name, "the array must have two dimensions, each from 1 to " + std::to_string(no_index - 1) + "");
   return header;
 }
 
@@ -113,19 +113,19 @@ void read_values(const ArrayHeader& header, std::string_view data, Raster& raste
 Status read_world(std::string_view text, const std::string& name, Raster& raster) {
   TextReader in(text, name);
   std::array<double, 6> number{};
-  for (double& value : number) {
+  for (std::size_t i = 0; i < number.size() && !in.failed(); ++i) {
     in.expect_line("one of six numbers");
-    value = in.number("a number");
+    const double value = number[i] = in.number("a number");
+    if (i == 0 && !(value > 0)) in.fail("the first number must be greater than 0");
+    if ((i == 1 || i == 2) && value != 0) in.fail("rotated rasters are not supported");
+    if (i == 3 && !(value < 0)) in.fail("the fourth number must be less than 0");
   }
-  const auto [step_x, rotation_y, rotation_x, step_y, west, north] = number;
-  if (!in.failed() && (rotation_x != 0 || rotation_y != 0)) in.fail("rotated rasters are not supported");
-  if (!in.failed() && !(step_x > 0 && step_y < 0))
-    in.fail("the first number must be greater than 0, and the fourth must be less than 0");
   if (in.failed()) return in.error();
+  const auto [step_x, rotation_y, rotation_x, step_y, west, north] = number;
   raster.step_x = step_x;
   raster.step_y = -step_y;
   raster.first = {west, north + (raster.rows - 1) * step_y};
-  return Done{};
+  return check_place(raster, name);
 }
 
 /// The two parts of a file: the dictionary and the data.
@@ -135,7 +135,7 @@ struct Parts {
 
 std::optional<Parts> parts_of(std::string_view file) {
   constexpr std::string_view magic = "\x93NUMPY";
-  if (!file.starts_with(magic) || file.size() < 12) return {};
+  if (!file.starts_with(magic) || file.size() < 12 || file[6] < 1 || file[6] > 3) return {};
   const std::size_t length_bytes = file[6] == 1 ? 2 : 4;
   std::size_t length = 0;
   for (std::size_t i = length_bytes; i-- > 0;) length = length * 256 + static_cast<unsigned char>(file[8 + i]);
@@ -153,10 +153,9 @@ Result<Raster> parse_npy(std::string_view bytes, const std::string& name, std::s
   const Result<ArrayHeader> header = read_header(parts->header, name);
   if (!header) return header.error();
   const std::size_t wanted = std::size_t{header->rows} * header->columns;
-  if (parts->data.size() / header->bytes < wanted) {
-    return broken(name, "expected " + std::to_string(wanted) + " numbers, found the end of the file after " +
-                            std::to_string(parts->data.size() / header->bytes));
-  }
+  if (const std::size_t found = parts->data.size() / header->bytes;
+      found != wanted || parts->data.size() % header->bytes != 0)
+    return broken(name, "expected " + std::to_string(wanted) + " numbers, found " + std::to_string(found));
   Raster raster;
   raster.columns = header->columns;
   raster.rows = header->rows;

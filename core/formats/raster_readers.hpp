@@ -9,6 +9,8 @@
 
 namespace pardel::files {
 
+/// Fails if the rectangle of the raster is beyond the range of a double.
+[[nodiscard]] Status check_place(const Raster& raster, const std::string& name);
 [[nodiscard]] Result<Raster> parse_asc(std::string_view text, const std::string& name);
 /// `world`: the text of the world file, `world_name` its name.
 [[nodiscard]] Result<Raster> parse_npy(std::string_view bytes, const std::string& name, std::string_view world,

@@ -47,7 +47,7 @@ double extent_without(std::span<const Point> points, const Part& part) {
 }  // namespace
 
 std::optional<Warning> find_far_part(const Pslg& pslg) {
-  if (pslg.points.size() < fewest_others + 2) return {};
+  if (pslg.points.empty()) return {};
   const std::vector<Index> only = only_segments(pslg);
   const double extent = extent_without(pslg.points, {no_index, no_index});
   for (const Index point : extreme_points(pslg.points)) {
@@ -58,6 +58,7 @@ std::optional<Warning> find_far_part(const Pslg& pslg) {
       part = {segment.a, segment.b};
       if (only[segment.a] == several || only[segment.b] == several) continue;
     }
+    if (pslg.points.size() < fewest_others + (part[0] == part[1] ? 1 : 2)) continue;
     const double rest = extent_without(pslg.points, part);
     if (!(far * rest < extent)) continue;
     Warning warning{WarningKind::far_part, {}, pslg.points[point], {part[0]}, rest};

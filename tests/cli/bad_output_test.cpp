@@ -37,6 +37,8 @@ TEST_F(BadOutput, a_file_in_place_of_a_folder_is_refused) {
 TEST_F(BadOutput, replaces_no_other_file_of_its_command) {
   std::filesystem::create_symlink("n.vtu", folder_ / "work" / "link.vtu");
   write("n.vtu", "");
+  std::filesystem::create_symlink("new.vtu", folder_ / "work" / "to_new.msh");
+  write("s.wld", "1\n0\n0\n-1\n0\n0\n");
   ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.ele"}).exit_code, 0);
   const std::vector<std::vector<std::string>> commands = {
       {"mesh", "square.poly", "-o", "n.vtu", "--json", "square.poly"},
@@ -52,6 +54,9 @@ TEST_F(BadOutput, replaces_no_other_file_of_its_command) {
       {"mesh", "square.poly", "-o", "n.vtu", "-o", "n.vtu"},
       {"mesh", "square.poly", "-o", "n.vtu", "-o", "./n.vtu"},
       {"mesh", "square.poly", "-o", "n.vtu", "-o", "link.vtu"},
+      {"mesh", "square.poly", "-o", "new.vtu", "-o", "to_new.msh"},
+      {"mesh", "square.poly", "--sizes", "s.npy", "-o", "n.vtu", "--json", "s.wld"},
+      {"check", "square.poly", "m.ele", "--sizes", "s.npy", "--json", "s.wld"},
       {"mesh", "square.poly", "-o", "n.node", "-o", "n.ele"},
       {"mesh", "square.poly", "-o", "n.svg", "--json", "n.svg"},
       {"doctor", "square.poly", "--repair", "f.poly", "--json", "f.poly"}};

@@ -214,7 +214,7 @@ TEST(Stopping, at_any_call_of_the_caller_ends_the_run_with_that_call) {
       int calls = 0;
       Options options{.threads = threads};
       options.progress = [&](const Progress&) { return ++calls < last; };
-      const Result<Meshed> meshed = mesh(domains::pipe(), {.max_area = 1e-4}, options);
+      const Result<Meshed> meshed = mesh(domains::pipe(), {.max_area = 4e-6}, options);
       ASSERT_FALSE(meshed);
       EXPECT_EQ(meshed.error().kind, ErrorKind::cancelled);
       EXPECT_EQ(calls, last);

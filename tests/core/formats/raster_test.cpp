@@ -46,6 +46,15 @@ TEST(Asc, has_minus_9999_for_missing_values_by_default) {
   EXPECT_EQ(raster->values[5], -1);
 }
 
+TEST(Asc, may_have_NaN_for_missing_values) {
+  const TemporaryFolder folder;
+  const auto raster =
+      read_raster(folder.write("g.asc", replaced(replaced(grid, "value -1", "value NaN"), "5 6 -1", "nan 6 7")));
+  ASSERT_TRUE(raster.ok()) << raster.error().message;
+  EXPECT_TRUE(std::isnan(raster->values[3]));
+  EXPECT_EQ(raster->values[5], 7);
+}
+
 TEST(Asc, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   const auto failure = [&](const std::string& from, const std::string& to) {
@@ -54,9 +63,14 @@ TEST(Asc, errors_name_the_line_and_the_fault) {
   const std::vector<std::array<std::string, 3>> cases = {
       {"xllcorner 9\n", "", "g.asc:6: the header of the grid has neither xllcorner nor xllcenter"},
       {"ncols 3\n", "", "g.asc:6: the header of the grid has no ncols"},
-      {"nrows 2", "nrows 2.5", "nrows must be a whole number greater than 0"},
-      {"nrows 2", "nrows 0", "nrows must be a whole number greater than 0"},
-      {"cellsize 2", "cellsize 0", "the size of a cell must be greater than 0"},
+      {"nrows 2", "nrows 2.5", "g.asc:2: expected the value of nrows"},
+      {"nrows 2", "nrows 0", "g.asc:2: expected the value of nrows"},
+      {"ncols 3", "ncols 18446744073709551617", "g.asc:1: expected the value of ncols"},
+      {"cellsize 2", "cellsize 0", "g.asc:5: the size of a cell must be greater than 0"},
+      {"nrows 2", "nrows 2\nncols 3", "g.asc:3: ncols is given twice"},
+      {"xllcorner 9", "xllcorner 9\nxllcenter 9", "the header of the grid has both xllcorner and xllcenter"},
+      {"1 2 4\n", "1 2 4\n7\n", "g.asc:9: expected the end of the file after 6 values, found \"7\""},
+      {"cellsize 2", "cellsize 1e308", "g.asc: the raster extends beyond the range of a double"},
       {"cellsize 2", "cellsize two", "g.asc:5: expected the value of cellsize, found \"two\""},
       {"1 2 4\n", "1 2\n", "expected 6 values, found the end of the file"},
       {"1 2 4\n", "1 x 4\n", "g.asc:8: expected a value of the grid, found \"x\""},
@@ -128,19 +142,21 @@ TEST_F(Npy, errors_name_the_file_and_the_fault) {
   const std::string good = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
   EXPECT_NE(failure("NUMPY").find("a.npy: this is not an array of NumPy"), std::string::npos);
   EXPECT_NE(failure(good.substr(0, 30)).find("its header is not complete"), std::string::npos);
-  EXPECT_NE(failure(good.substr(0, good.size() - 1)).find("expected 6 numbers, found the end of the file after 5"),
-            std::string::npos);
+  EXPECT_NE(failure(good.substr(0, good.size() - 1)).find("expected 6 numbers, found 5"), std::string::npos);
   EXPECT_NE(failure(replaced(good, "<f8", "<c8")).find("the type of numbers is \"<c8\""), std::string::npos);
   EXPECT_NE(failure(replaced(good, "descr", "typed")).find("the header has no type of numbers"), std::string::npos);
+  EXPECT_NE(failure(good + "12345678").find("expected 6 numbers, found 7"), std::string::npos);
+  EXPECT_NE(failure(replaced(good, "\1", "\11")).find("this is not an array of NumPy"), std::string::npos);
   for (const char* shape : {"(23)  ", "(2, 0)", "(2, x)", "2, 3)) ", "(-2,3)"})
     EXPECT_NE(failure(replaced(good, "(2, 3)", shape)).find("two dimensions"), std::string::npos) << shape;
 }
 
 TEST_F(Npy, needs_a_world_file_without_rotation) {
   const std::string good = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
-  EXPECT_NE(failure(good, "2\n0.1\n0\n-4\n10\n24\n").find("a.wld:6: rotated rasters are not supported"),
+  EXPECT_NE(failure(good, "2\n0.1\n0\n-4\n10\n24\n").find("a.wld:2: rotated rasters are not supported"),
             std::string::npos);
-  EXPECT_NE(failure(good, "2\n0\n0\n4\n10\n24\n").find("the fourth must be less than 0"), std::string::npos);
+  EXPECT_NE(failure(good, "2\n0\n0\n4\n10\n24\n").find("a.wld:4: the fourth number must be less than 0"),
+            std::string::npos);
   EXPECT_NE(failure(good, "2\n0\n0\n").find("one of six numbers"), std::string::npos);
   const auto alone = read_raster(folder_.write("alone.npy", good));
   ASSERT_FALSE(alone.ok());

@@ -141,6 +141,17 @@ inline rc::Gen<Four> barely_turning() {
         return Point{p.first, p.second};
       }));
 }
+/// Three corners of a rectangle, and a point near the fourth corner, on the tangent of the circle through the corners.
+/// It is so near that the differences of coordinates are not exact, and that only the squares of their errors decide.
+inline rc::Gen<Four> beside_a_circle() {
+  return rc::gen::apply(
+      [](int width, int height, int exponent, bool other_side) {
+        const double w = width, h = height;
+        const double step = std::ldexp(other_side ? -1.0 : 1.0, -exponent);
+        return Four{Point{w, 0}, Point{w, h}, Point{0, h}, Point{h * step, -w * step}};
+      },
+      rc::gen::inRange(1, 1 << 20), rc::gen::inRange(1, 1 << 20), rc::gen::inRange(60, 80), rc::gen::arbitrary<bool>());
+}
 /// The points of the generator, all multiplied by one power of two.
 inline rc::Gen<Four> scaled(const rc::Gen<Four>& generator) {
   return rc::gen::apply(
@@ -163,13 +174,13 @@ inline rc::Gen<Four> nudged(const rc::Gen<Four>& generator) {
 
 inline constexpr const char* hard_families =
     "lattices, tenths, far offsets, extreme exponents, circles, rectangles, lines, some of them nudged by one "
-    "rounding, "
-    "points next to a line or a circle at all magnitudes, and products of 2^104 that differ by 1";
+    "rounding, points next to a line or a circle at all magnitudes, points on the tangent of a circle, and products of "
+    "2^104 that differ by 1";
 inline rc::Gen<Four> hard_points() {
   return rc::gen::oneOf(uniform(), small_lattice(), large_lattice(), tenths(), far_offset(), extreme_exponents(),
                         on_a_circle(), rectangle(), on_a_line(), nudged(rectangle()), nudged(on_a_line()),
                         nudged(small_lattice()), nudged(far_offset()), nearly_on_a_line(), scaled(nearly_on_a_line()),
-                        scaled(nudged(on_a_circle())), barely_turning());
+                        scaled(nudged(on_a_circle())), barely_turning(), beside_a_circle());
 }
 
 }  // namespace pardel::testing

@@ -49,6 +49,14 @@ TEST(Warnings, name_a_point_or_a_segment_that_is_far_away_from_everything_else) 
   EXPECT_EQ(of_segment[1].kind, WarningKind::open_outline);
 }
 
+TEST(Warnings, name_a_far_point_beside_a_square) {
+  Pslg pslg = square(4);
+  pslg.points.push_back({1e6, 0});
+  const std::vector<Warning> warnings = find_warnings(*validate(pslg));
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0].points, (std::vector<Index>{4}));
+}
+
 TEST(Warnings, are_none_for_parts_at_a_moderate_distance_or_with_more_than_two_points) {
   Pslg near = square(4);
   near.points.insert(near.points.end(), {{1, 100}, {1, 1}});

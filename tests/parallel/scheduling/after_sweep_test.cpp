@@ -92,9 +92,9 @@ TEST(AfterSweep, a_mesh_that_is_refined_is_seen_too) {
 }
 
 TEST(Progress, never_goes_backwards_whatever_the_number_of_threads) {
-  const std::vector<std::pair<Pslg, Goal>> problems{{domains::pipe(), {.max_area = 1e-4}},
-                                                    {domains::random_points(20'000, 5), {}},
-                                                    {domains::random_points(20'000, 5), {.min_angle_deg = 30}}};
+  const std::vector<std::pair<Pslg, Goal>> problems{{domains::pipe(), {.max_area = 1e-5}},
+                                                    {domains::random_points(80'000, 5), {}},
+                                                    {domains::random_points(80'000, 5), {.min_angle_deg = 30}}};
   for (const auto& [pslg, goal] : problems)
     for (const int threads : {1, 2}) {
       std::vector<Progress> seen;
