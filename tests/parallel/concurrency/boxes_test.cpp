@@ -1,5 +1,7 @@
-// The boxes of tasks on random lattices: the properties that allow the tasks of one colour to run concurrently.
+// The boxes of tasks on random lattices and quadtrees: the properties that allow the tasks of one colour to run
+// concurrently.
 #include "../../../parallel/concurrency/lattice.hpp"
+#include "../../../parallel/concurrency/quadtree.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 
 namespace pardel::engine {
@@ -18,6 +20,20 @@ Lattice some_lattice_over(const Box& bounds) {
   const auto some_number = [] { return *rc::gen::inRange<Index>(1, 13); };
   const Index along = some_number();
   return *rc::gen::arbitrary<bool>() ? Lattice::over(bounds, along) : Lattice(bounds, along, some_number());
+}
+
+constexpr const char* trees = "one to six divisions of random leaves, over rectangles of all shapes, some far away";
+
+Quadtree some_tree() {
+  const double side = std::ldexp(*rc::gen::inRange(1, 100), *rc::gen::inRange(-60, 60));
+  const double x = side * *rc::gen::inRange(-1000, 1000), y = side * *rc::gen::inRange(-1000, 1000);
+  Quadtree tree(Box{x, y, x + side, y + 0.25 * side * *rc::gen::inRange(1, 5)});
+  for (int divisions = *rc::gen::inRange(1, 7); divisions > 0; --divisions) {
+    std::vector<double> work;
+    for (Index leaf = 0; leaf < tree.cells(); ++leaf) work.push_back(*rc::gen::inRange(0, 4) == 0 ? 2 : 0);
+    tree = tree.divided(work, 1);
+  }
+  return tree;
 }
 
 bool disjoint(const Box& a, const Box& b) {
@@ -52,6 +68,17 @@ PARDEL_PROPERTY(Boxes, reach_half_a_side_beyond_their_cells,
   const Point q{p.x + reach(lattice.width()), p.y + reach(lattice.height())};
   RC_ASSERT(lattice.box_of(lattice.cell_of(p)).contains_half_open(p));
   RC_ASSERT(lattice.box_of(lattice.cell_of(p)).contains_half_open(q));
+}
+
+PARDEL_PROPERTY(Quadtree, boxes_of_one_colour_are_disjoint,
+                {.statement = "the boxes of two leaves of one colour are disjoint: such leaves do not touch, and a box "
+                              "reaches a quarter of a side beyond its leaf",
+                 .source = "properties/THEORY.md, Quadtree",
+                 .families = trees}) {
+  const engine::Quadtree tree = some_tree();
+  for (Index a = 0; a < tree.cells(); ++a)
+    for (Index b = 0; b < a; ++b)
+      RC_ASSERT(tree.colour_of(a) != tree.colour_of(b) || disjoint(tree.box_of(a), tree.box_of(b)));
 }
 
 }  // namespace
