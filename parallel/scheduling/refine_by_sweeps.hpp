@@ -5,11 +5,14 @@
 // The terms of this folder:
 //   lattice   a grid of cells (tiles) over the domain (concurrency/lattice.hpp); the refinement goes through several
 //             levels, from coarse to fine and back
-//   box       a cell with a margin of half a cell; the task of the cell changes triangles only there
+//   quadtree  a division into leaves (tiles) with about the same work, for graded meshes (concurrency/quadtree.hpp);
+//             what follows is said of cells, and holds for leaves, too
+//   box       a cell with a margin of half a cell, or a leaf with a margin of a quarter of its side; the task of the
+//             cell changes triangles only there
 //   task      the refinement of one box, starting with some bad triangles, its seeds (refinement/task.hpp)
-//   colour    one of four; the boxes of the cells of one colour are disjoint
+//   colour    a number of each cell, one of four in a lattice; the boxes of the cells of one colour are disjoint
 //   phase     the tasks of all cells of one colour, run at the same time (phase.hpp)
-//   sweep     four phases, one per colour
+//   sweep     one phase per colour
 //   handed on a triangle that a task passes to a later task, mostly because its split point lies in another cell
 //   deferred  a triangle that is left to a later pass, because it is too short (refinement/deferral.hpp)
 //   T1        the theorem that the cavity of a point in a cell fits the cell's box if circumradii are small enough
