@@ -81,7 +81,9 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
   for (VertexId v = 0; v < points.size(); ++v) {
     ask();
     for_each_angle_at(v, [&](Index here, Index next) {
-      if (cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
+      // The angle between the two is not smaller than the smallest one at each of them.
+      const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
+      if (at_most <= cosine_of_narrow_angle || cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
       if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
       if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
     });
