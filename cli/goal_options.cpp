@@ -106,7 +106,6 @@ Goal goal_without_sizes(const GoalOptions& options) {
 
 Result<Goal> make_goal(const GoalOptions& options, const SizeField& sizes, const ValidPslg& domain) {
   Goal goal = goal_without_sizes(options);
-  if (options.sizes.empty()) return goal;
   Result<std::function<double(Point)>> size = size_function(sizes, options.sizes.string(), domain);
   if (!size) return size.error();
   goal.size = std::move(*size);

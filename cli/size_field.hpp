@@ -24,8 +24,8 @@ using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 /// path means no file.
 [[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file);
 
-/// The function for Goal::size. `name` names the file in messages. Fails with `invalid_input` if the field does not fit
-/// the domain. Precondition: the field is not empty.
+/// The function for Goal::size; empty if the field is. `name` names the file in messages. Fails with `invalid_input` if
+/// the field does not fit the domain.
 [[nodiscard]] Result<std::function<double(Point)>> size_function(const SizeField& field, const std::string& name,
                                                                  const ValidPslg& domain);
 

@@ -164,6 +164,14 @@ Result<std::vector<std::array<Index, 3>>> triangles_of_background(const Mesh& me
   return triangles;
 }
 
+/// The function that interpolates the sizes at the points of a background.
+std::function<double(Point)> size_on(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles,
+                                     std::span<const double> sizes, bool limited, const Threads& threads) {
+  PointValues field{
+      std::make_shared<Background>(points, std::move(triangles), threads), {sizes.begin(), sizes.end()}, limited};
+  return OnBackground<PointValues>{std::make_shared<const PointValues>(std::move(field))};
+}
+
 /// Precondition: the Pslg is valid and check_sizes() accepts the sizes.
 Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::span<const double> sizes,
                                                        bool convex_hull, const Options& options,
@@ -172,9 +180,7 @@ Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::sp
   if (!meshed) return meshed.error();
   std::vector<std::array<Index, 3>> triangles;
   for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
-  auto background = std::make_shared<Background>(pslg.points, std::move(triangles), progress.threads());
-  return std::function<double(Point)>(OnBackground<PointValues>{
-      std::make_shared<const PointValues>(std::move(background), std::vector<double>(sizes.begin(), sizes.end()))});
+  return size_on(pslg.points, std::move(triangles), sizes, false, progress.threads());
 }
 
 /// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
@@ -300,9 +306,7 @@ Result<std::function<double(Point)>> interpolated_size(const Mesh& background, s
   return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Size {
     Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
     if (!triangles) return triangles.error();
-    auto located = std::make_shared<Background>(background.points, std::move(*triangles), progress.threads());
-    return std::function<double(Point)>(OnBackground<PointValues>{std::make_shared<const PointValues>(
-        std::move(located), std::vector<double>(sizes.begin(), sizes.end()), true)});
+    return size_on(background.points.span(), std::move(*triangles), sizes, true, progress.threads());
   });
 }
 

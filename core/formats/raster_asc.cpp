@@ -4,12 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "../formats.hpp"
 #include "raster_readers.hpp"
 #include "text_reader.hpp"
 
-namespace pardel {
-namespace files {
+namespace pardel::files {
 namespace {
 
 /// The numbers of the header by their names, in lower case.
@@ -95,12 +93,6 @@ void read_values(TextReader& in, double missing, Raster& raster) {
 
 }  // namespace
 
-Status check_place(const Raster& raster, const std::string& name) {
-  const Point low = raster.low(), high = raster.high();
-  if (std::isfinite(low.x) && std::isfinite(low.y) && std::isfinite(high.x) && std::isfinite(high.y)) return Done{};
-  return Error{ErrorKind::invalid_input, name + ": the raster extends beyond the range of a double"};
-}
-
 Result<Raster> parse_asc(std::string_view text, const std::string& name) {
   TextReader in(text, name);
   const Header header = read_header(in);
@@ -117,20 +109,4 @@ Result<Raster> parse_asc(std::string_view text, const std::string& name) {
   return raster;
 }
 
-}  // namespace files
-
-Result<Raster> read_raster(const std::filesystem::path& file) {
-  const auto text = files::read_file(file);
-  if (!text) return text.error();
-  if (file.extension() != ".npy") return files::parse_asc(*text, file.string());
-  std::filesystem::path world = file;
-  world.replace_extension(".wld");
-  const auto place = files::read_file(world);
-  if (!place) {
-    return Error{place.error().kind, file.string() + ": the array needs a world file that says where it lies (" +
-                                         place.error().message + ")"};
-  }
-  return files::parse_npy(*text, file.string(), *place, world.string());
-}
-
-}  // namespace pardel
+}  // namespace pardel::files
