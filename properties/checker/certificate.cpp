@@ -137,10 +137,11 @@ Json to_json(const Goal& goal) {
 }
 
 Json to_json(const Violation& violation) {
-  Json where = Json::array();
+  Json ids = Json::array(), where = Json::array();
+  for (const Index id : violation.ids) ids.push_back(id == no_index ? Json(nullptr) : Json(id));
   for (const Point p : violation.where) where.push_back(to_json(p));
   return {{"kind", name(violation.kind)},
-          {"ids", violation.ids},
+          {"ids", std::move(ids)},
           {"where", std::move(where)},
           {"witness", violation.witness}};
 }

@@ -53,7 +53,7 @@ std::string Violation::message() const {
   text += witness;
   if (!ids.empty()) {
     text += " [ids";
-    for (const Index id : ids) text.append(" ").append(to_text(id));
+    for (const Index id : ids) text.append(" ").append(id == no_index ? "none" : to_text(id));
     text += "]";
   }
   for (std::size_t i = 0; i < where.size(); ++i) text.append(i == 0 ? " at " : ", ").append(to_text(where[i]));

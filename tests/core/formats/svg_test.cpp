@@ -77,6 +77,62 @@ TEST(Svg, of_a_pslg_shows_points_segments_holes_and_regions) {
   EXPECT_EQ(count(svg, ">12.5</text>"), 1u);
 }
 
+TEST(Svg, of_a_pslg_is_this_text) {
+  const TemporaryFolder folder;
+  Pslg pslg;
+  pslg.points = {{1, 2}, {3, 2}, {1, 3}};
+  pslg.segments = {{0, 1, 0}, {2, 0, 0}};
+  pslg.holes = {{1.25, 2.25}};
+  pslg.regions = {{{1.5, 2.5}, 12.5, 1}};
+  ASSERT_TRUE(write_svg(pslg, folder / "p.svg").ok());
+  EXPECT_EQ(folder.read("p.svg"), R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1040.000 540.000">
+<rect width="100%" height="100%" fill="white"/>
+<path fill="none" stroke="#202020" stroke-width="1.5" stroke-linecap="round" d="
+M20.000 520.000L1020.000 520.000
+M20.000 20.000L20.000 520.000
+"/>
+<path stroke="#205090" stroke-width="4" stroke-linecap="round" d="
+M20.000 520.000h0
+M1020.000 520.000h0
+M20.000 20.000h0
+"/>
+<path stroke="#c02020" stroke-width="2" d="
+M139.000 389.000l12 12M139.000 401.000l12 -12
+"/>
+<path fill="#208040" d="M270.000 264.000l6 6l-6 6l-6 -6Z"/>
+<text font-size="14" transform="translate(279.000 275.000)">12.5</text>
+</svg>
+)svg");
+}
+
+TEST(Svg, of_a_mesh_has_a_hue_for_each_region) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  mesh.points.pop_back();
+  mesh.region[3] = no_index;
+  mesh.region.pop_back();  // a region that is not listed is no region
+  mesh.constrained_edges.clear();
+  ASSERT_TRUE(write_svg(mesh, folder / "m.svg").ok());
+  const std::string style = "stroke=\"#7088a0\" stroke-width=\"0.3\" stroke-linejoin=\"round\" fill=\"hsl(";
+  EXPECT_EQ(folder.read("m.svg"),
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1040.000 1040.000\">\n"
+            "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+            "<path " +
+                style +
+                "124,60%,88%)\" d=\"\n"
+                "M1020.000 1020.000L1020.000 20.000L520.000 520.000Z\n\"/>\n"
+                "<path " +
+                style +
+                "210,60%,88%)\" d=\"\n"
+                "M20.000 20.000L20.000 1020.000L520.000 520.000Z\n\"/>\n"
+                "<path " +
+                style +
+                "347,60%,88%)\" d=\"\n"
+                "M20.000 1020.000L1020.000 1020.000L520.000 520.000Z\n"
+                "M1020.000 20.000L20.000 20.000L520.000 520.000Z\n\"/>\n"
+                "</svg>\n");
+}
+
 TEST(Svg, of_nothing_is_still_a_drawing) {
   const TemporaryFolder folder;
   EXPECT_TRUE(write_svg(Mesh{}, folder / "m.svg").ok());

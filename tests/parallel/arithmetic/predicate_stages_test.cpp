@@ -1,12 +1,18 @@
 // Tests every stage of the predicates with an input that no earlier stage can decide.
 #include "../../../parallel/arithmetic/predicate_stages.hpp"
 
+#include <array>
+#include <utility>
+
+#include "../../../parallel/arithmetic/predicates.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "predicate_inputs.hpp"
 
 namespace pardel::engine::exact {
 namespace {
 
+using engine::incircle;
+using engine::orient2d;
 using testing::sign;
 
 // Neither 0.9 - 0.1 nor 0.7 - 0.2 is a double.
@@ -39,6 +45,62 @@ PARDEL_FACT(Orient2dStages, expansions_settle_the_rest,
   EXPECT_EQ(on_the_line.value, 0);
   EXPECT_EQ(on_the_line.stage, Stage::expansions);
   facts.cases = 1;
+}
+
+/// Half a unit in the last place of numbers from 1 to 2, or a little less: added to such a number, it is rounded away.
+constexpr double rounded_away = 0x1p-53 * (1 - 0x1p-10);
+constexpr double ulp_of_one = 0x1p-52;
+
+TEST(Orient2dStages, are_right_where_all_roundings_add_up) {
+  // The point c lies between a and b, next to the origin. All four differences round to the coordinates of a and b, and
+  // each of these errors turns the three points further in one direction. a and b turn around the origin in the other
+  // direction, by an amount that is up to 63/64 of the sum of the errors, and more than half of it.
+  for (const double scale : {1.0, 0x1p40, 0x1p-40})
+    for (const double offset : {rounded_away, -rounded_away})
+      for (int n = 1; n < 32; ++n) {
+        const double far = 0x1p33 * ulp_of_one, near = n * 0x1p14 * ulp_of_one;
+        const Point first{scale * (1 + ulp_of_one), scale * (1 + ulp_of_one + near)};
+        const Point second{-scale * (1 + far - near + ulp_of_one), -scale * (1 + far)};
+        const Point between{-scale * offset, scale * offset};
+        for (const auto& [p, q] : {std::pair{first, second}, std::pair{second, first}}) {
+          if (offset > 0) {
+            ASSERT_EQ(testing::true_orientation(p, q, between), -testing::true_orientation(p, q, {0, 0}));
+          }
+          EXPECT_EQ(sign(decide_orient2d(p, q, between).value), testing::true_orientation(p, q, between)) << scale;
+          EXPECT_EQ(sign(orient2d(p, q, between)), testing::true_orientation(p, q, between)) << scale;
+        }
+      }
+}
+
+/// x moved by `steps` doubles.
+double beside(double x, int steps) {
+  for (int i = 0; i < std::abs(steps); ++i) x = std::nextafter(x, steps > 0 ? 1.0 : -1.0);
+  return x;
+}
+
+TEST(Orient2dStages, a_correction_decides_only_beyond_the_bound_of_Shewchuk) {
+  // The bound is (9 e^2) M + (3 e) |D| plus terms of higher order, where e is 2^-53, D the determinant of the rounded
+  // differences and M the sum of the magnitudes of its two products (Shewchuk 1997, ccwerrboundC and resulterrbound).
+  // The points lie as above, but the errors nearly cancel D. `between` moves from one side of the line to the other.
+  int corrections = 0, expansions = 0;
+  const double far = 0x1p33 * ulp_of_one, near = 31 * 0x1p14 * ulp_of_one;
+  const Point p{1 + ulp_of_one, 1 + ulp_of_one + near}, q{-(1 + far - near + ulp_of_one), -(1 + far)};
+  const auto left = CGAL::Gmpq(p.x) * CGAL::Gmpq(q.y), right = CGAL::Gmpq(p.y) * CGAL::Gmpq(q.x);
+  const CGAL::Gmpq e(0x1p-53),
+      bound = 9 * e * e * (CGAL::abs(left) + CGAL::abs(right)) + 3 * e * CGAL::abs(left - right);
+  const CGAL::Gmpq width = CGAL::Gmpq(p.x) - CGAL::Gmpq(q.x), height = CGAL::Gmpq(p.y) - CGAL::Gmpq(q.y);
+  const double balanced = CGAL::to_double((left - right) / (width + height));
+  for (int steps = -100; steps <= 100; ++steps) {
+    const Point between{-balanced, beside(balanced, steps)};
+    const Decision decision = decide_orient2d(p, q, between);
+    EXPECT_EQ(sign(decision.value), testing::true_orientation(p, q, between)) << steps;
+    if (decision.stage == Stage::expansions) ++expansions;
+    if (decision.stage != Stage::corrected) continue;
+    ++corrections;
+    EXPECT_GT(CGAL::abs(CGAL::Gmpq(decision.value)), bound) << steps;
+  }
+  EXPECT_GT(corrections, 20);
+  EXPECT_GT(expansions, 20);
 }
 
 PARDEL_FACT(IncircleStages, doubles_settle_a_small_lattice_wherever_it_lies,
@@ -94,6 +156,56 @@ TEST(IncircleStages, expansions_settle_the_rest) {
   const Decision rectangle = decide_incircle(a, b, c, d);
   EXPECT_EQ(rectangle.value, 0);
   EXPECT_EQ(rectangle.stage, Stage::expansions);
+}
+
+TEST(IncircleStages, are_right_where_the_roundings_of_a_far_point_add_up) {
+  // Three points nearly on a line through the fourth point d, which lies next to the origin. All differences round to
+  // the coordinates themselves. The rounded points lie on one side of a circle, the points on the other: the error is
+  // half of the bound. Nearly all of the bound belongs to one of its three terms, that of the far point.
+  for (const double scale : {1.0, 0x1p20, 0x1p-20})
+    for (const double offset : {rounded_away, -rounded_away}) {
+      const Point near{scale * (1 + 2 * ulp_of_one), scale * (1 + ulp_of_one)};
+      const Point opposite{-scale * (1 + ulp_of_one), -scale * (1 + ulp_of_one)};
+      const Point far{scale * 1024, scale * 1024};
+      const Point origin{scale * offset, -scale * offset};
+      if (offset > 0) {
+        ASSERT_EQ(testing::true_incircle(near, opposite, far, origin),
+                  -testing::true_incircle(near, opposite, far, {0, 0}));
+      }
+      for (const auto& [p, q, r] :
+           {std::array{near, opposite, far}, std::array{opposite, far, near}, std::array{far, near, opposite},
+            std::array{far, opposite, near}, std::array{near, far, opposite}, std::array{opposite, near, far}}) {
+        EXPECT_EQ(sign(decide_incircle(p, q, r, origin).value), testing::true_incircle(p, q, r, origin)) << scale;
+        EXPECT_EQ(sign(incircle(p, q, r, origin)), testing::true_incircle(p, q, r, origin)) << scale;
+      }
+    }
+}
+
+TEST(IncircleStages, a_correction_decides_only_beyond_the_bound_of_Shewchuk) {
+  // The bound is (44 e^2) M + (3 e) |D| plus terms of higher order, with e, D and M as for orient2d (Shewchuk 1997,
+  // iccerrboundC). The points lie as above, but the errors nearly cancel D.
+  int corrections = 0, expansions = 0;
+  const Point p{1 + 2 * ulp_of_one, 1 + ulp_of_one}, q{-(1 + ulp_of_one), -(1 + ulp_of_one)}, r{1024, 1024};
+  const auto times = [](double x, double y) { return CGAL::Gmpq(x) * CGAL::Gmpq(y); };
+  CGAL::Gmpq determinant = 0, magnitude = 0;
+  for (const auto& [u, v, w] : {std::array{p, q, r}, std::array{q, r, p}, std::array{r, p, q}}) {
+    const CGAL::Gmpq square = times(u.x, u.x) + times(u.y, u.y);
+    determinant += square * (times(v.x, w.y) - times(v.y, w.x));
+    magnitude += square * (CGAL::abs(times(v.x, w.y)) + CGAL::abs(times(v.y, w.x)));
+  }
+  const CGAL::Gmpq e(0x1p-53), bound = 44 * e * e * magnitude + 3 * e * CGAL::abs(determinant);
+  const double balanced = 0x1.0040100401003p-54;  // the determinant is nearly 0
+  for (int steps = -400; steps <= 400; ++steps) {
+    const Point origin{balanced, -beside(balanced, steps)};
+    const Decision decision = decide_incircle(p, q, r, origin);
+    EXPECT_EQ(sign(decision.value), testing::true_incircle(p, q, r, origin)) << steps;
+    if (decision.stage == Stage::expansions) ++expansions;
+    if (decision.stage != Stage::corrected) continue;
+    ++corrections;
+    EXPECT_GT(CGAL::abs(CGAL::Gmpq(decision.value)), bound) << steps;
+  }
+  EXPECT_GT(corrections, 20);
+  EXPECT_GT(expansions, 20);
 }
 
 PARDEL_PROPERTY(

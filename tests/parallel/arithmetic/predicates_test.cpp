@@ -207,6 +207,9 @@ TEST(Predicates, state_which_coordinates_are_in_their_range) {
   for (const double x : {smallest_coordinate / 2, 2 * largest_coordinate, 1e-300, -1e300,
                          std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     EXPECT_FALSE(is_usable(x)) << x;
+  EXPECT_TRUE(is_usable(Point{1.5, 0}));
+  EXPECT_FALSE(is_usable(Point{1.5, 1e300})) << "both coordinates have to be in the range";
+  EXPECT_FALSE(is_usable(Point{1e300, 1.5}));
   EXPECT_EQ(snapped(smallest_coordinate / 2), 0);
   EXPECT_EQ(snapped(-smallest_coordinate), -smallest_coordinate);
 }

@@ -705,6 +705,116 @@ digest 231d0de57cc053ff3619a02194350965
 )");
 }
 
+/// A certificate that no check made, with everything that a certificate can contain.
+Certificate full_certificate() {
+  Certificate certificate;
+  certificate.goal = {.min_angle_deg = 20, .max_area = 0.5, .max_edge = 2};
+  certificate.goal.region_caps = certificate.goal.conforming = certificate.goal.convex_hull = true;
+  certificate.goal.size = [](Point) { return 1.0; };
+  for (int r = 0; r < 13; ++r)
+    certificate.region_caps.push_back(r == 1 ? std::numeric_limits<double>::infinity() : r + 0.5);
+  certificate.vertices = certificate.triangles = certificate.constrained_edges = 1;
+  certificate.min_angle_deg = {12.5, 3, {0.25, 4}};
+  certificate.area = 2.25;
+  certificate.angle_histogram = {1, 0, 100, 200};
+  for (Index t = 0; t < 44; ++t)
+    certificate.justified.push_back({t, 2 * (t % 22), 60.0 - t, t < 22 ? 9.0 : 8.5 + t / 100.0});
+  certificate.violation_counts.assign(violation_kinds, 0);
+  certificate.violation_counts[static_cast<std::size_t>(Kind::overlap)] = 1;
+  certificate.violation_counts[static_cast<std::size_t>(Kind::small_angle)] = 12;
+  certificate.violations = {{Kind::overlap, {7, 8}, {{1, 2}, {3, 4}}, "two things"},
+                            {Kind::small_angle, {}, {}, "sharp"}};
+  return certificate;
+}
+
+TEST(Certificate, with_everything_is_this_text) {
+  EXPECT_EQ(to_text(full_certificate()),
+            "NOT VALID: 1 vertex, 1 triangle, 1 constrained edge\n"
+            "goal: angles of at least 20 degrees, areas up to 0.5, edges up to 2, areas up to 0.5 in region 0, 2.5 "
+            "in region 2, 3.5 in region 3, 4.5 in region 4, 5.5 in region 5, 6.5 in region 6, 7.5 in region 7, 8.5 "
+            "in region 8, 9.5 in region 9, 10.5 in region 10 and caps in 2 more, sizes by position, Delaunay, the "
+            "convex hull\n"
+            "  smallest angle            12.5          triangle 3 at (0.25, 4)\n"
+            "  largest angle             0             \n"
+            "  shortest edge             0             \n"
+            "  longest edge              0             \n"
+            "  largest area              0             \n"
+            "  largest circumradius      0             \n"
+            "  largest radius / edge     0             \n"
+            "  area                      2.25\n"
+            "angles, in degrees\n"
+            "    0 - 10            1  #\n"
+            "   10 - 20            0\n"
+            "   20 - 30          100  #########################\n"
+            "   30 - 40          200  ##################################################\n"
+            "44 triangles below the angle bound, justified by small input angles\n"
+            "  at point 0: 2, down to 8.72 degrees, at an input angle of 38\n"
+            "  at point 2: 2, down to 8.73 degrees, at an input angle of 37\n"
+            "  at point 4: 2, down to 8.74 degrees, at an input angle of 36\n"
+            "  at point 6: 2, down to 8.75 degrees, at an input angle of 35\n"
+            "  at point 8: 2, down to 8.76 degrees, at an input angle of 34\n"
+            "  at point 10: 2, down to 8.77 degrees, at an input angle of 33\n"
+            "  at point 12: 2, down to 8.78 degrees, at an input angle of 32\n"
+            "  at point 14: 2, down to 8.79 degrees, at an input angle of 31\n"
+            "  at point 16: 2, down to 8.8 degrees, at an input angle of 30\n"
+            "  at point 18: 2, down to 8.81 degrees, at an input angle of 29\n"
+            "  at point 20: 2, down to 8.82 degrees, at an input angle of 28\n"
+            "  at point 22: 2, down to 8.83 degrees, at an input angle of 27\n"
+            "  at point 24: 2, down to 8.84 degrees, at an input angle of 26\n"
+            "  at point 26: 2, down to 8.85 degrees, at an input angle of 25\n"
+            "  at point 28: 2, down to 8.86 degrees, at an input angle of 24\n"
+            "  at point 30: 2, down to 8.87 degrees, at an input angle of 23\n"
+            "  at point 32: 2, down to 8.88 degrees, at an input angle of 22\n"
+            "  at point 34: 2, down to 8.89 degrees, at an input angle of 21\n"
+            "  at point 36: 2, down to 8.9 degrees, at an input angle of 20\n"
+            "  at point 38: 2, down to 8.91 degrees, at an input angle of 19\n"
+            "  and at 2 further points\n"
+            "digest 00000000000000000000000000000000\n"
+            "  overlap                   1\n"
+            "  small_angle               12\n"
+            "- overlap: two things [ids 7 8] at (1, 2), (3, 4)\n"
+            "- small_angle: sharp\n"
+            "- and 11 more\n");
+}
+
+TEST(Certificate, with_everything_is_this_JSON) {
+  Certificate certificate = full_certificate();
+  certificate.justified.resize(2);
+  certificate.violations[0].ids[1] = no_index;
+  EXPECT_EQ(nlohmann::ordered_json::parse(to_json(certificate)), nlohmann::ordered_json::parse(R"({
+  "schema": "pardel.certificate/1", "valid": false, "cancelled": false,
+  "goal": {"min_angle_deg": 20.0, "max_area": 0.5, "max_edge": 2.0, "region_caps": true, "sizing": true,
+           "conforming": true, "convex_hull": true},
+  "mesh": {"vertices": 1, "triangles": 1, "constrained_edges": 1, "area": 2.25},
+  "extremes": {
+    "min_angle_deg": {"value": 12.5, "triangle": 3, "where": [0.25, 4.0]},
+    "max_angle_deg": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]},
+    "min_edge": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]},
+    "max_edge": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]},
+    "max_area": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]},
+    "max_circumradius": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]},
+    "max_radius_edge_ratio": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]}
+  },
+  "angle_histogram": [1, 0, 100, 200],
+  "justified": [{"triangle": 0, "apex": 0, "input_angle_deg": 60.0, "angle_deg": 9.0},
+                {"triangle": 1, "apex": 2, "input_angle_deg": 59.0, "angle_deg": 9.0}],
+  "violation_counts": {"overlap": 1, "small_angle": 12},
+  "violations": [{"kind": "overlap", "ids": [7, null], "where": [[1.0, 2.0], [3.0, 4.0]], "witness": "two things"},
+                 {"kind": "small_angle", "ids": [], "where": [], "witness": "sharp"}],
+  "digest": "00000000000000000000000000000000"
+})"));
+}
+
+TEST(Certificate, that_was_cancelled_says_so) {
+  Certificate certificate;
+  certificate.cancelled = true;
+  certificate.vertices = certificate.triangles = certificate.constrained_edges = 2;
+  const std::string text = to_text(certificate);
+  EXPECT_EQ(text.substr(0, text.find('\n')), "cancelled: 2 vertices, 2 triangles, 2 constrained edges");
+  EXPECT_EQ(text.find("angles, in degrees"), std::string::npos) << "nothing was measured";
+  EXPECT_EQ(text.find("triangle "), std::string::npos) << "no triangle has an extreme value";
+}
+
 TEST(Certificate, lists_at_most_max_violations_and_counts_all) {
   Goal goal = no_angle_bound();
   goal.max_area = 1e-3;
