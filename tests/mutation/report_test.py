@@ -1,5 +1,6 @@
 """The report, the choice of tests, and the search for places that do not compile."""
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
@@ -55,6 +56,22 @@ class Trials(unittest.TestCase):
 
     def test_a_program_gets_the_number_of_its_mutant(self):
         self.assertEqual(trials.try_mutant(7, [trials.Test("t", self.program("exit $PARDEL_MUTATION"), "", 0)])[0], "crashed")
+
+
+class Copy(unittest.TestCase):
+    def test_new_tests_come_to_a_copy_whose_mutated_sources_stay(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root, copy = pathlib.Path(folder) / "project", pathlib.Path(folder) / "copy"
+            for name, text in {"core/a.cpp": "old", "core_test.cpp": "old", "same.cpp": "same"}.items():
+                for place, content in {root: text.replace("old", "new"), copy: text}.items():
+                    (place / name).parent.mkdir(parents=True, exist_ok=True)
+                    (place / name).write_text(content)
+            subprocess.run(["git", "init", "-q", str(root)], check=True)
+            before = (copy / "same.cpp").stat().st_mtime_ns
+            build.copy_project(root, copy, without=["core"])
+            self.assertEqual((copy / "core/a.cpp").read_text(), "old")
+            self.assertEqual((copy / "core_test.cpp").read_text(), "new")
+            self.assertEqual((copy / "same.cpp").stat().st_mtime_ns, before, "what has not changed is not built again")
 
 
 class BrokenLines(unittest.TestCase):
