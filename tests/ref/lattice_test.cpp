@@ -1,9 +1,9 @@
-#include "../../ref/lattice.hpp"
+#include "../../ref/decomposition/lattice.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../../properties/domains/domains.hpp"
-#include "../../ref/lattice_refiner.hpp"
+#include "../../ref/decomposition/cell_refiner.hpp"
 
 namespace pardel::ref {
 namespace {
@@ -16,8 +16,9 @@ TEST(TheLattice, has_cells_of_four_circumradii_from_the_corner_of_the_mesh_on) {
   EXPECT_EQ(lattice.corner, ExactPoint(1, 2));
   EXPECT_GE(lattice.side, 10);
   EXPECT_LT(lattice.side, 10 + 0x1p-40);
-  EXPECT_TRUE(allows(lattice, Number(6.25)));
-  EXPECT_FALSE(allows(lattice, Number(6.25 + 0x1p-30)));
+  EXPECT_TRUE(allows(lattice, mesh));
+  mesh.points[1] = {5 + 0x1p-30, 2};
+  EXPECT_FALSE(allows(lattice, mesh));
 }
 
 TEST(TheLattice, gives_a_point_between_two_cells_to_the_upper_one) {
@@ -30,27 +31,29 @@ TEST(TheLattice, gives_a_point_between_two_cells_to_the_upper_one) {
 }
 
 TEST(TheLattice, has_four_colours_that_no_two_neighbours_share) {
-  EXPECT_EQ(colour_of({2, 5}), (Colour{0, 1}));
-  EXPECT_EQ(colour_of({-1, -2}), (Colour{1, 0}));
+  const Lattice lattice{{0, 0}, 1};
+  EXPECT_EQ(colours(lattice), 4);
+  EXPECT_EQ(colour_of(lattice, {2, 5}), 2);
+  EXPECT_EQ(colour_of(lattice, {-1, -2}), 1);
   for (std::int64_t i = -1; i <= 1; ++i)
     for (std::int64_t j = -1; j <= 1; ++j) {
       const Cell cell{i, j}, centre{0, 0};
-      EXPECT_EQ(colour_of(cell) == colour_of(centre), cell == centre);
+      EXPECT_EQ(colour_of(lattice, cell) == colour_of(lattice, centre), cell == centre);
     }
 }
 
-TEST(LatticeRefiner, works_in_several_cells_of_the_square_at_once) {
+TEST(CellRefiner, works_in_several_cells_of_the_square_at_once) {
   Goal coarse, fine;
   coarse.max_area = 0.004;
   fine.max_area = 0.002;
   const auto refined = refine_on_lattice(domains::square(), fine, coarse);
   ASSERT_TRUE(refined.ok()) << refined.error().message;
-  const Sweep& first = refined->sweeps.front();
+  const Sweep<Lattice>& first = refined->sweeps.front();
   EXPECT_EQ(first.phases.size(), 4u);
   EXPECT_GE(first.phases.front().touched.size(), 2u);
 }
 
-TEST(LatticeRefiner, refuses_what_ruppert_does) {
+TEST(CellRefiner, refuses_what_ruppert_does) {
   Goal steep;
   steep.min_angle_deg = 21;
   for (const auto& refused :

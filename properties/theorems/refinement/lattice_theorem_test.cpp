@@ -7,13 +7,10 @@
 
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
-#include "../../../ref/lattice_refiner.hpp"
 #include "../../checker/check.hpp"
-#include "../framework/property.hpp"
-#include "../framework/rapidcheck_generators.hpp"
 #include "../framework/scenes.hpp"
 #include "../framework/shares.hpp"
-#include "channels.hpp"
+#include "refined_channels.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -22,46 +19,6 @@ using ref::ExactPoint;
 using ref::Kernel;
 using ref::Number;
 using ref::PlainMesh;
-
-constexpr const char* families =
-    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners";
-
-/// A random channel and its refinement on a lattice.
-struct Refined {
-  Pslg pslg;
-  Goal goal;
-  ref::LatticeRefinement result;
-};
-
-Refined refined_channel(Exhibit& exhibit) {
-  const auto simpler_channels = [](const Channel& c) { return simpler(c); };
-  const Channel channel = *generators::generator(random_channel, simpler_channels);
-  RC_TAG(std::string(name(channel.shape)));
-  Refined refined{to_pslg(channel), goal_of(channel), {}};
-  exhibit.show(refined.pslg);
-  auto result = ref::refine_on_lattice(refined.pslg, refined.goal, coarse_goal_of(channel));
-  if (!result) RC_FAIL(result.error().message);
-  refined.result = std::move(*result);
-  exhibit.show(refined.pslg, refined.result.mesh);
-  return refined;
-}
-
-/// Calls visit(sweep, phase, mesh at the start of the phase) for every phase.
-template <class Visit>
-void for_each_phase(const ref::LatticeRefinement& refinement, Visit visit) {
-  const PlainMesh* before = &refinement.preprocessed;
-  for (const ref::Sweep& sweep : refinement.sweeps)
-    for (const ref::Phase& phase : sweep.phases) {
-      visit(sweep, phase, *before);
-      before = &phase.after;
-    }
-}
-
-std::size_t insertions_of(const ref::Sweep& sweep) {
-  std::size_t count = 0;
-  for (const ref::Phase& phase : sweep.phases) count += phase.insertions.size();
-  return count;
-}
 
 /// A point of the cell; each coordinate is on the lower side, in the middle, or just below the upper side.
 ExactPoint random_point_of(const ref::Cell& cell, const ref::Lattice& lattice, Random& random) {
@@ -104,7 +61,7 @@ PARDEL_PROPERTY(
     for (std::int64_t j = cell.j - 3; j <= cell.j + 3; ++j) {
       const ref::Cell other{i, j};
       const bool are_neighbours = std::abs(i - cell.i) <= 1 && std::abs(j - cell.j) <= 1;
-      if (other == cell || (are_neighbours && colour_of(other) != colour_of(cell))) continue;
+      if (other == cell || (are_neighbours && colour_of(lattice, other) != colour_of(lattice, cell))) continue;
       const ExactPoint p = random_point_of(cell, lattice, random), q = random_point_of(other, lattice, random);
       RC_ASSERT(cell_of(lattice, p) == cell);
       RC_ASSERT(cell_of(lattice, q) == other);
@@ -118,15 +75,15 @@ PARDEL_PROPERTY(
                   "phase starts in a mesh for which 4 r̄ is more than the side of a cell.",
      .source = "[CC], the uniform lattice; properties/THEORY.md, Lattice, for the cell of a point and for measuring r̄ "
                "again",
-     .families = families}) {
-  const Refined refined = refined_channel(exhibit);
+     .families = channel_families}) {
+  const RefinedChannel refined = refined_channel(exhibit);
   bool was_outgrown = false;
-  for_each_phase(refined.result, [&](const ref::Sweep& sweep, const ref::Phase& phase, const PlainMesh& before) {
-    was_outgrown |= sweep.phases.size() < ref::all_colours.size();
-    RC_ASSERT(sweep.lattice.side * sweep.lattice.side >= 16 * squared_circumradius_bound(before));
+  for_each_phase(refined.result, [&](const LatticeSweep& sweep, const ref::Phase& phase, const PlainMesh& before) {
+    was_outgrown |= sweep.phases.size() < 4;
+    RC_ASSERT(sweep.cells.side * sweep.cells.side >= 16 * squared_circumradius_bound(before));
     for (const auto& [cell, point] : phase.insertions) {
-      RC_ASSERT(cell_of(sweep.lattice, point) == cell);
-      RC_ASSERT((phase.colour == ref::Colour{static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}));
+      RC_ASSERT(cell_of(sweep.cells, point) == cell);
+      RC_ASSERT(phase.colour % 2 == (cell.i & 1) && phase.colour / 2 == (cell.j & 1));
     }
   });
   classify(was_outgrown, "circumradii grew, and a new lattice was computed", 0.05);
@@ -138,7 +95,7 @@ ref::Touched touched_by_definition(const PlainMesh& mesh, const ExactPoint& p) {
   ref::Touched touched;
   for (const Index t : cavity(mesh, p)) {
     const ref::Corners& inside = mesh.triangles[t];
-    touched.vertices.insert(inside.begin(), inside.end());
+    for (const Index v : inside) touched.vertices.insert(mesh.points[v]);
     for (const ref::Corners& other : mesh.triangles) {
       const auto common = std::ranges::count_if(other, [&](Index v) { return std::ranges::count(inside, v) != 0; });
       if (common >= 2) touched.triangles.insert(other);
@@ -169,15 +126,15 @@ PARDEL_PROPERTY(
                   "cavities of two different cells share no vertex. No triangle is read or written by both cells; "
                   "this includes the triangles across the boundaries of the cavities.",
      .source = "[CC], Theorem 1 and the uniform lattice",
-     .families = families}) {
-  const Refined refined = refined_channel(exhibit);
+     .families = channel_families}) {
+  const RefinedChannel refined = refined_channel(exhibit);
   std::size_t cells_at_once = 0;
-  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh& before) {
+  for_each_phase(refined.result, [&](const LatticeSweep&, const ref::Phase& phase, const PlainMesh& before) {
     RC_ASSERT(is_complete(phase, before));
-    std::map<Index, ref::Cell> vertex_of;
+    std::map<ExactPoint, ref::Cell> vertex_of;
     std::map<ref::Corners, ref::Cell> triangle_of;
     for (const auto& [cell, touched] : phase.touched) {
-      for (Index v : touched.vertices) RC_ASSERT(vertex_of.try_emplace(v, cell).first->second == cell);
+      for (const ExactPoint& v : touched.vertices) RC_ASSERT(vertex_of.try_emplace(v, cell).first->second == cell);
       for (const ref::Corners& t : touched.triangles) RC_ASSERT(triangle_of.try_emplace(t, cell).first->second == cell);
     }
     cells_at_once = std::max(cells_at_once, phase.touched.size());
@@ -228,10 +185,10 @@ PARDEL_PROPERTY(
     {.statement = "Inserting the points of a phase one after the other, with cells alternating at random, gives the "
                   "mesh of the phase, whose points were inserted independently.",
      .source = "[CC], Theorem 1",
-     .families = families}) {
-  const Refined refined = refined_channel(exhibit);
+     .families = channel_families}) {
+  const RefinedChannel refined = refined_channel(exhibit);
   Random random(*rc::gen::arbitrary<std::uint64_t>());
-  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh& before) {
+  for_each_phase(refined.result, [&](const LatticeSweep&, const ref::Phase& phase, const PlainMesh& before) {
     PlainMesh mesh = before;
     for (const ExactPoint& p : interleaved(phase, random)) insert(mesh, p);
     RC_ASSERT(triangles_as_points(mesh) == triangles_as_points(phase.after));
@@ -244,8 +201,8 @@ PARDEL_PROPERTY(
          "The result is conformal and Delaunay by definition, and no subsegment is encroached. The independent "
          "checker finds that all bounds are met and no triangle is exempt.",
      .source = "[CC]; Ruppert 1995",
-     .families = families}) {
-  const Refined refined = refined_channel(exhibit);
+     .families = channel_families}) {
+  const RefinedChannel refined = refined_channel(exhibit);
   const PlainMesh& mesh = refined.result.sweeps.back().phases.back().after;
   RC_ASSERT(is_conformal(mesh));
   RC_ASSERT(is_delaunay(mesh));
@@ -262,12 +219,12 @@ PARDEL_PROPERTY(
                   "is a vertex of the mesh. In the mesh after the last sweep, no subsegment is encroached, and no "
                   "triangle breaks a bound.",
      .source = "[CC] has four iterations; here sweeps are repeated, and their number is measured",
-     .families = families}) {
-  const Refined refined = refined_channel(exhibit);
+     .families = channel_families}) {
+  const RefinedChannel refined = refined_channel(exhibit);
   std::set<ExactPoint> waiting, handed_on;
-  for_each_phase(refined.result, [&](const ref::Sweep&, const ref::Phase& phase, const PlainMesh&) {
+  for_each_phase(refined.result, [&](const LatticeSweep& sweep, const ref::Phase& phase, const PlainMesh&) {
     for (const ref::HandedOn& handed : phase.handed_on) {
-      RC_ASSERT(colour_of(handed.from) != colour_of(handed.to));
+      RC_ASSERT(colour_of(sweep.cells, handed.from) != colour_of(sweep.cells, handed.to));
       waiting.insert(handed.point);
       handed_on.insert(handed.point);
     }
@@ -282,8 +239,9 @@ PARDEL_PROPERTY(
   const Certificate certificate = check(refined.pslg, refined.result.mesh, refined.goal);
   for (const ViolationKind bound : {ViolationKind::small_angle, ViolationKind::large_area, ViolationKind::region_area})
     RC_ASSERT(certificate.violation_counts.at(static_cast<std::size_t>(bound)) == 0U);
-  const auto inserting =
-      std::ranges::count_if(refined.result.sweeps, [](const ref::Sweep& s) { return insertions_of(s) > 0; });
+  const auto inserts = [](const ref::Phase& phase) { return !phase.insertions.empty(); };
+  const auto inserting = std::ranges::count_if(
+      refined.result.sweeps, [&](const LatticeSweep& s) { return std::ranges::any_of(s.phases, inserts); });
   RC_TAG(std::to_string(inserting) + " sweeps that insert");
 }
 

@@ -28,14 +28,20 @@ Lattice lattice_over(const PlainMesh& mesh) {
   return {{box.xmin(), box.ymin()}, side};
 }
 
-bool allows(const Lattice& lattice, const Number& squared_circumradius) {
-  return lattice.side * lattice.side >= separation * separation * squared_circumradius;
+bool allows(const Lattice& lattice, const PlainMesh& mesh) {
+  return lattice.side * lattice.side >= separation * separation * squared_circumradius_bound(mesh);
+}
+
+Lattice cells_after(const Lattice& lattice, const PlainMesh& mesh) {
+  return allows(lattice, mesh) ? lattice : lattice_over(mesh);
 }
 
 Cell cell_of(const Lattice& lattice, const ExactPoint& p) {
   return {floor_of((p.x() - lattice.corner.x()) / lattice.side), floor_of((p.y() - lattice.corner.y()) / lattice.side)};
 }
 
-Colour colour_of(const Cell& cell) { return {static_cast<int>(cell.i & 1), static_cast<int>(cell.j & 1)}; }
+int colour_of(const Lattice& /*lattice*/, const Cell& cell) {
+  return static_cast<int>((cell.i & 1) + 2 * (cell.j & 1));
+}
 
 }  // namespace pardel::ref

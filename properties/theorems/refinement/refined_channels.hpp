@@ -1,0 +1,61 @@
+// Random channels, refined on a lattice by the reference.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "../../../ref/decomposition/cell_refiner.hpp"
+#include "../framework/property.hpp"
+#include "../framework/rapidcheck_generators.hpp"
+#include "channels.hpp"
+
+namespace pardel::properties {
+
+inline constexpr const char* channel_families =
+    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners";
+
+using LatticeSweep = ref::Sweep<ref::Lattice>;
+
+/// A random channel and its refinement on a lattice.
+struct RefinedChannel {
+  Channel channel;
+  Pslg pslg;
+  Goal goal;
+  ref::LatticeRefinement result;
+};
+
+inline Channel some_channel(Exhibit& exhibit) {
+  const auto simpler_channels = [](const Channel& c) { return simpler(c); };
+  const Channel channel = *generators::generator(random_channel, simpler_channels);
+  RC_TAG(std::string(name(channel.shape)));
+  exhibit.show(to_pslg(channel));
+  return channel;
+}
+
+/// The refinement of the channel, in which the cells of a phase take turns.
+inline ref::LatticeRefinement refined_in_turns(const Channel& channel, const ref::Turns& turns) {
+  auto result = ref::refine_on_lattice(to_pslg(channel), goal_of(channel), coarse_goal_of(channel), turns);
+  if (!result) RC_FAIL(result.error().message);
+  return std::move(*result);
+}
+
+/// A random channel. All cells of a phase insert one point in each step.
+inline RefinedChannel refined_channel(Exhibit& exhibit) {
+  const Channel channel = some_channel(exhibit);
+  RefinedChannel refined{channel, to_pslg(channel), goal_of(channel), refined_in_turns(channel, ref::in_rounds)};
+  exhibit.show(refined.pslg, refined.result.mesh);
+  return refined;
+}
+
+/// Calls visit(sweep, phase, mesh at the start of the phase) for every phase.
+template <class Cells, class Visit>
+void for_each_phase(const ref::CellRefinement<Cells>& refinement, Visit visit) {
+  const ref::PlainMesh* before = &refinement.preprocessed;
+  for (const ref::Sweep<Cells>& sweep : refinement.sweeps)
+    for (const ref::Phase& phase : sweep.phases) {
+      visit(sweep, phase, *before);
+      before = &phase.after;
+    }
+}
+
+}  // namespace pardel::properties
