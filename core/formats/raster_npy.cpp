@@ -59,7 +59,7 @@ bool read_shape(std::string_view text, ArrayHeader& header) {
 Result<ArrayHeader> read_header(std::string_view text, const std::string& name) {
   ArrayHeader header;
   const std::string_view type = value_of(text, "descr");
-  if (type.size() < 4 || type[0] != '\'') return broken(name, "the header has no type of numbers");
+  if (type.size() < 5 || type[0] != '\'') return broken(name, "the header has no type of numbers");
   header.big_endian = type[1] == '>';
   header.kind = type[2];
   header.bytes = static_cast<unsigned>(type[3] - '0');

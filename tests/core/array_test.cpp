@@ -61,6 +61,7 @@ TEST(Array, keeps_its_elements_at_every_step_of_size) {
       array.shrink_to_fit();
       EXPECT_TRUE(counts_up(array)) << before << " to " << after;
       array.resize_uninitialised(after);
+      ASSERT_EQ(array.size(), after);
       array.resize(std::min(before, after));
       EXPECT_TRUE(counts_up(array)) << before << " to " << after;
     }

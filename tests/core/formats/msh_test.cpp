@@ -180,6 +180,35 @@ TEST(Msh, has_the_first_value_of_the_first_node_data_as_attribute_of_a_point) {
             (std::vector<double>{10, 20, 30}));
 }
 
+TEST(Msh, may_have_node_data_as_short_as_possible) {
+  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n";
+  for (int i = 1; i <= 9; ++i) text += std::to_string(i) + " " + std::to_string(i) + " 0 0\n";
+  text += "$EndNodes\n$Elements\n0\n$EndElements\n$NodeData\n0\n0\n3\n0\n1\n9\n";
+  for (int i = 1; i <= 9; ++i) text += std::to_string(i) + " 5\n";
+  const auto mesh = parse_msh(text + "$EndNodeData\n", "m.msh");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->point_attributes, Array<double>(9, 5.0));
+}
+
+TEST(Msh, has_one_group_for_each_attribute_in_any_order_of_the_regions) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  mesh.region_attributes = {7, 2.5, 7};
+  mesh.region.clear();
+  mesh.region.append(std::vector<Index>{0, 1, 2, 1});
+  ASSERT_TRUE(write_msh(mesh, folder / "m.msh", MshEncoding::ascii).ok());
+  const auto read = read_mesh(folder / "m.msh");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->region_attributes, (std::vector<double>{2.5, 7}));
+  for (std::size_t t = 0; t < 4; ++t) {
+    const auto corners = read->triangles[t].v;
+    const auto original = std::ranges::find(mesh.triangles, corners, &Triangle::v);
+    ASSERT_NE(original, mesh.triangles.end());
+    const Index region = mesh.region[static_cast<std::size_t>(original - mesh.triangles.begin())];
+    EXPECT_EQ(read->region_attributes[read->region[t]], mesh.region_attributes[region]) << t;
+  }
+}
+
 TEST(Msh, with_incomplete_node_data_is_refused) {
   const auto failure = [](const std::string& from, const std::string& to) {
     return message_of_invalid(parse_msh(replaced(with_values, from, to), "m.msh"));

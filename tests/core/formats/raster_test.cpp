@@ -147,8 +147,27 @@ TEST_F(Npy, errors_name_the_file_and_the_fault) {
   EXPECT_NE(failure(replaced(good, "descr", "typed")).find("the header has no type of numbers"), std::string::npos);
   EXPECT_NE(failure(good + "12345678").find("expected 6 numbers, found 7"), std::string::npos);
   EXPECT_NE(failure(replaced(good, "\1", "\11")).find("this is not an array of NumPy"), std::string::npos);
-  for (const char* shape : {"(23)  ", "(2, 0)", "(2, x)", "2, 3)) ", "(-2,3)"})
+  for (const char* shape : {"(23)  ", "[2, 3]", "(2, 0)", "(2, x)", "2, 3)) ", "(-2,3)"})
     EXPECT_NE(failure(replaced(good, "(2, 3)", shape)).find("two dimensions"), std::string::npos) << shape;
+}
+
+TEST_F(Npy, of_versions_2_and_3_has_a_header_of_any_length) {
+  for (const char version : {'\2', '\3'}) {
+    std::string text = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
+    text[6] = version;
+    text.insert(10, 2, '\0');  // the length has four bytes instead of two
+    const auto raster = read(text);
+    ASSERT_TRUE(raster.ok()) << raster.error().message;
+    EXPECT_EQ(raster->values, south_to_north);
+  }
+}
+
+TEST_F(Npy, may_end_anywhere_in_its_header_and_is_refused) {
+  const auto of_header = [](const std::string& header) { return npy<char>(header, {}); };
+  EXPECT_NE(failure(of_header("{}")).find("the header has no type of numbers"), std::string::npos);
+  EXPECT_NE(failure(of_header("{")).find("this is not an array of NumPy"), std::string::npos);
+  // The byte after the header belongs to the data, even if it is a quotation mark.
+  EXPECT_NE(failure(of_header("{'descr': '<f8") + "'").find("the header has no type of numbers"), std::string::npos);
 }
 
 TEST_F(Npy, needs_a_world_file_without_rotation) {

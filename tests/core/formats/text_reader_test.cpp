@@ -118,6 +118,13 @@ TEST(TextReader, keeps_the_first_failure) {
   EXPECT_EQ(in.error().message, "f:1: expected a number, found \"a\"");
 }
 
+TEST(TextReader, after_a_failure_gives_the_number_that_stands_for_a_missing_one) {
+  TextReader in("a 7", "f");
+  in.next_line();
+  EXPECT_EQ(in.integer("a number", low, high), 0);
+  EXPECT_EQ(in.integer_or("another", low, high, 3), 3);
+}
+
 TEST(TextReader, fails_at_a_count_that_is_too_large_for_the_text) {
   TextReader exact("1 2\n3 4", "f");  // two records of two fields, the last without its newline
   EXPECT_TRUE(exact.room_for(2, text_bytes(2), "things"));

@@ -158,6 +158,9 @@ TEST(TriangleFiles, of_neighbours_must_agree_with_the_triangles) {
   EXPECT_EQ(failure_of(folder), "m.neigh:3: expected neighbour -1, as the triangles have it, found 1");
   folder.write("m.neigh", "3 3\n");
   EXPECT_EQ(failure_of(folder), "m.neigh:1: expected as many triangles as the .ele has, 2");
+  folder.write("m.neigh", "2 4\n");
+  EXPECT_EQ(failure_of(folder),
+            "m.neigh:1: expected the number of neighbours per triangle, a whole number from 3 to 3, found \"4\"");
   folder.write("m.neigh", "2 3\n1 -1 2 7\n");
   EXPECT_EQ(failure_of(folder), "m.neigh:2: expected a neighbour, a whole number from -1 to 2, found \"7\"");
 }
@@ -185,6 +188,20 @@ TEST(TriangleFiles, errors_name_the_line_and_the_fault) {
   folder.write("m.ele", ele);
   folder.write("m.poly", "0 2 0 0\n1 0\n1 1 9\n0\n");
   EXPECT_EQ(failure_of(folder), "m.poly:3: expected an end of a segment, a whole number from 1 to 4, found \"9\"");
+}
+
+TEST(MeshFiles, without_a_suffix_are_known_by_their_beginning) {
+  const TemporaryFolder folder;
+  for (const char* name : {"m.off", "m.msh", "m.vtu"}) {
+    ASSERT_TRUE(write_mesh(sample_mesh(), {}, folder / name).ok());
+    const auto named = read_mesh(folder / name);
+    folder.write("mesh", folder.read(name));
+    const auto nameless = read_mesh(folder / "mesh");
+    ASSERT_TRUE(nameless.ok()) << nameless.error().message;
+    EXPECT_EQ(*nameless, *named) << name;
+  }
+  folder.write("mesh", "solid");
+  EXPECT_NE(read_mesh(folder / "mesh").error().message.find("must be .msh, .vtu or .off"), std::string::npos);
 }
 
 TEST(MeshFiles, are_known_by_their_suffix) {

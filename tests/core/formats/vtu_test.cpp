@@ -95,6 +95,32 @@ TEST(Vtu, of_another_program_may_hold_text_lines_vertices_and_unknown_arrays) {
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 0}}));
 }
 
+TEST(Vtu, may_have_markers_of_every_integer_type_in_binary) {
+  const auto with_markers = [](const std::string& type, const std::string& data) {
+    return replaced(ascii_vtu, R"(<DataArray type="Int8" Name="marker" format="ascii">1 0 -3 1)",
+                    "<DataArray type=\"" + type + R"(" Name="marker" format="binary">)" + data);
+  };
+  // The number of bytes as a UInt32, and the numbers 1, 0, 3, 2, little-endian.
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"Int8", "UInt8"}, "BAAAAAEAAwI="},
+      {{"Int16", "UInt16"}, "CAAAAAEAAAADAAIA"},
+      {{"Int32", "UInt32"}, "EAAAAAEAAAAAAAAAAwAAAAIAAAA="},
+      {{"Int64", "UInt64"}, "IAAAAAEAAAAAAAAAAAAAAAAAAAADAAAAAAAAAAIAAAAAAAAA"}};
+  for (const auto& [types, data] : cases)
+    for (const std::string& type : types) {
+      const auto mesh = parse_vtu(with_markers(type, data), "f");
+      ASSERT_TRUE(mesh.ok()) << type << ": " << mesh.error().message;
+      EXPECT_EQ(std::vector<int>(mesh->point_markers.begin(), mesh->point_markers.end()), (std::vector{1, 0, 3, 2}))
+          << type;
+    }
+  EXPECT_NE(failure_of_vtu(with_markers("Int7", "BAAAAAEAAwI=")), "");
+}
+
+TEST(Vtu, with_more_points_than_a_mesh_can_hold_is_refused) {
+  EXPECT_EQ(failure_of_vtu(replaced(ascii_vtu, "NumberOfPoints=\"4\"", "NumberOfPoints=\"4294967296\"")),
+            "f:1: the piece announces more points than a mesh can hold");
+}
+
 TEST(Vtu, may_have_base64_with_the_length_encoded_separately_or_not) {
   // The length 36 as a UInt32, then the coordinates 0 0 0 1 0 0 0 1 0 as Float32.
   const std::string together = "JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==";

@@ -188,6 +188,16 @@ TEST(OutputFile, of_an_open_file_continues_where_the_file_is) {
   EXPECT_EQ(folder.names(), "a ");
 }
 
+TEST(OutputFile, writes_to_standard_output_if_there_is_no_standard_input) {
+  EXPECT_EXIT(
+      {
+        close(0);  // the next file that is opened gets the number 0
+        OutputFile out("-");
+        _exit(out.commit().ok() ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
 TEST(OutputFile, that_is_not_open_is_an_io_error) {
   OutputFile out("/dev/fd/987");
   EXPECT_EQ(out.commit().error().message, "/dev/fd/987: cannot be opened for writing: Bad file descriptor");
