@@ -2,6 +2,7 @@
 #include "../../../properties/checker/check.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <bit>
@@ -60,6 +61,22 @@ TEST(Check, gives_the_same_certificate_again) {
   options.max_violations = 7;
   const std::string first = to_json(check(c, goal, options));
   EXPECT_EQ(first, to_json(check(c, goal, options)));
+}
+
+TEST(Check, gives_the_same_certificate_on_any_number_of_threads) {
+  Case c;
+  c.pslg = domains::random_points(2'000, 5);
+  c.mesh = testing::triangulated_by_cgal(c.pslg);
+  Goal goal;
+  goal.max_area = 1e-4;
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const std::string alone = to_json(check(c, goal));
+  for (const int several : {2, 3, 8}) {
+    omp_set_num_threads(several);
+    EXPECT_EQ(to_json(check(c, goal)), alone) << several;
+  }
+  omp_set_num_threads(threads);
 }
 
 // Tests of ids, counts and numbers.

@@ -280,6 +280,18 @@ TEST(Violations, of_neighbours) {
             "there [ids 3 4] at (2, 2), (4, 2)\n"
             "wrong_neighbour: triangle 4 lists 3 as its neighbour across edge 6-2, but that triangle does not list it "
             "there [ids 4 3] at (2, 2), (4, 4)\n");
+  c = testing::square_in_eight();  // triangles 0 and 2 list each other, but have only vertex 6 in common
+  c.mesh.triangles[0].n[0] = 2;
+  c.mesh.triangles[2].n[1] = 0;
+  EXPECT_EQ(said_about(c),
+            "wrong_neighbour: triangle 0 lists 2 as its neighbour across edge 4-6, but that triangle does not list it "
+            "there [ids 0 2] at (2, 0), (2, 2)\n"
+            "wrong_neighbour: triangle 1 lists 2 as its neighbour across edge 1-6, but that triangle does not list it "
+            "there [ids 1 2] at (4, 0), (2, 2)\n"
+            "wrong_neighbour: triangle 1 lists 0 as its neighbour across edge 6-4, but that triangle does not list it "
+            "there [ids 1 0] at (2, 2), (2, 0)\n"
+            "wrong_neighbour: triangle 2 lists 0 as its neighbour across edge 6-1, but that triangle does not list it "
+            "there [ids 2 0] at (2, 2), (4, 0)\n");
   c = testing::square_in_two();
   for (Triangle& t : c.mesh.triangles) t.n = {no_index, no_index, no_index};
   EXPECT_EQ(said_about(c),
@@ -407,6 +419,17 @@ TEST(Violations, of_chains_off_their_segments) {
       << "nothing says that there should be a chain";
 }
 
+TEST(Violations, of_one_vertex_of_a_chain) {
+  Case c;  // a triangle with two vertices on its lower side, of which one lies below it
+  c.pslg.points = {{0, 0}, {3, 0}, {1.5, 3}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
+  c.mesh = testing::mesh_of({{0, 0}, {3, 0}, {1.5, 3}, {1, 0}, {2, -0x1p-20}}, {{0, 3, 2}, {3, 4, 2}, {4, 1, 2}});
+  c.mesh.origin.clear();
+  EXPECT_EQ(said_about_file(c),
+            "chain_off_segment: vertex 4 on segment 0: its squared distance from the segment is 1/1099511627776, more "
+            "than the square of 8.881784197001252e-16 [ids 4 0] at (2, -9.5367431640625e-07)\n");
+}
+
 TEST(Violations, of_segments_that_bend_in_files_without_constrained_edges) {
   // The checker takes the edges of the boundary, and those that are not locally Delaunay, for the constrained edges.
   Case c = square_in_eight_without({});
@@ -494,6 +517,18 @@ TEST(Violations, of_markers_of_vertices) {
             "wrong_vertex_marker: vertex 5 has marker 7 instead of 1 or 9 [ids 5] at (2, 4)\n"
             "wrong_vertex_marker: vertex 6 has marker 7 instead of 9 [ids 6] at (2, 2)\n"
             "wrong_vertex_marker: vertex 7 has marker 0 instead of 1 [ids 7] at (4, 2)\n");
+}
+
+TEST(Violations, of_markers_from_segments_outside_the_domain) {
+  // Other meshers mark the ends of such segments before they remove them.
+  Case c = testing::square_in_two();
+  c.pslg.points.push_back({3, 0});
+  c.mesh.points.push_back({3, 0});
+  c.mesh.origin.push_back(input_vertex);
+  c.pslg.segments.push_back({1, 4, 6});
+  c.mesh.point_markers.append(std::vector<int>{1, 6, 1, 1, 6});
+  EXPECT_EQ(said_about_file(c), "");
+  EXPECT_EQ(said_about(c), "wrong_vertex_marker: vertex 1 has marker 6 instead of 1 [ids 1] at (1, 0)\n");
 }
 
 TEST(Violations, of_origins) {
