@@ -193,7 +193,7 @@ TEST(OutputFile, writes_to_standard_output_if_there_is_no_standard_input) {
       {
         close(0);  // the next file that is opened gets the number 0
         OutputFile out("-");
-        _exit(out.commit().ok() ? 0 : 1);
+        std::exit(out.commit().ok() ? 0 : 1);
       },
       ::testing::ExitedWithCode(0), "");
 }

@@ -71,6 +71,20 @@ TEST(Violations, of_triangles_that_turn_clockwise_or_are_flat) {
             "circumcircle, in-circle determinant 12 [ids 2 6 3 4] at (4, 4), (2, 5)\n");
 }
 
+TEST(Violations, of_a_flat_triangle) {
+  Case c = testing::square_in_two();
+  c.mesh.points.push_back({0.5, 0});
+  c.mesh.triangles.push_back(loose(0, 4, 1));
+  c.mesh.constrained_edges.clear();
+  c.mesh.origin.clear();
+  std::string degenerate;
+  for (const Violation& violation : check(c, no_angle_bound(), {.foreign = true}).violations)
+    if (violation.kind == ViolationKind::degenerate_triangle) degenerate += violation.message() + '\n';
+  EXPECT_EQ(degenerate,
+            "degenerate_triangle: triangle 2 is not counter-clockwise: twice its signed area is 0 [ids 2 0 4 1] at "
+            "(0, 0), (0.5, 0), (1, 0)\n");
+}
+
 TEST(Violations, of_a_triangle_that_is_there_twice) {
   EXPECT_EQ(said_about(square_and({}, loose(0, 1, 2))),
             "duplicate_triangle: triangles 0 and 2 have the same corners [ids 0 2] at (0, 0)\n"
@@ -417,6 +431,35 @@ TEST(Violations, of_chains_off_their_segments) {
             "not_delaunay: edge 3-6 of triangles 5 and 6 is not locally Delaunay: vertex 8 (0, 2) lies inside the "
             "circumcircle, in-circle determinant 5 [ids 3 6 5 6] at (0, 4), (2.5, 2)\n")
       << "nothing says that there should be a chain";
+}
+
+TEST(Violations, of_a_segment_whose_ends_are_no_vertices) {
+  Case c = testing::square_in_two();
+  c.pslg.points.insert(c.pslg.points.end(), {{0.25, 0.5}, {0.75, 0.5}});
+  c.pslg.segments.insert(c.pslg.segments.end(), {{4, 0, 0}, {0, 5, 0}});
+  c.mesh.constrained_edges.clear();
+  c.mesh.origin.clear();
+  EXPECT_EQ(said_about_file(c),
+            "missing_input_vertex: input point 4 of the domain is not a vertex of the mesh [ids 4] at (0.25, 0.5)\n"
+            "missing_input_vertex: input point 5 of the domain is not a vertex of the mesh [ids 5] at (0.75, 0.5)\n"
+            "broken_segment: segment 4 from point 4 to 0 is not covered by a chain of mesh edges within the rounding "
+            "distance [ids 4] at (0.25, 0.5), (0, 0)\n"
+            "broken_segment: segment 5 from point 0 to 5 is not covered by a chain of mesh edges within the rounding "
+            "distance [ids 5] at (0, 0), (0.75, 0.5)\n");
+}
+
+TEST(Violations, of_a_bent_chain_whose_edges_are_not_delaunay) {
+  // No file says that 0-6 and 6-3 are constrained. They are not locally Delaunay, so they must be.
+  Case c;
+  c.pslg.points = {{0, 0}, {7, -1}, {9, -1}, {16, 0}, {9, 1}, {7, 1}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 4, 0}, {4, 5, 0}, {5, 0, 0}, {0, 3, 0}};
+  std::vector<Point> points = c.pslg.points;
+  points.push_back({8, 0.25});
+  c.mesh = testing::mesh_of(points, {{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {3, 4, 6}, {4, 5, 6}, {5, 0, 6}});
+  c.mesh.origin.clear();
+  EXPECT_EQ(said_about_file(c),
+            "chain_off_segment: vertex 6 on segment 6: its squared distance from the segment is 1/16, more than the "
+            "square of 7.105427357601002e-15 [ids 6 6] at (8, 0.25)\n");
 }
 
 TEST(Violations, of_one_vertex_of_a_chain) {
