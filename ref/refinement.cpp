@@ -112,6 +112,11 @@ std::vector<Edge> newly_encroached(const Refinement& state, Index vertex) {
   return encroached;
 }
 
+double inverse_squared_ratio(const Goal& goal) {
+  const double sine = std::sin(goal.min_angle_deg * (std::numbers::pi / 180));
+  return 4 * sine * sine;
+}
+
 Criteria::Criteria(const Pslg& pslg, const Goal& goal, const PlainMesh& mesh) : goal_(goal) {
   if (!goal.region_caps) return;
   for (const Region& region : pslg.regions) {
@@ -137,8 +142,7 @@ double Criteria::area_cap_at(const ExactPoint& p) const {
 }
 
 bool Criteria::is_bad(const PlainMesh& mesh, const Corners& t) const {
-  const double sine = std::sin(goal_.min_angle_deg * (std::numbers::pi / 180));
-  if (squared_circumradius(mesh, t) * (4 * sine * sine) > squared_shortest_edge(mesh, t)) return true;
+  if (squared_circumradius(mesh, t) * inverse_squared_ratio(goal_) > squared_shortest_edge(mesh, t)) return true;
 
   const ExactPoint centroid = CGAL::centroid(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
   const double max_area = std::min(goal_.max_area, area_cap_at(centroid));

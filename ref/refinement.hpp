@@ -48,6 +48,9 @@ void record_origin(Refinement& state, Index vertex, const std::optional<Edge>& s
 /// the halves of the subsegment that it split, if any vertex encroaches upon them.
 [[nodiscard]] std::vector<Edge> newly_encroached(const Refinement& state, Index vertex);
 
+/// 1/ρ̄², where ρ̄ is the largest ratio of circumradius to shortest edge that the angle bound of the goal allows.
+[[nodiscard]] double inverse_squared_ratio(const Goal& goal);
+
 /// Tests triangles against the bounds of a goal and the area caps of regions.
 class Criteria {
  public:

@@ -1,6 +1,7 @@
 #include "cell_refiner.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "../independent.hpp"
 #include "../insertion.hpp"
@@ -160,8 +161,8 @@ bool did_nothing(const Sweep<Cells>& sweep) {
 
 /// `first_cells` makes the cells for the preprocessed mesh.
 template <class Cells>
-Result<CellRefinement<Cells>> refine_on(Cells (*first_cells)(const PlainMesh&), const Pslg& pslg, const Goal& goal,
-                                        const Goal& coarse, const Turns& turns) {
+Result<CellRefinement<Cells>> refine_on(const std::function<Cells(const PlainMesh&)>& first_cells, const Pslg& pslg,
+                                        const Goal& goal, const Goal& coarse, const Turns& turns) {
   for (const Goal& asked : {goal, coarse})
     if (auto error = unsupported(pslg, asked)) return *error;
   Refinement state = conforming_delaunay(pslg);
@@ -189,7 +190,22 @@ Result<CellRefinement<Cells>> refine_on(Cells (*first_cells)(const PlainMesh&), 
 
 Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse,
                                             const Turns& turns) {
-  return refine_on<Lattice>(lattice_over, pslg, goal, coarse, turns);
+  const auto over = [](const PlainMesh& mesh) { return lattice_over(mesh); };
+  return refine_on<Lattice>(over, pslg, goal, coarse, turns);
+}
+
+Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, const Pslg& pslg, const Goal& goal,
+                                                     const Goal& coarse, const Turns& turns) {
+  const Result<Number> squared_bound = squared_radius_bound(pslg, coarse, theorem);
+  if (!squared_bound) return squared_bound.error();
+  const Lattice lattice = lattice_over(pslg.points, *squared_bound);
+  const auto before_a_mesh = [&](const PlainMesh&) { return lattice; };
+  Result<LatticeRefinement> result = refine_on<Lattice>(before_a_mesh, pslg, goal, coarse, turns);
+  if (!result) return result;
+  const auto is_another = [&](const Sweep<Lattice>& sweep) { return sweep.cells.side != lattice.side; };
+  if (!allows(lattice, result->preprocessed) || std::ranges::any_of(result->sweeps, is_another))
+    return Error{ErrorKind::internal, "A circumradius exceeds the bound of theorem T3."};
+  return result;
 }
 
 Result<QuadtreeRefinement> refine_on_quadtree(const Pslg& pslg, const Goal& goal, const Goal& coarse,

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
+#include "../radius_bound.hpp"
 #include "../refinement.hpp"
 #include "lattice.hpp"
 #include "quadtree.hpp"
@@ -78,6 +79,13 @@ using QuadtreeRefinement = CellRefinement<Quadtree>;
 /// preprocessed mesh has more cells.
 [[nodiscard]] Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse,
                                                           const Turns& turns = in_rounds);
+
+/// The same on one lattice that is computed before a mesh exists, as in [CC]: r̄ is squared_radius_bound() for the goal
+/// `coarse`. Further errors: those of squared_radius_bound(), and `internal` if a circumradius ever exceeds r̄, which
+/// would contradict THEORY.md, Lattice (f).
+[[nodiscard]] Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, const Pslg& pslg,
+                                                                   const Goal& goal, const Goal& coarse,
+                                                                   const Turns& turns = in_rounds);
 
 /// The same on the leaves of quadtrees. Each sweep has a new tree.
 [[nodiscard]] Result<QuadtreeRefinement> refine_on_quadtree(const Pslg& pslg, const Goal& goal, const Goal& coarse,

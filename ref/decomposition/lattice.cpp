@@ -16,16 +16,25 @@ std::int64_t floor_of(const Number& x) {
   return static_cast<std::int64_t>(below);
 }
 
+Lattice lattice_over(const CGAL::Bbox_2& box, const Number& squared_bound) {
+  const double bound = std::sqrt(CGAL::to_interval(squared_bound).second);
+  const double side = std::nextafter(separation * bound, std::numeric_limits<double>::infinity());
+  return {{box.xmin(), box.ymin()}, side};
+}
+
 }  // namespace
 
 Lattice lattice_over(const PlainMesh& mesh) {
   CGAL::Bbox_2 box;
   for (const Corners& t : mesh.triangles)
     for (Index v : t) box += mesh.points[v].bbox();
+  return lattice_over(box, squared_circumradius_bound(mesh));
+}
 
-  const double bound = std::sqrt(CGAL::to_interval(squared_circumradius_bound(mesh)).second);
-  const double side = std::nextafter(separation * bound, std::numeric_limits<double>::infinity());
-  return {{box.xmin(), box.ymin()}, side};
+Lattice lattice_over(const std::vector<Point>& points, const Number& squared_bound) {
+  CGAL::Bbox_2 box;
+  for (const Point& p : points) box += exact(p).bbox();
+  return lattice_over(box, squared_bound);
 }
 
 bool allows(const Lattice& lattice, const PlainMesh& mesh) {

@@ -18,6 +18,10 @@ struct Lattice {
 /// two cells that are not neighbours have distance at least 4 r̄. Precondition: the mesh has triangles.
 [[nodiscard]] Lattice lattice_over(const PlainMesh& mesh);
 
+/// The lattice of [CC] over the points of a domain, before a mesh exists. Its side is 4 r̄, rounded up to a double,
+/// where r̄² is `squared_bound`. Precondition: the domain has points.
+[[nodiscard]] Lattice lattice_over(const std::vector<Point>& points, const Number& squared_bound);
+
 /// May the lattice be used for this mesh? That is, is its side at least 4 r̄?
 [[nodiscard]] bool allows(const Lattice& lattice, const PlainMesh& mesh);
 

@@ -1,8 +1,7 @@
 // T3 and T3-sharp: bounds ρ̄ on the ratio of circumradius to shortest edge and Δ̄ on the area give a bound on the
 // circumradius r. Proofs: properties/THEORY.md, T3 and T3-sharp.
-//
-// All quantities are squared until no root is left. So numbers are rational and equality is exact: with s = ρ̄², T3
-// reads r⁴ ≤ 16 s³ Δ̄², and T3-sharp reads r⁴ ≤ 16 s⁴ Δ̄² / (4s - 1).
+#include "ratio_and_area.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -20,17 +19,6 @@ namespace {
 using generators::Random;
 using ref::Number;
 
-/// The squared measures of a triangle: r², l² of its shortest edge, A².
-struct Squares {
-  Number radius, shortest, area;
-  [[nodiscard]] Number ratio() const { return radius / shortest; }
-};
-
-Squares squares_of(const ref::PlainMesh& mesh, const ref::Corners& t) {
-  const Number area = ref::area(mesh, t);
-  return {ref::squared_circumradius(mesh, t), ref::squared_shortest_edge(mesh, t), area * area};
-}
-
 /// Computed from the squared sides by Heron's formula; a is the shortest side.
 Squares squares_of_sides(const Number& aa, const Number& bb, const Number& cc) {
   const Number area = (2 * (aa * bb + bb * cc + cc * aa) - aa * aa - bb * bb - cc * cc) / 16;
@@ -40,13 +28,8 @@ Squares squares_of_sides(const Number& aa, const Number& bb, const Number& cc) {
 /// The triangle with two angles arcsin(1 / 2ρ) and shortest edge 1; `ratio` is ρ² > 1/4.
 Squares isosceles(const Number& ratio) { return squares_of_sides(1, 1, (4 * ratio - 1) / ratio); }
 
-/// The fourth powers of three bounds on r; `ratio` is ρ̄², `area` is Δ̄².
-Number paper_bound(const Number& ratio, const Number& area) { return 16 * ratio * ratio * ratio * area; }
-Number sharp_bound(const Number& ratio, const Number& area) {
-  return 16 * ratio * ratio * ratio * ratio * area / (4 * ratio - 1);
-}
+/// The fourth power of √2 ρ̄^(3/2) √Δ̄; `ratio` is ρ̄², `area` is Δ̄².
 Number root_two_bound(const Number& ratio, const Number& area) { return 4 * ratio * ratio * ratio * area; }
-Number fourth_power(const Number& squared) { return squared * squared; }
 
 /// Values of ρ² from 1/3, the least possible value, to about 1000; denser where the bounds change faster.
 std::vector<Number> ratios() {
@@ -277,21 +260,6 @@ PARDEL_FACT(T3Sharp, the_bound_grows_with_the_ratio,
   }
 }
 
-/// The largest r² and A² over the triangles of a mesh; `shortest` is chosen such that ratio() is the largest ρ².
-Squares largest(const Mesh& mesh) {
-  const ref::PlainMesh plain = ref::to_plain_mesh(mesh);
-  Squares most{0, 1, 0};
-  Number ratio = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Squares squares = squares_of(plain, t.v);
-    ratio = std::max(ratio, squares.ratio());
-    most.radius = std::max(most.radius, squares.radius);
-    most.area = std::max(most.area, squares.area);
-  }
-  most.shortest = most.radius / ratio;
-  return most;
-}
-
 PARDEL_FACT(T3Sharp, holds_for_whole_meshes,
             {.statement = "In a mesh whose angles are at least 20.7 degrees (ρ̄ = sqrt 2), every circumradius is at "
                           "most 2.459 sqrt(Δ̄), where Δ̄ is the largest area of a triangle.",
@@ -307,7 +275,7 @@ PARDEL_FACT(T3Sharp, holds_for_whole_meshes,
       goal.max_area = area;
       const Result<Mesh> mesh = ref::ruppert(pslg, goal);
       ASSERT_TRUE(mesh) << mesh.error().message;
-      const Squares most = largest(*mesh);
+      const Squares most = largest(ref::to_plain_mesh(*mesh));
       ASSERT_LE(fourth_power(most.radius), sharp_bound(most.ratio(), most.area));
       ASSERT_LE(fourth_power(most.radius), sharp_bound(2, most.area));
       ++facts.cases;

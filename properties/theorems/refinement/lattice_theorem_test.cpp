@@ -131,12 +131,7 @@ PARDEL_PROPERTY(
   std::size_t cells_at_once = 0;
   for_each_phase(refined.result, [&](const LatticeSweep&, const ref::Phase& phase, const PlainMesh& before) {
     RC_ASSERT(is_complete(phase, before));
-    std::map<ExactPoint, ref::Cell> vertex_of;
-    std::map<ref::Corners, ref::Cell> triangle_of;
-    for (const auto& [cell, touched] : phase.touched) {
-      for (const ExactPoint& v : touched.vertices) RC_ASSERT(vertex_of.try_emplace(v, cell).first->second == cell);
-      for (const ref::Corners& t : touched.triangles) RC_ASSERT(triangle_of.try_emplace(t, cell).first->second == cell);
-    }
+    RC_ASSERT(cells_touch_nothing_in_common(phase));
     cells_at_once = std::max(cells_at_once, phase.touched.size());
   });
   classify(cells_at_once >= 2, "two or more cells work at once", 35);

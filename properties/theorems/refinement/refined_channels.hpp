@@ -1,6 +1,8 @@
 // Random channels, refined on a lattice by the reference.
 #pragma once
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -56,6 +58,20 @@ void for_each_phase(const ref::CellRefinement<Cells>& refinement, Visit visit) {
       visit(sweep, phase, *before);
       before = &phase.after;
     }
+}
+
+/// Are the vertices of the cavities of every two cells disjoint, and also the triangles that two cells read or write?
+inline bool cells_touch_nothing_in_common(const ref::Phase& phase) {
+  std::map<ref::ExactPoint, ref::Cell> vertex_of;
+  std::map<ref::Corners, ref::Cell> triangle_of;
+  const auto belong_to = [](const ref::Cell& cell, const auto& elements, auto& cell_of) {
+    return std::ranges::all_of(elements,
+                               [&](const auto& each) { return cell_of.try_emplace(each, cell).first->second == cell; });
+  };
+  return std::ranges::all_of(phase.touched, [&](const auto& entry) {
+    const auto& [cell, touched] = entry;
+    return belong_to(cell, touched.vertices, vertex_of) && belong_to(cell, touched.triangles, triangle_of);
+  });
 }
 
 }  // namespace pardel::properties
