@@ -3,7 +3,7 @@
 
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
-#include "../framework/scenes.hpp"
+#include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 #include "left_triangle.hpp"
 
@@ -49,14 +49,15 @@ std::vector<Border> borders(const ref::PlainMesh& mesh, const ref::ExactPoint& p
 }
 
 MeshedScene some_scene(Exhibit& exhibit) {
-  MeshedScene meshed = *scenes({.walls = true, .insertions = 3, .on_walls = true}).as("scene");
+  MeshedScene meshed = *scenes(in_any_walled_domain({.insertions = 3, .on_walls = true})).as("scene");
   exhibit.show(meshed.scene);
   tag_families(meshed);
+  classify_outline(meshed, meshed.scene.insertions, 1);
   return meshed;
 }
 
 constexpr const char* families =
-    "all layouts, walls and positions of random scenes; lenses of angle bounds from 20.6 to 32 degrees";
+    "all layouts, walls, carved domains and positions of random scenes; lenses of angle bounds from 20.6 to 32 degrees";
 
 PARDEL_PROPERTY(T2Lens, a_point_outside_the_lens_of_a_wall_bounds_the_new_circumradius_by_the_length_of_the_wall,
                 {.statement = "Let p lie outside the lens of the wall or hull edge mn on the boundary of its cavity: "

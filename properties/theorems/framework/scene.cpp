@@ -5,6 +5,7 @@
 
 #include "../../../core/support/picture.hpp"
 #include "../../../ref/constrained.hpp"
+#include "../../../ref/faces.hpp"
 #include "../../../ref/independent.hpp"
 
 namespace pardel::properties {
@@ -44,10 +45,20 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) {
   out << "; walls";
   for (const ref::Edge& e : scene.walls) out << ' ' << e[0] << '-' << e[1];
   list("; insertions", scene.insertions);
+  if (!scene.holes.empty()) list("; holes", scene.holes);
   return out;
 }
 
-ref::PlainMesh mesh_of(const Scene& scene) { return ref::constrained_delaunay(scene.points, scene.walls); }
+ref::PlainMesh mesh_of(const Scene& scene) {
+  ref::PlainMesh mesh = ref::constrained_delaunay(scene.points, scene.walls);
+  if (scene.holes.empty()) return mesh;
+  ref::carve(mesh, ref::exact(scene.holes.front()), {scene.holes.begin() + 1, scene.holes.end()});
+  std::set<ref::Edge> edges;
+  for (const ref::Corners& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) edges.insert(ref::edge_of(t, i));
+  std::erase_if(mesh.constraints, [&](const ref::Edge& e) { return !edges.contains(e); });
+  return mesh;
+}
 
 Pslg to_pslg(const Scene& scene) {
   Pslg pslg;
@@ -56,6 +67,7 @@ Pslg to_pslg(const Scene& scene) {
   pslg.point_markers.assign(scene.points.size(), 0);
   for (std::size_t k = 1; k <= scene.insertions.size(); ++k) pslg.point_markers.push_back(static_cast<int>(k));
   for (const ref::Edge& e : scene.walls) pslg.segments.push_back({e[0], e[1]});
+  pslg.holes = scene.holes;
   return pslg;
 }
 
@@ -65,6 +77,7 @@ Scene to_scene(const Pslg& pslg) {
     (pslg.point_markers.empty() || pslg.point_markers[i] == 0 ? scene.points : scene.insertions)
         .push_back(pslg.points[i]);
   for (const Segment& s : pslg.segments) scene.walls.push_back(ref::edge(s.a, s.b));
+  scene.holes = pslg.holes;
   return scene;
 }
 

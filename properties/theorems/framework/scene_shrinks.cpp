@@ -34,6 +34,7 @@ template <class IsRemoved>
 Scene without_points(const Scene& scene, const IsRemoved& is_removed) {
   Scene rest;
   rest.insertions = scene.insertions;
+  rest.holes = scene.holes;
   std::vector<Index> number(scene.points.size(), no_index);
   for (Index v = 0; v < scene.points.size(); ++v) {
     if (is_removed(v)) continue;
@@ -50,6 +51,7 @@ template <class Moved>
 Scene with_points_moved(Scene scene, const Moved& moved) {
   for (Point& p : scene.points) p = moved(p);
   for (Point& p : scene.insertions) p = moved(p);
+  for (Point& p : scene.holes) p = moved(p);
   return scene;
 }
 
@@ -67,10 +69,14 @@ std::vector<Scene> simpler(const Scene& scene) {
     if (candidate != scene && is_valid(candidate)) result.push_back(std::move(candidate));
   };
   for (std::size_t k = 0; scene.insertions.size() > 2 && k < scene.insertions.size(); ++k)
-    offer({scene.points, scene.walls, without(scene.insertions, k)});
+    offer({scene.points, scene.walls, without(scene.insertions, k), scene.holes});
 
+  if (!scene.holes.empty()) offer({scene.points, scene.walls, scene.insertions});
+  for (std::size_t k = 0; k < scene.holes.size(); ++k)
+    offer({scene.points, scene.walls, scene.insertions, without(scene.holes, k)});
   offer({scene.points, {}, scene.insertions});
-  for (std::size_t k = 0; k < scene.walls.size(); ++k) offer({scene.points, without(scene.walls, k), scene.insertions});
+  for (std::size_t k = 0; k < scene.walls.size(); ++k)
+    offer({scene.points, without(scene.walls, k), scene.insertions, scene.holes});
 
   for (std::size_t block = scene.points.size() / 2; block > 0; block /= 2)
     for (std::size_t first = 0; first < scene.points.size(); first += block)

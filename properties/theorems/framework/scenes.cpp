@@ -8,6 +8,7 @@
 #include "../../../core/support/enum_names.hpp"
 #include "../../../ref/insertion.hpp"
 #include "rapidcheck_generators.hpp"
+#include "scene_carving.hpp"
 #include "scene_layouts.hpp"
 
 namespace pardel::properties {
@@ -25,6 +26,7 @@ enum class Kind : std::uint8_t {
   next_to_a_vertex,
   facing_an_earlier_one,
   near_a_wall,
+  near_a_carved_part,
   on_a_wall
 };
 
@@ -36,13 +38,13 @@ constexpr auto kind_names =
                       {Kind::next_to_a_vertex, "inserted: next to a vertex"},
                       {Kind::facing_an_earlier_one, "inserted: on a circle through an edge and an earlier insertion"},
                       {Kind::near_a_wall, "inserted: near a wall"},
+                      {Kind::near_a_carved_part, "inserted: near a pocket or a hole"},
                       {Kind::on_a_wall, "inserted: on a wall"}});
 
 /// Chooses positions in one scene. Relative to its lower left corner, they are small multiples of 1/2.
 class Positions {
  public:
-  Positions(Random& random, const MeshedScene& scene)
-      : random_(random), scene_(scene), points_(scene.scene.points), hull_(hull_of(scene.mesh)) {
+  Positions(Random& random, const MeshedScene& scene) : random_(random), scene_(scene), points_(scene.scene.points) {
     low_ = high_ = points_.front();
     for (const Point& p : points_) {
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
@@ -56,6 +58,7 @@ class Positions {
                                Kind::on_a_circumcircle, Kind::above_a_vertex, Kind::next_to_a_vertex};
     if (earlier != nullptr) kinds.push_back(Kind::facing_an_earlier_one);
     if (!scene_.scene.walls.empty()) kinds.push_back(Kind::near_a_wall);
+    if (!scene_.scene.holes.empty()) kinds.insert(kinds.end(), 6, Kind::near_a_carved_part);
     if (!scene_.scene.walls.empty() && spec.on_walls) kinds.push_back(Kind::on_a_wall);
     const Kind kind = random_.one_of(kinds);
     family = kind_names[kind];
@@ -74,6 +77,8 @@ class Positions {
         return on_a_circle(facing(*earlier));
       case Kind::near_a_wall:
         return moved(middle_of_a_wall(), 6);
+      case Kind::near_a_carved_part:
+        return moved(middle_of_a_carved_edge(), 3);
       case Kind::on_a_wall:
         return middle_of_a_wall();
     }
@@ -83,8 +88,12 @@ class Positions {
   /// Is p in the mesh and not at a vertex? If on_walls is false, p must not lie on a wall either.
   [[nodiscard]] bool is_free(Point p, bool on_walls) const {
     const auto at = [&](Index v) { return points_[v]; };
-    return std::ranges::all_of(hull_, [&](const ref::Edge& e) { return orientation(at(e[0]), at(e[1]), p) >= 0; }) &&
-           std::ranges::count(points_, p) == 0 &&
+    const auto is_in = [&](const ref::Corners& t) {
+      for (int i = 0; i < 3; ++i)
+        if (orientation(at(t[i]), at(t[(i + 1) % 3]), p) < 0) return false;
+      return true;
+    };
+    return std::ranges::any_of(scene_.mesh.triangles, is_in) && std::ranges::count(points_, p) == 0 &&
            (on_walls || std::ranges::none_of(scene_.scene.walls,
                                              [&](const ref::Edge& e) { return lies_on(p, at(e[0]), at(e[1])); }));
   }
@@ -112,6 +121,20 @@ class Positions {
   Point middle_of_a_wall() {
     const ref::Edge wall = random_.one_of(scene_.scene.walls);
     return middle(points_[wall[0]], points_[wall[1]]);
+  }
+
+  /// The middle of an edge of the border with parts of the mesh beyond its line; of a wall, if there is none.
+  Point middle_of_a_carved_edge() {
+    std::vector<ref::Edge> edges = hull_of(scene_.mesh);
+    std::erase_if(edges, [&](const ref::Edge& e) {
+      return std::ranges::none_of(scene_.mesh.triangles, [&](const ref::Corners& t) {
+        return std::ranges::any_of(t,
+                                   [&](Index v) { return orientation(points_[e[0]], points_[e[1]], points_[v]) < 0; });
+      });
+    });
+    if (edges.empty()) return middle_of_a_wall();
+    const ref::Edge e = random_.one_of(edges);
+    return middle(points_[e[0]], points_[e[1]]);
   }
 
   /// Moves both coordinates by up to `halves` times 1/2 in either direction.
@@ -153,7 +176,6 @@ class Positions {
   Random& random_;
   const MeshedScene& scene_;
   const std::vector<Point>& points_;
-  std::vector<ref::Edge> hull_;
   Point low_, high_;
 };
 
@@ -168,6 +190,10 @@ bool keeps_distance(const MeshedScene& meshed, const SceneSpec& spec, Point p, s
     is_near_one = is_near_one || distance < spec.most * spec.most * meshed.squared_bound;
   }
   return is_near_one;
+}
+
+bool are_edges(const ref::PlainMesh& mesh, const std::vector<ref::Edge>& walls) {
+  return std::ranges::all_of(walls, [&](const ref::Edge& wall) { return mesh.constraints.contains(wall); });
 }
 
 bool may_encroach(const MeshedScene& meshed, const SceneSpec& spec, Point at) {
@@ -188,7 +214,10 @@ int lines_for(Random& random, const SceneSpec& spec) {
 MeshedScene random_mesh(Random& random, const SceneSpec& spec) {
   Families families;
   Scene layout = random_points(random, lines_for(random, spec), spec.least == 0, families);
-  if (spec.walls) add_random_walls(random, layout, families);
+  if (spec.walls || spec.carved) add_random_walls(random, layout, families);
+  constexpr int attempts = 4;
+  for (int attempt = 0; spec.carved && attempt < attempts; ++attempt)
+    if (carve_at_random(random, layout, families)) break;
   return meshed(std::move(layout), std::move(families));
 }
 
@@ -227,6 +256,14 @@ std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh) {
   return ref::boundary(mesh, all);
 }
 
+bool lies_in(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
+  return std::ranges::any_of(mesh.triangles, [&](const ref::Corners& t) {
+    for (int i = 0; i < 3; ++i)
+      if (CGAL::right_turn(mesh.points[t[i]], mesh.points[t[(i + 1) % 3]], p)) return false;
+    return true;
+  });
+}
+
 MeshedScene meshed(Scene scene, Families families) {
   MeshedScene result{std::move(scene), {}, 0, std::move(families)};
   result.mesh = mesh_of(result.scene);
@@ -256,7 +293,21 @@ MeshedScene random_scene(Random& random, const SceneSpec& spec) {
   return result;
 }
 
+SceneSpec in_any_domain(SceneSpec spec) {
+  const int kind = *rc::gen::element(0, 1, 2).as("a hull, a hull with walls, or a carved domain");
+  spec.walls = kind > 0;
+  spec.carved = kind == 2;
+  return spec;
+}
+
+SceneSpec in_any_walled_domain(SceneSpec spec) {
+  spec.walls = true;
+  spec.carved = *rc::gen::arbitrary<bool>().as("a carved domain");
+  return spec;
+}
+
 bool satisfies(const MeshedScene& meshed, const SceneSpec& spec) {
+  if (!are_edges(meshed.mesh, meshed.scene.walls)) return false;
   Random unused(0);
   const Positions positions(unused, meshed);
   const std::vector<Point>& insertions = meshed.scene.insertions;

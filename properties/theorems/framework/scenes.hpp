@@ -20,9 +20,10 @@ namespace pardel::properties {
 /// mesh of the scene.
 struct SceneSpec {
   bool walls = false;
-  int insertions = 2;                                     ///< number of insertions
-  int more = 0;                                           ///< largest number of additional insertions, if space allows
-  double least = 0;                                       ///< |pq| ≥ least · r̄ for every two insertions
+  bool carved = false;  ///< are pockets and holes carved away, and is every edge of the border a wall?
+  int insertions = 2;   ///< number of insertions
+  int more = 0;         ///< largest number of additional insertions, if space allows
+  double least = 0;     ///< |pq| ≥ least · r̄ for every two insertions
   double most = std::numeric_limits<double>::infinity();  ///< |pq| < most · r̄ for each insertion p and an earlier q
   bool on_walls = false;                                  ///< may an insertion lie on a wall, which it splits?
   bool encroaching = true;  ///< may an insertion encroach upon a wall on the boundary of its cavity?
@@ -49,11 +50,20 @@ std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed);
 /// found.
 [[nodiscard]] MeshedScene random_scene(generators::Random& random, const SceneSpec& spec);
 
-/// The edges of the mesh's convex hull, each directed counter-clockwise, in no particular order.
+/// Draws the kind of domain: the convex hull, the hull with walls, or a carved domain. One third of the cases each.
+[[nodiscard]] SceneSpec in_any_domain(SceneSpec spec);
+/// Draws the kind of domain with walls: the hull with walls or a carved domain. One half of the cases each.
+[[nodiscard]] SceneSpec in_any_walled_domain(SceneSpec spec);
+
+/// Does p lie in a triangle of the mesh, or on its border?
+[[nodiscard]] bool lies_in(const ref::PlainMesh& mesh, const ref::ExactPoint& p);
+
+/// The edges of the mesh's border, each directed with the mesh on its left, in no particular order. For the
+/// triangulation of a convex hull these are the edges of the hull.
 [[nodiscard]] std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh);
 
 /// Does the scene satisfy the specification: the number and separation of insertions, positions on walls, encroachment?
-/// Are all insertions in the mesh, and not at vertices?
+/// Are all insertions in the mesh, and not at vertices? Are all walls edges of the mesh?
 [[nodiscard]] bool satisfies(const MeshedScene& meshed, const SceneSpec& spec);
 
 /// Simpler valid scenes, the simplest first. They have fewer insertions (but at least two), fewer walls or fewer

@@ -4,6 +4,7 @@
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
+#include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 #include "pairs.hpp"
 
@@ -11,12 +12,13 @@ namespace pardel::properties {
 namespace {
 
 constexpr const char* near_and_far =
-    "pairs below 2.5 r̄ and at any distance; all layouts of points; with and without walls; degenerate positions";
+    "pairs below 2.5 r̄ and at any distance; all layouts of points; hulls, hulls with walls, carved domains with "
+    "holes; degenerate positions";
 
 /// A scene with insertions at any distance. In half of the scenes each insertion is near an earlier one.
 MeshedScene at_any_distance(int insertions, int more) {
-  const bool walls = *rc::gen::arbitrary<bool>(), near = *rc::gen::arbitrary<bool>();
-  SceneSpec spec{.walls = walls, .insertions = insertions, .more = more};
+  SceneSpec spec = in_any_domain({.insertions = insertions, .more = more});
+  const bool near = *rc::gen::arbitrary<bool>();
   spec.on_walls = true;
   if (near) spec.most = 2.5;
   return *scenes(spec);
@@ -69,6 +71,7 @@ PARDEL_PROPERTY(
   const MeshedScene scene = at_any_distance(2, 0);
   exhibit.show(scene.scene);
   tag_families(scene);
+  classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
   tag_contact(scene, points[0], points[1]);
   const bool independent = ref::are_independent(scene.mesh, points[0], points[1]);
@@ -104,6 +107,7 @@ PARDEL_PROPERTY(T1Iff, a_set_of_points_is_independent_iff_every_two_of_them_are,
   const MeshedScene scene = at_any_distance(3, 2);
   exhibit.show(scene.scene);
   tag_families(scene);
+  classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
   const bool independent = are_pairwise_independent(scene.mesh, points);
   classify(independent, "independent", 8);

@@ -7,6 +7,7 @@
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
+#include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 #include "pairs.hpp"
 #include "widest_pairs.hpp"
@@ -14,11 +15,11 @@
 namespace pardel::properties {
 namespace {
 
-constexpr const char* two_to_four = "pairs at 2 to 4 r̄; all layouts; with and without walls; degenerate positions";
+constexpr const char* two_to_four =
+    "pairs at 2 to 4 r̄; all layouts; hulls, hulls with walls, carved domains with holes; degenerate positions";
 
 MeshedScene two_apart(const SceneSpec& otherwise) {
-  SceneSpec spec = otherwise;
-  spec.walls = *rc::gen::arbitrary<bool>();
+  SceneSpec spec = in_any_domain(otherwise);
   spec.least = 2;
   spec.on_walls = true;
   return *scenes(spec);
@@ -38,6 +39,7 @@ PARDEL_PROPERTY(T1Sharp, at_two_circumradii_independent_insertion_is_insertion_i
   const MeshedScene scene = two_apart({.most = 4});
   exhibit.show(scene.scene);
   tag_families(scene);
+  classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
   RC_TAG(name(contact(scene.mesh, points[0], points[1])));
   classify(encroaches_on_its_cavity(scene), "encroaching upon a wall of its cavity", 9);
@@ -58,6 +60,7 @@ PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inser
   const MeshedScene scene = two_apart({.insertions = 3, .more = 3, .most = 4});
   exhibit.show(scene.scene);
   tag_families(scene);
+  classify_outline(scene, scene.scene.insertions, 1);
   RC_TAG(std::to_string(scene.scene.insertions.size()) + " insertions");
   const Outcomes made = outcomes(scene.mesh, insertions_of(scene.scene));
   RC_ASSERT(is_conformal_and_delaunay(made.at_once));
@@ -89,16 +92,18 @@ ref::Number squared_radius_of_cavity(const ref::PlainMesh& mesh, const ref::Exac
   return ref::squared_circumradius_bound(cavity);
 }
 
-PARDEL_PROPERTY(T1Sharp, only_the_circumradii_of_the_two_cavities_matter,
-                {.statement = "Let R be the largest circumradius in the cavities of p and q in a constrained Delaunay "
-                              "mesh. If |pq| >= 2 R, p and q are independent. Other circumradii of the mesh do not "
-                              "matter.",
-                 .source = "properties/THEORY.md, T1-sharp",
-                 .families = "pairs below 2 r̄; all layouts; with and without walls; degenerate positions"}) {
-  const bool walls = *rc::gen::arbitrary<bool>();
-  const MeshedScene scene = *scenes({.walls = walls, .most = 2, .on_walls = true});
+PARDEL_PROPERTY(
+    T1Sharp, only_the_circumradii_of_the_two_cavities_matter,
+    {.statement = "Let R be the largest circumradius in the cavities of p and q in a constrained Delaunay "
+                  "mesh. If |pq| >= 2 R, p and q are independent. Other circumradii of the mesh do not "
+                  "matter.",
+     .source = "properties/THEORY.md, T1-sharp",
+     .families = "pairs below 2 r̄; all layouts; hulls, hulls with walls, carved domains with holes; degenerate "
+                 "positions"}) {
+  const MeshedScene scene = *scenes(in_any_domain({.most = 2, .on_walls = true}));
   exhibit.show(scene.scene);
   tag_families(scene);
+  classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
   const ref::Number bound =
       std::max(squared_radius_of_cavity(scene.mesh, points[0]), squared_radius_of_cavity(scene.mesh, points[1]));

@@ -1,7 +1,5 @@
 // Tests the generator of random scenes. The theorem suites need scenes of every family, so each must be frequent
 // enough.
-#include "../framework/scenes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <set>
 
 #include "../framework/property.hpp"
+#include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 
 namespace pardel::properties {
@@ -67,6 +66,37 @@ PARDEL_PROPERTY(
   for (const ref::Corners& t : scene.mesh.triangles)
     for (int i = 0; i < 3; ++i) edges.insert(ref::edge_of(t, i));
   for (const ref::Edge& wall : scene.scene.walls) RC_ASSERT(edges.contains(wall));
+}
+
+TEST(Scenes, that_are_carved_have_every_kind_of_part) {
+  for (const double separation : {0.0, 4.0}) {
+    const auto count = shares({.carved = true, .least = separation});
+    for (const char* part : {"carved: a pocket", "carved: a hole", "carved: a slit"})
+      EXPECT_GE(count.contains(part) ? count.at(part) : 0, 150) << part << " at a separation of " << separation;
+    EXPECT_GE(count.at("inserted: near a pocket or a hole"), 150) << "at a separation of " << separation;
+    EXPECT_LE(count.contains("refused") ? count.at("refused") : 0, 25) << "at a separation of " << separation;
+  }
+}
+
+PARDEL_PROPERTY(
+    Scenes, that_are_carved_have_a_wall_on_every_edge_of_their_border,
+    {.statement = "A carved scene has a conformal constrained Delaunay mesh. Every edge of its border is a wall, and "
+                  "every wall is an edge of the mesh. The insertions lie in the mesh.",
+     .source = "properties/THEORY.md, Conventions, (B); properties/theorems/framework/scene_carving.hpp",
+     .families = "all layouts, walls, pockets, holes, slits, positions"}) {
+  const MeshedScene scene = *scenes({.carved = true, .on_walls = true});
+  exhibit.show(scene.scene);
+  tag_families(scene);
+  RC_ASSERT(ref::is_conformal(scene.mesh));
+  RC_ASSERT(ref::is_constrained_delaunay(scene.mesh));
+  const Outline outline = outline_of(scene.mesh);
+  classify(!scene.scene.holes.empty(), "carved", 95);
+  RC_ASSERT(scene.scene.holes.empty() || outline.is_walled);
+  for (const ref::Edge& wall : scene.scene.walls) RC_ASSERT(scene.mesh.constraints.contains(wall));
+  for (const Point& p : scene.scene.insertions) RC_ASSERT(lies_in(scene.mesh, ref::exact(p)));
+  classify(outline.has_reflex, "a border that is not convex", 80);
+  classify(outline.has_hole, "a mesh with a hole", 40);
+  classify(outline.has_slit, "a mesh with a slit", 30);
 }
 
 PARDEL_PROPERTY(

@@ -12,7 +12,7 @@
 
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
-#include "../framework/scenes.hpp"
+#include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 #include "point_regions.hpp"
 #include "tasks.hpp"
@@ -23,14 +23,9 @@ using generators::Random;
 using ref::Box;
 using ref::ExactPoint;
 
-bool is_in_hull(const ref::PlainMesh& mesh, const std::vector<ref::Edge>& hull, const ExactPoint& p) {
-  return std::ranges::none_of(
-      hull, [&](const ref::Edge& e) { return CGAL::right_turn(mesh.points[e[0]], mesh.points[e[1]], p); });
-}
-
-bool box_is_in_hull(const ref::PlainMesh& mesh, const std::vector<ref::Edge>& hull, const Box& box) {
+bool corners_lie_in(const ref::PlainMesh& mesh, const Box& box) {
   const std::vector<Point> corners = {box.low, box.high, {box.low.x, box.high.y}, {box.high.x, box.low.y}};
-  return std::ranges::all_of(corners, [&](Point p) { return is_in_hull(mesh, hull, ref::exact(p)); });
+  return std::ranges::all_of(corners, [&](Point p) { return lies_in(mesh, ref::exact(p)); });
 }
 
 /// A box with sides of at most `side`, at a random point of the scene's bounding box.
@@ -42,10 +37,11 @@ Box some_box(Random& random, const Scene& scene, int side) {
   return {corner, {corner.x + random.between(0, side), corner.y + random.between(0, side)}};
 }
 
-/// Up to `count` positions in the box: multiples of 1/2, and points on walls. They differ from the points of the scene
-/// and from `taken`, and are added to `taken`.
-std::vector<Point> some_points(Random& random, const Scene& scene, const Box& box, int count,
+/// Up to `count` positions in the box and in the mesh: multiples of 1/2, and points on walls. They differ from the
+/// points of the scene and from `taken`, and are added to `taken`.
+std::vector<Point> some_points(Random& random, const MeshedScene& given, const Box& box, int count,
                                std::vector<Point>& taken) {
+  const Scene& scene = given.scene;
   std::vector<Point> on_walls;
   for (const ref::Edge& wall : scene.walls)
     for (int k = 1; k < 8; ++k) {
@@ -61,6 +57,7 @@ std::vector<Point> some_points(Random& random, const Scene& scene, const Box& bo
     const double x = between(box.low.x, box.high.x), y = between(box.low.y, box.high.y);
     const Point p = !on_walls.empty() && random.chance(3) ? random.one_of(on_walls) : Point{x, y};
     if (std::ranges::count(taken, p) != 0 || std::ranges::count(scene.points, p) != 0) continue;
+    if (!lies_in(given.mesh, ref::exact(p))) continue;
     taken.push_back(p);
     points.push_back(p);
   }
@@ -69,22 +66,22 @@ std::vector<Point> some_points(Random& random, const Scene& scene, const Box& bo
 
 using Regions = std::array<Box, 2>;
 
-/// Searches for two boxes in the hull that satisfy the hypothesis `how`, from large boxes to small ones.
+/// Searches for two boxes with corners in the mesh that satisfy the hypothesis `how`, from large boxes to small ones.
+/// If the mesh is not convex, parts of a box may lie outside the mesh; the theorem then holds for the rest of the box.
 std::optional<Regions> regions_apart(Random& random, const MeshedScene& given, Apart how) {
   const ref::PlainMesh& mesh = given.mesh;
-  const std::vector<ref::Edge> hull = hull_of(mesh);
   int side = 16;
-  const auto box_in_hull = [&]() -> std::optional<Box> {
+  const auto box_in_mesh = [&]() -> std::optional<Box> {
     for (int trial = 0; trial < 40; ++trial)
-      if (const Box box = some_box(random, given.scene, side); box_is_in_hull(mesh, hull, box)) return box;
+      if (const Box box = some_box(random, given.scene, side); corners_lie_in(mesh, box)) return box;
     return std::nullopt;
   };
   for (int trial = 0; trial < 4; ++trial, side /= 2) {
-    const std::optional<Box> first = box_in_hull();
+    const std::optional<Box> first = box_in_mesh();
     if (!first) continue;
     const std::vector<Index> reach_of_first = reach(mesh, *first, how);
     for (int other = 0; other < 4; ++other)
-      if (const auto second = box_in_hull(); second && are_apart(mesh, reach_of_first, reach(mesh, *second, how), how))
+      if (const auto second = box_in_mesh(); second && are_apart(mesh, reach_of_first, reach(mesh, *second, how), how))
         return Regions{*first, *second};
   }
   return std::nullopt;
@@ -97,8 +94,11 @@ struct Given {
   int insertions;  ///< the largest number of insertions per task
 };
 
+/// A convex hull, or, if `walls` is true, a hull with walls or a carved domain.
 Given some_scene(bool walls) {
-  MeshedScene scene = *scenes({.walls = walls, .insertions = 0}).as("scene");
+  SceneSpec spec{.insertions = 0};
+  if (walls) spec = in_any_walled_domain(spec);
+  MeshedScene scene = *scenes(spec).as("scene");
   tag_families(scene);
   const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()).as("seed of regions and points");
   const int most = *rc::gen::inRange(1, 13).as("insertions per task");
@@ -114,8 +114,8 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
   classify(regions.has_value(), "regions found", 75);
   if (!regions) return;
   const std::array<std::vector<Point>, 2> points = {
-      some_points(given.random, shown, (*regions)[0], given.insertions, shown.insertions),
-      some_points(given.random, shown, (*regions)[1], given.insertions, shown.insertions)};
+      some_points(given.random, given.meshed, (*regions)[0], given.insertions, shown.insertions),
+      some_points(given.random, given.meshed, (*regions)[1], given.insertions, shown.insertions)};
   exhibit.show(shown);
 
   const Tasks tasks = {Task(points[0]), Task(points[1])};
@@ -125,6 +125,7 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
   RC_ASSERT(interleaved(mesh, at_once, given.random) == expected);
   if (how != Apart::free_edges_in_sight) RC_ASSERT(are_disjoint(at_once[0].touched(), at_once[1].touched()));
 
+  if (walls) classify_outline(given.meshed, shown.insertions, 1);
   classify(points[0].size() > 4 && points[1].size() > 4, "at least five insertions each", 9);
   if (how == Apart::vertices_of_disks) return;
   const bool meet = !are_apart(mesh, ref::in_reach_of(mesh, (*regions)[0]), ref::in_reach_of(mesh, (*regions)[1]),
@@ -133,7 +134,8 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
 }
 
 constexpr const char* region_kinds =
-    "all layouts of random scenes; two random boxes; up to 12 points each, at multiples of half a unit and on walls; "
+    "all layouts of random scenes, on hulls and on carved domains with holes; two random boxes; up to 12 points each, "
+    "at multiples of half a unit and on walls; "
     "finding a cavity and replacing it are separate steps";
 
 PARDEL_PROPERTY(
@@ -180,10 +182,11 @@ PARDEL_PROPERTY(TRegion, a_point_that_reaches_a_new_triangle_reached_one_of_two_
                               "circumdisk of, and sees, the old triangle at ab on the side of p or, if ab is not "
                               "constrained, the triangle beyond ab.",
                  .source = "THEORY.md, T-region",
-                 .families = "all layouts, walls and positions of random scenes"}) {
-  const MeshedScene given = *scenes({.walls = true, .insertions = 2}).as("scene");
+                 .families = "all layouts, walls, carved domains and positions of random scenes"}) {
+  const MeshedScene given = *scenes(in_any_walled_domain({.insertions = 2})).as("scene");
   exhibit.show(given.scene);
   tag_families(given);
+  classify_outline(given, given.scene.insertions, 1);
   const ref::PlainMesh& before = given.mesh;
   const ExactPoint q = ref::exact(given.scene.insertions[1]);
   ref::PlainMesh after = before;
@@ -206,14 +209,16 @@ PARDEL_PROPERTY(TRegion, a_point_that_reaches_a_new_triangle_reached_one_of_two_
   classify(is_reached, "q reaches a new triangle", 7);
 }
 
-PARDEL_PROPERTY(TRegion, the_triangles_in_reach_and_sight_of_a_point_are_its_cavity,
-                {.statement = "In a constrained Delaunay mesh, only constraints that cross the whole circumdisk of a "
-                              "triangle hide a part of it. Hence K({p}), computed in this way, is the cavity of p.",
-                 .source = "THEORY.md, T-region",
-                 .families = "all layouts, walls and positions of random scenes, and points on walls"}) {
-  const MeshedScene given = *scenes({.walls = true, .insertions = 2}).as("scene");
+PARDEL_PROPERTY(
+    TRegion, the_triangles_in_reach_and_sight_of_a_point_are_its_cavity,
+    {.statement = "In a constrained Delaunay mesh, only constraints that cross the whole circumdisk of a "
+                  "triangle hide a part of it. Hence K({p}), computed in this way, is the cavity of p.",
+     .source = "THEORY.md, T-region",
+     .families = "all layouts, walls, carved domains and positions of random scenes, and points on walls"}) {
+  const MeshedScene given = *scenes(in_any_walled_domain({.insertions = 2})).as("scene");
   exhibit.show(given.scene);
   tag_families(given);
+  classify_outline(given, given.scene.insertions, 1);
   std::vector<Point> points = given.scene.insertions;
   for (const ref::Edge& wall : given.scene.walls) {
     const Point a = given.scene.points[wall[0]], b = given.scene.points[wall[1]];
@@ -240,14 +245,11 @@ Regions some_disjoint_boxes(Random& random, const Scene& scene) {
   return boxes;
 }
 
-/// Up to `count` points in the box and up to two points anywhere, all in the hull.
+/// Up to `count` points in the box and up to two points anywhere, all in the mesh.
 std::vector<Point> some_work(Random& random, const MeshedScene& given, const Box& box, int count,
                              std::vector<Point>& taken) {
-  const std::vector<ref::Edge> hull = hull_of(given.mesh);
-  std::vector<Point> work = some_points(random, given.scene, box, count, taken);
-  for (const Point& p : some_points(random, given.scene, some_box(random, given.scene, 60), 2, taken))
-    work.push_back(p);
-  std::erase_if(work, [&](const Point& p) { return !is_in_hull(given.mesh, hull, ref::exact(p)); });
+  std::vector<Point> work = some_points(random, given, box, count, taken);
+  for (const Point& p : some_points(random, given, some_box(random, given.scene, 60), 2, taken)) work.push_back(p);
   random.shuffle(work);
   return work;
 }
@@ -267,6 +269,7 @@ void tasks_that_own_boxes_do_not_meet(Exhibit& exhibit, bool walls) {
   Tasks at_once = tasks;
   RC_ASSERT(interleaved(given.meshed.mesh, at_once, given.random) == expected);
   RC_ASSERT(are_disjoint(at_once[0].touched(), at_once[1].touched()));
+  if (walls) classify_outline(given.meshed, shown.insertions, 1);
   classify(!at_once[0].touched().empty() && !at_once[1].touched().empty(), "both tasks insert", 24);
   classify(std::ranges::count(expected.handed_on[0], true) + std::ranges::count(expected.handed_on[1], true) > 0,
            "some points are handed on", 49);
@@ -290,8 +293,9 @@ PARDEL_PROPERTY(
                   "constrained Delaunay mesh, every interleaving gives the same mesh, each task hands on the same "
                   "points, and no vertex is touched by both. Points may lie on constrained edges.",
      .source = "THEORY.md, T-region, practical form",
-     .families = "all layouts and walls of random scenes; random disjoint boxes; points in the boxes, on "
-                 "walls and outside"}) {
+     .families =
+         "all layouts, walls and carved domains of random scenes; random disjoint boxes; points in the boxes, on "
+         "walls and outside"}) {
   tasks_that_own_boxes_do_not_meet(exhibit, true);
 }
 

@@ -3,7 +3,7 @@
 
 #include "../../../ref/insertion.hpp"
 #include "../framework/property.hpp"
-#include "../framework/scenes.hpp"
+#include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 
 namespace pardel::properties {
@@ -11,13 +11,14 @@ namespace {
 using ref::Number;
 
 MeshedScene some_scene(Exhibit& exhibit) {
-  MeshedScene meshed = *scenes({.walls = true, .insertions = 3}).as("scene");
+  MeshedScene meshed = *scenes(in_any_walled_domain({.insertions = 3})).as("scene");
   exhibit.show(meshed.scene);
   tag_families(meshed);
+  classify_outline(meshed, meshed.scene.insertions, 1);
   return meshed;
 }
 
-constexpr const char* walled_scenes = "all layouts, walls and positions of random scenes";
+constexpr const char* walled_scenes = "all layouts, walls, carved domains and positions of random scenes";
 
 PARDEL_PROPERTY(Sight, of_a_point_of_a_circumdisk_is_hidden_only_if_a_wall_is_encroached,
                 {.statement = "Let a point lie in the open circumdisk of a triangle that it does not see. Then the "
