@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../../ref/independent.hpp"
+#include "../../../ref/ruppert.hpp"
 #include "../../checker/check.hpp"
 #include "../framework/shares.hpp"
 #include "graded_channels.hpp"
