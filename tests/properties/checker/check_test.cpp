@@ -65,7 +65,7 @@ TEST(Check, gives_the_same_certificate_again) {
 
 TEST(Check, gives_the_same_certificate_on_any_number_of_threads) {
   Case c;
-  c.pslg = domains::random_points(2'000, 5);
+  c.pslg = domains::random_points(20'000, 5);
   c.mesh = testing::triangulated_by_cgal(c.pslg);
   Goal goal;
   goal.max_area = 1e-4;
