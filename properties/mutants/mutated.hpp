@@ -1,5 +1,5 @@
-// The switches of the mutants. A mutated twin is a test program that is built from sources with all mutants. The build
-// includes this file before every source file of the twins; no other code uses it.
+// The switches of the mutants. A mutated twin is a test program that is built from a copy of the sources with all
+// mutants. The sources of the copy that contain mutants include this file; no other code uses it.
 #pragma once
 
 #include <cstdlib>

@@ -170,6 +170,10 @@ std::vector<std::string> copy_with_mutants(const fs::path& root, const std::vect
     attempt(errors, [&] { apply(*patch, sources); });
   if (!errors.empty()) return errors;
 
+  std::set<fs::path> changed;
+  for (const Patch& patch : patches) changed.insert(patch.changes);
+  for (const fs::path& file : changed)
+    sources[file].insert(0, "#include \"" + (mutants / "mutated.hpp").string() + "\"\n");
   for (const std::string& folder : folders) fs::create_directories(copy / folder);
   for (const auto& [file, text] : sources) write_if_changed(copy / file, text);
   remove_files_without_source(copy, folders, sources);

@@ -37,10 +37,11 @@ struct Patch {
 [[nodiscard]] Lines patched(const Patch& patch, Lines text);
 
 /// Copies the C++ files (*.hpp, *.cpp) below the given folders of `root` to the same paths in `copy`, with the patches
-/// in root/properties/mutants/patches applied in the order of root/properties/mutants/registry. Writes only the files
-/// whose text changes. Removes the C++ files below the same folders of `copy` that no longer exist in `root`. If a
-/// patch is wrong, it changes nothing and returns one line for each patch that does not apply, each mutant without a
-/// patch and each patch without a mutant.
+/// in root/properties/mutants/patches applied in the order of root/properties/mutants/registry. The sources that have
+/// patches include root/properties/mutants/mutated.hpp in a new first line. Writes only the files whose text changes.
+/// Removes the C++ files below the same folders of `copy` that no longer exist in `root`. If a patch is wrong, it
+/// changes nothing and returns one line for each patch that does not apply, each mutant without a patch and each patch
+/// without a mutant.
 [[nodiscard]] std::vector<std::string> copy_with_mutants(const std::filesystem::path& root,
                                                          const std::vector<std::string>& folders,
                                                          const std::filesystem::path& copy);

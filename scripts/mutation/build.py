@@ -32,7 +32,8 @@ def copy_project(root, source, without=()):
 def configure(source, build, unity):
     """Little optimisation: the build takes longer than the tests. ccache serves what no mutant of a run changes."""
     options = {"CMAKE_BUILD_TYPE": "Release", "CMAKE_CXX_FLAGS": "-std=c++20 -w", "CMAKE_CXX_FLAGS_RELEASE": FLAGS,
-               "CMAKE_UNITY_BUILD": "ON" if unity else "OFF", "CMAKE_UNITY_BUILD_BATCH_SIZE": "10"}
+               "CMAKE_UNITY_BUILD": "ON" if unity else "OFF", "CMAKE_UNITY_BUILD_BATCH_SIZE": "10",
+               "CMAKE_DISABLE_PRECOMPILE_HEADERS": "OFF" if unity else "ON"}
     if shutil.which("ccache"):
         options["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
     subprocess.run(["cmake", "-S", str(source), "-B", str(build), "-G", "Ninja",

@@ -33,6 +33,10 @@ class PatchedCopy : public testing::Test {
     for (const std::string& mutant : mutants) text += mutant + " | engine/a.cpp | a mistake | program Suite.property\n";
     folder_.write("root/properties/mutants/registry", text);
   }
+  /// The line that includes the switches.
+  [[nodiscard]] std::string switches() const {
+    return "#include \"" + (root() / "properties/mutants/mutated.hpp").string() + "\"\n";
+  }
   /// Messages without the folder's name.
   [[nodiscard]] std::vector<std::string> errors() const {
     std::vector<std::string> errors = copy_with_mutants(root(), {"engine"}, folder_ / "copy");
@@ -59,7 +63,7 @@ TEST_F(PatchedCopy, contains_what_the_patches_add_and_lacks_what_they_remove) {
   registry({"m"});
   patch("m", "engine/a.cpp\n first\n+if (mutated(\"m\"))\n@@\n-third\n+  fourth\n");
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(copy_of("engine/a.cpp"), "first\nif (mutated(\"m\"))\nsecond\n  fourth\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), switches() + "first\nif (mutated(\"m\"))\nsecond\n  fourth\n");
 }
 
 TEST_F(PatchedCopy, takes_patches_that_share_a_context_line_in_the_order_of_the_registry) {
@@ -67,14 +71,14 @@ TEST_F(PatchedCopy, takes_patches_that_share_a_context_line_in_the_order_of_the_
   patch("m", "engine/a.cpp\n second\n+mutated(\"m\")\n");
   patch("k", "engine/a.cpp\n second\n+mutated(\"k\")\n");
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(copy_of("engine/a.cpp"), "first\nsecond\nmutated(\"k\")\nmutated(\"m\")\nthird\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), switches() + "first\nsecond\nmutated(\"k\")\nmutated(\"m\")\nthird\n");
 }
 
 TEST_F(PatchedCopy, takes_the_patch_of_a_family_once) {
   registry({"family_of_one", "family_of_two"});
   patch("family_", "engine/a.cpp\n-first\n+mutated(\"family_\", name)\n");
   EXPECT_EQ(errors(), Errors());
-  EXPECT_EQ(copy_of("engine/a.cpp"), "mutated(\"family_\", name)\nsecond\nthird\n");
+  EXPECT_EQ(copy_of("engine/a.cpp"), switches() + "mutated(\"family_\", name)\nsecond\nthird\n");
 }
 
 TEST_F(PatchedCopy, is_not_made_where_lines_of_a_patch_do_not_occur) {
