@@ -73,7 +73,9 @@ nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
   return json;
 }
 
-void print(const Domain& domain, const std::vector<Problem>& problems, const std::optional<Repaired>& repaired) {
+/// `asked_for_repair`: the option --repair was given.
+void print(const Domain& domain, const std::vector<Problem>& problems, const std::optional<Repaired>& repaired,
+           bool asked_for_repair) {
   const Pslg& pslg = domain.pslg;
   fmt::print("{}: {}, {}, {}, {}: ", domain.name, plural(pslg.points.size(), "point"),
              plural(pslg.segments.size(), "segment"), plural(pslg.holes.size(), "hole"),
@@ -81,7 +83,7 @@ void print(const Domain& domain, const std::vector<Problem>& problems, const std
   fmt::print("{}\n", problems.empty() ? "no problem" : plural(problems.size(), "problem"));
   for (const Problem& problem : problems)
     fmt::print("  {}: {}\n", name(problem.kind), problem.message(domain.pslg.first_id.value));
-  const std::string help = repaired || problems.empty() ? "" : advice(pslg, problems, domain.name, false);
+  const std::string help = repaired || problems.empty() ? "" : advice(pslg, problems, domain.name, asked_for_repair);
   if (!help.empty()) fmt::print("{}\n", help.substr(1));
   if (!repaired) return;
   for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
@@ -118,7 +120,8 @@ void print_gaps(const DoctorArguments& arguments, const ValidPslg& domain, const
 
 Status report(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
   const std::array outputs = {arguments.repaired, arguments.json};
-  if (!arguments.quiet && !has_standard_output(outputs)) print(domain, findings.problems, findings.repaired);
+  if (!arguments.quiet && !has_standard_output(outputs))
+    print(domain, findings.problems, findings.repaired, !arguments.repaired.empty());
   if (arguments.json.empty()) return Done{};
   return write_text(json_text(to_json(domain, findings)), arguments.json);
 }

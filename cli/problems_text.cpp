@@ -53,7 +53,7 @@ std::string advice(const Pslg& pslg, std::span<const Problem> problems, const st
       std::ranges::any_of(problems, [](const Problem& p) { return p.kind == ProblemKind::unclosed_outline; });
   if (repairable && !repair_failed)
     text += fmt::format(
-        "\n'pardel mesh --repair' repairs this input; 'pardel doctor {} --repair FIXED.poly' writes the repaired "
+        "\n'pardel mesh --repair' repairs such problems; 'pardel doctor {} --repair FIXED.poly' writes the repaired "
         "domain",
         file);
   if (open) text += "\n--convex-hull meshes the convex hull of the points; it needs no closed outline";

@@ -28,7 +28,8 @@ Number squared_growth_between(const Pslg& pslg, const Segment& s, const Segment&
     for (const auto& [other, q] : {Edge{t.a, t.b}, Edge{t.b, t.a}})
       if (apex == other) return 1 / squared_sine_of_corner(at(apex), at(p), at(q));
   const Kernel::Segment_2 one(at(s.a), at(s.b)), two(at(t.a), at(t.b));
-  return squared_start / CGAL::squared_distance(one, two);
+  const Number ratio = squared_start / CGAL::squared_distance(one, two);  // (r0 / λ)²
+  return ratio > 1 ? (ratio + 2 + 1 / ratio) / 4 : Number(1);
 }
 
 }  // namespace

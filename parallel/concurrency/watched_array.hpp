@@ -1,6 +1,6 @@
 // An array that can record the indices that are accessed. A test uses it to check which triangles each task accesses.
-// The recording exists only where PARDEL_WATCHED_ARRAYS is defined, that is in that test. Everywhere else WatchedArray
-// is Array.
+// The recording exists only where PARDEL_WATCHED_ARRAYS is defined: in the library pardel_watched, and in the engine
+// with known mistakes (properties/mutants). Everywhere else WatchedArray is Array.
 #pragma once
 
 #include "../../core/array.hpp"

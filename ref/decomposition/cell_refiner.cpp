@@ -108,7 +108,7 @@ void insert_at_once(const Work<Cells>& work, Phase& phase, const std::map<Cell, 
     splits.push_back(constraint_through(state.mesh, p));
     phase.insertions.push_back({cell, p});
     for (Index t : touch(phase.touched[cell], state.mesh, p))
-      if (!deleted.insert(t).second) state.failure = Error{ErrorKind::invalid_input, "Two cells met in one triangle."};
+      if (!deleted.insert(t).second) state.failure = Error{ErrorKind::internal, "Two cells met in one triangle."};
   }
   if (state.failure) return;  // the result would not be a mesh
   const auto first = static_cast<Index>(state.mesh.points.size());
@@ -196,6 +196,7 @@ Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, 
 
 Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, const Pslg& pslg, const Goal& goal,
                                                      const Goal& coarse, const Turns& turns) {
+  if (auto error = unsupported(pslg, coarse)) return *error;
   const Result<Number> squared_bound = squared_radius_bound(pslg, coarse, theorem);
   if (!squared_bound) return squared_bound.error();
   const Lattice lattice = lattice_over(pslg.points, *squared_bound);
@@ -204,7 +205,7 @@ Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, cons
   if (!result) return result;
   const auto is_another = [&](const Sweep<Lattice>& sweep) { return sweep.cells.side != lattice.side; };
   if (!allows(lattice, result->preprocessed) || std::ranges::any_of(result->sweeps, is_another))
-    return Error{ErrorKind::internal, "A circumradius exceeds the bound of theorem T3."};
+    return Error{ErrorKind::internal, "A circumradius exceeds the bound of Lattice (f)."};
   return result;
 }
 

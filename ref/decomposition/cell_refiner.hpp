@@ -81,8 +81,8 @@ using QuadtreeRefinement = CellRefinement<Quadtree>;
                                                           const Turns& turns = in_rounds);
 
 /// The same on one lattice that is computed before a mesh exists, as in [CC]: r̄ is squared_radius_bound() for the goal
-/// `coarse`. Further errors: those of squared_radius_bound(), and `internal` if a circumradius ever exceeds r̄, which
-/// would contradict THEORY.md, Lattice (f).
+/// `coarse`. Further errors: those of squared_radius_bound(), and `internal` if a circumradius exceeds r̄ after some
+/// phase, which would contradict THEORY.md, Lattice (f).
 [[nodiscard]] Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, const Pslg& pslg,
                                                                    const Goal& goal, const Goal& coarse,
                                                                    const Turns& turns = in_rounds);

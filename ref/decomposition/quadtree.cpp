@@ -6,7 +6,7 @@
 namespace pardel::ref {
 namespace {
 
-/// Leaves of this level are not divided. Their corners are still doubles.
+/// Leaves of this level are not divided.
 constexpr int deepest = 20;
 
 /// The squares of a level cover [low, high) in units of the deepest level.
@@ -130,12 +130,14 @@ Quadtree quadtree_over(const PlainMesh& mesh) {
   CGAL::Bbox_2 bounds;
   for (const Corners& t : mesh.triangles)
     for (Index v : t) bounds += mesh.points[v].bbox();
-  // The square contains all circumdisks whose centres lie in the bounds. Its side is a power of two, and its corner
-  // lies on the lattice of the deepest level, so that all corners of leaves are doubles.
+  // The bounds are in the middle of the square, more than a third of its side away from its border. If the square is divided,
+  // its quarters are wide enough: all circumradii are below side / 8, and all circumdisks lie in the square. The side is
+  // a power of two, and the corner lies on the lattice of the deepest level. So the corners of leaves are doubles unless
+  // the coordinates are 2^32 times as large as the extent.
   const double extent = std::max(bounds.xmax() - bounds.xmin(), bounds.ymax() - bounds.ymin());
   const double side = std::exp2(std::ceil(std::log2(extent)) + 2), unit = std::ldexp(side, -deepest);
-  const auto below = [&](double low) { return std::floor((low - 1.5 * extent) / unit) * unit; };
-  const Point corner{below(bounds.xmin()), below(bounds.ymin())};
+  const auto below = [&](double low, double high) { return std::floor((low / 2 + high / 2 - side / 2) / unit) * unit; };
+  const Point corner{below(bounds.xmin(), bounds.xmax()), below(bounds.ymin(), bounds.ymax())};
 
   const std::vector<Disk> disks = circumdisks(mesh);
   std::map<Cell, bool> known;

@@ -16,7 +16,7 @@
 namespace pardel::ref {
 
 /// A quadtree over a square. The leaf (i, j) of level l is [x + i s, x + (i + 1) s) x [y + j s, y + (j + 1) s), where
-/// (x, y) is the corner of the square and s = side / 2^l. All corners of leaves are doubles.
+/// (x, y) is the corner of the square and s = side / 2^l.
 struct Quadtree {
   Point corner;
   double side;
@@ -49,7 +49,7 @@ struct Quadtree {
                                   double fraction = 0.25);
 
 /// The condition under which a leaf may be refined while leaves outside its buffer zone are refined: every leaf of its
-/// buffer zone is wide enough.
+/// buffer zone is wide enough. The refiner asks for more, allows().
 [[nodiscard]] bool may_be_refined(const Quadtree& tree, const Cell& leaf, const PlainMesh& mesh,
                                   double fraction = 0.25);
 

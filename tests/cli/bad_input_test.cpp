@@ -65,6 +65,15 @@ TEST_F(BadInput, the_message_names_the_command_or_the_option_that_helps) {
   EXPECT_EQ(pardel({"mesh", "out_of_range.poly", "-o", "out.vtu"}).err.find("--repair"), std::string::npos);
 }
 
+TEST_F(BadInput, a_repair_that_failed_is_not_advised_again) {
+  write("open.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n2 0\n1 1 3\n2 2 4\n0\n");
+  EXPECT_NE(pardel({"doctor", "open.poly"}).out.find("--repair"), std::string::npos);
+  const Ran ran = pardel({"doctor", "open.poly", "--repair", "fixed.poly"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_EQ(ran.out.find("--repair"), std::string::npos) << ran;
+  EXPECT_TRUE(holds(ran.err, {"the repair ends here: No outline is closed"}));
+}
+
 TEST_F(BadInput, the_advice_is_right) {
   write("bad.poly", with_more("5 0.25 0.5\n6 0.75 0.5\n", "5 5 6\n6 1 3\n", 6));
   EXPECT_EQ(pardel({"mesh", "--repair", "bad.poly", "-o", "out.vtu"}).exit_code, 0);

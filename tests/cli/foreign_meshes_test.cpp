@@ -9,7 +9,7 @@
 
 #include "../../core/formats.hpp"
 #include "../../properties/defects/edit.hpp"
-#include "../properties/checker/meshes.hpp"
+#include "../properties/checker/cgal_meshes.hpp"
 #include "program.hpp"
 
 namespace pardel::testing {

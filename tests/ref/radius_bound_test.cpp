@@ -61,8 +61,9 @@ TEST(GrowthBound, is_the_inverse_of_the_sine_of_a_sharp_corner) {
   EXPECT_EQ(squared_growth_bound(two_bars_and_a_corner(3, 3, 4), 9), Number(25) / 16);
 }
 
-TEST(GrowthBound, is_the_bound_at_the_start_over_the_distance_of_segments) {
-  EXPECT_EQ(squared_growth_bound(two_bars_and_a_corner(3, 0, 5), 36), 4);
+/// r0 = 6 and λ = 3: (2 + 1/2) / 2.
+TEST(GrowthBound, depends_on_the_distance_of_segments_that_are_nearer_than_the_bound_at_the_start) {
+  EXPECT_EQ(squared_growth_bound(two_bars_and_a_corner(3, 0, 5), 36), Number(25) / 16);
 }
 
 TEST(LatticeRefiner, uses_one_lattice_if_it_is_computed_before_a_mesh_exists) {

@@ -165,9 +165,10 @@ bool carve_at_random(Random& random, Scene& scene, Families& families) {
   std::optional<Scene> carved = carver.carved(scene);
   if (!carved) return false;
   if (random.chance(2)) {
+    const std::size_t walls = carved->walls.size();
     for (const ref::Edge& e : carver.slit(random, random.between(1, 3)))
       if (std::ranges::count(carved->walls, e) == 0) carved->walls.push_back(e);
-    done.emplace_back("carved: a slit");
+    if (carved->walls.size() > walls) done.emplace_back("carved: a slit");
   }
   scene = std::move(*carved);
   families.insert(families.end(), done.begin(), done.end());

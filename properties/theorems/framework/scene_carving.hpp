@@ -28,7 +28,7 @@ struct Outline {
 [[nodiscard]] bool border_hides(const ref::PlainMesh& mesh, const ref::ExactPoint& p);
 
 /// Counts the current case by the outline of its domain and by what the border hides from the insertions. Promises the
-/// least shares of carved domains in a property that draws every kind of domain (any_domain()): reflex outlines, holes,
+/// least shares of carved domains in a property that draws every kind of domain (in_any_domain() or in_any_walled_domain()): reflex outlines, holes,
 /// slits. `hidden_percent` is the promised share of cases in which the border hides something from an insertion.
 void classify_outline(const MeshedScene& meshed, const std::vector<Point>& insertions, double hidden_percent);
 

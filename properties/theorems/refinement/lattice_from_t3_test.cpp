@@ -15,8 +15,7 @@ using ref::Number;
 using ref::RadiusTheorem;
 
 constexpr const char* sized_channels =
-    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners; bounds by T3 or "
-    "T3-sharp "
+    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners; bounds by T3 or T3-sharp "
     "from half the width of the channel to a little more than the width";
 
 /// A channel and the theorem that sizes its cells.
@@ -112,6 +111,70 @@ PARDEL_PROPERTY(
   classify(growth == 1, "the bound during the run is r0 itself", 15);
   classify(growth > 1, "the bound during the run is above r0", 30);
   classify(cells_at_once >= 2, "two or more cells work at once", 12);
+}
+
+/// A midpoint of one segment that encroaches upon another segment.
+struct Encroachment {
+  Pslg pslg;       ///< segment 0 is encroached by the midpoint of segment 1
+  int start = 16;  ///< the bound at the start, in 16ths of half the length of segment 0
+};
+std::ostream& operator<<(std::ostream& out, const Encroachment& e) {
+  for (const Point& p : e.pslg.points) out << '(' << p.x << ", " << p.y << ") ";
+  return out << "r0 = " << e.start << "/16";
+}
+
+/// The segments have a common end, at an angle from 60 to 90 degrees.
+Encroachment at_a_corner(Random& random) {
+  const int u = random.between(1, 60), v = random.between((7 * u + 3) / 4, 20 * u);  // 7/4 > √3
+  const int part = random.between(1, 7);  // the midpoint is on the diametral circle at part = 8
+  Encroachment e;
+  e.pslg.points = {{0, 0}, {8.0 * (u * u + v * v), 0}, {2.0 * part * u * u, 2.0 * part * u * v}};
+  e.pslg.segments = {{0, 1}, {0, 2}};
+  return e;
+}
+
+/// The segments have no common point.
+Encroachment side_by_side(Random& random) {
+  const int height = random.between(1, 255);
+  const int reach = static_cast<int>(std::ceil(std::sqrt(256 * 256 - height * height))) - 1;
+  const int x = random.chance(2) ? random.between(-reach / 8, reach / 8) : random.between(-reach, reach);
+  const int along = random.between(1, 512), rise = random.chance(2) ? 0 : random.between(1 - height, height - 1);
+  Encroachment e;
+  e.pslg.points = {{-256, 0}, {256, 0}, {1.0 * (x - along), 1.0 * (height - rise)}, {1.0 * (x + along), 1.0 * (height + rise)}};
+  e.pslg.segments = {{0, 1}, {2, 3}};
+  return e;
+}
+
+Encroachment some_encroachment(Random& random, int /*size*/) {
+  Encroachment e = random.chance(2) ? at_a_corner(random) : side_by_side(random);
+  e.start = random.chance(2) ? 16 : random.between(17, 32);
+  return e;
+}
+
+PARDEL_PROPERTY(Lattice, the_triangle_at_an_encroached_segment_keeps_the_bound_that_sizes_the_cells,
+                {.statement = "The midpoint p of a segment lies strictly inside the diametral circle of a subsegment "
+                              "mn of another segment, with |mn| ≤ 2 r0. The segments meet at 60 degrees or more, or "
+                              "have no common point. The circumradius of (m, n, p) is at most r0 times the factor of "
+                              "Lattice (f).",
+                 .source = "properties/THEORY.md, Lattice (f)",
+                 .families = "two segments with a common end at 60 to 90 degrees, or above each other at any distance "
+                             "and slope"}) {
+  const auto none = [](const Encroachment&) { return std::vector<Encroachment>{}; };
+  const Encroachment drawn = *generators::generator(some_encroachment, none).as("segments");
+  const std::vector<Point>& points = drawn.pslg.points;
+  const ref::ExactPoint m = ref::exact(points[0]), n = ref::exact(points[1]);
+  const Segment& other = drawn.pslg.segments[1];
+  const ref::ExactPoint p = CGAL::midpoint(ref::exact(points[other.a]), ref::exact(points[other.b]));
+  RC_ASSERT((m - p) * (n - p) < 0);
+  const Number squared_start = CGAL::squared_distance(m, n) / 4 * drawn.start * drawn.start / 256;
+  const Number squared_bound = squared_start * ref::squared_growth_bound(drawn.pslg, squared_start);
+  const Number squared = CGAL::squared_radius(m, n, p);
+  RC_ASSERT(squared <= squared_bound);
+  const bool is_corner = points.size() == 3;
+  const bool is_near = CGAL::to_double(squared / squared_bound) > 0.81;  // 0.9 of the bound
+  classify(is_corner && is_near, "a corner, more than 0.9 of the bound", 10);
+  classify(!is_corner && is_near, "no common point, more than 0.9 of the bound", 4);
+  classify(squared > squared_start, "a circumradius above r0", 20);
 }
 
 }  // namespace

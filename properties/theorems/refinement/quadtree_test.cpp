@@ -25,6 +25,28 @@ bool is_wide(const ref::Quadtree& tree, const ref::Cell& leaf, const ref::PlainM
   });
 }
 
+/// Do all circumdisks of the mesh lie in the square of the tree?
+bool holds_all_circumdisks(const ref::Quadtree& tree, const ref::PlainMesh& mesh) {
+  return std::ranges::all_of(mesh.triangles, [&](const ref::Corners& t) {
+    const auto at = [&](int i) { return mesh.points[t[i]]; };
+    const ref::ExactPoint centre = CGAL::circumcenter(at(0), at(1), at(2));
+    const auto is_inside = [&](const ref::Number& from_low) {
+      const ref::Number margin = std::min(from_low, ref::Number(tree.side - from_low));
+      return margin >= 0 && margin * margin >= squared_circumradius(mesh, t);
+    };
+    return is_inside(centre.x() - tree.corner.x) && is_inside(centre.y() - tree.corner.y);
+  });
+}
+
+/// The mesh that Ruppert's algorithm makes of a random graded channel.
+ref::PlainMesh some_graded_mesh(Exhibit& exhibit) {
+  const GradedChannel graded = some_graded_channel(exhibit);
+  const auto mesh = ref::ruppert(to_pslg(graded.channel), goal_of(graded));
+  RC_ASSERT(mesh.ok());
+  exhibit.show(to_pslg(graded.channel), *mesh);
+  return ref::to_plain_mesh(*mesh);
+}
+
 PARDEL_PROPERTY(
     Quadtree, leaves_of_a_phase_touch_no_common_vertex_if_the_condition_on_circumradii_holds,
     {.statement = "Refine a graded mesh on the leaves of a balanced quadtree, in phases of leaves outside each other's "
@@ -84,17 +106,41 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(
+    Quadtree, leaves_outside_each_others_buffer_zones_reach_no_common_vertex,
+    {.statement = "In the quadtree over a graded mesh, take two leaves, neither in the buffer zone of the other. A "
+                  "triangle whose circumdisk meets one leaf and a triangle whose circumdisk meets the other leaf have "
+                  "no common vertex.",
+     .source = "Chernikov and Chrisochoides 2006, as recalled; properties/THEORY.md, Quadtree",
+     .families = families}) {
+  const ref::PlainMesh mesh = some_graded_mesh(exhibit);
+  const ref::Quadtree tree = ref::quadtree_over(mesh);
+  std::map<ref::Cell, std::set<ref::Cell>> zones;
+  std::map<Index, std::set<ref::Cell>> reached_from;
+  for (const auto& [leaf, colour] : tree.colour_of_leaf) {
+    zones[leaf] = buffer_zone(tree, leaf);
+    for (Index t : in_reach_of(mesh, box_of(tree, leaf)))
+      for (Index v : mesh.triangles[t]) reached_from[v].insert(leaf);
+  }
+  for (const auto& [v, leaves] : reached_from)
+    for (const ref::Cell& leaf : leaves)
+      for (const ref::Cell& other : leaves) RC_ASSERT(leaf == other || zones.at(leaf).contains(other));
+  const auto has_a_distant_leaf_of_another_side = [&](const auto& entry) {
+    return std::ranges::any_of(zones, [&](const auto& other) {
+      return entry.first.level != other.first.level && !entry.second.contains(other.first);
+    });
+  };
+  classify(std::ranges::any_of(zones, has_a_distant_leaf_of_another_side), "leaves of different sides apart", 20);
+}
+
+PARDEL_PROPERTY(
     Quadtree, over_a_mesh_is_balanced_and_all_its_leaves_are_wide_enough,
     {.statement = "The quadtree over a mesh covers the mesh with leaves. The sides of leaves that touch differ at most "
                   "by a factor of two. Leaves that touch are in each other's buffer zones. In a tree of several "
-                  "leaves, each triangle whose circumdisk meets a leaf has a circumradius below a quarter of its side.",
+                  "leaves, each triangle whose circumdisk meets a leaf has a circumradius below a quarter of its side, "
+                  "and all circumdisks lie in the square of the tree.",
      .source = "properties/THEORY.md, Quadtree",
      .families = families}) {
-  const GradedChannel graded = some_graded_channel(exhibit);
-  const auto mesh = ref::ruppert(to_pslg(graded.channel), goal_of(graded));
-  RC_ASSERT(mesh.ok());
-  exhibit.show(to_pslg(graded.channel), *mesh);
-  const ref::PlainMesh plain = ref::to_plain_mesh(*mesh);
+  const ref::PlainMesh plain = some_graded_mesh(exhibit);
   const ref::Quadtree tree = ref::quadtree_over(plain);
   double area = 0;
   std::set<int> levels;
@@ -111,6 +157,7 @@ PARDEL_PROPERTY(
     }
   }
   RC_ASSERT(area == tree.side * tree.side);
+  if (tree.colour_of_leaf.size() > 1) RC_ASSERT(holds_all_circumdisks(tree, plain));
   for (const ref::ExactPoint& v : plain.points) RC_ASSERT(contains(box_of(tree, cell_of(tree, v)), v));
   classify(levels.size() >= 2, "leaves of different sides", 20);
   classify(levels.size() >= 3, "leaves of three or more different sides", 5);

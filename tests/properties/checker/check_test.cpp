@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "../../../properties/domains/domains.hpp"
-#include "meshes.hpp"
+#include "cgal_meshes.hpp"
 #include "verdicts.hpp"
 
 namespace pardel::checker {

@@ -3,7 +3,7 @@
 
 #include "../../../properties/checker/check.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
-#include "meshes.hpp"
+#include "cgal_meshes.hpp"
 #include "verdicts.hpp"
 
 namespace pardel::checker {

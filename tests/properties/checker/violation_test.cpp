@@ -2,6 +2,8 @@
 // violation, in their order. Each mesh is small enough to check each line against its picture.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

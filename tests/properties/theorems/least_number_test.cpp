@@ -5,7 +5,7 @@
 #include "../../../properties/theorems/framework/property.hpp"
 #include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
 #include "../../../properties/theorems/refinement/channels.hpp"
-#include "../checker/meshes.hpp"
+#include "../checker/cgal_meshes.hpp"
 
 namespace pardel::properties {
 namespace {
