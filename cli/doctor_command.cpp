@@ -73,9 +73,9 @@ nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
   return json;
 }
 
-/// `asked_for_repair`: the option --repair was given.
-void print(const Domain& domain, const std::vector<Problem>& problems, const std::optional<Repaired>& repaired,
-           bool asked_for_repair) {
+void print(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
+  const auto& [problems, warnings, repaired, gaps] = findings;
+  const bool asked_for_repair = !arguments.repaired.empty();
   const Pslg& pslg = domain.pslg;
   fmt::print("{}: {}, {}, {}, {}: ", domain.name, plural(pslg.points.size(), "point"),
              plural(pslg.segments.size(), "segment"), plural(pslg.holes.size(), "hole"),
@@ -120,8 +120,7 @@ void print_gaps(const DoctorArguments& arguments, const ValidPslg& domain, const
 
 Status report(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
   const std::array outputs = {arguments.repaired, arguments.json};
-  if (!arguments.quiet && !has_standard_output(outputs))
-    print(domain, findings.problems, findings.repaired, !arguments.repaired.empty());
+  if (!arguments.quiet && !has_standard_output(outputs)) print(arguments, domain, findings);
   if (arguments.json.empty()) return Done{};
   return write_text(json_text(to_json(domain, findings)), arguments.json);
 }

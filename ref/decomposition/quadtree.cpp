@@ -144,7 +144,8 @@ Quadtree quadtree_over(const PlainMesh& mesh) {
   const auto may_be = [&](const Cell& square) {
     const auto [entry, is_new] = known.try_emplace(square);
     if (is_new)
-      entry->second = is_wide_enough(square_of(corner, side, square), std::ldexp(side, -square.level), disks, 0.25);
+      entry->second =
+          is_wide_enough(square_of(corner, side, square), std::ldexp(side, -square.level), disks, paper_fraction);
     return entry->second;
   };
   const auto has_a_vertex = [&](const Cell& leaf) {
@@ -195,7 +196,7 @@ bool allows(const Quadtree& tree, const PlainMesh& mesh) {
   if (tree.colour_of_leaf.size() == 1) return true;
   const std::vector<Disk> disks = circumdisks(mesh);
   return std::ranges::all_of(tree.colour_of_leaf, [&](const auto& entry) {
-    return is_wide_enough(box_of(tree, entry.first), side_of(tree, entry.first), disks, 0.25);
+    return is_wide_enough(box_of(tree, entry.first), side_of(tree, entry.first), disks, paper_fraction);
   });
 }
 

@@ -23,6 +23,9 @@ struct Quadtree {
   std::map<Cell, int> colour_of_leaf;
 };
 
+/// In the condition on circumradii, they are smaller than this fraction of the leaf's side.
+inline constexpr double paper_fraction = 0.25;
+
 /// The tree whose leaves are all squares of one level.
 [[nodiscard]] Quadtree uniform_quadtree(Point corner, double side, int level);
 
@@ -46,12 +49,12 @@ struct Quadtree {
 /// Is the circumradius of each triangle whose open circumdisk meets the leaf smaller than `fraction` times the leaf's
 /// side?
 [[nodiscard]] bool is_wide_enough(const Quadtree& tree, const Cell& leaf, const PlainMesh& mesh,
-                                  double fraction = 0.25);
+                                  double fraction = paper_fraction);
 
 /// The condition under which a leaf may be refined while leaves outside its buffer zone are refined: every leaf of its
 /// buffer zone is wide enough. The refiner asks for more, allows().
 [[nodiscard]] bool may_be_refined(const Quadtree& tree, const Cell& leaf, const PlainMesh& mesh,
-                                  double fraction = 0.25);
+                                  double fraction = paper_fraction);
 
 /// May the tree be used for this mesh? That is, does it have one leaf, or are all leaves wide enough?
 [[nodiscard]] bool allows(const Quadtree& tree, const PlainMesh& mesh);

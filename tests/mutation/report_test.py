@@ -1,6 +1,7 @@
 """The report, the choice of tests, and the search for places that do not compile."""
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -72,6 +73,17 @@ class Copy(unittest.TestCase):
             self.assertEqual((copy / "core/a.cpp").read_text(), "old")
             self.assertEqual((copy / "core_test.cpp").read_text(), "new")
             self.assertEqual((copy / "same.cpp").stat().st_mtime_ns, before, "what has not changed is not built again")
+
+
+class Again(unittest.TestCase):
+    def test_without_an_earlier_run_nothing_is_copied_or_built(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = pathlib.Path(build.__file__).parent.parent / "mutate"
+            ran = subprocess.run([sys.executable, script, "core", "--again", "--folder", folder], capture_output=True,
+                                 text=True)
+            self.assertEqual(ran.returncode, 1)
+            self.assertIn("there is no earlier run with these arguments", ran.stderr)
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
 
 
 class BrokenLines(unittest.TestCase):

@@ -42,7 +42,7 @@ ref::Edge longest_border_edge(const ref::PlainMesh& mesh) {
   const auto squared_length = [&](const ref::Edge& e) -> Number {
     return CGAL::squared_distance(mesh.points[e[0]], mesh.points[e[1]]);
   };
-  const std::vector<ref::Edge> border = hull_of(mesh);
+  const std::vector<ref::Edge> border = border_of(mesh);
   return *std::ranges::max_element(border, {}, squared_length);
 }
 

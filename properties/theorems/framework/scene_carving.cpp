@@ -27,13 +27,13 @@ class Carver {
 
   /// Removes up to `size` triangles, connected across edges, from the outside.
   bool carve_pocket(Random& random, int size) {
-    return carve(
-        random, size, [&](Index t) { return touches_border(t, 2); }, [](Index) { return true; });
+    const auto is_outside = [this, border = border_vertices()](Index t) { return corners_in(border, t) >= 2; };
+    return carve(random, size, is_outside, [](Index) { return true; });
   }
 
   /// Removes up to `size` triangles, connected across edges, none of which touches the border.
   bool carve_hole(Random& random, int size) {
-    const auto is_inside = [&](Index t) { return !touches_border(t, 1); };
+    const auto is_inside = [this, border = border_vertices()](Index t) { return corners_in(border, t) == 0; };
     return carve(random, size, is_inside, is_inside);
   }
 
@@ -49,10 +49,9 @@ class Carver {
     done.flip();
     for (Index t = 0; t < done.size(); ++t) {
       if (done[t]) continue;
-      const std::vector<Index> face = reached_from(t, done);
-      const auto seed = std::ranges::find_if(face, [&](Index s) { return seed_in(s).has_value(); });
-      if (seed == face.end()) return std::nullopt;
-      result.holes.push_back(*seed_in(*seed));
+      const std::optional<Point> seed = seed_in_face(reached_from(t, done));
+      if (!seed) return std::nullopt;
+      result.holes.push_back(*seed);
     }
     return result;
   }
@@ -78,6 +77,7 @@ class Carver {
   }
 
  private:
+  /// The vertices on the border of what is left.
   [[nodiscard]] std::set<Index> border_vertices() const {
     std::set<Index> vertices;
     for (const auto& [e, triangles] : at_)
@@ -86,10 +86,8 @@ class Carver {
     return vertices;
   }
 
-  /// Are at least `least` corners of t on the border of what is left?
-  [[nodiscard]] bool touches_border(Index t, std::ptrdiff_t least) const {
-    const std::set<Index> border = border_vertices();
-    return std::ranges::count_if(mesh_.triangles[t], [&](Index v) { return border.contains(v); }) >= least;
+  [[nodiscard]] std::ptrdiff_t corners_in(const std::set<Index>& vertices, Index t) const {
+    return std::ranges::count_if(mesh_.triangles[t], [&](Index v) { return vertices.contains(v); });
   }
 
   /// The triangles that are connected with t across edges and not yet `done`, with t; marks them as done.
@@ -145,6 +143,12 @@ class Carver {
     return is_inside ? std::optional(seed) : std::nullopt;
   }
 
+  [[nodiscard]] std::optional<Point> seed_in_face(const std::vector<Index>& face) const {
+    for (const Index t : face)
+      if (const std::optional<Point> seed = seed_in(t)) return seed;
+    return std::nullopt;
+  }
+
   ref::PlainMesh mesh_;
   std::map<ref::Edge, std::vector<Index>> at_;
   std::vector<bool> removed_;
@@ -175,25 +179,16 @@ bool carve_at_random(Random& random, Scene& scene, Families& families) {
   return true;
 }
 
-std::set<ref::Edge> border_of(const ref::PlainMesh& mesh) {
-  std::set<ref::Edge> border;
-  for (const auto& [e, triangles] : triangles_at_edges(mesh))
-    if (triangles.size() == 1) border.insert(e);
-  return border;
-}
-
 Outline outline_of(const ref::PlainMesh& mesh) {
   Outline outline;
   const auto edges = triangles_at_edges(mesh);
+  const std::vector<ref::Edge> border = border_of(mesh);
   std::set<Index> vertices, on_border;
-  for (const auto& [e, triangles] : edges) {
-    vertices.insert(e.begin(), e.end());
-    if (triangles.size() == 1) on_border.insert(e.begin(), e.end());
-  }
-  const auto is_wall = [&](const ref::Edge& e) { return mesh.constraints.contains(e); };
-  outline.is_walled =
-      std::ranges::all_of(edges, [&](const auto& entry) { return entry.second.size() == 2 || is_wall(entry.first); });
-  outline.has_reflex = std::ranges::any_of(hull_of(mesh), [&](const ref::Edge& e) {
+  for (const auto& [e, triangles] : edges) vertices.insert(e.begin(), e.end());
+  for (const ref::Edge& e : border) on_border.insert(e.begin(), e.end());
+  const auto is_wall = [&](const ref::Edge& e) { return mesh.constraints.contains(ref::edge(e[0], e[1])); };
+  outline.is_walled = std::ranges::all_of(border, is_wall);
+  outline.has_reflex = std::ranges::any_of(border, [&](const ref::Edge& e) {
     return std::ranges::any_of(
         vertices, [&](Index v) { return CGAL::right_turn(mesh.points[e[0]], mesh.points[e[1]], mesh.points[v]); });
   });
@@ -211,7 +206,7 @@ bool border_hides(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
     if (!circumdisk_contains(mesh, t, p) || sees(mesh, p, t)) return false;
     if (!without_border) {
       without_border = mesh;
-      for (const ref::Edge& e : border_of(mesh)) without_border->constraints.erase(e);
+      for (const ref::Edge& e : border_of(mesh)) without_border->constraints.erase(ref::edge(e[0], e[1]));
     }
     return sees(*without_border, p, t);
   });

@@ -11,9 +11,6 @@ namespace pardel::properties {
 /// if no part that it tries can be carved away.
 [[nodiscard]] bool carve_at_random(generators::Random& random, Scene& scene, Families& families);
 
-/// The border of a mesh: the edges that have a triangle on one side only.
-[[nodiscard]] std::set<ref::Edge> border_of(const ref::PlainMesh& mesh);
-
 /// How a domain differs from a convex hull. Found from the mesh alone.
 struct Outline {
   bool is_walled = false;   ///< every edge of the border is a wall
@@ -28,8 +25,9 @@ struct Outline {
 [[nodiscard]] bool border_hides(const ref::PlainMesh& mesh, const ref::ExactPoint& p);
 
 /// Counts the current case by the outline of its domain and by what the border hides from the insertions. Promises the
-/// least shares of carved domains in a property that draws every kind of domain (in_any_domain() or in_any_walled_domain()): reflex outlines, holes,
-/// slits. `hidden_percent` is the promised share of cases in which the border hides something from an insertion.
+/// least shares of carved domains in a property that draws every kind of domain (in_any_domain() or
+/// in_any_walled_domain()): reflex outlines, holes, slits. `hidden_percent` is the promised share of cases in which the
+/// border hides something from an insertion.
 void classify_outline(const MeshedScene& meshed, const std::vector<Point>& insertions, double hidden_percent);
 
 }  // namespace pardel::properties

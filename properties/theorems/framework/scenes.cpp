@@ -88,12 +88,7 @@ class Positions {
   /// Is p in the mesh and not at a vertex? If on_walls is false, p must not lie on a wall either.
   [[nodiscard]] bool is_free(Point p, bool on_walls) const {
     const auto at = [&](Index v) { return points_[v]; };
-    const auto is_in = [&](const ref::Corners& t) {
-      for (int i = 0; i < 3; ++i)
-        if (orientation(at(t[i]), at(t[(i + 1) % 3]), p) < 0) return false;
-      return true;
-    };
-    return std::ranges::any_of(scene_.mesh.triangles, is_in) && std::ranges::count(points_, p) == 0 &&
+    return lies_in(scene_.mesh, ref::exact(p)) && std::ranges::count(points_, p) == 0 &&
            (on_walls || std::ranges::none_of(scene_.scene.walls,
                                              [&](const ref::Edge& e) { return lies_on(p, at(e[0]), at(e[1])); }));
   }
@@ -125,7 +120,7 @@ class Positions {
 
   /// The middle of an edge of the border with parts of the mesh beyond its line; of a wall, if there is none.
   Point middle_of_a_carved_edge() {
-    std::vector<ref::Edge> edges = hull_of(scene_.mesh);
+    std::vector<ref::Edge> edges = border_of(scene_.mesh);
     std::erase_if(edges, [&](const ref::Edge& e) {
       return std::ranges::none_of(scene_.mesh.triangles, [&](const ref::Corners& t) {
         return std::ranges::any_of(t,
@@ -250,7 +245,7 @@ bool add_insertion(Random& random, MeshedScene& meshed, const SceneSpec& spec, P
 
 std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed) { return out << meshed.scene; }
 
-std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh) {
+std::vector<ref::Edge> border_of(const ref::PlainMesh& mesh) {
   std::vector<Index> all(mesh.triangles.size());
   for (Index t = 0; t < all.size(); ++t) all[t] = t;
   return ref::boundary(mesh, all);

@@ -60,7 +60,7 @@ std::ostream& operator<<(std::ostream& out, const MeshedScene& meshed);
 
 /// The edges of the mesh's border, each directed with the mesh on its left, in no particular order. For the
 /// triangulation of a convex hull these are the edges of the hull.
-[[nodiscard]] std::vector<ref::Edge> hull_of(const ref::PlainMesh& mesh);
+[[nodiscard]] std::vector<ref::Edge> border_of(const ref::PlainMesh& mesh);
 
 /// Does the scene satisfy the specification: the number and separation of insertions, positions on walls, encroachment?
 /// Are all insertions in the mesh, and not at vertices? Are all walls edges of the mesh?

@@ -45,7 +45,7 @@ bool lies_inside(const std::vector<ref::Edge>& hull, const Scene& scene, Point p
 template <class Meets>
 MeshedScene first_that_meets(Scene layout, const std::vector<Pair>& pairs, const Meets& meets) {
   MeshedScene scene = meshed(std::move(layout));
-  const std::vector<ref::Edge> hull = hull_of(scene.mesh);
+  const std::vector<ref::Edge> hull = border_of(scene.mesh);
   for (const auto& [p, q] : pairs) {
     scene.scene.insertions = {p, q};
     if (lies_inside(hull, scene.scene, p) && lies_inside(hull, scene.scene, q) &&

@@ -5,6 +5,7 @@
 
 #include "../../../ref/insertion.hpp"
 #include "../../checker/check.hpp"
+#include "../circumradii/ratio_and_area.hpp"
 #include "../framework/shares.hpp"
 #include "refined_channels.hpp"
 
@@ -27,12 +28,11 @@ std::ostream& operator<<(std::ostream& out, const Sized& sized) {
   return out << sized.channel << (sized.theorem == RadiusTheorem::t3 ? "; T3" : "; T3-sharp");
 }
 
-/// r⁴ / Δ̄² as the theorem bounds it. Written down here once more, so that a slip in ref/ does not go unnoticed.
+/// r⁴ / Δ̄² as the theorem bounds it, without the code of ref/, so that a slip there does not go unnoticed.
 Number fourth_power_over_squared_area(const Goal& goal, RadiusTheorem theorem) {
   const double sine = std::sin(goal.min_angle_deg * std::acos(-1.0) / 180);
   const Number ratio = Number(1) / Number(4 * sine * sine);
-  const Number cube = 16 * ratio * ratio * ratio;
-  return theorem == RadiusTheorem::t3 ? cube : cube * ratio / (4 * ratio - 1);
+  return theorem == RadiusTheorem::t3 ? paper_bound(ratio, 1) : sharp_bound(ratio, 1);
 }
 
 Sized some_sized_channel(Random& random, int size) {

@@ -28,8 +28,7 @@ bool is_wide(const ref::Quadtree& tree, const ref::Cell& leaf, const ref::PlainM
 /// Do all circumdisks of the mesh lie in the square of the tree?
 bool holds_all_circumdisks(const ref::Quadtree& tree, const ref::PlainMesh& mesh) {
   return std::ranges::all_of(mesh.triangles, [&](const ref::Corners& t) {
-    const auto at = [&](int i) { return mesh.points[t[i]]; };
-    const ref::ExactPoint centre = CGAL::circumcenter(at(0), at(1), at(2));
+    const ref::ExactPoint centre = circumcentre(mesh, t);
     const auto is_inside = [&](const ref::Number& from_low) {
       const ref::Number margin = std::min(from_low, ref::Number(tree.side - from_low));
       return margin >= 0 && margin * margin >= squared_circumradius(mesh, t);

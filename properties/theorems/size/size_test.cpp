@@ -4,8 +4,8 @@
 
 #include "../../../ref/ruppert.hpp"
 #include "../framework/shares.hpp"
-#include "../refinement/channels.hpp"
 #include "../refinement/meshing.hpp"
+#include "../refinement/refined_channels.hpp"
 #include "least_number.hpp"
 
 namespace pardel::properties {
@@ -60,12 +60,9 @@ PARDEL_PROPERTY(
                   "5 times as many. (In 2,000 cases less than 4 times.)",
      .source = "properties/THEORY.md, LeastNumber; ref/ruppert.hpp",
      .families = "channels: bars, bends, rings and slants, with walls, cracks and moved corners"}) {
-  const auto simpler_channels = [](const Channel& c) { return simpler(c); };
-  const Channel channel = *generators::generator(random_channel, simpler_channels);
-  RC_TAG(std::string(name(channel.shape)));
+  const Channel channel = some_channel(exhibit);
   const Pslg pslg = to_pslg(channel);
   const Goal goal = coarse_goal_of(channel);
-  exhibit.show(pslg);
   const Result<Mesh> reference = ref::ruppert(pslg, goal);
   RC_ASSERT(reference.ok());
   const Mesh engine = value_of(mesh(pslg, goal)).mesh;

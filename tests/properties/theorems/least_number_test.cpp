@@ -2,9 +2,7 @@
 #include "../../../properties/theorems/size/least_number.hpp"
 
 #include "../../../parallel/mesher.hpp"
-#include "../../../properties/theorems/framework/property.hpp"
-#include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
-#include "../../../properties/theorems/refinement/channels.hpp"
+#include "../../../properties/theorems/refinement/refined_channels.hpp"
 #include "../checker/cgal_meshes.hpp"
 
 namespace pardel::properties {
@@ -16,11 +14,7 @@ PARDEL_PROPERTY(
                   "least number of triangles, whether that is computed on the cells of this mesh or of pardel's mesh.",
      .source = "properties/THEORY.md, LeastNumber",
      .families = "channels: bars, bends, rings and slants, with walls, cracks and moved corners"}) {
-  const auto simpler_channels = [](const Channel& c) { return simpler(c); };
-  const Channel channel = *generators::generator(random_channel, simpler_channels);
-  RC_TAG(std::string(name(channel.shape)));
-  const Pslg pslg = to_pslg(channel);
-  exhibit.show(pslg);
+  const Pslg pslg = to_pslg(some_channel(exhibit));
   const Goal goal;  // an angle bound of 20.7 degrees, no bound on areas
   const auto no_bound = [&](std::size_t) { return goal.max_area; };
   const auto domain = triangulate(pslg), ours = mesh(pslg, goal);
