@@ -88,7 +88,7 @@ std::vector<Row> compare(const Settings& settings, const std::vector<Tool>& tool
 void print(const std::vector<Row>& rows, const Settings& settings) {
   const Task& task = settings.task;
   fmt::print("{}", task.domain);
-  if (is_point_set(task)) fmt::print(" ({} uniform random, seed {})", task.points, task.seed);
+  if (is_point_set(task)) fmt::print(" ({} points, seed {})", task.points, task.seed);
   if (task.delaunay_only)
     fmt::print(", Delaunay triangulation alone");
   else
@@ -154,12 +154,12 @@ int main_of_peers(int argc, char** argv) {
   bool no_check = false;
   CLI::App app{"Runs pardel and other meshers on the same domain and goal; prints one table of medians."};
   app.add_option("--domain", task.domain, "The domain")
-      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points"}))
+      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters", "grid-points"}))
       ->capture_default_str();
   app.add_option("--triangles", task.triangles,
                  "Approximate number of triangles, which determines the area cap; 0: no cap")
       ->capture_default_str();
-  app.add_option("--points", task.points, "Number of random points (for --domain points)");
+  app.add_option("--points", task.points, "Number of points (for --domain points, kuzmin, line, clusters, grid-points)");
   app.add_option("--seed", task.seed, "Seed of the random points")->capture_default_str();
   app.add_option("--min-angle", task.goal.min_angle_deg, "Minimum angle in degrees")
       ->check(CLI::Range(0.0, 33.0))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "../properties/checker/check.hpp"
@@ -10,14 +12,20 @@
 namespace pardel::bench {
 
 Pslg make_domain(const Task& task) {
-  Result<Pslg> made = domains::generate(task.domain, task.points, task.seed);
+  // The size of this domain is its number of cells along a side.
+  const bool is_grid = task.domain == "grid-points";
+  const std::uint64_t n = is_grid ? static_cast<std::uint64_t>(std::sqrt(task.points)) - 1 : task.points;
+  Result<Pslg> made = domains::generate(task.domain, n, task.seed);
   return made ? std::move(*made) : Pslg{};
 }
 
-bool is_point_set(const Task& task) { return task.domain == "points"; }
+bool is_point_set(const Task& task) {
+  constexpr std::array sets = {"points", "kuzmin", "line", "clusters", "grid-points"};
+  return std::ranges::find(sets, task.domain) != sets.end();
+}
 
 double domain_area(const Task& task) {
-  if (is_point_set(task)) return 1;
+  if (task.domain == "points") return 1;
   const Pslg pslg = make_domain(task);
   // The boundary of every domain used here consists of disjoint closed chains, whose segments are in order. The outer
   // chain has the largest area; all others are holes.

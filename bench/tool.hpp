@@ -23,7 +23,7 @@ inline constexpr double triangles_per_cap = 1.37;
 /// The input of a run. Every child process creates the domain from its name.
 struct Task {
   std::string domain = "square";  ///< a name of properties/domains/domains.hpp
-  std::uint64_t points = 0;       ///< number of points of the domain `points`
+  std::uint64_t points = 0;       ///< number of points, for sets of points
   std::uint64_t seed = 1;
   Goal goal;                   ///< minimum angle and area cap
   bool delaunay_only = false;  ///< only triangulate the points
@@ -34,7 +34,7 @@ struct Task {
 };
 
 [[nodiscard]] Pslg make_domain(const Task& task);
-/// True if the domain is the convex hull of random points in the unit square, without segments.
+/// True if the domain is the convex hull of points, without segments.
 [[nodiscard]] bool is_point_set(const Task& task);
 /// The area of the task's domain without its holes, by the shoelace formula.
 [[nodiscard]] double domain_area(const Task& task);

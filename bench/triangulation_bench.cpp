@@ -27,6 +27,14 @@ void triangulate_random_points(benchmark::State& state) {
 }
 BENCHMARK(triangulate_random_points)->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(benchmark::kMillisecond);
 
+/// Points that are dense around a point, along a line, and in clusters: the cells of a lattice would be very uneven.
+void triangulate_uneven_points(benchmark::State& state, const char* domain) {
+  run(state, *domains::generate(domain, static_cast<std::uint64_t>(state.range(0)), 1));
+}
+BENCHMARK_CAPTURE(triangulate_uneven_points, kuzmin, "kuzmin")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(triangulate_uneven_points, line, "line")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(triangulate_uneven_points, clusters, "clusters")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
 /// The four corners of each cell are cocircular, so the filter of the in-circle test never decides.
 void triangulate_lattice_points(benchmark::State& state) {
   run(state, domains::grid_points(static_cast<int>(state.range(0))));

@@ -54,9 +54,14 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   return key;
 }
 
-/// Radix sort by the upper half of each word, with digits of 11 bits, least significant digit first. It is stable, so
-/// the number of parts does not change the result.
-void radix_sort_by_key(Array<std::uint64_t>& words, const Threads& threads) {
+/// So few words are sorted by comparisons.
+constexpr std::size_t few_words = 1024;
+
+/// Sorts words by their upper halves. Precondition: equal upper halves are in the order of the lower halves. Radix sort
+/// with digits of 11 bits, least significant digit first. It is stable, so the number of parts does not change the
+/// result.
+void sort_by_key(Array<std::uint64_t>& words, const Threads& threads) {
+  if (words.size() <= few_words) return std::sort(words.begin(), words.end());
   Array<std::uint64_t> sorted;
   sorted.resize_uninitialised(words.size());
   const std::size_t parts = std::min(block_count(words.size()), static_cast<std::size_t>(threads.count));
@@ -99,7 +104,7 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, cons
     const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
     return static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
   });
-  radix_sort_by_key(words, threads);
+  sort_by_key(words, threads);
   parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t k = first; k < last; ++k) ids[k] = static_cast<Index>(words[k]);
   });

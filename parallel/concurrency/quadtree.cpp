@@ -11,26 +11,7 @@ namespace {
 
 using Leaf = Quadtree::Leaf;
 
-/// Moves bit i to bit 2i.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 16U) & 0x0000ffff0000ffffU;
-  x = (x | x << 8U) & 0x00ff00ff00ff00ffU;
-  x = (x | x << 4U) & 0x0f0f0f0f0f0f0f0fU;
-  x = (x | x << 2U) & 0x3333333333333333U;
-  return (x | x << 1U) & 0x5555555555555555U;
-}
-
-/// The place along the Z-curve of a square of the deepest level.
-std::uint64_t place(std::uint32_t column, std::uint32_t row) { return spread(row) << 1U | spread(column); }
-
 std::uint64_t first_place(const Leaf& leaf) { return Square::first_place(leaf.level, leaf.column, leaf.row); }
-
-/// The column or row of the least part at this fraction of the square's side.
-std::uint32_t least_part(double fraction) {
-  constexpr double count = 1U << Square::deepest;
-  const double index = std::floor(fraction * count);
-  return !(index > 0) ? 0 : static_cast<std::uint32_t>(std::min(index, count - 1));
-}
 
 /// The leaves of a tree that grows, by their first places.
 using Leaves = std::map<std::uint64_t, Leaf>;
@@ -82,18 +63,10 @@ double overlap(double a_low, double a_high, double b_low, double b_high) {
 
 }  // namespace
 
-std::uint64_t Square::place_of(Point p) const {
-  return place(least_part((p.x - low_.x) / side_), least_part((p.y - low_.y) / side_));
-}
-
-std::uint64_t Square::first_place(unsigned level, std::uint32_t column, std::uint32_t row) {
-  const unsigned down = deepest - level;
-  return place(column << down, row << down);
-}
-
 Quadtree::Quadtree(const Box& bounds) : Quadtree(Square(bounds), {Leaf{}}) {}
 
 Quadtree::Quadtree(const Square& square, std::vector<Leaf> leaves) : square_(square), leaves_(std::move(leaves)) {
+  for (const Leaf& leaf : leaves_) starts_.push_back(first_place(leaf));
   find_touching();
   choose_colours();
 }
@@ -124,15 +97,10 @@ Box Quadtree::with_margin(const Leaf& leaf, double margin) const {
 }
 
 void Quadtree::find_touching() {
-  std::vector<std::uint64_t> start;
-  for (const Leaf& leaf : leaves_) start.push_back(first_place(leaf));
   for (const Leaf& leaf : leaves_) {
     first_touching_.push_back(touching_.size());
     std::vector<Index> found;
-    for_each_around(leaf, [&](const Leaf& square) {
-      const auto after = std::upper_bound(start.begin(), start.end(), first_place(square));
-      found.push_back(static_cast<Index>(after - start.begin() - 1));
-    });
+    for_each_around(leaf, [&](const Leaf& square) { found.push_back(leaf_at(first_place(square))); });
     std::sort(found.begin(), found.end());
     touching_.insert(touching_.end(), found.begin(), std::unique(found.begin(), found.end()));
   }

@@ -23,11 +23,35 @@ class Square {
   [[nodiscard]] double side_at(unsigned level) const { return std::ldexp(side_, -static_cast<int>(level)); }
   /// The place along a Z-curve of the least part in which p lies, or of the nearest one. NaN is treated as the lowest
   /// value.
-  [[nodiscard]] std::uint64_t place_of(Point p) const;
+  [[nodiscard]] std::uint64_t place_of(Point p) const {
+    return place(least_part((p.x - low_.x) / side_), least_part((p.y - low_.y) / side_));
+  }
   /// The first place in the square (column, row) of a level.
-  [[nodiscard]] static std::uint64_t first_place(unsigned level, std::uint32_t column, std::uint32_t row);
+  [[nodiscard]] static std::uint64_t first_place(unsigned level, std::uint32_t column, std::uint32_t row) {
+    const unsigned down = deepest - level;
+    return place(column << down, row << down);
+  }
 
  private:
+  /// Moves bit i to bit 2i.
+  [[nodiscard]] static std::uint64_t spread(std::uint64_t x) {
+    x = (x | x << 16U) & 0x0000ffff0000ffffU;
+    x = (x | x << 8U) & 0x00ff00ff00ff00ffU;
+    x = (x | x << 4U) & 0x0f0f0f0f0f0f0f0fU;
+    x = (x | x << 2U) & 0x3333333333333333U;
+    return (x | x << 1U) & 0x5555555555555555U;
+  }
+  /// The place along the Z-curve of a square of the deepest level.
+  [[nodiscard]] static std::uint64_t place(std::uint32_t column, std::uint32_t row) {
+    return spread(row) << 1U | spread(column);
+  }
+  /// The column or row of the least part at this fraction of the square's side.
+  [[nodiscard]] static std::uint32_t least_part(double fraction) {
+    constexpr double count = 1U << deepest;
+    const double index = fraction * count;
+    return !(index > 0) ? 0 : static_cast<std::uint32_t>(std::min(index, count - 1));
+  }
+
   Point low_;
   double side_;
 };
@@ -64,7 +88,7 @@ class Quadtree {
   [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
   [[nodiscard]] double side_of(Index cell) const { return square_.side_at(leaves_[cell].level); }
   /// The leaf of a point. A point beyond the bounds belongs to the nearest leaf. NaN is treated as the lowest value.
-  [[nodiscard]] Index cell_of(Point p) const { return leaf_of(leaves_, square_, p); }
+  [[nodiscard]] Index cell_of(Point p) const { return leaf_at(square_.place_of(p)); }
   [[nodiscard]] Point centre_of(Index cell) const {
     const Leaf& leaf = leaves_[cell];
     return {square_.low().x + (leaf.column + 0.5) * side_of(cell), square_.low().y + (leaf.row + 0.5) * side_of(cell)};
@@ -85,12 +109,16 @@ class Quadtree {
  private:
   /// The leaves, along the Z-curve, are those of a balanced tree.
   Quadtree(const Square& square, std::vector<Leaf> leaves);
+  [[nodiscard]] Index leaf_at(std::uint64_t place) const {
+    return static_cast<Index>(std::upper_bound(starts_.begin(), starts_.end(), place) - starts_.begin() - 1);
+  }
   [[nodiscard]] Box with_margin(const Leaf& leaf, double margin) const;
   void find_touching();
   void choose_colours();
 
   Square square_;
   std::vector<Leaf> leaves_;
+  std::vector<std::uint64_t> starts_;  ///< the first place of each leaf
   std::vector<Index> touching_;
   std::vector<std::size_t> first_touching_;
   std::vector<std::uint8_t> colour_;

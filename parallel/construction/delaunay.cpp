@@ -15,6 +15,7 @@
 #include "../concurrency/hilbert_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "bowyer_watson.hpp"
+#include "point_tiles.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -83,6 +84,14 @@ Error coordinates_error(const char* what, Point p) {
 /// triangle_count(k).
 constexpr TriangleId triangle_count(std::size_t n) { return static_cast<TriangleId>(2 * (n + 1) - 4); }
 
+/// Points are inserted on a quadtree if the cells of a lattice are more overloaded than this: the lattice needs less
+/// work if points are spread evenly.
+constexpr double most_overload = 4;
+
+/// A leaf is divided if it has more points than this multiple of the number wanted for a tile. A task works on a box of
+/// 2.25 leaves, and of four cells in a lattice.
+constexpr double points_per_leaf = 2.5;
+
 /// Inserts the points round by round. A position is an index into the order of insertion.
 class RoundInserter {
  public:
@@ -97,14 +106,8 @@ class RoundInserter {
 
   /// Inserts the points at the positions [first, last). Precondition: those before `first` have been inserted.
   Status insert(std::size_t first, std::size_t last) {
-    const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::sqrt(tiles_for(last - first))));
     Tile everything{};
-    if (lattice.cells() > 1) {
-      if (Status inserted = insert_on_tiles(lattice, first, last, everything.positions); !inserted) return inserted;
-    } else {
-      everything.positions.resize(last - first);
-      std::iota(everything.positions.begin(), everything.positions.end(), static_cast<Index>(first));
-    }
+    if (Status inserted = insert_on_tiles(first, last, everything.positions); !inserted) return inserted;
     everything.near = some_triangle();
     run(everything, Box{}, *workers_.front());
     return everything.error ? Status(*everything.error) : Done{};
@@ -126,24 +129,68 @@ class RoundInserter {
     return std::max({1.0, full, std::min(enough, full / smallest_fraction)});
   }
 
-  /// Appends the positions of the points whose insertion leaves the box of their tile to `outside`, in ascending order.
-  Status insert_on_tiles(const Lattice& lattice, std::size_t first, std::size_t last, std::vector<Index>& outside) {
-    std::vector<Tile> tiles(lattice.cells());
+  /// Inserts points on the cells of a lattice, or on the leaves of a quadtree if most points would be in few cells.
+  /// Appends the positions of those whose insertion leaves the box of their tile to `outside`, in ascending order.
+  Status insert_on_tiles(std::size_t first, std::size_t last, std::vector<Index>& outside) {
+    const double tiles = tiles_for(last - first);
+    const Lattice lattice = Lattice::over(bounds_, static_cast<Index>(std::sqrt(tiles)));
+    if (lattice.cells() == 1) {
+      outside.resize(last - first);
+      std::iota(outside.begin(), outside.end(), static_cast<Index>(first));
+      return Done{};
+    }
+    std::vector<Tile> cells = distributed(lattice, first, last);
+    if (overload(cells) <= most_overload) return insert_on(lattice, cells, first, outside);
+    const double per_leaf = points_per_leaf * static_cast<double>(last - first) / tiles;
+    const Quadtree tree = quadtree_of(bounds_, sample(first, last, per_leaf), last - first, per_leaf);
+    std::vector<Tile> leaves = distributed(tree, first, last);
+    return insert_on(tree, leaves, first, outside);
+  }
+
+  /// The tiles with the positions [first, last).
+  template <class Shape>
+  [[nodiscard]] std::vector<Tile> distributed(const Shape& shape, std::size_t first, std::size_t last) const {
+    std::vector<Tile> tiles(shape.cells());
     visit_by_cell(
         threads_, last - first, tiles.size(),
-        [&](std::size_t i) { return lattice.cell_of(t_.points[order_[first + i]]); },
+        [&](std::size_t i) { return shape.cell_of(t_.points[order_[first + i]]); },
         [&](Index cell, std::size_t i) { tiles[cell].positions.push_back(static_cast<Index>(first + i)); });
-    find_starts(lattice, tiles, triangle_count(first));
-    for (unsigned colour = 0; colour < Lattice::colours(); ++colour) {
+    return tiles;
+  }
+
+  /// The number of points in the tile of an average point, divided by the average number over all tiles.
+  [[nodiscard]] static double overload(const std::vector<Tile>& tiles) {
+    double sum = 0, squares = 0;
+    for (const Tile& tile : tiles) {
+      const auto n = static_cast<double>(tile.positions.size());
+      sum += n;
+      squares += n * n;
+    }
+    return squares * static_cast<double>(tiles.size()) / (sum * sum);
+  }
+
+  /// Some of the points at the positions [first, last), about 64 in a leaf. Points that are close in the plane are
+  /// close in the order, so every part of the plane has its share.
+  [[nodiscard]] std::vector<Point> sample(std::size_t first, std::size_t last, double per_leaf) const {
+    const auto step = static_cast<std::size_t>(std::max(1.0, per_leaf / 64));
+    std::vector<Point> points;
+    for (std::size_t i = first; i < last; i += step) points.push_back(t_.points[order_[i]]);
+    return points;
+  }
+
+  template <class Shape>
+  Status insert_on(const Shape& shape, std::vector<Tile>& tiles, std::size_t first, std::vector<Index>& outside) {
+    find_starts(shape, tiles, triangle_count(first));
+    for (unsigned colour = 0; colour < shape.colours(); ++colour) {
       // Check here that each tile's start is still in its box: while tasks run, another task may change the start.
       std::vector<Index> cells;
-      for (Index cell = 0; cell < lattice.cells(); ++cell)
-        if (lattice.colour_of(cell) == colour && starts_inside(tiles[cell], lattice.box_of(cell)))
+      for (Index cell = 0; cell < shape.cells(); ++cell)
+        if (shape.colour_of(cell) == colour && starts_inside(tiles[cell], shape.box_of(cell)))
           cells.push_back(cell);
       std::stable_sort(cells.begin(), cells.end(),
                        [&](Index a, Index b) { return tiles[a].positions.size() > tiles[b].positions.size(); });
       parallel_for(threads_, cells.size(), [&](std::size_t i, int thread) {
-        run(tiles[cells[i]], lattice.box_of(cells[i]), *workers_[static_cast<std::size_t>(thread)]);
+        run(tiles[cells[i]], shape.box_of(cells[i]), *workers_[static_cast<std::size_t>(thread)]);
       });
     }
     for (const Tile& tile : tiles) {
@@ -156,17 +203,18 @@ class RoundInserter {
 
   /// Finds for each tile a triangle in its box, near the centre of its cell. Even after tasks of other cells have run,
   /// the slot of this triangle very likely holds a triangle in the box.
-  void find_starts(const Lattice& lattice, std::vector<Tile>& tiles, TriangleId triangles) const {
+  template <class Shape>
+  void find_starts(const Shape& shape, std::vector<Tile>& tiles, TriangleId triangles) const {
     const auto cell_of = [&](std::size_t id) {
       const Slot& slot = t_.slots[id];
-      return slot.is_ghost() ? no_index : lattice.cell_of(t_.points[slot.v[0]]);
+      return slot.is_ghost() ? no_index : shape.cell_of(t_.points[slot.v[0]]);
     };
     visit_by_cell(threads_, triangles, tiles.size(), cell_of, [&](Index cell, std::size_t id) {
       const Slot& slot = t_.slots[id];
-      const Point p = t_.points[slot.v[0]], centre = lattice.centre_of(cell);
+      const Point p = t_.points[slot.v[0]], centre = shape.centre_of(cell);
       const double distance = (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
       if (distance >= tiles[cell].near_centre) return;
-      if (!lies_inside(slot, lattice.box_of(cell))) return;
+      if (!lies_inside(slot, shape.box_of(cell))) return;
       tiles[cell].near = static_cast<TriangleId>(id);
       tiles[cell].near_centre = distance;
     });

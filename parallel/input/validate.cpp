@@ -99,7 +99,8 @@ std::vector<Index> loose_points(const Pslg& pslg, std::span<const Segment> segme
 Swept check_conflicts(const Pslg& pslg, const SoundSegments& sound, std::span<const Duplicate> duplicates,
                       std::size_t most, const Threads& threads, Findings& found) {
   SparseAsk ask(threads.stop);
-  const std::vector<Index> loose = loose_points(pslg, sound.segments, duplicates, ask);
+  std::vector<Index> loose;
+  if (!sound.segments.empty()) loose = loose_points(pslg, sound.segments, duplicates, ask);
   const std::vector<Point> seeds = seeds_of(pslg);
   Swept swept = sweep_plane({.points = pslg.points,
                              .segments = sound.segments,

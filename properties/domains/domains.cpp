@@ -14,9 +14,6 @@
 namespace pardel::domains {
 namespace {
 
-/// A number in [0, 1), a multiple of 2^-40.
-double coordinate(generators::Random& random) { return static_cast<double>(random.next() >> 24) * 0x1p-40; }
-
 /// The key's outline, counter-clockwise from the lower end of the bow: along the lower side of the shaft to the bit,
 /// around the tip, along the upper side of the shaft and around the bow. Lengths are in centimetres.
 Path key_outline() {
@@ -85,17 +82,6 @@ Pslg key() {
   pslg.holes.push_back({-0.08, 0});
   add_closed(pslg, circle({5.02, -0.44}, 0.09, 16), 3);  // a hole through the bit
   pslg.holes.push_back({5.02, -0.44});
-  return pslg;
-}
-
-Pslg random_points(std::uint64_t n, std::uint64_t seed) {
-  Pslg pslg;
-  pslg.points.reserve(n);
-  generators::Random random(seed);
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = coordinate(random);
-    pslg.points.push_back({x, coordinate(random)});
-  }
   return pslg;
 }
 
@@ -265,6 +251,12 @@ const std::vector<Entry>& entries() {
       {"key", 0, 0, 0, [](int, std::uint64_t) { return key(); }},
       {"points", 1000, 3, 1'000'000'000,
        [](int n, std::uint64_t seed) { return random_points(static_cast<std::uint64_t>(n), seed); }},
+      {"kuzmin", 1000, 3, 1'000'000'000,
+       [](int n, std::uint64_t seed) { return kuzmin_points(static_cast<std::uint64_t>(n), seed); }},
+      {"line", 1000, 3, 1'000'000'000,
+       [](int n, std::uint64_t seed) { return line_points(static_cast<std::uint64_t>(n), seed); }},
+      {"clusters", 1000, 3, 1'000'000'000,
+       [](int n, std::uint64_t seed) { return clustered_points(static_cast<std::uint64_t>(n), seed); }},
       {"star", 12, 3, 100'000, [](int n, std::uint64_t) { return star(n, 5); }},
       {"comb", 16, 1, 100'000, [](int n, std::uint64_t) { return comb(n, 0.0625 / n); }},
       {"wedge", 50, 1, 10'000, [](int n, std::uint64_t) { return wedge(n, 90.0 / n); }},

@@ -29,6 +29,17 @@ namespace pardel::domains {
 /// n points, uniform in the unit square, without segments. Coordinates are multiples of 2^-40. Linear time.
 [[nodiscard]] Pslg random_points(std::uint64_t n, std::uint64_t seed);
 
+/// n points of the Kuzmin distribution, without segments: dense around the origin, with a share of 1/r of them farther
+/// than about r away. Linear time, as for the next two.
+[[nodiscard]] Pslg kuzmin_points(std::uint64_t n, std::uint64_t seed);
+
+/// n points in the unit square, most of them close to its lower side, without segments: the distribution "line" of
+/// Blelloch, Hardwick, Miller and Talmor, "Design and implementation of a practical parallel Delaunay algorithm", 1999.
+[[nodiscard]] Pslg line_points(std::uint64_t n, std::uint64_t seed);
+
+/// n points in 100 clusters around the unit square, whose radii range from 2^-5 to 2^-15, without segments.
+[[nodiscard]] Pslg clustered_points(std::uint64_t n, std::uint64_t seed);
+
 /// A star with `spikes` >= 3 spikes on the unit circle. Each tip has an angle of `spike_degrees`, above 0 and below
 /// 180.
 [[nodiscard]] Pslg star(int spikes, double spike_degrees);

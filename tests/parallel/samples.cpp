@@ -9,6 +9,7 @@
 #include "../../parallel/construction/carve.hpp"
 #include "../../parallel/construction/delaunay.hpp"
 #include "../../properties/checker/arithmetic/exact.hpp"
+#include "../../properties/domains/domains.hpp"
 
 namespace pardel::engine::samples {
 namespace {
@@ -119,6 +120,8 @@ std::vector<Family> families(std::size_t n, std::uint64_t seed) {
       {"lattice far away", shifted(lattice_points(side), {654321, 4987654})},
       {"tiny", uniform_points(n, seed + 2)},
       {"huge", uniform_points(n, seed + 3)},
+      {"dense around a point", domains::kuzmin_points(n, seed).points},
+      {"dense along a line", domains::line_points(n, seed).points},
   };
   for (Point& p : all[8].points) p = {p.x * 0x1p-60, p.y * 0x1p-60};
   for (Point& p : all[9].points) p = {p.x * 0x1p60, p.y * 0x1p60};
