@@ -80,31 +80,50 @@ def write_sources(root, source, pairs):
             (source / file).write_bytes(text)
 
 
+def targets(build, rule):
+    """The targets that a rule of CMake makes, such as CXX_EXECUTABLE_LINKER: {name: path below the build folder}."""
+    command = ["ninja", "-C", str(build), "-t", "targets", "all"]
+    listed = subprocess.run(command, check=True, capture_output=True, text=True)
+    return {pathlib.Path(path).name: path for path in re.findall(rf"^(\S+): {rule}", listed.stdout, re.M)}
+
+
 def test_programs(build):
-    listed = subprocess.run(["ninja", "-C", str(build), "-t", "targets", "all"], check=True, capture_output=True, text=True)
-    names = re.findall(r"^(?:\S*/)?(\w+_test): CXX_EXECUTABLE_LINKER", listed.stdout, re.M)
+    names = (name for name in targets(build, "CXX_EXECUTABLE_LINKER") if name.endswith("_test"))
     return sorted(set(names) - LEFT_OUT) + ["pardel"]
 
 
-def command_of(build, programs, jobs):
-    return ["ninja", "-C", str(build), "-k", "0", "-j", str(jobs), *(programs or test_programs(build))]
+def libraries(build, folders):
+    """The libraries below the folders, without the twins that have mutants of their own."""
+    paths = targets(build, "CXX_STATIC_LIBRARY_LINKER").values()
+    return [path for path in paths if any(pathlib.Path(path).is_relative_to(folder) for folder in folders)]
+
+
+def run_ninja(build, names, jobs):
+    command = ["ninja", "-C", str(build), "-k", "0", "-j", str(jobs), *names]
+    return subprocess.run(command, capture_output=True, text=True)
 
 
 def make(build, programs, jobs):
     """Builds the tests. There must be no error."""
-    done = subprocess.run(command_of(build, programs, jobs), capture_output=True, text=True)
+    done = run_ninja(build, programs or test_programs(build), jobs)
     if done.returncode != 0:
         raise RuntimeError(f"the copy does not build:\n{done.stdout[-4000:]}")
 
 
-def build_tests(root, source, build, pairs, programs, jobs, log):
-    """Builds the tests. Sites that do not compile are removed. Returns the sites that are left."""
-    command = command_of(build, programs, jobs)
+def build_tests(root, source, build, pairs, args, log):
+    """Builds the tests. Sites that do not compile are removed. Returns the sites that are left.
+
+    The libraries come first. They name nearly all of these sites, and take less time than all tests.
+    """
+    steps = [libraries(build, args.folders), args.programs or test_programs(build)]
     for _ in range(MOST_BUILDS):
         write_sources(root, source, pairs)
-        done = subprocess.run(command, capture_output=True, text=True)
+        done = run_ninja(build, steps[0], args.jobs)
         if done.returncode == 0:
-            return pairs
+            steps.pop(0)
+            if not steps:
+                return pairs
+            continue
         broken = broken_lines(done.stdout, source, build)
         left = [(n, s) for n, s in pairs if (s.file, s.line) not in broken]
         if len(left) == len(pairs):

@@ -36,7 +36,7 @@ def text(rows, known):
     """The score of each folder and the list of the mutants that survived."""
     equivalent = [row for row in rows if key(row) in known and row["result"] not in KILLED]
     rest = [row for row in rows if row not in equivalent]
-    results = [*KILLED, "survived", "never evaluated"]
+    results = [*KILLED, "survived", "not decided", "never evaluated"]
     lines = [f"{'folder':26}" + "".join(f"{c:>17}" for c in ["tried", *results, "equivalent", "killed, %"])]
     for name in [*sorted({folder(row) for row in rows}), "all"]:
         here = [row for row in rest if name in (folder(row), "all")]

@@ -1,11 +1,12 @@
 """The report, the choice of tests, and the search for places that do not compile."""
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from mutation import build, report, trials
+from mutation import build, report, sites, trials
 
 
 def row(result, number=0, file="parallel/refinement/task.cpp"):
@@ -15,14 +16,14 @@ def row(result, number=0, file="parallel/refinement/task.cpp"):
 
 class Report(unittest.TestCase):
     def test_the_score_is_the_share_of_the_mutants_that_a_test_noticed(self):
-        rows = [row(r) for r in ("failed", "crashed", "time-out", "survived", "never evaluated")]
+        rows = [row(r) for r in ("failed", "crashed", "time-out", "survived", "not decided")]
         self.assertEqual(report.score(rows).strip(), "60.0")
 
     def test_an_equivalent_mutant_does_not_count(self):
         rows = [row("survived"), row("failed")]
         known = {report.key(rows[0]): "both sides are equal only if …"}
         text = report.text(rows, known)
-        self.assertRegex(text, r"all +2 +1 +0 +0 +0 +0 +1 +100\.0")
+        self.assertRegex(text, r"all +2 +1 +0 +0 +0 +0 +0 +1 +100\.0")
         self.assertNotIn("task.cpp:7", text)
 
     def test_a_survivor_is_listed_with_its_place(self):
@@ -40,23 +41,70 @@ class Trials(unittest.TestCase):
     def program(script):
         return trials.Program(("sh", "-c", script), "/")
 
-    def test_the_quickest_program_comes_first(self):
-        slow, quick = self.program("exit 0"), self.program("exit 1")
-        tests = [trials.Test("a", slow, "", 5), trials.Test("b", quick, "", 2), trials.Test("c", quick, "", 2)]
-        self.assertEqual([[t.name for t in group] for group in trials.by_program(tests)], [["b", "c"], ["a"]])
+    def test_tests_of_one_program_run_together_for_a_second_the_quickest_first(self):
+        a, b = self.program("a"), self.program("b")
+        tests = [trials.Test(name, program, name, seconds) for name, program, seconds in
+                 (("long", a, 5), ("half", a, 0.5), ("third", a, 0.3), ("other", b, 0.1), ("more", a, 0.4))]
+        self.assertEqual([[t.name for t in chunk] for chunk in trials.chunks(tests)],
+                         [["other"], ["half"], ["third", "more"], ["long"]])
+
+    def test_tests_with_another_number_of_cases_run_apart(self):
+        program = self.program("")
+        tests = [trials.Test("few", program, "few", 0.1, 100), trials.Test("all", program, "all", 0.2)]
+        self.assertEqual(trials.chunks(tests), [[tests[0]], [tests[1]]])
+
+    def test_a_test_that_noticed_mutants_of_the_same_function_comes_first(self):
+        def site(file, function):
+            return sites.Site(file, 1, function, [], [])
+        killers, tests = trials.Killers(), [trials.Test(name, self.program(""), name, 0.1) for name in "abcd"]
+        for place, test in ((("x.cpp", "f"), "b"), (("x.cpp", "g"), "c"), (("y.cpp", "f"), "d")):
+            killers.add(site(*place), test)
+        order = trials.in_order(site("x.cpp", "f"), tests, killers)
+        self.assertEqual([[t.name for t in chunk] for chunk in order], [["b"], ["c"], ["d"], ["a"]])
+
+    def trial(self, *scripts, **limits):
+        groups = [[trials.Test("t", self.program(script), "")] for script in scripts]
+        return trials.try_mutant(7, groups, **limits)[:2]
 
     def test_a_mutant_ends_as_its_first_test_that_notices_it(self):
-        def result(script):
-            return trials.try_mutant(1, [trials.Test("t", self.program(script), "", 0)])
-        self.assertEqual(result("exit 0"), ("survived", ""))
-        self.assertEqual(result("echo '[  FAILED  ] Suite.sentence, where'; exit 1"), ("failed", "Suite.sentence"))
-        self.assertEqual(result("echo '[ RUN      ] Suite.sentence'; kill -SEGV $$"), ("crashed", "Suite.sentence"))
+        self.assertEqual(self.trial("exit 0"), ("survived", ""))
+        self.assertEqual(self.trial("exit 0", "exit 1"), ("failed", "t"))
+        self.assertEqual(self.trial("echo '[  FAILED  ] Suite.sentence, where'; exit 1"), ("failed", "Suite.sentence"))
+        self.assertEqual(self.trial("echo '[ RUN      ] Suite.sentence'; kill -SEGV $$"), ("crashed", "Suite.sentence"))
+        self.assertEqual(self.trial(), ("never evaluated", ""))
 
-    def test_a_program_that_runs_too_long_is_stopped(self):
-        self.assertEqual(trials.run(self.program("sleep 60"), [], 0.1, {}), (None, ""))
+    def test_a_program_that_computes_too_long_is_stopped(self):
+        self.assertEqual(self.trial("while :; do :; done"), ("time-out", "t"))
+
+    def test_a_mutant_whose_tests_take_too_long_is_not_decided(self):
+        self.assertEqual(self.trial("exit 0", "exit 1", most_seconds=0), ("not decided", ""))
 
     def test_a_program_gets_the_number_of_its_mutant(self):
-        self.assertEqual(trials.try_mutant(7, [trials.Test("t", self.program("exit $PARDEL_MUTATION"), "", 0)])[0], "crashed")
+        self.assertEqual(self.trial("exit $PARDEL_MUTATION")[0], "crashed")
+
+    def test_a_property_that_fails_with_few_cases_gets_the_usual_number(self):
+        def traced(script):
+            result = trials.trace(trials.Test("t", self.program(script), ""), 100)
+            return result.passed, result.cases
+        self.assertEqual(traced("exit 0"), (True, 100))
+        self.assertEqual(traced("case $RC_PARAMS in *max_success*) exit 1;; esac"), (True, 0))
+        self.assertEqual(traced("exit 1"), (False, 0))
+
+    def test_a_test_is_traced_again_only_if_its_program_changes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "program"
+            file.write_text("#!/bin/sh\necho 5 > $PARDEL_MUTATION_TRACE/trace\n")
+            file.chmod(0o755)
+            test, traces = trials.Test("t", trials.Program((str(file),), folder), ""), {}
+            trials.trace_all([test], 0, traces, 1)
+            first = traces.copy()
+            trials.trace_all([test], 0, traces, 1)
+            self.assertEqual(traces, first)
+            reaching, failing = trials.tests_of_mutants([test], 0, traces)
+            self.assertEqual(([t.name for t in reaching[5]], failing), (["t"], []))
+            os.utime(file, ns=(0, 0))
+            trials.trace_all([test], 0, traces, 1)
+            self.assertEqual(len(traces), 2)
 
 
 class Copy(unittest.TestCase):
