@@ -84,6 +84,36 @@ TEST(Witnesses, are_fractions_where_these_are_short) {
   EXPECT_EQ(checker::exactly::in_circle_text({0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}), "1/2");
 }
 
+TEST(Witnesses, are_rounded_where_a_fraction_has_more_than_40_characters) {
+  const auto doubled_area = [](double x, double y) { return checker::exactly::orientation_text({0, 0}, {x, 0}, {0, y}); };
+  EXPECT_EQ(doubled_area(1e20, 1e19), "1" + std::string(39, '0'));
+  EXPECT_EQ(doubled_area(0x1p67, 0x1p67), "2.1778071482940062e+40 (rounded)");
+  EXPECT_EQ(doubled_area(-0x1p67, 0x1p67), "-2.1778071482940062e+40 (rounded)");
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(doubled_area(tiny, tiny), "a positive number below the least double");
+  EXPECT_EQ(doubled_area(-tiny, tiny), "a negative number above the greatest");
+}
+
+TEST(Witnesses, without_a_value_say_so) {
+  EXPECT_EQ(checker::exactly::squared_cosine_text({1, 1}, {1, 1}, {2, 3}), "undefined");
+  EXPECT_EQ(checker::exactly::squared_circumradius_text({0, 0}, {1, 1}, {2, 2}), "infinite");
+  EXPECT_EQ(checker::exactly::squared_line_distance_text({0, 1}, {2, 2}, {2, 2}), "undefined");
+  EXPECT_EQ(checker::exactly::squared_line_distance_text({0, 1}, {0, 0}, {1, 1}), "1/2");
+}
+
+TEST(ExactSum, of_numbers_below_the_least_normal_double_is_exact) {
+  const double least_normal = std::numeric_limits<double>::min(), tiny = std::numeric_limits<double>::denorm_min();
+  ExactSum sum;
+  sum.add_product(least_normal / 2, 2);
+  EXPECT_EQ(sum.rounded(), least_normal);
+  sum.subtract_product(least_normal - tiny, 1);
+  sum.add_product(0, 7);
+  sum.add_product(2, tiny);
+  EXPECT_EQ(sum.rounded(), 3 * tiny);
+  sum.subtract_product(4, tiny);
+  EXPECT_EQ(sum.rounded(), -tiny);
+}
+
 TEST(ExactSum, holds_products_of_the_smallest_and_the_largest_doubles_together) {
   const double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
   ExactSum sum;
