@@ -391,6 +391,17 @@ TEST(Check, accepts_that_segments_outside_the_domain_are_absent) {
   EXPECT_TRUE(is_valid(check(c)));
 }
 
+TEST(Check, accepts_that_a_segment_outside_the_domain_is_absent_after_thousands_of_others) {
+  Case c;
+  c.pslg = domains::comb(1100, 1e-4);
+  c.mesh = testing::triangulated_by_cgal(c.pslg);
+  const auto end = static_cast<Index>(c.pslg.points.size());
+  c.pslg.points.insert(c.pslg.points.end(), {{-8, -8}, {-8, -9}});
+  c.pslg.segments.push_back({end, end + 1});
+  EXPECT_GT(c.pslg.segments.size(), 4096u) << "more than one block of segments";
+  EXPECT_TRUE(is_valid(check(c)));
+}
+
 // Tests of labels.
 
 TEST(Check, reports_constrained_edges_that_are_wrong_or_missing) {
@@ -608,6 +619,26 @@ TEST(Check, compares_the_markers_of_a_foreign_mesh_with_the_points_at_the_same_p
   EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true})));
   c.mesh.point_markers[renumbered(0)] = 5;
   EXPECT_TRUE(reports_only(check(c, no_angle_bound(), {.foreign = true}), Kind::wrong_vertex_marker));
+}
+
+TEST(Check, follows_a_segment_in_short_steps_where_a_file_marks_no_edges) {
+  // So far from the origin, vertex 4 lies within the rounding distance of segment 0-2, and no edge is marked. The chain
+  // passes vertex 4, so the flat triangle lies in the region below.
+  const double far = 0x1p52;
+  const auto at = [&](double x, double y) { return Point{far + x, far + y}; };
+  Case c;
+  c.pslg.points = {at(0, 0), at(4, -20), at(8, 0), at(4, 20)};
+  c.pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}};
+  c.pslg.regions = {{at(4, -10), 7, 1000}, {at(4, 10), 8, 1000}};
+  std::vector<Point> points = c.pslg.points;
+  points.push_back(at(4, 1));
+  c.mesh = testing::mesh_of(points, {{0, 1, 2}, {0, 2, 4}, {4, 2, 3}, {0, 4, 3}});
+  c.mesh.origin.clear();
+  c.mesh.region.append(std::vector<Index>{0, 0, 1, 1});
+  c.mesh.region_attributes = {7, 8};
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true})));
+  c.mesh.region[1] = 1;
+  EXPECT_TRUE(reports_only(check(c, no_angle_bound(), {.foreign = true}), Kind::wrong_region));
 }
 
 TEST(Check, takes_edges_of_a_foreign_mesh_as_unmarked_only_if_all_markers_are_zero) {

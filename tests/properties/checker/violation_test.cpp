@@ -398,6 +398,22 @@ TEST(Violations, of_input_points) {
             "missing_input_vertex: input point 4 of the domain is not a vertex of the mesh [ids 4] at (0.5, 0.25)\n");
 }
 
+TEST(Violations, of_points_that_stand_twice_in_a_file) {
+  const std::vector<Point> points{{3, 3}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {3, 3}};
+  Case c = testing::square_in_two();
+  c.mesh = testing::mesh_of(points, {{1, 2, 3}, {1, 3, 4}});
+  c.mesh.origin.clear();
+  c.pslg.points.push_back({3, 3});
+  EXPECT_EQ(said_about_file(c),
+            "unused_vertex: vertex 5 has no triangle and is not an input point [ids 5] at (3, 3)\n")
+      << "outside the domain, the first is the input point";
+  c.mesh = testing::mesh_of({{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 1}}, {{0, 1, 4}, {0, 4, 2}});
+  c.mesh.origin.clear();
+  c.pslg.points.pop_back();
+  EXPECT_EQ(said_about_file(c), "unused_vertex: vertex 3 has no triangle and is not an input point [ids 3] at (1, 1)\n")
+      << "in the domain, the one with triangles is the input point";
+}
+
 TEST(Violations, of_chains_off_their_segments) {
   Case c = testing::square_in_eight();
   c.mesh.points[6].x = 2 + 0x1p-30;
