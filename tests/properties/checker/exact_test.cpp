@@ -85,7 +85,9 @@ TEST(Witnesses, are_fractions_where_these_are_short) {
 }
 
 TEST(Witnesses, are_rounded_where_a_fraction_has_more_than_40_characters) {
-  const auto doubled_area = [](double x, double y) { return checker::exactly::orientation_text({0, 0}, {x, 0}, {0, y}); };
+  const auto doubled_area = [](double x, double y) {
+    return checker::exactly::orientation_text({0, 0}, {x, 0}, {0, y});
+  };
   EXPECT_EQ(doubled_area(1e20, 1e19), "1" + std::string(39, '0'));
   EXPECT_EQ(doubled_area(0x1p67, 0x1p67), "2.1778071482940062e+40 (rounded)");
   EXPECT_EQ(doubled_area(-0x1p67, 0x1p67), "-2.1778071482940062e+40 (rounded)");

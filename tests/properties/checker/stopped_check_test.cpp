@@ -53,10 +53,12 @@ std::size_t questions(const std::function<void(Findings&)>& stages,
   return asked;
 }
 
-/// Expects that the stages ask at least once in 1024 steps, and that they can be stopped at every question.
-void expect_stoppable(const std::function<void(Findings&)>& stages, std::size_t steps) {
+/// Expects that the stages ask at least once in 1024 steps, and that they can be stopped at every question. `expected`
+/// is the exact number of questions: each loop counts, so a loop that no longer asks lowers it.
+void expect_stoppable(const std::function<void(Findings&)>& stages, std::size_t steps, std::size_t expected) {
   const std::size_t asked = questions(stages);
   EXPECT_GE(asked, steps / most_steps_between_questions);
+  EXPECT_EQ(asked, expected);
   for (const std::size_t last : {std::size_t{1}, asked / 3, asked / 2, asked - 1, asked})
     EXPECT_EQ(questions(stages, last), last) << "no question after the answer that stops the check";
 }
@@ -65,38 +67,60 @@ TEST(Checker, asks_once_in_1024_steps_in_the_topology_of_a_mesh) {
   const auto& [pslg, goal, mesh] = comb();
   const CheckOptions options;
   const Subject subject{pslg, mesh, goal, options};
-  expect_stoppable([&](Findings& found) { (void)check_sanity(subject, found); }, 2 * mesh.triangles.size());
-  expect_stoppable([&](Findings& found) { (void)check_topology(subject, true, found); }, 5 * mesh.triangles.size());
+  const std::size_t triangles = mesh.triangles.size();
+  expect_stoppable([&](Findings& found) { (void)check_sanity(subject, found); }, 2 * triangles, 191);
+  expect_stoppable([&](Findings& found) { (void)check_topology(subject, true, found); }, 5 * triangles, 775);
   // Without usable neighbours, the half-edges are sorted.
-  expect_stoppable([&](Findings& found) { (void)check_topology(subject, false, found); }, 20 * mesh.triangles.size());
+  expect_stoppable([&](Findings& found) { (void)check_topology(subject, false, found); }, 20 * triangles, 2806);
 }
 
 TEST(Checker, asks_once_in_1024_steps_in_the_stages_that_use_the_domain) {
   const auto& [pslg, goal, mesh] = comb();
   const CheckOptions options;
   const Subject subject{pslg, mesh, goal, options};
+  const std::size_t triangles = mesh.triangles.size(), points = mesh.points.size(),
+                    edges = mesh.constrained_edges.size();
   Findings none(10);
   const Adjacency adjacency = check_topology(subject, true, none);
   expect_stoppable([&](Findings& found) { const Domain domain(pslg, false, found.stop()); },
-                   4 * pslg.segments.size() + 3 * pslg.points.size());
+                   4 * pslg.segments.size() + 3 * pslg.points.size(), 657);
   const Domain domain(pslg, false);
   const InputVertices inputs = check_input_vertices(subject, domain, adjacency, none);
-  expect_stoppable([&](Findings& found) { (void)check_segments(subject, domain, adjacency, inputs, found); },
-                   2 * mesh.constrained_edges.size());
+  expect_stoppable([&](Findings& found) { (void)check_segments(subject, domain, adjacency, inputs, found); }, 2 * edges,
+                   32621);
   const Chains chains = check_segments(subject, domain, adjacency, inputs, none);
   expect_stoppable([&](Findings& found) { check_coverage(subject, domain, adjacency, chains, found); },
-                   mesh.triangles.size() + 8 * chains.edges.size());
-  expect_stoppable([&](Findings& found) { (void)paint_faces(domain, adjacency, chains, found.stop()); },
-                   mesh.triangles.size());
+                   triangles + 8 * edges, 5198);
+  expect_stoppable([&](Findings& found) { (void)paint_faces(domain, adjacency, chains, found.stop()); }, triangles, 32);
   expect_stoppable([&](Findings& found) { check_labels(subject, domain, adjacency, chains, inputs, {}, found); },
-                   2 * mesh.points.size() + 2 * chains.edges.size());
-  expect_stoppable([&](Findings& found) { check_delaunay(subject, adjacency, chains, found); }, mesh.triangles.size());
+                   2 * points + 2 * edges, 4445);
+  expect_stoppable([&](Findings& found) { check_delaunay(subject, adjacency, chains, found); }, triangles, 32);
   std::vector<Justified> justified;
   expect_stoppable(
-      [&](Findings& found) { check_goal(subject, domain, adjacency, chains, inputs, {}, found, justified); },
-      mesh.triangles.size());
+      [&](Findings& found) { check_goal(subject, domain, adjacency, chains, inputs, {}, found, justified); }, triangles,
+      32);
   Certificate certificate;
-  expect_stoppable([&](Findings& found) { measure(mesh, certificate, found.stop()); }, mesh.triangles.size());
+  expect_stoppable([&](Findings& found) { measure(mesh, certificate, found.stop()); }, triangles, 32);
+}
+
+TEST(Checker, asks_once_in_1024_steps_where_a_file_has_another_order_and_no_constrained_edges) {
+  const auto& [pslg, goal, mesh] = comb();
+  Mesh file = mesh;
+  file.constrained_edges.clear();
+  file.origin.clear();
+  std::swap(file.points[0], file.points[1]);
+  for (Triangle& triangle : file.triangles)
+    for (Index& v : triangle.v) v = v == 0 ? 1 : v == 1 ? 0 : v;
+  const CheckOptions options{.foreign = true};
+  const Subject subject{pslg, file, goal, options};
+  Findings none(10);
+  const Adjacency adjacency = check_topology(subject, true, none);
+  const Domain domain(pslg, false);
+  expect_stoppable([&](Findings& found) { (void)check_input_vertices(subject, domain, adjacency, found); },
+                   3 * file.points.size(), 640);
+  const InputVertices inputs = check_input_vertices(subject, domain, adjacency, none);
+  expect_stoppable([&](Findings& found) { (void)check_segments(subject, domain, adjacency, inputs, found); },
+                   file.triangles.size() + pslg.segments.size(), 32653);
 }
 
 TEST(Checker, that_its_caller_stops_says_so_and_gives_no_verdict) {

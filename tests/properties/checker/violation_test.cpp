@@ -404,8 +404,7 @@ TEST(Violations, of_points_that_stand_twice_in_a_file) {
   c.mesh = testing::mesh_of(points, {{1, 2, 3}, {1, 3, 4}});
   c.mesh.origin.clear();
   c.pslg.points.push_back({3, 3});
-  EXPECT_EQ(said_about_file(c),
-            "unused_vertex: vertex 5 has no triangle and is not an input point [ids 5] at (3, 3)\n")
+  EXPECT_EQ(said_about_file(c), "unused_vertex: vertex 5 has no triangle and is not an input point [ids 5] at (3, 3)\n")
       << "outside the domain, the first is the input point";
   c.mesh = testing::mesh_of({{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 1}}, {{0, 1, 4}, {0, 4, 2}});
   c.mesh.origin.clear();
