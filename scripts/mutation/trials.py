@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 import resource
+import signal
 import subprocess
 import tempfile
 import threading
@@ -61,7 +62,10 @@ def settings(cases):
     return {"RC_PARAMS": parameters, "OMP_WAIT_POLICY": "passive"}
 
 
-def set_limits(seconds):
+def begin(seconds):
+    """In the process of a test. A process that a shell started in the background ignores interrupts; no test does."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
 
@@ -83,7 +87,7 @@ def run(tests, seconds, variables):
     with tempfile.TemporaryFile() as output:
         process = subprocess.Popen(command, cwd=program.folder, env=os.environ | settings(tests[0].cases) | variables,
                                    stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
-                                   start_new_session=True, preexec_fn=lambda: set_limits(limit))
+                                   start_new_session=True, preexec_fn=lambda: begin(limit))
         timer = threading.Timer(60 + 10 * seconds, kill_group, (process.pid,))
         timer.start()
         _, status, usage = os.wait4(process.pid, 0)
@@ -106,7 +110,7 @@ def trace(test, cases):
     """Runs a test without a mutant. A property that fails because it has few cases gets the usual number."""
     for number in (cases, 0) if cases else (0,):
         with tempfile.TemporaryDirectory() as folder:
-            code, _, seconds = run([dataclasses.replace(test, cases=number)], 600, {"PARDEL_MUTATION_TRACE": folder})
+            code, _, seconds = run([dataclasses.replace(test, cases=number)], 100, {"PARDEL_MUTATION_TRACE": folder})
             reached = {int(line) for file in pathlib.Path(folder).iterdir() for line in file.read_text().split()}
         if code == 0:
             break

@@ -1,6 +1,7 @@
 """The report, the choice of tests, and the search for places that do not compile."""
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -75,6 +76,10 @@ class Trials(unittest.TestCase):
 
     def test_a_program_that_computes_too_long_is_stopped(self):
         self.assertEqual(self.trial("while :; do :; done"), ("time-out", "t"))
+
+    def test_interrupts_reach_a_test_also_if_the_run_ignores_them(self):
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
+        self.assertEqual(self.trial("kill -INT $$; exit 0"), ("crashed", "t"))
 
     def test_a_mutant_whose_tests_take_too_long_is_not_decided(self):
         self.assertEqual(self.trial("exit 0", "exit 1", most_seconds=0), ("not decided", ""))
