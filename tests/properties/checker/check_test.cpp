@@ -621,6 +621,13 @@ TEST(Check, compares_the_markers_of_a_foreign_mesh_with_the_points_at_the_same_p
   EXPECT_TRUE(reports_only(check(c, no_angle_bound(), {.foreign = true}), Kind::wrong_vertex_marker));
 }
 
+TEST(Check, matches_the_vertices_of_a_file_by_coordinates_if_only_the_first_is_another_one) {
+  Case c = testing::square_in_two();
+  c.mesh = testing::mesh_of({{0.5, 0.5}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}, {{0, 4, 1}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
+  c.mesh.origin.clear();
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true})));
+}
+
 TEST(Check, follows_a_segment_in_short_steps_where_a_file_marks_no_edges) {
   // So far from the origin, vertex 4 lies within the rounding distance of segment 0-2, and no edge is marked. The chain
   // passes vertex 4, so the flat triangle lies in the region below.
@@ -687,6 +694,24 @@ TEST(Certificate, has_the_extremes_and_their_triangles) {
   EXPECT_EQ(certificate.angle_histogram.size(), 18u);
   EXPECT_EQ(angles, 24u);
   EXPECT_EQ(certificate.digest, digest(testing::square_in_eight().mesh));
+}
+
+TEST(Certificate, has_the_measures_of_triangles_far_from_the_origin) {
+  Case c;
+  c.pslg.points = {{100, 200}, {103, 200}, {103, 204}, {100, 204}};
+  c.pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  c.mesh = testing::mesh_of(c.pslg.points, {{0, 1, 2}, {0, 2, 3}});
+  c.mesh.constrained_edges = {{0, 1, 0, 1}, {1, 2, 1, 1}, {2, 3, 2, 1}, {3, 0, 3, 1}};
+  const Certificate certificate = check(c);
+  EXPECT_TRUE(is_valid(certificate));
+  EXPECT_EQ(certificate.area, 12);
+  EXPECT_EQ(certificate.max_area.value, 6);
+  EXPECT_EQ(certificate.min_edge.value, 3);
+  EXPECT_EQ(certificate.max_edge.value, 5);
+  EXPECT_NEAR(certificate.max_circumradius.value, 2.5, 1e-15);
+  EXPECT_NEAR(certificate.max_radius_edge_ratio.value, 2.5 / 3, 1e-15);
+  EXPECT_NEAR(certificate.min_angle_deg.value, 36.869897645844021, 1e-13);
+  EXPECT_NEAR(certificate.max_angle_deg.value, 90, 1e-13);
 }
 
 TEST(Certificate, is_valid_JSON) {

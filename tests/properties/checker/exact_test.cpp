@@ -72,6 +72,13 @@ TEST(Circumradius, of_a_right_triangle_is_half_its_hypotenuse) {
   EXPECT_TRUE(checker::exactly::circumradius_exceeds({0, 0}, {3, 0}, {0, 4}, down(2.5)));
 }
 
+TEST(Lengths, that_are_equal_are_equal_also_where_doubles_do_not_show_it) {
+  const Point a{0.1, 0.2}, b{0.4, 0.7};
+  EXPECT_EQ(checker::exactly::compare_lengths(a, b, b, a), 0);
+  EXPECT_EQ(checker::exactly::compare_lengths(a, b, a, {0.4, up(0.7)}), -1);
+  EXPECT_EQ(checker::exactly::compare_lengths(a, {0.4, up(0.7)}, a, b), 1);
+}
+
 TEST(LineDistance, is_exact) {
   EXPECT_FALSE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, 5));
   EXPECT_TRUE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, down(5)));

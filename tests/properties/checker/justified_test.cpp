@@ -47,6 +47,39 @@ TEST(Check, justifies_triangles_at_a_small_input_angle) {
   }
 }
 
+TEST(Check, justifies_no_small_angle_by_a_larger_angle_of_the_domain_in_the_same_triangle) {
+  // Triangle 0-1-2 has an angle of 12 degrees at vertex 1, and one of 63 degrees between segments at vertex 0.
+  for (const double side : {1.0, -1.0}) {
+    Case c;
+    c.pslg.points = {{0, 0}, {10, 0}, {1, 2 * side}, {10, 10 * side}};
+    c.pslg.segments = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+    c.mesh = side > 0 ? testing::mesh_of(c.pslg.points, {{0, 1, 2}, {1, 3, 2}})
+                      : testing::mesh_of(c.pslg.points, {{0, 2, 1}, {1, 2, 3}});
+    c.mesh.constrained_edges = {{0, 1, 0, 1}, {1, 3, 1, 1}, {3, 2, 2, 1}, {2, 0, 3, 1}};
+    Goal goal;
+    goal.min_angle_deg = 20;
+    EXPECT_TRUE(reports_only(check(c, goal), Kind::small_angle));
+  }
+}
+
+TEST(Check, justifies_a_triangle_at_either_of_two_equally_small_angles) {
+  // Triangle 0-1-2 has angles of 14 degrees at vertices 0 and 2. Only the angle at vertex 0 is one of the domain.
+  for (const double side : {1.0, -1.0}) {
+    Case c;
+    c.pslg.points = {{0, 0}, {4, side}, {8, 0}, {8, 4 * side}};
+    c.pslg.segments = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+    c.mesh = side < 0 ? testing::mesh_of(c.pslg.points, {{0, 1, 2}, {1, 3, 2}})
+                      : testing::mesh_of(c.pslg.points, {{0, 2, 1}, {1, 2, 3}});
+    c.mesh.constrained_edges = {{0, 1, 0, 1}, {1, 3, 1, 1}, {3, 2, 2, 1}, {2, 0, 3, 1}};
+    Goal goal;
+    goal.min_angle_deg = 20;
+    const Certificate certificate = check(c, goal);
+    EXPECT_TRUE(is_valid(certificate));
+    ASSERT_EQ(certificate.justified.size(), 1u);
+    EXPECT_EQ(certificate.justified[0].apex, 0u);
+  }
+}
+
 PARDEL_FACT(
     Check, justifies_nothing_that_is_not_on_one_shell,
     {.statement = "a triangle outside the corner of two segments is not justified by their small angle if none of its "

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "../../../properties/checker/domain_faces.hpp"
 #include "../../../properties/checker/model/domain.hpp"
 #include "../../../properties/domains/domains.hpp"
 
@@ -93,6 +94,29 @@ TEST(Domain, is_every_face_except_the_exterior_and_the_holes) {
   EXPECT_TRUE(domain.has_point(17));
   EXPECT_FALSE(domain.has_point(18));
   EXPECT_TRUE(domain.on_boundary(0));
+}
+
+TEST(Domain, has_faces_on_the_sides_of_segments_and_around_isolated_points) {
+  Pslg pslg;
+  add_square(pslg, {0, 0}, 2);
+  add_square(pslg, {0, 0}, 1);
+  pslg.points.push_back({0, 1.5});  // between the squares
+  pslg.points.push_back({0, 0.5});  // in the hole
+  pslg.points.push_back({-1.5, 0});
+  pslg.holes = {{0, 0}};
+  const DomainFaces faces = faces_of_domain(pslg, false);
+  ASSERT_EQ(faces.segments.size(), 8u);
+  ASSERT_EQ(faces.sides.size(), 8u);
+  const Index ring = faces.sides[0].left;
+  EXPECT_NE(ring, no_index);
+  for (Index s = 0; s < 8; ++s) {
+    EXPECT_EQ(faces.sides[s].left, s < 4 ? ring : no_index);
+    EXPECT_EQ(faces.sides[s].right, s < 4 ? no_index : ring);
+  }
+  ASSERT_EQ(faces.isolated_points.size(), 2u);
+  EXPECT_EQ(faces.isolated_points[0].point, 8u);
+  EXPECT_EQ(faces.isolated_points[1].point, 10u);
+  for (const auto& isolated : faces.isolated_points) EXPECT_EQ(isolated.face, ring);
 }
 
 TEST(Domain, without_segments_is_the_convex_hull_through_all_points_on_it) {

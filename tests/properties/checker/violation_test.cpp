@@ -261,6 +261,26 @@ TEST(Violations, of_a_closed_fan_and_a_triangle_at_its_vertex) {
             "difference rounds to 0.125\n");
 }
 
+TEST(Violations, of_a_closed_fan_and_a_triangle_at_vertex_0) {
+  Case c = testing::square_in_two();
+  c.pslg.segments.push_back({0, 2, 0});
+  c.mesh = testing::mesh_of({{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.75, 0.5}, {0.75, 0.625}},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {0, 5, 6}});
+  c.mesh.origin.clear();
+  EXPECT_EQ(said_about_file(c),
+            "non_manifold_vertex: vertex 0 has 5 triangles, but a walk around it from its boundary edges reaches 1 "
+            "[ids 0] at (0.5, 0.5)\n"
+            "overlap: the triangles cover the left of boundary edge 0-5 2 times and its right 1 times [ids 4 0 5] at "
+            "(0.5, 0.5), (0.75, 0.5)\n"
+            "overlap: the triangles cover the left of boundary edge 5-6 2 times and its right 1 times [ids 4 5 6] at "
+            "(0.75, 0.5), (0.75, 0.625)\n"
+            "overlap: the triangles cover the left of boundary edge 6-0 2 times and its right 1 times [ids 4 6 0] at "
+            "(0.75, 0.625), (0.5, 0.5)\n"
+            "area_mismatch: the triangles' areas sum to 1.015625, the area within the boundary is 1; the exact "
+            "difference rounds to 0.015625\n")
+      << "the chain of segment 4 goes through the fan that is closed";
+}
+
 TEST(Violations, of_two_triangles_on_one_side_of_an_edge) {
   EXPECT_EQ(said_about(square_and({{0.25, 0.5}}, loose(0, 1, 4))),
             "non_manifold_edge: edge 0-1 has 2 triangles, more than one on a side [ids 0 2] at (0, 0), (1, 0)\n"
@@ -589,6 +609,13 @@ TEST(Violations, of_markers_from_segments_outside_the_domain) {
   c.mesh.point_markers.append(std::vector<int>{1, 6, 1, 1, 6});
   EXPECT_EQ(said_about_file(c), "");
   EXPECT_EQ(said_about(c), "wrong_vertex_marker: vertex 1 has marker 6 instead of 1 [ids 1] at (1, 0)\n");
+  c.pslg.segments.back().marker = 1;
+  c.mesh.point_markers[4] = 1;
+  c.pslg.segments[0].marker = c.pslg.segments[1].marker = 7;
+  c.pslg.has_segment_markers = true;
+  c.mesh.constrained_edges[0].marker = c.mesh.constrained_edges[1].marker = 7;
+  for (const Index v : {0, 1, 2}) c.mesh.point_markers[v] = v == 1 ? 1 : 7;
+  EXPECT_EQ(said_about_file(c), "") << "marker 1 of the segment outside";
 }
 
 TEST(Violations, of_origins) {
@@ -648,6 +675,13 @@ TEST(Violations, of_attributes) {
             "wrong_attribute: attribute 1 of vertex 3 is 9 instead of 8 [ids 3] at (0, 1)\n");
   c.pslg.point_attributes.pop_back();
   EXPECT_EQ(said_about(c), "") << "an input with too few attributes says nothing about vertices";
+}
+
+TEST(Violations, of_attributes_that_a_file_has_and_the_input_has_not) {
+  Case c = testing::square_in_two();
+  c.mesh.attributes_per_point = 1;
+  c.mesh.point_attributes = {1, 2, 3, 4};
+  EXPECT_EQ(said_about_file(c), "wrong_count: attributes of a point: 1 entries instead of 0\n");
 }
 
 TEST(Violations, of_arrays_and_ids) {
