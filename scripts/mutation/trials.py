@@ -16,6 +16,7 @@ import threading
 LEFT_OUT_LABELS = {"mutants", "docs", "examples", "install", "harness"}
 MOST_MEMORY = 6 << 30  # bytes per process
 CHUNK = 1.0  # seconds of the tests that run in one process
+START = 0.02  # seconds until a process runs
 FAVOURITES = 3  # tests that come first because they noticed other mutants of the function, of the file, of all files
 KILLED_BY_LIMIT = -9
 
@@ -34,6 +35,7 @@ class Test:
     filter: str  # empty if the program is one test
     seconds: float = 0  # of processor time
     cases: int = 0  # of a property; 0: as many as usual
+    mutants: int = 0  # that the test evaluates
 
 
 def all_tests(build):
@@ -139,7 +141,7 @@ def tests_of_mutants(tests, cases, traces):
         if not result.passed:
             failing.append(test.name)
             continue
-        traced = dataclasses.replace(test, seconds=result.seconds, cases=result.cases)
+        traced = dataclasses.replace(test, seconds=result.seconds, cases=result.cases, mutants=len(result.reached))
         for number in result.reached:
             reaching[number].append(traced)
     return reaching, failing
@@ -168,16 +170,21 @@ class Killers:
         return list(found.values())
 
 
+def distance(test):
+    """Small for quick tests and for tests of a small part of the sources, which are likely to notice its mutants."""
+    return test.mutants * (START + test.seconds)
+
+
 def chunks(tests):
-    """Lists of tests of one program that take a second together, or one test that takes longer; the quickest first."""
+    """Lists of tests of one program that take a second together, or one test that takes longer; the nearest first."""
     groups, result = collections.defaultdict(list), []
-    for test in sorted(tests, key=lambda test: test.seconds):
+    for test in sorted(tests, key=distance):
         group = groups[test.program, test.cases]
         if group and sum(t.seconds for t in group) + test.seconds > CHUNK:
             result.append(group)
             group = groups[test.program, test.cases] = []
         group.append(test)
-    return sorted([*result, *groups.values()], key=lambda group: sum(test.seconds for test in group))
+    return sorted([*result, *groups.values()], key=lambda group: distance(group[0]))
 
 
 def in_order(site, tests, killers):

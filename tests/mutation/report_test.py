@@ -44,10 +44,15 @@ class Trials(unittest.TestCase):
 
     def test_tests_of_one_program_run_together_for_a_second_the_quickest_first(self):
         a, b = self.program("a"), self.program("b")
-        tests = [trials.Test(name, program, name, seconds) for name, program, seconds in
+        tests = [trials.Test(name, program, name, seconds, mutants=1) for name, program, seconds in
                  (("long", a, 5), ("half", a, 0.5), ("third", a, 0.3), ("other", b, 0.1), ("more", a, 0.4))]
         self.assertEqual([[t.name for t in chunk] for chunk in trials.chunks(tests)],
-                         [["other"], ["half"], ["third", "more"], ["long"]])
+                         [["other"], ["third", "more"], ["half"], ["long"]])
+
+    def test_of_equally_quick_tests_the_one_that_evaluates_fewer_mutants_comes_first(self):
+        tests = [trials.Test(name, self.program(name), name, 0.1, mutants=mutants) for name, mutants in
+                 (("all", 2000), ("room", 30), ("library", 400))]
+        self.assertEqual([chunk[0].name for chunk in trials.chunks(tests)], ["room", "library", "all"])
 
     def test_tests_with_another_number_of_cases_run_apart(self):
         program = self.program("")

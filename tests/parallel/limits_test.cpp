@@ -1,4 +1,6 @@
 // Tests limits that end a run before the goal is met, and errors that the caller makes.
+#include "../../parallel/scheduling/limits.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,6 +75,21 @@ TEST(Memory, that_cannot_suffice_is_reported_before_the_work) {
   const Result<Meshed> numbers = mesh(pslg, {.max_area = 1e-12});
   ASSERT_FALSE(numbers);
   EXPECT_EQ(numbers.error().kind, ErrorKind::resources);
+}
+
+TEST(Memory, that_is_needed_at_least_is_that_of_twice_as_many_triangles_as_vertices_are_allowed) {
+  const auto fits = [](double triangles, std::uint64_t vertices, std::uint64_t memory) {
+    return bool(check_size(triangles, {.max_vertices = vertices, .max_memory = memory}));
+  };
+  std::uint64_t memory = 1000;  // of 2000 triangles
+  while (!fits(2000, 0, memory)) ++memory;
+  EXPECT_TRUE(fits(1e9, 1000, memory));
+  EXPECT_FALSE(fits(1e9, 1000, memory - 1));
+  EXPECT_TRUE(fits(2000, 1'000'000, memory));
+  EXPECT_FALSE(fits(1e9, 0, 0)) << "more triangles than can be numbered";
+  EXPECT_TRUE(outgrows_memory(1, {.max_memory = 1}));
+  EXPECT_FALSE(outgrows_memory(1, {.max_memory = 1000}));
+  EXPECT_FALSE(outgrows_memory(1'000'000, {.max_memory = 0})) << "no limit";
 }
 
 TEST(Memory, that_suffices_is_not_refused) {

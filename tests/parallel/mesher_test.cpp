@@ -133,6 +133,12 @@ TEST(Mesher, applies_the_caps_of_regions_only_where_the_goal_says_so) {
   EXPECT_FALSE(check(pslg, free.mesh, {.region_caps = true}).valid);
 }
 
+TEST(Mesher, refuses_tiles_without_triangles) {
+  const Result<Meshed> refused = mesh(domains::pipe(), {}, {.triangles_per_tile = 0});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "the triangles of a tile must be positive, not 0");
+}
+
 TEST(Mesher, refuses_a_negative_number_of_threads) {
   const Pslg pslg = domains::square();
   const Result<ValidPslg, std::vector<Problem>> valid = validate(pslg);

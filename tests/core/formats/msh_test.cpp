@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "../../../core/digest.hpp"
@@ -101,6 +104,51 @@ TEST(Msh, makes_regions_and_markers_physical_groups_whose_tags_are_their_values_
   EXPECT_NE(folder.read("m.msh").find("$PhysicalNames\n6\n1 2 \"marker -4\"\n1 3 \"marker 0\"\n1 1 \"marker 1\"\n"
                                       "1 5 \"marker 5\"\n2 1 \"region 2.5\"\n2 7 \"region 7\"\n$EndPhysicalNames"),
             std::string::npos);
+}
+
+TEST(Msh, numbers_its_elements_from_1_without_gaps) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", MshEncoding::ascii).ok());
+  std::istringstream text(folder.read("m.msh"));
+  for (std::string line; std::getline(text, line) && line != "$Elements";) {
+  }
+  std::size_t blocks = 0, elements = 0, least = 0, most = 0;
+  std::set<std::size_t> numbers;
+  text >> blocks >> elements >> least >> most;
+  EXPECT_EQ(elements, 9u);
+  EXPECT_EQ(least, 1u);
+  EXPECT_EQ(most, 9u);
+  for (; blocks > 0; --blocks) {
+    std::size_t dimension = 0, tag = 0, type = 0, members = 0, corner = 0;
+    text >> dimension >> tag >> type >> members;
+    for (; members > 0; --members) {
+      std::size_t number = 0;
+      text >> number >> corner >> corner;
+      if (dimension == 2) text >> corner;
+      EXPECT_TRUE(numbers.insert(number).second) << number;
+    }
+  }
+  EXPECT_EQ(numbers.size(), 9u);
+  EXPECT_EQ(*numbers.begin(), 1u);
+  EXPECT_EQ(*numbers.rbegin(), 9u);
+}
+
+TEST(Msh, takes_the_tag_of_a_group_whose_name_is_no_value) {
+  const auto markers = [](const std::string& name) {
+    const Result<Mesh> mesh = parse_msh(replaced(ascii, "mid # wall", name.c_str()), "f");
+    EXPECT_TRUE(mesh.ok()) << mesh.error().message;
+    std::set<int> all;
+    for (const ConstrainedEdge& edge : mesh->constrained_edges) all.insert(edge.marker);
+    return all;
+  };
+  const std::set<int> by_tag = markers("wall");
+  EXPECT_TRUE(by_tag.contains(20));
+  for (const char* name : {"marker 1.5", "marker x", "marker 5x", "marker 1e300", "marker -1e300", "marker nan"})
+    EXPECT_EQ(markers(name), by_tag) << name;
+  for (const int value : {5, -2147483647 - 1, 2147483647}) {
+    EXPECT_TRUE(markers("marker " + std::to_string(value)).contains(value));
+    EXPECT_FALSE(markers("marker " + std::to_string(value)).contains(20));
+  }
 }
 
 TEST(Msh, keeps_triangles_that_have_no_region) {
@@ -242,6 +290,11 @@ TEST(Msh, errors_name_the_line_and_the_fault) {
             "f:40: an element is of type 3, neither a line (1) nor a triangle (2) nor a point (15)");
   EXPECT_EQ(failure("4 4 1 4", "4 5 1 4"), "f:43: expected 5 elements, found 4");
   EXPECT_EQ(failure("$EndElements", "$EndElement"), "f:44: expected $EndElements, found \"$EndElement\"");
+  const std::string format = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  EXPECT_EQ(failure_of_msh(format + "$Elements\n0 0 0 0\n$EndElements\n"),
+            "f:7: expected $Nodes, found the end of the file");
+  EXPECT_EQ(failure_of_msh(format + "$Nodes\n0 0 0 0\n$EndNodes\n"),
+            "f:7: expected $Elements, found the end of the file");
   EXPECT_EQ(failure("$EndComment", ""), "f:31: the section \"$Comment\" does not end");
 }
 

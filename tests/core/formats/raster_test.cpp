@@ -136,6 +136,9 @@ TEST_F(Npy, may_have_integers) {
   const auto bytes = read(npy<std::uint8_t>(replaced(dictionary, "<i2", "|u1"), {5, 6, 250, 1, 2, 4}));
   ASSERT_TRUE(bytes.ok()) << bytes.error().message;
   EXPECT_EQ(bytes->values[5], 250);
+  const auto longer = read(npy<std::int32_t>(replaced(dictionary, "<i2", "<i4"), {5, 6, -70000, 1, 2, 4}));
+  ASSERT_TRUE(longer.ok()) << longer.error().message;
+  EXPECT_EQ(longer->values[5], -70000);
 }
 
 TEST_F(Npy, errors_name_the_file_and_the_fault) {
@@ -144,6 +147,8 @@ TEST_F(Npy, errors_name_the_file_and_the_fault) {
   EXPECT_NE(failure(good.substr(0, 30)).find("its header is not complete"), std::string::npos);
   EXPECT_NE(failure(good.substr(0, good.size() - 1)).find("expected 6 numbers, found 5"), std::string::npos);
   EXPECT_NE(failure(replaced(good, "<f8", "<c8")).find("the type of numbers is \"<c8\""), std::string::npos);
+  EXPECT_NE(failure(replaced(good, "'<f8',", "'<f80'")).find("the type of numbers is \"<f80\""), std::string::npos);
+  EXPECT_NE(failure(replaced(good, "<f8", "<i3")).find("the type of numbers is \"<i3\""), std::string::npos);
   EXPECT_NE(failure(replaced(good, "descr", "typed")).find("the header has no type of numbers"), std::string::npos);
   EXPECT_NE(failure(good + "12345678").find("expected 6 numbers, found 7"), std::string::npos);
   EXPECT_NE(failure(replaced(good, "\1", "\11")).find("this is not an array of NumPy"), std::string::npos);
@@ -174,6 +179,12 @@ TEST_F(Npy, needs_a_world_file_without_rotation) {
   const std::string good = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
   EXPECT_NE(failure(good, "2\n0.1\n0\n-4\n10\n24\n").find("a.wld:2: rotated rasters are not supported"),
             std::string::npos);
+  EXPECT_NE(failure(good, "2\n0\n0.1\n-4\n10\n24\n").find("a.wld:3: rotated rasters are not supported"),
+            std::string::npos);
+  for (const char* beyond : {"1e308\n0\n0\n-4\n1.7e308\n24\n", "2\n0\n0\n-1e308\n10\n-1.7e308\n",
+                             "1e308\n0\n0\n-4\n-1.7e308\n24\n", "2\n0\n0\n-1e308\n10\n1.7e308\n"})
+    EXPECT_NE(failure(good, beyond).find("the raster extends beyond the range of a double"), std::string::npos)
+        << beyond;
   EXPECT_NE(failure(good, "2\n0\n0\n4\n10\n24\n").find("a.wld:4: the fourth number must be less than 0"),
             std::string::npos);
   EXPECT_NE(failure(good, "2\n0\n0\n").find("one of six numbers"), std::string::npos);

@@ -28,6 +28,15 @@ TEST(Svg, of_a_mesh_fills_each_region_and_draws_each_constrained_edge) {
   EXPECT_EQ(count(svg, "</svg>\n$"), 1u);
 }
 
+TEST(Svg, of_a_mesh_without_regions_draws_its_triangles) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  mesh.region.clear();
+  ASSERT_TRUE(write_svg(mesh, folder / "m.svg").ok());
+  EXPECT_EQ(count(folder.read("m.svg"), "Z\n"), 4u);
+  EXPECT_EQ(count(folder.read("m.svg"), "fill=\"hsl"), 1u);
+}
+
 TEST(Svg, of_many_triangles_has_no_attribute_above_one_megabyte) {
   const TemporaryFolder folder;
   Mesh mesh;

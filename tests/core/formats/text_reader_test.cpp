@@ -123,6 +123,21 @@ TEST(TextReader, after_a_failure_gives_the_number_that_stands_for_a_missing_one)
   in.next_line();
   EXPECT_EQ(in.integer("a number", low, high), 0);
   EXPECT_EQ(in.integer_or("another", low, high, 3), 3);
+  EXPECT_EQ(in.integer("a third", low, high), 0);
+  EXPECT_EQ(in.number("a fourth"), 0);
+}
+
+TEST(TextReader, gives_the_rest_of_a_line_without_the_blanks_around_it) {
+  TextReader in("name  \t of  it \t\r\nempty   \nlast", "f");
+  ASSERT_TRUE(in.next_line());
+  EXPECT_EQ(in.word(), "name");
+  EXPECT_EQ(in.rest_of_line(), "of  it");
+  EXPECT_EQ(in.rest_of_line(), "");
+  ASSERT_TRUE(in.next_line());
+  EXPECT_EQ(in.word(), "empty");
+  EXPECT_EQ(in.rest_of_line(), "");
+  ASSERT_TRUE(in.next_line());
+  EXPECT_EQ(in.rest_of_line(), "last");
 }
 
 TEST(TextReader, fails_at_a_count_that_is_too_large_for_the_text) {
@@ -136,6 +151,8 @@ TEST(TextReader, fails_at_a_count_that_is_too_large_for_the_text) {
 
 TEST(TextReader, quotes_unprintable_bytes_in_hexadecimal_and_shortens_long_fields) {
   EXPECT_EQ(in_quotes(std::string_view("a\x1b[\0\"\\", 6)), "\"a\\x1b[\\x00\\x22\\x5c\"");
+  EXPECT_EQ(in_quotes(" !~\x7f\x1f"), "\" !~\\x7f\\x1f\"");
+  EXPECT_EQ(in_quotes(std::string(40, 'x')), "\"" + std::string(40, 'x') + "\"");
   EXPECT_EQ(in_quotes(std::string(50, 'x')), "\"" + std::string(40, 'x') + "...\"");
 }
 

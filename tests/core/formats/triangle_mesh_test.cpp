@@ -65,6 +65,28 @@ TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corne
   EXPECT_EQ(*read, sample_mesh());
 }
 
+TEST(TriangleFiles, of_second_order_keep_several_attributes_of_a_point) {
+  const TemporaryFolder folder;
+  Mesh mesh;
+  for (const Point& p : {Point{0, 0}, {2, 0}, {0, 2}}) mesh.points.push_back(p);
+  mesh.triangles.push_back({{0, 1, 2}, {no_index, no_index, no_index}});
+  mesh.attributes_per_point = 2;
+  for (const double a : {1.0, 10.0, 3.0, 30.0, 5.0, 70.0}) mesh.point_attributes.push_back(a);
+  TriangleFiles files;
+  files.second_order = true;
+  ASSERT_TRUE(write_triangle_files(mesh, {}, folder / "m", files).ok());
+  EXPECT_NE(folder.read("m.node").find(" 1 1 4 50"), std::string::npos) << folder.read("m.node");
+  EXPECT_NE(folder.read("m.node").find(" 0 1 3 40"), std::string::npos) << folder.read("m.node");
+  EXPECT_NE(folder.read("m.node").find(" 1 0 2 20"), std::string::npos) << folder.read("m.node");
+  // The middles stand before the last corner.
+  folder.write("n.node", "6 2 2 0\n1 0 0 1 10\n2 1 0 2 20\n3 2 0 3 30\n4 0 2 5 70\n5 1 1 0 0\n6 0 1 0 0\n");
+  folder.write("n.ele", "1 6 0\n1 1 3 4 5 6 2\n");
+  const auto read = read_mesh(folder / "n.ele");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(std::vector<double>(read->point_attributes.begin(), read->point_attributes.end()),
+            (std::vector<double>{1, 10, 3, 30, 5, 70}));
+}
+
 TEST(TriangleFiles, of_second_order_may_have_the_middles_before_the_corners) {
   const TemporaryFolder folder;
   // One triangle with the corners 2, 4, 6. Node 7 is in no triangle and stays.

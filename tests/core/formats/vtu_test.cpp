@@ -82,6 +82,37 @@ TEST(Vtu, has_the_smallest_angle_of_each_triangle) {
   EXPECT_EQ(quality[1], 0);
 }
 
+TEST(Vtu, has_the_smallest_angle_of_a_triangle_whose_corners_have_any_order) {
+  const TemporaryFolder folder;
+  Mesh mesh;
+  for (const Point& p : {Point{10, 20}, {14, 20}, {10, 21}}) mesh.points.push_back(p);
+  for (const std::array<Index, 3>& v : {std::array<Index, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}})
+    mesh.triangles.push_back({v, {}});
+  ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu").ok());
+  const std::string file = folder.read("m.vtu");
+  const std::size_t element = file.find("Name=\"quality\"");
+  const std::size_t offset = std::stoul(file.substr(file.find("offset=\"", element) + 8));
+  double quality[3];
+  std::memcpy(quality, &file[file.find("\n_") + 2 + offset + 8], 24);
+  for (const double angle : quality) EXPECT_NEAR(angle, 14.036243467926479, 1e-12);
+}
+
+TEST(Vtu, without_points_may_have_attributes) {
+  const Result<Mesh> mesh = parse_vtu(
+      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+      "<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"><PointData>"
+      "<DataArray type=\"Float64\" Name=\"attributes\" format=\"ascii\"></DataArray></PointData><Points>"
+      "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\"></DataArray></Points><Cells>"
+      "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\"></DataArray>"
+      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\"></DataArray>"
+      "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\"></DataArray></Cells>"
+      "</Piece></UnstructuredGrid></VTKFile>",
+      "f");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->points.size(), 0u);
+  EXPECT_EQ(mesh->attributes_per_point, 0u);
+}
+
 TEST(Vtu, of_another_program_may_hold_text_lines_vertices_and_unknown_arrays) {
   const auto mesh = parse_vtu(ascii_vtu, "f");
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
@@ -229,6 +260,8 @@ TEST(Vtu, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("</UnstructuredGrid>", "<Piece/>"), "f:30: expected one piece, found a second");
   EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
             "f:5: expected the number of points, found \"-4\"");
+  EXPECT_EQ(failure("NumberOfCells=\"4\"", ""), "f:5: expected the number of cells, found \"\"");
+  EXPECT_EQ(failure("NumberOfPoints=\"4\"", ""), "f:5: expected the number of points, found \"\"");
   EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
             "f:15: array \"anything\": expected 15 values, found 12");
   EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"4000000000\""),

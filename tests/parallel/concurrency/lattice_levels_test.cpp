@@ -33,6 +33,18 @@ TEST(LatticeLevels, have_as_many_cells_as_the_caller_asks_for) {
   }
 }
 
+TEST(LatticeLevels, have_cells_for_the_work_if_the_caller_gives_only_one_of_two_numbers) {
+  const Lattice by_work = finest_lattice(bounds()[0], 1e6, {});
+  for (const auto& cells : {std::array<Index, 2>{7, 0}, std::array<Index, 2>{0, 7}}) {
+    Options options;
+    options.cells[0] = cells[0];
+    options.cells[1] = cells[1];
+    const Lattice lattice = finest_lattice(bounds()[0], 1e6, options);
+    EXPECT_EQ(lattice.columns(), by_work.columns());
+    EXPECT_EQ(lattice.rows(), by_work.rows());
+  }
+}
+
 TEST(LatticeLevels, have_enough_cells_for_the_work_and_a_single_one_without_decomposition) {
   for (const double triangles : {1e3, 1e5, 1e7}) {
     const Options options;

@@ -25,6 +25,15 @@ const std::vector<Lattice>& lattices() {
   return all;
 }
 
+TEST(Lattice, gives_points_at_any_distance_to_the_nearest_column_and_row) {
+  const Lattice lattice({0, 0, 4, 4}, 4, 4);
+  for (const double far : {0x1p31, 0x1p32, 0x1p33, 1e300, 1 + 0x1p32}) {
+    EXPECT_EQ(lattice.cell_of({far, 1.5}), 7U);
+    EXPECT_EQ(lattice.cell_of({1.5, far}), 13U);
+    EXPECT_EQ(lattice.cell_of({-far, 1.5}), 4U);
+  }
+}
+
 TEST(Lattice, contains_every_point_of_the_plane_in_the_box_of_its_cell) {
   samples::Random random(1);
   for (const Lattice& lattice : lattices()) {

@@ -140,6 +140,16 @@ TEST(Quadtree, ends_at_the_deepest_level) {
   EXPECT_EQ(tree.side_of(tree.cell_of({0.3, 2.7})), std::ldexp(tree_side, -30));
 }
 
+TEST(Quadtree, numbers_the_squares_of_the_deepest_level_along_a_curve) {
+  for (std::uint32_t column = 0; column < 4; ++column)
+    for (std::uint32_t row = 0; row < 4; ++row) {
+      const std::uint64_t within = (column & 1) | (row & 1) << 1 | (column & 2) << 1 | (row & 2) << 2;
+      EXPECT_EQ(Square::first_place(Square::deepest, column, row), within);
+    }
+  const std::uint32_t last = (1U << Square::deepest) - 1;
+  EXPECT_EQ(Square::first_place(Square::deepest, last, last), (std::uint64_t{1} << 2 * Square::deepest) - 1);
+}
+
 TEST(Quadtree, has_a_leaf_for_every_point_even_if_a_coordinate_is_not_finite) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = INFINITY;
   for (const Quadtree& tree : trees())

@@ -37,6 +37,15 @@ TEST(Gaps, are_two_points_that_nearly_touch) {
   EXPECT_EQ(gaps[0].message(1), "The distance of point 5 at (0.5, 0.5) from point 6 is only 9.313225746154785e-10.");
 }
 
+TEST(Gaps, of_three_points_in_a_row_name_the_narrowest_pair_and_not_the_point_that_it_contains) {
+  const std::vector<Gap> gaps = gaps_of(square_with({{0.5, 0.5}, {0.5, 0.5 + 0x1p-30}, {0.5, 0.5 + 3 * 0x1p-30}}));
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].points, (std::vector<Index>{4, 5}));
+  const std::vector<Gap> chain = gaps_of(square_with({{0.5, 0.5 + 3 * 0x1p-30}, {0.5, 0.5}, {0.5, 0.5 + 0x1p-30}}));
+  ASSERT_EQ(chain.size(), 1);
+  EXPECT_EQ(chain[0].points, (std::vector<Index>{5, 6}));
+}
+
 TEST(Gaps, are_a_point_beside_a_segment) {
   for (const double y : {0x1p-25, 0x1p-45}) {
     const std::vector<Gap> gaps = gaps_of(square_with({{0.25, y}}));

@@ -29,6 +29,28 @@ TEST(Warnings, name_an_outline_that_is_not_closed_beside_a_closed_one) {
             "domain. They are not in the mesh.");
 }
 
+TEST(Warnings, name_an_open_outline_whose_segments_come_first_and_no_ring_in_a_hole) {
+  Pslg pslg;
+  pslg.points = {{6, 0}, {8, 0}, {8, 2}};
+  pslg.segments = {{0, 1}, {1, 2}};
+  add_square(pslg, 4, {0, 0});
+  add_square(pslg, 2, {1, 1});
+  add_square(pslg, 0.5, {1.5, 1.5});
+  pslg.holes = {{1.25, 1.25}, {1.75, 1.75}};
+  const std::vector<Warning> warnings = find_warnings(*validate(pslg));
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0].segments, (std::vector<Index>{0, 1}));
+  pslg.segments[0] = {2, 0};
+  pslg.segments[1] = {0, 1};
+  EXPECT_EQ(find_warnings(*validate(pslg))[0].segments, (std::vector<Index>{0, 1})) << "the open ends are not shared";
+  pslg.points.erase(pslg.points.begin() + 2);
+  pslg.segments.erase(pslg.segments.begin());
+  for (Segment& s : pslg.segments)
+    for (Index* end : {&s.a, &s.b}) *end -= *end > 1 ? 1 : 0;
+  ASSERT_EQ(find_warnings(*validate(pslg)).size(), 1);
+  EXPECT_EQ(find_warnings(*validate(pslg))[0].segments, (std::vector<Index>{0})) << "a single segment, the first";
+}
+
 TEST(Warnings, name_a_point_or_a_segment_that_is_far_away_from_everything_else) {
   Pslg point = square(4);
   add_square(point, 1, {1, 1});

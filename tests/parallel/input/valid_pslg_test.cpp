@@ -33,6 +33,15 @@ TEST(ValidPslg, takes_a_valid_pslg_without_copying_its_points) {
   EXPECT_EQ(back.points.data(), points);
 }
 
+TEST(ValidPslg, of_points_alone_is_their_convex_hull) {
+  const Pslg points = points_only({{0, 0}, {1, 0}, {0, 1}});
+  EXPECT_TRUE(validate(points)->convex_hull());
+  EXPECT_TRUE(validate(Pslg(points))->convex_hull());
+  const Pslg outline = square(4);
+  EXPECT_FALSE(validate(outline)->convex_hull());
+  EXPECT_TRUE(validate(outline, {.convex_hull = true})->convex_hull());
+}
+
 TEST(ValidPslg, leaves_an_invalid_pslg_as_it_is_and_gives_its_problems) {
   Pslg pslg = open_square();
   const Result<ValidPslg, std::vector<Problem>> domain = validate(std::move(pslg));

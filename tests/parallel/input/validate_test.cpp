@@ -37,6 +37,10 @@ void expect_only(ProblemKind kind, const Ids& ids, Point where, const Pslg& pslg
   EXPECT_EQ(problems[0].where, where);
 }
 
+TEST(Validate, does_not_call_points_collinear_of_which_one_cannot_be_used) {
+  expect_only(ProblemKind::coordinate_out_of_range, {2}, {1e300, 0}, points_only({{0, 0}, {1, 0}, {1e300, 0}}));
+}
+
 TEST(Validate, finds_no_problem_in_valid_domains) {
   Pslg with_hole = square(4);
   add_square(with_hole, 2, {1, 1});

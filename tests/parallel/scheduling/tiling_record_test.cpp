@@ -29,6 +29,18 @@ TEST(TilingRecord, holds_the_finest_lattice_and_the_bounds_on_circumradii) {
   EXPECT_EQ(tiling.sweeps[0].inserted, 5U);
 }
 
+TEST(TilingRecord, finds_the_cell_of_a_point_and_its_colour) {
+  Tiling tiling;
+  tiling.low = {-1, 2};
+  tiling.high = {5, 4};
+  tiling.columns = 3;
+  tiling.rows = 2;
+  EXPECT_EQ(tiling.cell_of({-0.5, 2.5}), 0U);
+  EXPECT_EQ(tiling.cell_of({1.5, 2.5}), 1U);
+  EXPECT_EQ(tiling.cell_of({4.5, 3.5}), 5U);
+  for (Index cell = 0; cell < 6; ++cell) EXPECT_EQ(tiling.colour_of(cell), cell / 3 * 2 + cell % 3 % 2);
+}
+
 TEST(TilingRecord, holds_the_first_thread_of_each_cell_of_the_finest_lattice) {
   const Box bounds{0, 0, 1, 1};
   const Tiles coarse(Lattice(bounds, 1, 1)), finest(Lattice(bounds, 2, 2));

@@ -712,6 +712,8 @@ TEST(Certificate, has_the_measures_of_triangles_far_from_the_origin) {
   EXPECT_NEAR(certificate.max_radius_edge_ratio.value, 2.5 / 3, 1e-15);
   EXPECT_NEAR(certificate.min_angle_deg.value, 36.869897645844021, 1e-13);
   EXPECT_NEAR(certificate.max_angle_deg.value, 90, 1e-13);
+  EXPECT_NEAR(certificate.max_area.where.x, 102, 1e-12) << "the centroid of the triangle";
+  EXPECT_NEAR(certificate.max_area.where.y, 201 + 1.0 / 3, 1e-12);
 }
 
 TEST(Certificate, is_valid_JSON) {

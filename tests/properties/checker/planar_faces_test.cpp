@@ -131,6 +131,14 @@ TEST(Domain, without_segments_is_the_convex_hull_through_all_points_on_it) {
   for (Index p = 0; p < pslg.points.size(); ++p) EXPECT_TRUE(domain.has_point(p));
 }
 
+TEST(Domain, of_points_that_stand_twice_has_no_edge_of_length_0) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+  const Domain domain(pslg, true);
+  EXPECT_EQ(domain.segments().size(), 4u);
+  for (const Segment& s : domain.segments()) EXPECT_FALSE(pslg.points[s.a] == pslg.points[s.b]);
+}
+
 TEST(Domain, completes_the_hull_around_segments_when_asked) {
   Pslg pslg;
   pslg.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

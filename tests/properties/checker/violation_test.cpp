@@ -680,7 +680,7 @@ TEST(Violations, of_attributes) {
 TEST(Violations, of_attributes_that_a_file_has_and_the_input_has_not) {
   Case c = testing::square_in_two();
   c.mesh.attributes_per_point = 1;
-  c.mesh.point_attributes = {1, 2, 3, 4};
+  c.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4});
   EXPECT_EQ(said_about_file(c), "wrong_count: attributes of a point: 1 entries instead of 0\n");
 }
 
@@ -791,14 +791,20 @@ TEST(Violations, of_surfaces_that_are_no_disks_with_holes) {
   }
   c.mesh.origin.resize(18, interior_vertex);
   testing::relink(c.mesh);
-  std::string surfaces;
-  for (const Violation& violation : check(c).violations)
-    if (violation.kind == ViolationKind::euler_characteristic) surfaces += violation.message() + '\n';
-  EXPECT_EQ(surfaces,
-            "euler_characteristic: the component of triangle 0 has V - E + F = 0 and 0 boundary loops, which do not "
-            "sum to 2 [ids 0] at (0, 0)\n"
-            "euler_characteristic: the component of triangle 18 has V - E + F = 0 and 0 boundary loops, which do not "
-            "sum to 2 [ids 18] at (10, 0)\n");
+  const auto surfaces = [](const Case& of, const CheckOptions& options) {
+    std::string text;
+    for (const Violation& violation : check(of, no_angle_bound(), options).violations)
+      if (violation.kind == ViolationKind::euler_characteristic) text += violation.message() + '\n';
+    return text;
+  };
+  const std::string expected =
+      "euler_characteristic: the component of triangle 0 has V - E + F = 0 and 0 boundary loops, which do not "
+      "sum to 2 [ids 0] at (0, 0)\n"
+      "euler_characteristic: the component of triangle 18 has V - E + F = 0 and 0 boundary loops, which do not "
+      "sum to 2 [ids 18] at (10, 0)\n";
+  EXPECT_EQ(surfaces(c, {}), expected);
+  for (Triangle& t : c.mesh.triangles) t.n = {no_index, no_index, no_index};
+  EXPECT_EQ(surfaces(c, {.foreign = true}), expected) << "of a file without neighbours";
 }
 
 }  // namespace
