@@ -170,8 +170,9 @@ class Finder:
         return b"constexpr" in text.split(b"=")[0] or (cursor.type.is_const_qualified() and literal)
 
     def is_template_argument(self, cursor):
-        """True for the first argument of a template. The style has no space before the bracket, unlike before <."""
-        return re.search(rb"\w<$", self.text[:extent(cursor)[0]][-2:]) is not None
+        """True for an argument of a template. The style has no space before the bracket, unlike before <."""
+        before = self.text[:extent(cursor)[0]].rpartition(b"\n")[2]
+        return re.search(rb"\w<([^<>(){};=]*,\s*)?$", before) is not None
 
     def statements(self, cursor, children):
         """Statements that are left out."""
@@ -238,7 +239,8 @@ class Finder:
                 if may_be_bool(bare(side)):
                     self.wrap(side, function, [f"the {which} operand of {text} is left out"], depth=-1)
             return
-        if cursor.type.get_canonical().kind == TypeKind.VECTOR:
+        kind = cursor.type.get_canonical()
+        if kind.kind == TypeKind.VECTOR or "basic_string" in kind.spelling:
             return
         text, function, mutants = (COMPARISONS | OPERATORS)[name]
         operator = self.operator_position(cursor, children, text)

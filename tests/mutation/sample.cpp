@@ -1,5 +1,7 @@
 // A program with one place of each kind that scripts/mutate changes. It prints the result of every function.
+#include <array>
 #include <cstdio>
+#include <string>
 
 namespace {
 
@@ -37,6 +39,10 @@ struct Multiple {
   int of;
 };
 [[maybe_unused]] int six(int a) { return Multiple<2 * 3>(a).of; }
+[[maybe_unused]] std::size_t two_names(const std::string& a) {
+  const std::array<std::string, 2> names = {a, a + "b"};
+  return names.size();
+}
 
 // Nested expressions, each with mutants of its own.
 double nested(double a, double b) { return (a + b) * (a - b) / (a + 2.5); }

@@ -70,6 +70,10 @@ class Schemata(unittest.TestCase):
     def test_constants_of_the_compiler_have_no_mutants(self):
         self.assertFalse([m for m in self.mutants if m[0] != "main" and m[1] in ("4", "4 - 1", "limit < 5")])
         self.assertFalse([m for m in self.mutants if m[0] == "six"])
+        self.assertFalse([m for m in self.mutants if m[0] == "two_names" and m[1] == "2"])
+
+    def test_texts_have_no_minus(self):
+        self.assertFalse([m for m in self.mutants if m[0] == "two_names" and "+" in m[2]])
 
     def test_a_trace_contains_the_evaluated_mutants(self):
         with tempfile.TemporaryDirectory() as folder:

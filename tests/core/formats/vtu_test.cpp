@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../../core/formats.hpp"
+#include "../../../core/formats/base64.hpp"
 #include "../../../core/formats/mesh_readers.hpp"
 #include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
@@ -60,6 +61,15 @@ TEST(Vtu, reads_back_as_the_same_mesh) {
   const auto read = read_mesh(folder / "m.vtu");
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(*read, sample_mesh());
+}
+
+TEST(Base64, ends_at_a_character_that_is_no_digit) {
+  EXPECT_EQ(decode_base64("QUJD\nREVG", 99), "ABCDEF");
+  EXPECT_EQ(decode_base64("QQ==QUI=QUJD", 99), "AABABC");
+  EXPECT_EQ(decode_base64("QUJDREVG", 4), "ABCD");
+  for (const char* other : {"{", "[", "@", "`", ":", ",", "-"})
+    EXPECT_EQ(decode_base64(std::string("QUJD") + other + "REVG", 99), "ABC") << other;
+  EXPECT_EQ(decode_base64("zZ09+/aA", 99), "\xcd\x9d\x3d\xfb\xf6\x80");
 }
 
 TEST(Vtu, has_the_smallest_angle_of_each_triangle) {

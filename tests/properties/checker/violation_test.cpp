@@ -433,6 +433,30 @@ TEST(Violations, of_points_that_stand_twice_in_a_file) {
       << "in the domain, the one with triangles is the input point";
 }
 
+TEST(Violations, of_a_point_that_stands_twice_in_a_file_with_triangles_at_both_places) {
+  Case c = testing::square_in_two();
+  c.mesh = testing::mesh_of({{1, 1}, {0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{1, 2, 0}, {1, 4, 3}});
+  c.mesh.origin.clear();
+  std::string broken;
+  for (const Violation& violation : check(c, no_angle_bound(), {.foreign = true}).violations)
+    if (violation.kind == ViolationKind::broken_segment) broken += violation.message() + '\n';
+  EXPECT_EQ(broken,
+            "broken_segment: segment 2 from point 2 to 3 is not covered by a chain of mesh edges within the rounding "
+            "distance [ids 2] at (1, 1), (0, 1)\n")
+      << "the first is the input point";
+}
+
+TEST(Violations, of_input_that_cannot_be_used_are_the_only_ones) {
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Case c = testing::square_in_two();
+    c.pslg.points[2].x = value;
+    const Certificate certificate = check(c);
+    ASSERT_EQ(certificate.violations.size(), 1u) << said(certificate);
+    EXPECT_EQ(certificate.violations[0].witness, "point 2 of the input is not finite");
+    EXPECT_EQ(certificate.angle_histogram, std::vector<std::uint64_t>(18, 0)) << "no angle was measured";
+  }
+}
+
 TEST(Violations, of_chains_off_their_segments) {
   Case c = testing::square_in_eight();
   c.mesh.points[6].x = 2 + 0x1p-30;
