@@ -201,6 +201,27 @@ double Background::value_at(const Located& at, std::span<const double> value_per
   return value;
 }
 
+Steepness Background::steepness(std::span<const double> value_per_point) const {
+  constexpr double thin = 1e-10;          // area divided by the squared longest side
+  constexpr double slope_to_spare = 1.001;  // the relative rounding error of a slope is less than 64 * 2^-53 / thin
+  constexpr double roundings = 64 * 0x1p-53;
+  Steepness all{0, 0};
+  for (const Leaf& leaf : leaves_) {
+    const auto c = corners(leaf);
+    const double ux = c[1].x - c[0].x, uy = c[1].y - c[0].y, vx = c[2].x - c[0].x, vy = c[2].y - c[0].y;
+    const double longest_squared =
+        std::max({ux * ux + uy * uy, vx * vx + vy * vy, (vx - ux) * (vx - ux) + (vy - uy) * (vy - uy)});
+    if (!(leaf.twice_area > thin * longest_squared)) return {};
+    const double a = value_per_point[leaf.v[0]];
+    const double b = value_per_point[leaf.v[1]] - a, d = value_per_point[leaf.v[2]] - a;
+    const double x = b * vy - d * uy, y = d * ux - b * vx;
+    all.slope = std::max(all.slope, slope_to_spare * std::sqrt(x * x + y * y) / leaf.twice_area);
+    const double largest = std::abs(a) + std::abs(b) + std::abs(d);
+    all.blur = std::max(all.blur, roundings * largest * (longest_squared / leaf.twice_area));
+  }
+  return all;
+}
+
 bool Background::is_near(const Located& at, Point p) const {
   if (at.weight[0] > 0 && at.weight[1] > 0 && at.weight[2] > 0) return true;
   const std::array<Point, 3> c{points_[at.v[0]], points_[at.v[1]], points_[at.v[2]]};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +27,12 @@ struct LocationHint {
   Index leaf = no_index;
 };
 
+/// How fast a field changes: its values at two points differ by at most slope * distance + blur, if the segment between
+/// the points lies in the triangulation. The blur is the rounding error of the values.
+struct Steepness {
+  double slope = INFINITY, blur = INFINITY;
+};
+
 /// Owns copies of the points and triangles, and a hierarchy of bounding boxes. It is immutable, so several threads may
 /// use it at the same time.
 class Background {
@@ -47,6 +54,8 @@ class Background {
   [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point) const {
     return value_at(locate(p), value_per_point);
   }
+  /// Of the interpolation of these values. Infinite if a triangle is so thin that rounding may hide its slope. O(n).
+  [[nodiscard]] Steepness steepness(std::span<const double> value_per_point) const;
   /// True if p is in the triangle at which it was located, or not farther from it than the length of its longest side.
   [[nodiscard]] bool is_near(const Located& at, Point p) const;
 

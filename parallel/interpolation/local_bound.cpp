@@ -12,7 +12,8 @@ template <class Values>
 LocalBound with_hint(const std::function<double(Point)>& function) {
   const auto* known = function.target<OnBackground<Values>>();
   if (known == nullptr) return {};
-  return [field = known->field](Point p, LocationHint& hint) { return field->at(p, hint); };
+  return LocalBound([field = known->field](Point p, LocationHint& hint) { return field->at(p, hint); },
+                    known->field->steepness());
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ LocalBound local_bound(std::function<double(Point)> function) {
   if (!function) return {};
   if (LocalBound found = with_hint<PointValues>(function)) return found;
   if (LocalBound found = with_hint<TriangleValues>(function)) return found;
-  return [function = std::move(function)](Point p, LocationHint&) { return function(p); };
+  return LocalBound([function = std::move(function)](Point p, LocationHint&) { return function(p); });
 }
 
 }  // namespace pardel::engine

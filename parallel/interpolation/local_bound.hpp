@@ -1,9 +1,11 @@
 // Bounds on size that depend on the place: functions of the caller, and values on a background triangulation.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "background.hpp"
@@ -17,12 +19,15 @@ struct PointValues {
   std::vector<double> values;
   bool limited = false;
   [[nodiscard]] double at(Point p, LocationHint& hint) const;
+  /// Unknown if it is limited: a segment between two points near the background may leave it.
+  [[nodiscard]] Steepness steepness() const { return limited ? Steepness{} : background->steepness(values); }
 };
 /// A function that is constant on each triangle of a background. The values have to outlive it.
 struct TriangleValues {
   std::shared_ptr<const Background> background;
   std::span<const double> values;
   [[nodiscard]] double at(Point p, LocationHint& hint) const { return values[background->locate(p, hint).triangle]; }
+  [[nodiscard]] static Steepness steepness() { return {}; }
 };
 
 /// Such a function without a hint: the target of a std::function that other parts of the program can call.
@@ -35,15 +40,39 @@ struct OnBackground {
   }
 };
 
-/// A bound that depends on the place. The hint makes searches in a background fast; it does not change the value.
-using LocalBound = std::function<double(Point, LocationHint&)>;
+/// A bound that depends on the place.
+class LocalBound {
+ public:
+  using Function = std::function<double(Point, LocationHint&)>;
+
+  LocalBound() = default;
+  /// The steepness is infinite if nothing is known about it.
+  explicit LocalBound(Function value, Steepness steepness = {}) : value_(std::move(value)), steepness_(steepness) {}
+
+  explicit operator bool() const { return static_cast<bool>(value_); }
+  /// The hint makes searches in a background fast; it does not change the value.
+  [[nodiscard]] double operator()(Point p, LocationHint& hint) const { return value_(p, hint); }
+  [[nodiscard]] const Steepness& steepness() const { return steepness_; }
+
+ private:
+  Function value_;
+  Steepness steepness_;
+};
 
 /// The function as a LocalBound, with hints if its target is an OnBackground. Empty if the function is empty.
 [[nodiscard]] LocalBound local_bound(std::function<double(Point)> function);
 
+/// What a size at a point says about the triangles that have their first corner there: those whose longest side has at
+/// most the square `keeps` keep the size at their centroid, and those with more than `exceeds` do not.
+struct SizeAround {
+  Point corner{NAN, NAN};
+  double keeps = 0, exceeds = INFINITY;
+};
+
 /// The hints of one thread for the local bounds of a goal.
 struct LocalHints {
   LocationHint size, area;
+  SizeAround around;
 };
 
 }  // namespace pardel::engine

@@ -65,6 +65,8 @@ class Assessor {
             false};
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
+  /// Prepares for triangles whose first corner is v. It changes no result.
+  void look_around(VertexId v, LocalHints& hints) const { criteria_.look_around(t_.points[v], hints); }
   /// True if the triangle breaks the criteria, even if an exemption justifies this.
   [[nodiscard]] bool breaks_goal(TriangleId id, LocalHints& hints) const;
   [[nodiscard]] bool breaks_goal(TriangleId id) const {
@@ -108,8 +110,7 @@ class Assessor {
     if (criteria_.too_large(m)) return true;
     if (!criteria_.has_local_size()) return false;
     const auto& v = t_.slots[id].v;
-    const Point centroid = centroid_of(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]);
-    return criteria_.too_large_locally(m, centroid, region_of(id), hints);
+    return criteria_.too_large_locally(m, t_.points[v[0]], t_.points[v[1]], t_.points[v[2]], region_of(id), hints);
   }
 
   const Triangulation& t_;

@@ -29,6 +29,9 @@ bool any_finite(const std::vector<double>& caps) {
   return std::ranges::any_of(caps, [](double cap) { return cap < INFINITY; });
 }
 
+/// If a size changes faster than this, the size at a corner of a triangle seldom decides.
+constexpr double most_slope = 0.5;
+
 /// A function fitted to 200,000 random triangles, refined at 5 to 33 degrees with off-centres. Its error is below 10 %.
 double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / (22 * (53.5 - min_angle_deg)); }
 
@@ -46,6 +49,7 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       twice_region_cap_(std::move(region_caps)),
       size_(local_bound(goal.size)),
       area_cap_(local_bound(std::move(area_cap))),
+      looks_around_(size_ && size_.steepness().slope < most_slope),
       has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ ||
                       (goal.region_caps && any_finite(twice_region_cap_))) {
   if (!goal.region_caps) twice_region_cap_.clear();
@@ -66,12 +70,27 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
   }
 }
 
-bool Criteria::too_large_locally(const Measure& m, Point centroid, Index region, LocalHints& hints) const {
+bool Criteria::too_large_locally(const Measure& m, Point a, Point b, Point c, Index region, LocalHints& hints) const {
   if (region < twice_region_cap_.size() && m.twice_area > twice_region_cap_[region]) return true;
   const double longest = m.longest_squared();
   if (longest > squared_max_edge_) return true;
-  if (size_ && longest > squared(size_(centroid, hints.size)) * stricter) return true;
+  const bool is_around = hints.around.corner == a;
+  if (is_around && longest > hints.around.exceeds) return true;
+  const bool keeps_size = !size_ || (is_around && longest <= hints.around.keeps);
+  if (keeps_size && !area_cap_) return false;
+  const Point centroid = centroid_of(a, b, c);
+  if (!keeps_size && longest > squared(size_(centroid, hints.size)) * stricter) return true;
   return area_cap_ && m.twice_area > 2 * area_cap_(centroid, hints.area) * stricter;
+}
+
+/// The distance from a corner to the centroid is at most two thirds of the longest side, and the segment between them
+/// lies in the domain. So for a longest side l and the size h at the corner, the size at the centroid differs from h by
+/// at most slope * 2/3 l + blur.
+SizeAround Criteria::size_around(Point p, LocalHints& hints) const {
+  const double size = size_(p, hints.size);
+  const auto& [slope, blur] = size_.steepness();
+  const double keeps = (size - blur) / (1 + slope * 2 / 3), exceeds = (size + blur) / (1 - slope * 2 / 3);
+  return {p, keeps > 0 ? squared(keeps) * squared(stricter) : 0, squared(exceeds) / stricter};
 }
 
 Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index region, LocalHints& hints) const {

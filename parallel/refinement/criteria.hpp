@@ -37,13 +37,18 @@ class Criteria {
   /// True if the goal has bounds on edges, or bounds that depend on the place. too_large() does not test these bounds.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
   /// True if the goal has bounds that are functions of the place.
-  [[nodiscard]] bool depends_on_place() const { return size_ || area_cap_; }
-  /// True if the triangle exceeds one of these local bounds. `region`: the triangle's region, or no_index.
-  /// `hints`, here and below: of the calling thread.
-  [[nodiscard]] bool too_large_locally(const Measure& m, Point centroid, Index region, LocalHints& hints) const;
+  [[nodiscard]] bool depends_on_place() const { return static_cast<bool>(size_) || static_cast<bool>(area_cap_); }
+  /// True if the triangle with these corners exceeds one of these local bounds. `region`: the triangle's region, or
+  /// no_index. `hints`, here and below: of the calling thread.
+  [[nodiscard]] bool too_large_locally(const Measure& m, Point a, Point b, Point c, Index region,
+                                       LocalHints& hints) const;
   [[nodiscard]] bool too_large_locally(const Shape& s, Index region) const {
     LocalHints none;
-    return too_large_locally(s, s.centroid(), region, none);
+    return too_large_locally(s, s.p[0], s.p[1], s.p[2], region, none);
+  }
+  /// Prepares for triangles whose first corner is p. It changes no answer.
+  void look_around(Point p, LocalHints& hints) const {
+    if (looks_around_) hints.around = size_around(p, hints);
   }
   /// True if the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
@@ -82,6 +87,7 @@ class Criteria {
   [[nodiscard]] double triangles_needed(const Shape& s, Index region) const;
 
  private:
+  [[nodiscard]] SizeAround size_around(Point p, LocalHints& hints) const;
   /// The bounds on size at the place of a triangle.
   struct SizeBounds {
     double twice_area, squared_edge;
@@ -103,6 +109,7 @@ class Criteria {
   double fill_ = 0.62;                   ///< the average area of a triangle, as a fraction of its cap
   std::vector<double> twice_region_cap_;
   LocalBound size_, area_cap_;
+  bool looks_around_;  ///< the size changes slowly, so the size at a corner mostly decides about a triangle
   bool has_local_size_;
 };
 

@@ -57,12 +57,14 @@ void Task::consider_changed() {
     for (const TriangleId id : changed) consider(id);
     return;
   }
-  if (insertion_.may_touch_constraint() || assessor_.has_local_size())
+  if (insertion_.may_touch_constraint() || assessor_.has_local_size()) {
+    assessor_.look_around(t_.slots[changed.front()].v[0], hints_);
     for (std::size_t i = 0; i < changed.size(); ++i)
       queue_if_bad(changed[i], assessor_.assess(changed[i], measures[i], hints_), measures[i]);
-  else
+  } else {
     for (const std::size_t i : insertion_.breaking())
       queue_if_bad(changed[i], assessor_.assess_inside(changed[i], measures[i], hints_), measures[i]);
+  }
 }
 
 void Task::process(QueuedTriangle triangle) {

@@ -53,10 +53,10 @@ std::vector<unsigned> PendingTriangles::median_keys(const Tiles& tiles) const {
   return median;
 }
 
-std::vector<double> PendingTriangles::work(const Quadtree& tree, const Criteria& criteria) const {
+Array<WorkAt> PendingTriangles::work(const Criteria& criteria) const {
   // The least number of triangles by which a bad triangle is replaced.
   constexpr double least = 2;
-  std::vector<std::vector<std::pair<Index, double>>> found(block_count(deferred_.size()));
+  std::vector<std::vector<WorkAt>> found(block_count(deferred_.size()));
   parallel_blocks(threads_, deferred_.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
     LocalHints hints;
     for (std::size_t i = first; i < last; ++i) {
@@ -64,13 +64,12 @@ std::vector<double> PendingTriangles::work(const Quadtree& tree, const Criteria&
       if (!triangle.is_current(t_)) continue;
       const Shape shape(t_, t_.slots[triangle.id()]);
       const double wanted = criteria.triangles_wanted(shape, assessor_.region_of(triangle.id()), hints);
-      found[block].emplace_back(tree.cell_of(shape.centroid()), std::max(least, wanted));
+      found[block].push_back({shape.centroid(), std::max(least, wanted)});
     }
   });
-  std::vector<double> sum(tree.cells(), 0);
-  for (const auto& of_block : found)
-    for (const auto& [cell, wanted] : of_block) sum[cell] += wanted;
-  return sum;
+  Array<WorkAt> all;
+  append_blocks(threads_, found, all);
+  return all;
 }
 
 SeedsByCell PendingTriangles::take_due_by_cell(const Tiles& tiles, const Deferrals& later) {

@@ -11,6 +11,12 @@
 
 namespace pardel::engine {
 
+/// The centroid of a triangle, and the estimated number of triangles by which it will be replaced.
+struct WorkAt {
+  Point place;
+  double triangles;
+};
+
 /// Holds two lists: deferred triangles, which finer tiles or the next round processes, and triangles whose cavities
 /// need a larger box, which coarser tiles process. Entries may be stale (refinement/queued_triangle.hpp).
 class PendingTriangles {
@@ -35,8 +41,8 @@ class PendingTriangles {
   [[nodiscard]] unsigned median_key() const;
   /// For each cell, the median of the keys of the deferred triangles whose first corners lie in the cell.
   [[nodiscard]] std::vector<unsigned> median_keys(const Tiles& tiles) const;
-  /// For each leaf, the estimated number of triangles by which the deferred triangles in it will be replaced.
-  [[nodiscard]] std::vector<double> work(const Quadtree& tree, const Criteria& criteria) const;
+  /// The work at each deferred triangle.
+  [[nodiscard]] Array<WorkAt> work(const Criteria& criteria) const;
 
   /// Takes the deferred triangles that are due. Puts each into the list of the cell in which its split point lies.
   /// Defers a triangle again if `later` says so.

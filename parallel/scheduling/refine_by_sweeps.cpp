@@ -30,6 +30,12 @@ constexpr double triangles_per_leaf = 2.5;
 /// The decomposition is a quadtree if the work in a cell of a lattice exceeds the average by more than this factor.
 constexpr double most_overload = 4;
 
+std::vector<double> per_leaf(const Array<WorkAt>& work, const Quadtree& tree) {
+  std::vector<double> sum(tree.cells(), 0);
+  for (const WorkAt& each : work) sum[tree.cell_of(each.place)] += each.triangles;
+  return sum;
+}
+
 Error t1_violated(const Sweep& sweep) {
   return {ErrorKind::internal, "a self-check of the refinement failed: on a lattice of " +
                                    std::to_string(sweep.columns) + " x " + std::to_string(sweep.rows) + " cells, " +
@@ -102,8 +108,9 @@ class Refinement {
     for (;;) {
       const Tiles& present = levels.back();
       Quadtree finer = *present.quadtree();
+      const Array<WorkAt> work = pending_.work(criteria_);
       for (int halvings = 0; halvings < 2; ++halvings)
-        finer = finer.divided(pending_.work(finer, criteria_), triangles_per_leaf * options_.triangles_per_tile);
+        finer = finer.divided(per_leaf(work, finer), triangles_per_leaf * options_.triangles_per_tile);
       if (finer.cells() == present.cells()) break;
       refine_due(present, short_enough_for(*present.quadtree(), finer));
       levels.emplace_back(std::move(finer));

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "../../../parallel/arithmetic/distance.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {
@@ -25,6 +27,35 @@ TEST(Background, interpolates_a_linear_function_exactly_up_to_rounding) {
     const Point p{random.uniform(0, 8), random.uniform(0, 8)};
     EXPECT_NEAR(background.interpolate(p, value), 5 * p.x - 3 * p.y + 1, 1e-12);
   }
+}
+
+TEST(Background, knows_how_fast_a_field_changes) {
+  const samples::Sample sample = samples::triangulated(samples::uniform_points(300, 9));
+  const Background background = background_of(sample);
+  const Triangulation& t = sample.triangulation;
+  samples::Random random(10);
+  std::vector<double> value(t.points.size());
+  for (double& v : value) v = random.uniform(1, 2);
+  const auto [slope, blur] = background.steepness(value);
+  for (const Slot& slot : t.slots)
+    for (int i = 0; i < 50; ++i) {
+      const auto inside = [&] {
+        const double f = random.uniform(0, 0.5), g = random.uniform(0, 0.5);
+        const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
+        return Point{a.x + f * (b.x - a.x) + g * (c.x - a.x), a.y + f * (b.y - a.y) + g * (c.y - a.y)};
+      };
+      const Point p = inside(), q = inside();
+      const double change = std::abs(background.interpolate(p, value) - background.interpolate(q, value));
+      ASSERT_LE(change, slope * distance(p, q) + blur);
+    }
+  for (Index v = 0; v < value.size(); ++v) value[v] = 3 * t.points[v].x + 4 * t.points[v].y;
+  EXPECT_NEAR(background.steepness(value).slope, 5, 0.01);
+}
+
+TEST(Background, does_not_know_how_fast_a_field_changes_in_a_flat_triangle) {
+  const Background background(std::vector<Point>{{0, 0}, {1, 0}, {0.5, 1e-11}, {0.5, 1}},
+                              {{{0, 1, 2}}, {{1, 3, 2}}, {{3, 0, 2}}});
+  EXPECT_EQ(background.steepness(std::vector<double>{1, 1, 1, 1}).slope, INFINITY);
 }
 
 TEST(Background, gives_the_value_of_a_vertex_at_the_vertex) {

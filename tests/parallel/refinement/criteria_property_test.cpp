@@ -1,11 +1,17 @@
 // Tests encroachment, and the points that split bad triangles.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "../../../parallel/refinement/criteria.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
+#include "../../../properties/theorems/framework/shares.hpp"
 #include "exact_bounds.hpp"
 
 namespace pardel::engine {
@@ -92,6 +98,66 @@ PARDEL_PROPERTY(SplitPoint, of_a_large_triangle_is_far_from_all_vertices,
     const double dx = vertex.x - p.x, dy = vertex.y - p.y;
     RC_ASSERT(dx * dx + dy * dy > 0.999999 * std::min(0.99 * goal.max_area, s.squared_circumradius()));
   }
+}
+
+/// Sizes between 1 and 1.5 on the squares of a lattice, each divided into two triangles.
+std::function<double(Point)> some_field(int side) {
+  std::vector<Point> points;
+  std::vector<double> sizes;
+  std::vector<std::array<Index, 3>> triangles;
+  const auto at = [&](int x, int y) { return static_cast<Index>(y * (side + 1) + x); };
+  const int steps = *rc::gen::inRange(0, 5);
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) {
+      points.push_back({double(x), double(y)});
+      sizes.push_back(1 + *rc::gen::inRange(0, steps + 1) / 16.0);
+      if (x == side || y == side) continue;
+      triangles.push_back({at(x, y), at(x + 1, y), at(x, y + 1)});
+      triangles.push_back({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  auto background = std::make_shared<const Background>(points, std::move(triangles));
+  return OnBackground<PointValues>{std::make_shared<const PointValues>(std::move(background), std::move(sizes))};
+}
+
+/// The triangle, scaled about its first corner.
+Shape scaled(const Shape& s, double factor) {
+  const auto moved = [&](Point p) {
+    return Point{s.p[0].x + factor * (p.x - s.p[0].x), s.p[0].y + factor * (p.y - s.p[0].y)};
+  };
+  return {s.p[0], moved(s.p[1]), moved(s.p[2])};
+}
+
+PARDEL_PROPERTY(SizeAround, a_corner_changes_no_answer,
+                {.statement = "a triangle is too large for a size that is interpolated at its centroid if and only if "
+                              "it is so after the size at its first corner was looked up",
+                 .source = "parallel/refinement/criteria.hpp",
+                 .families = "triangles in a square with random sizes at lattice points; scaled such that the longest "
+                             "side is the size up to a few units in the last place, or differs by up to a half"}) {
+  constexpr int side = 6;
+  Goal goal{.min_angle_deg = 0};
+  goal.size = some_field(side);
+  const Criteria criteria(goal, Placement::circumcentre, {});
+  const auto coordinate = [](int low, int high) { return *rc::gen::inRange(16 * low, 16 * high + 1) / 16.0; };
+  const Point p{coordinate(2, 4), coordinate(2, 4)};
+  const auto corner = [&] { return Point{p.x + coordinate(-1, 1), p.y + coordinate(-1, 1)}; };
+  const Point a = corner(), b = corner();
+  RC_PRE(checker::exactly::orientation(p, a, b) > 0);
+  const Shape shape(p, a, b);
+  double low = 0, high = 2 / std::sqrt(shape.longest_squared());
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (criteria.too_large_locally(scaled(shape, middle), no_index) ? high : low) = middle;
+  }
+  const double factor = high * (1 + *rc::gen::element(0.0, 0x1p-51, -0x1p-50, 0x1p-44, -0x1p-42, 0.01, -0.02, 0.05,
+                                                      -0.05, 0.1, -0.1, 0.3, -0.3, -0.5));
+  const Shape s = scaled(shape, factor);
+  LocalHints hints;
+  criteria.look_around(p, hints);
+  const bool decided = s.longest_squared() <= hints.around.keeps || s.longest_squared() > hints.around.exceeds;
+  properties::classify(decided, "decided by the corner", 20);
+  properties::classify(!decided, "not decided by the corner", 20);
+  RC_ASSERT(criteria.too_large_locally(s, s.p[0], s.p[1], s.p[2], no_index, hints) ==
+            criteria.too_large_locally(s, no_index));
 }
 
 }  // namespace

@@ -97,12 +97,15 @@ TEST(PendingTriangles, are_deferred_by_the_rule_of_their_cell) {
 
 TEST(PendingTriangles, have_the_work_that_is_estimated_on_any_number_of_threads) {
   const PendingScene scene;
-  const Quadtree tree = Quadtree({0, 0, 1, 1}).divided(std::vector<double>{1}, 0);
-  const std::vector<double> one = scene.all_bad(1).work(tree, scene.criteria);
-  EXPECT_EQ(one, scene.all_bad(3).work(tree, scene.criteria));
-  double sum = 0;
-  for (const double of_leaf : one) sum += of_leaf;
-  EXPECT_NEAR(sum, 2.0 * static_cast<double>(bad_triangles(scene).size()), 1e-9) << "a goal without bounds on size";
+  const Array<WorkAt> one = scene.all_bad(1).work(scene.criteria), three = scene.all_bad(3).work(scene.criteria);
+  const std::vector<TriangleId> bad = bad_triangles(scene);
+  ASSERT_EQ(one.size(), bad.size());
+  ASSERT_EQ(three.size(), bad.size());
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    EXPECT_EQ(one[i].place, Shape(scene.t(), scene.t().slots[bad[i]]).centroid());
+    EXPECT_EQ(one[i].triangles, 2) << "a goal without bounds on size";
+    EXPECT_EQ(three[i].place, one[i].place);
+  }
 }
 
 TEST(PendingTriangles, come_back_after_they_were_set_aside) {
