@@ -26,8 +26,7 @@ double longest_edge(const std::vector<Point>& p) {
 }
 
 double circumradius(const std::vector<Point>& p) {
-  return length(p[0], p[1]) * length(p[1], p[2]) * length(p[2], p[0]) /
-         (2 * std::abs(doubled_area(p[0], p[1], p[2])));
+  return length(p[0], p[1]) * length(p[1], p[2]) * length(p[2], p[0]) / (2 * std::abs(doubled_area(p[0], p[1], p[2])));
 }
 
 /// The value with three digits, or with as many as are needed to tell it from the bound.
@@ -67,6 +66,8 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
       return above(fmt::format("edge {}-{} of triangle {}", ids[0], ids[1], ids[2]), "length", length(p[0], p[1]),
                    goal.max_edge);
     case ViolationKind::size_exceeded: {
+      if (goal.grading < INFINITY || goal.feature_edges > 0)
+        return fmt::format("{}: longest edge {:.4g} is above the size at its centroid", triangle(), longest_edge(p));
       const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
       const double size = goal.size(centroid);
       return fmt::format("{}: longest edge {} is above {:.4g}, the size at its centroid", triangle(),

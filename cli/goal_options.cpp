@@ -87,6 +87,16 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
                  "Edge lengths: one per input point ('i length'), a raster (.asc, .npy) or a mesh (.vtu, .msh, .node)")
       ->type_name("FILE")
       ->group(group);
+  app.add_option("--feature-size", options.feature_size,
+                 "About K edges across narrow places, and in the radius of a polyline's turn")
+      ->check(positive_number("a number of edges"))
+      ->type_name("K")
+      ->group(group);
+  app.add_option("--grading", options.grading,
+                 "Edge lengths grow by at most G per unit of distance, from sizes, segments and narrow places")
+      ->check(positive_number("a limit on gradation"))
+      ->type_name("G")
+      ->group(group);
   app.add_flag("--conforming", options.conforming, "Make the mesh Delaunay, not only constrained Delaunay")
       ->group(group);
   app.add_flag("--convex-hull", options.convex_hull, "The domain is the convex hull of the points")->group(group);
@@ -98,6 +108,8 @@ Goal goal_without_sizes(const GoalOptions& options) {
   if (options.rho) goal.min_angle_deg = angle_of(*options.rho);
   if (options.max_area) goal.max_area = *options.max_area;
   if (options.max_edge) goal.max_edge = *options.max_edge;
+  if (options.grading) goal.grading = *options.grading;
+  if (options.feature_size) goal.feature_edges = *options.feature_size;
   goal.region_caps = options.regions;
   goal.conforming = options.conforming;
   goal.convex_hull = options.convex_hull;
@@ -109,6 +121,10 @@ Result<Goal> make_goal(const GoalOptions& options, const SizeField& sizes, const
   Result<std::function<double(Point)>> size = size_function(sizes, options.sizes.string(), domain);
   if (!size) return size.error();
   goal.size = std::move(*size);
+  if (!options.grading) return goal;
+  Result<std::vector<SizeSource>> sources = sources_of(sizes, domain, *options.grading);
+  if (!sources) return sources.error();
+  goal.sources = std::move(*sources);
   return goal;
 }
 

@@ -20,6 +20,8 @@ struct GoalOptions {
   std::optional<double> max_edge;
   bool regions = false;
   std::filesystem::path sizes;  ///< the file of sizes; empty: none
+  std::optional<double> grading;
+  std::optional<double> feature_size;
   bool conforming = false;
   bool convex_hull = false;
 };

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "../parallel/mesher.hpp"
 #include "choice.hpp"
@@ -129,6 +130,10 @@ void add_mesh_options(CLI::App& app, MeshArguments& arguments) {
 
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;
+  for (const auto& [name, given] : {std::pair{"--grading", arguments.goal.grading.has_value()},
+                                    std::pair{"--feature-size", arguments.goal.feature_size.has_value()}})
+    if (given && arguments.refine)
+      return Error{ErrorKind::usage, std::string(name) + " needs a domain and cannot be used with --refine"};
   if (arguments.threads > 0) omp_set_num_threads(arguments.threads);  // for reading, writing and checking, too
   options.threads = omp_get_max_threads();
   options.max_memory =

@@ -11,6 +11,16 @@ namespace {
 
 using Size = Result<std::function<double(Point)>>;
 
+using Sources = Result<std::vector<SizeSource>>;
+
+/// The first attribute of each point.
+std::vector<double> sizes_at_points(const Mesh& mesh) {
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    sizes.push_back(mesh.point_attributes[i * mesh.attributes_per_point]);
+  return sizes;
+}
+
 Size function_of(const PointSizes& sizes, const std::string& name, const ValidPslg& domain) {
   const std::size_t points = domain.pslg().points.size();
   if (sizes.size() != points) {
@@ -38,14 +48,21 @@ Size function_of(const Mesh& background, const std::string& name, const ValidPsl
                              "array 'size' or 'attributes', in a .msh $NodeData, in a .node the first attribute)",
                              name)};
   }
-  std::vector<double> sizes;
-  for (std::size_t i = 0; i < background.points.size(); ++i) sizes.push_back(background.point_attributes[i * width]);
-  Size size = interpolated_size(background, sizes);
+  Size size = interpolated_size(background, sizes_at_points(background));
   if (!size) return Error{size.error().kind, name + ": " + size.error().message};
   return size;
 }
 
 Size function_of(std::monostate, const std::string&, const ValidPslg&) { return std::function<double(Point)>(); }
+
+Sources sources_in(const PointSizes& sizes, const ValidPslg& domain, double grading) {
+  return size_sources(domain, sizes, grading);
+}
+Sources sources_in(const Raster& raster, const ValidPslg&, double grading) { return size_sources(raster, grading); }
+Sources sources_in(const Mesh& background, const ValidPslg&, double grading) {
+  return size_sources(background, sizes_at_points(background), grading);
+}
+Sources sources_in(std::monostate, const ValidPslg&, double) { return std::vector<SizeSource>(); }
 
 }  // namespace
 
@@ -62,6 +79,10 @@ Result<SizeField> read_size_field(const std::filesystem::path& file) {
 
 Size size_function(const SizeField& field, const std::string& name, const ValidPslg& domain) {
   return std::visit([&](const auto& sizes) { return function_of(sizes, name, domain); }, field);
+}
+
+Sources sources_of(const SizeField& field, const ValidPslg& domain, double grading) {
+  return std::visit([&](const auto& sizes) { return sources_in(sizes, domain, grading); }, field);
 }
 
 }  // namespace pardel::cli

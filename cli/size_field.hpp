@@ -10,6 +10,7 @@
 #include "../core/mesh.hpp"
 #include "../core/raster.hpp"
 #include "../core/result.hpp"
+#include "../core/size_source.hpp"
 #include "../parallel/validate.hpp"
 
 namespace pardel::cli {
@@ -28,5 +29,10 @@ using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 /// the field does not fit the domain.
 [[nodiscard]] Result<std::function<double(Point)>> size_function(const SizeField& field, const std::string& name,
                                                                  const ValidPslg& domain);
+
+/// The sources for Goal::sources: where the lengths of the field grow faster than `grading`. Precondition:
+/// size_function() accepts the field.
+[[nodiscard]] Result<std::vector<SizeSource>> sources_of(const SizeField& field, const ValidPslg& domain,
+                                                         double grading);
 
 }  // namespace pardel::cli

@@ -5,8 +5,10 @@
 
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "pslg.hpp"
+#include "size_source.hpp"
 
 namespace pardel {
 
@@ -27,6 +29,21 @@ struct Goal {
   /// throws anything else, or returns a number that is not positive, the mesher returns a `usage` error that names the
   /// point. The error is the same for any number of threads.
   std::function<double(Point)> size{};
+  /// The limit on gradation: the wanted length grows by at most this number per unit of distance, > 0; infinity: no
+  /// limit. It grows from the `sources`, from each segment of the domain, on which it is at most the length of the
+  /// segment, and from narrow places, as feature_edges says with 1 edge if feature_edges is 0. A triangle is too large
+  /// if its longest edge exceeds the least of all these lengths at its centroid. Distances are straight, also across
+  /// holes. Not for refine(), which has no segments of a domain.
+  double grading = std::numeric_limits<double>::infinity();
+  /// Where lengths are prescribed, for `grading`. `size` itself does not count: a function cannot be limited before
+  /// all its values are known. size_sources() (raster.hpp, mesher.hpp) makes the sources of a field of sizes.
+  std::vector<SizeSource> sources{};
+  /// How many edges lie across narrow places of the domain, >= 0; 0: no such bound. On a feature (a segment or a
+  /// corner) the wanted length is the distance to the nearest feature that is apart from it, divided by this number. At
+  /// a vertex where a polyline turns it is the radius of the turn, divided by this number. Away from there it grows by
+  /// the reciprocal of this number per unit of distance, or by `grading` if that is less. docs/sizes.md has the
+  /// definitions. Not for refine().
+  double feature_edges = 0;
   /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh
   /// must be constrained Delaunay.
   bool conforming = false;

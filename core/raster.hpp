@@ -7,6 +7,7 @@
 
 #include "pslg.hpp"
 #include "result.hpp"
+#include "size_source.hpp"
 
 namespace pardel {
 
@@ -37,5 +38,12 @@ struct Raster {
 ///
 /// Errors: `invalid_input` if a value is not greater than 0. NaN (no value) and infinity (no bound) are allowed.
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(Raster raster, std::string name = "the raster");
+
+/// The Goal::sources of a raster of lengths, for a limit on gradation: the lines between neighbouring grid points where
+/// the lengths in a cell change by more than `grading` per unit of distance. With these sources, the limit holds from
+/// all grid points and all lines between them. Inside a cell the interpolation itself may be steeper.
+///
+/// Errors: `usage` if the limit is not a finite number greater than 0. Values that are not finite are no sources.
+[[nodiscard]] Result<std::vector<SizeSource>> size_sources(const Raster& raster, double grading);
 
 }  // namespace pardel

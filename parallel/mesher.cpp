@@ -18,7 +18,9 @@
 #include "diagnosis/find_gaps.hpp"
 #include "diagnosis/find_least_size.hpp"
 #include "input/findings.hpp"
+#include "interpolation/graded_size.hpp"
 #include "interpolation/local_bound.hpp"
+#include "interpolation/steep_edges.hpp"
 #include "refinement/criteria.hpp"
 #include "refinement/exemptions.hpp"
 #include "scheduling/limits.hpp"
@@ -108,7 +110,9 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
     result.report.gaps = find_gaps(*domain, progress.threads());
     if (Status wanted = announce_least_size(*domain, *goal, options, progress.threads()); !wanted)
       return wanted.error();
-    const Criteria criteria(guarded(*goal), options.placement, std::move(caps));
+    Goal graded = guarded(*goal);
+    if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
+    const Criteria criteria(graded, options.placement, std::move(caps));
     if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
       return refined.error();
   }
@@ -144,6 +148,22 @@ Status check_sizes(const Points& of, std::span<const double> sizes) {
   return Done{};
 }
 
+Status check_sources(std::span<const SizeSource> sources) {
+  const auto is_length = [](double length) { return length > 0 && length < INFINITY; };
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const SizeSource& source = sources[i];
+    const std::string name = "Goal::sources: source " + std::to_string(i);
+    for (const Point p : {source.a, source.b})
+      if (!std::isfinite(p.x) || !std::isfinite(p.y))
+        return Error{ErrorKind::usage, name + " is not at a finite point"};
+    if (!is_length(source.at_a) || !is_length(source.at_b))
+      return Error{ErrorKind::usage, name + " at " + shortest(source.a) +
+                                         " must have finite lengths greater than 0, not " +
+                                         shortest(is_length(source.at_a) ? source.at_b : source.at_a)};
+  }
+  return Done{};
+}
+
 /// The triangles of a background, counter-clockwise.
 Result<std::vector<std::array<Index, 3>>> triangles_of_background(const Mesh& mesh) {
   if (mesh.triangles.empty()) return Error{ErrorKind::invalid_input, "the mesh of the sizes has no triangles"};
@@ -170,6 +190,11 @@ std::function<double(Point)> size_on(std::span<const Point> points, std::vector<
   PointValues field{
       std::make_shared<Background>(points, std::move(triangles), threads), {sizes.begin(), sizes.end()}, limited};
   return OnBackground<PointValues>{std::make_shared<const PointValues>(std::move(field))};
+}
+
+Status check_grading(double grading) {
+  if (grading > 0 && grading < INFINITY) return Done{};
+  return Error{ErrorKind::usage, "the limit on gradation must be finite and positive, not " + shortest(grading)};
 }
 
 /// Precondition: the Pslg is valid and check_sizes() accepts the sizes.
@@ -249,6 +274,10 @@ Status check_goal(const Goal& goal, const Options& options) {
                   goal.min_angle_deg);
   if (!(goal.max_area > 0)) return refuse("the largest area must be positive", goal.max_area);
   if (!(goal.max_edge > 0)) return refuse("the longest edge must be positive", goal.max_edge);
+  if (!(goal.grading > 0)) return refuse("the limit on gradation must be positive", goal.grading);
+  if (!(goal.feature_edges >= 0 && goal.feature_edges < INFINITY))
+    return refuse("the edges across narrow places must be zero or positive", goal.feature_edges);
+  if (Status fit = check_sources(goal.sources); !fit) return fit;
   if (!(options.min_edge >= 0 && options.min_edge < INFINITY))
     return refuse("the shortest edge must be zero or positive", options.min_edge);
   if (options.triangles_per_tile == 0) return refuse("the triangles of a tile must be positive", 0);
@@ -285,6 +314,8 @@ Result<Meshed> triangulate(const Pslg& pslg, bool convex_hull, const Options& op
 
 Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
+  if (is_graded(goal))
+    return Error{ErrorKind::usage, "a limit on gradation and edges across narrow places need a domain, not a mesh"};
   if (Status fit = check_caps(coarse, max_areas); !fit) return fit.error();
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
     return refine_mesh(coarse, max_areas, goal, safe, progress);
@@ -317,6 +348,31 @@ Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::sp
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Size {
     if (Status valid = check_valid(pslg, convex_hull, progress.threads()); !valid) return valid.error();
     return interpolate_sizes(pslg, sizes, convex_hull, safe, progress);
+  });
+}
+
+Result<std::vector<SizeSource>> size_sources(const ValidPslg& domain, std::span<const double> sizes, double grading,
+                                             const Options& options) {
+  using Sources = Result<std::vector<SizeSource>>;
+  if (Status fit = check_sizes(domain.pslg(), sizes); !fit) return fit.error();
+  if (Status in_range = check_grading(grading); !in_range) return in_range.error();
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Sources {
+    const Result<Meshed> meshed = mesh_valid(domain.pslg(), domain.convex_hull(), nullptr, safe, progress);
+    if (!meshed) return meshed.error();
+    std::vector<std::array<Index, 3>> triangles;
+    for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
+    return steep_edges(domain.pslg().points, triangles, sizes, grading);
+  });
+}
+
+Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<const double> sizes, double grading) {
+  using Sources = Result<std::vector<SizeSource>>;
+  if (Status fit = check_sizes(background, sizes); !fit) return fit.error();
+  if (Status in_range = check_grading(grading); !in_range) return in_range.error();
+  return supervised(Options{}, [&](const Options&, ProgressMonitor&) -> Sources {
+    Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
+    if (!triangles) return triangles.error();
+    return steep_edges(background.points.span(), *triangles, sizes, grading);
   });
 }
 

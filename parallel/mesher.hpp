@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "../core/goal.hpp"
 #include "../core/mesh.hpp"
@@ -32,8 +33,9 @@ struct Meshed {
 inline constexpr double largest_min_angle_deg = 33;
 
 /// Returns a `usage` error if a value of the goal or the options is out of range: a minimum angle outside 0 to 33
-/// degrees (0 to 45 with Options::max_vertices), a largest area or edge that is not positive, a negative or infinite
-/// Options::min_edge, 0 triangles per tile, a negative number of threads. mesh() and refine() begin with this check.
+/// degrees (0 to 45 with Options::max_vertices), a largest area or edge or a limit on gradation that is not positive, a
+/// negative or infinite Goal::feature_edges or Options::min_edge, 0 triangles per tile, a negative number of threads.
+/// mesh() and refine() begin with this check.
 [[nodiscard]] Status check_goal(const Goal& goal, const Options& options = {});
 
 /// Makes the quality mesh of a domain: a constrained Delaunay triangulation, refined until every triangle satisfies the
@@ -64,8 +66,9 @@ inline constexpr double largest_min_angle_deg = 33;
 ///
 /// max_areas: empty, or one area cap > 0 per triangle of `coarse`. It applies to the area that this triangle covers.
 ///
-/// Errors: those of mesh(), and `invalid_input` if `coarse` is not manifold, has a triangle that is not positively
-/// oriented, or does not fit `max_areas`.
+/// Errors: those of mesh(); `usage` if the goal has a limit on gradation or feature_edges, which need the segments of a
+/// domain; `invalid_input` if `coarse` is not manifold, has a triangle that is not positively oriented, or does not fit
+/// `max_areas`.
 [[nodiscard]] Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal = {},
                                     const Options& options = {});
 
@@ -90,5 +93,15 @@ inline constexpr double largest_min_angle_deg = 33;
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
                                                                      bool convex_hull = false,
                                                                      const Options& options = {});
+
+/// Makes the Goal::sources of the same sizes, for a limit on gradation. With these sources, no field grows faster, and
+/// at no place is the wanted length less than the limit requires: it is the greatest function below the interpolated
+/// lengths that grows by at most `grading` per unit of distance. Where they already do, they need no sources.
+///
+/// Errors: as from interpolated_size(); `usage` if the limit is not a finite number greater than 0.
+[[nodiscard]] Result<std::vector<SizeSource>> size_sources(const ValidPslg& domain, std::span<const double> sizes,
+                                                           double grading, const Options& options = {});
+[[nodiscard]] Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<const double> sizes,
+                                                           double grading);
 
 }  // namespace pardel

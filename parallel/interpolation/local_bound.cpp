@@ -1,5 +1,6 @@
 #include "local_bound.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "../../core/result.hpp"
@@ -25,10 +26,22 @@ double PointValues::at(Point p, LocationHint& hint) const {
   return background->value_at(found, values);
 }
 
+double GradedValues::at(Point p, LocationHint& hint) const {
+  const double length = grown.at(p);
+  return size ? std::min(length, size(p, hint)) : length;
+}
+
+Steepness GradedValues::steepness() const {
+  const Steepness both = grown.steepness();
+  if (!size) return both;
+  return {std::max(both.slope, size.steepness().slope), std::max(both.blur, size.steepness().blur)};
+}
+
 LocalBound local_bound(std::function<double(Point)> function) {
   if (!function) return {};
   if (LocalBound found = with_hint<PointValues>(function)) return found;
   if (LocalBound found = with_hint<TriangleValues>(function)) return found;
+  if (LocalBound found = with_hint<GradedValues>(function)) return found;
   return LocalBound([function = std::move(function)](Point p, LocationHint&) { return function(p); });
 }
 

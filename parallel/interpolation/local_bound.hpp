@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "background.hpp"
+#include "size_envelope.hpp"
 
 namespace pardel::engine {
 
@@ -61,6 +62,14 @@ class LocalBound {
 
 /// The function as a LocalBound, with hints if its target is an OnBackground. Empty if the function is empty.
 [[nodiscard]] LocalBound local_bound(std::function<double(Point)> function);
+
+/// The least of a bound, if there is one, and of lengths that grow away from their sources.
+struct GradedValues {
+  LocalBound size;
+  SizeEnvelope grown;
+  [[nodiscard]] double at(Point p, LocationHint& hint) const;
+  [[nodiscard]] Steepness steepness() const;
+};
 
 /// What a size at a point says about the triangles that have their first corner there: those whose longest side has at
 /// most the square `keeps` keep the size at their centroid, and those with more than `exceeds` do not.

@@ -28,6 +28,12 @@ inline constexpr double shell_ulps = 8;
 /// their angle is greater than this value. At 60 degrees and more refinement needs no exceptions.
 inline constexpr double shell_cosine = 0.5;
 
+/// The length that Goal::grading and Goal::feature_edges allow at a centroid is computed in doubles. An edge is too long
+/// if it exceeds
+///     (1 + size_tolerance) * (that length) + size_ulps * (the unit of chain_ulps).
+inline constexpr double size_tolerance = 1e-9;
+inline constexpr double size_ulps = 64;
+
 /// The double c that stands for the bound min_angle_deg: std::cos(min_angle_deg * pi / 180) for bounds from 0 to 90
 /// degrees, cos 90 degrees for larger ones, and 1 (no bound) for a bound that is not positive. An angle between rays u
 /// and v is too small if its exact cosine exceeds c: if u . v > 0 and (u . v)^2 > c^2 |u|^2 |v|^2. These numbers are

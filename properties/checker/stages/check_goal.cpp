@@ -7,6 +7,7 @@
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
 #include "../arithmetic/text.hpp"
+#include "../model/wanted_size.hpp"
 #include "../tolerances.hpp"
 #include "justified.hpp"
 #include "stages.hpp"
@@ -17,13 +18,15 @@ namespace {
 class GoalCheck {
  public:
   GoalCheck(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-            const InputVertices& inputs, std::span<const Index> faces, bool trust_orientation)
+            const InputVertices& inputs, std::span<const Index> faces, const WantedSize& wanted, bool trust_orientation)
       : subject_(subject),
         domain_(domain),
         adjacency_(adjacency),
         chains_(chains),
         inputs_(inputs),
         faces_(faces),
+        wanted_(wanted),
+        ulp_(domain.ulp()),
         trust_orientation_(trust_orientation),
         cosine_bound_(angle_cosine_bound(subject.goal.min_angle_deg)) {}
 
@@ -107,9 +110,12 @@ class GoalCheck {
 
   /// The centroid is rounded; the edges are compared exactly with the size there.
   void check_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
-    if (!subject_.goal.size) return;
+    if (!subject_.goal.size && wanted_.empty()) return;
     const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
-    const std::optional<double> size = size_at(centroid);
+    std::optional<double> size = std::numeric_limits<double>::infinity();
+    if (subject_.goal.size) size = size_at(centroid);
+    if (size && !wanted_.empty())
+      size = std::min(*size, (1 + size_tolerance) * wanted_.at(centroid) + size_ulps * ulp_);
     if (size && allows_edges(*size, p)) return;
     const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
     if (found.admit(ViolationKind::size_exceeded))
@@ -161,6 +167,8 @@ class GoalCheck {
   const Chains& chains_;
   const InputVertices& inputs_;
   std::span<const Index> faces_;
+  const WantedSize& wanted_;
+  double ulp_;
   bool trust_orientation_;
   double cosine_bound_;
 };
@@ -171,7 +179,8 @@ void check_goal(const Subject& subject, const Domain& domain, const Adjacency& a
                 const InputVertices& inputs, std::span<const Index> faces, Findings& found,
                 std::vector<Justified>& justified) {
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
-  const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, trust_orientation);
+  const WantedSize wanted(subject.pslg, subject.goal, found.stop());
+  const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, wanted, trust_orientation);
   // Each thread takes a range of consecutive triangles, so the joined list is ascending.
   std::vector<std::vector<Justified>> parts(static_cast<std::size_t>(omp_get_max_threads()));
   check_each(adjacency.triangles().size(), found, [&](std::size_t t, Findings& mine) {
