@@ -376,4 +376,13 @@ Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<c
   });
 }
 
+Result<std::function<double(Point)>> allowed_size(const ValidPslg& domain, const Goal& goal, const Options& options) {
+  using Size = Result<std::function<double(Point)>>;
+  if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
+  if (!is_graded(goal)) return goal.size;
+  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Size {
+    return graded_size(goal, domain.pslg(), progress.threads());
+  });
+}
+
 }  // namespace pardel

@@ -104,4 +104,10 @@ inline constexpr double largest_min_angle_deg = 33;
 [[nodiscard]] Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<const double> sizes,
                                                            double grading);
 
+/// The longest edge that Goal::size, Goal::grading and Goal::feature_edges allow at a point: mesh() uses this function.
+/// With one of the two latter bounds, it owns its data and finds a length in O(log n) on typical input. Otherwise it is
+/// Goal::size. Errors: those of check_goal(); `resources`.
+[[nodiscard]] Result<std::function<double(Point)>> allowed_size(const ValidPslg& domain, const Goal& goal,
+                                                                const Options& options = {});
+
 }  // namespace pardel

@@ -18,9 +18,9 @@ bool turns_little(Point a, Point v, Point b) {
   return dot > least_cosine * (distance(a, v) * distance(v, b));
 }
 
-class Search {
+class PolylineSearch {
  public:
-  explicit Search(const Pslg& pslg) : pslg_(pslg), used_(pslg.segments.size()) {
+  explicit PolylineSearch(const Pslg& pslg) : pslg_(pslg), used_(pslg.segments.size()) {
     first_.assign(pslg.points.size() + 1, 0);
     for (const Segment& s : pslg.segments) ++first_[s.a], ++first_[s.b];
     Index sum = 0;
@@ -96,6 +96,6 @@ class Search {
 
 }  // namespace
 
-Polylines find_polylines(const Pslg& pslg, const Threads& threads) { return Search(pslg).run(threads); }
+Polylines find_polylines(const Pslg& pslg, const Threads& threads) { return PolylineSearch(pslg).run(threads); }
 
 }  // namespace pardel::engine

@@ -9,15 +9,15 @@
 namespace pardel::engine {
 namespace {
 
-/// Values that differ by rounding only count as equal when sources are left out.
-constexpr double rounding = 0x1p-40;
+/// Values that differ by rounding_margin only count as equal when sources are left out.
+constexpr double rounding_margin = 0x1p-40;
 
 }  // namespace
 
 PreparedSize::PreparedSize(const GrowingSize& growing)
     : a_(growing.source.a), length_(growing.source.at_a), slope_(growing.slope) {
   SizeSource source = growing.source;
-  // One orientation, so that rounding does not depend on the other.
+  // One orientation, so that rounding_margin does not depend on the other.
   if (source.b.x < source.a.x || (source.b.x == source.a.x && source.b.y < source.a.y)) {
     std::swap(source.a, source.b);
     std::swap(source.at_a, source.at_b);
@@ -88,7 +88,8 @@ void SizeEnvelope::build(std::uint32_t node, Point centre, double half, std::spa
   for (const Candidate& candidate : from) {
     ask();
     const PreparedSize& source = sources_[candidate.source];
-    const double value = source.at(centre), reach = source.slope() * radius * (1 + rounding) + value * rounding;
+    const double value = source.at(centre),
+                 reach = source.slope() * radius * (1 + rounding_margin) + value * rounding_margin;
     most = std::min(most, value + reach);
     kept.push_back({value - reach, candidate.source});
   }

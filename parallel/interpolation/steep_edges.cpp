@@ -6,10 +6,10 @@
 namespace pardel::engine {
 namespace {
 
-struct Edge {
+struct FieldEdge {
   Index a, b;
   bool steep;
-  friend bool operator<(const Edge& e, const Edge& f) { return std::tie(e.a, e.b) < std::tie(f.a, f.b); }
+  friend bool operator<(const FieldEdge& e, const FieldEdge& f) { return std::tie(e.a, e.b) < std::tie(f.a, f.b); }
 };
 
 /// True if the gradient is longer than `grading`, or nearly so.
@@ -24,7 +24,7 @@ bool is_steep(const std::array<Point, 3>& p, const std::array<double, 3>& value,
 
 std::vector<SizeSource> steep_edges(std::span<const Point> points, std::span<const std::array<Index, 3>> triangles,
                                     std::span<const double> values, double grading) {
-  std::vector<Edge> edges;
+  std::vector<FieldEdge> edges;
   edges.reserve(3 * triangles.size());
   for (const auto& v : triangles) {
     const bool steep =

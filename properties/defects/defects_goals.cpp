@@ -214,6 +214,25 @@ constexpr Defect goal_defects[] = {
          return true;
        });
      }},
+    {"a source of the limit on gradation demands shorter edges at one triangle",
+     size_exceeded,
+     {Field::bounds},
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return at_some_triangle(mesh, seed, [&](Index t) {
+         const Point at = edit::centroid(mesh, t);
+         const double wanted = longest_edge(mesh, t) * 0.875;
+         goal.grading = 1;
+         goal.sources = {{at, at, wanted, wanted}};
+         return true;
+       });
+     }},
+    {"the narrow places demand shorter edges",
+     size_exceeded,
+     {Field::bounds},
+     [](Pslg& pslg, Mesh&, Goal& goal, std::uint64_t) {
+       goal.feature_edges = 1e6;
+       return !pslg.segments.empty();
+     }},
     {"an edge of a segment is not Delaunay although the goal is conforming",
      not_conforming,
      {Field::bounds},

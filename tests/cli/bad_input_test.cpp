@@ -227,6 +227,20 @@ TEST_F(BadInput, sizes_that_cannot_be_read_are_reported_before_an_invalid_domain
   EXPECT_TRUE(holds(ran.err, {"none.sizes", "cannot be opened"}));
 }
 
+TEST_F(BadInput, useless_limits_on_gradation_and_numbers_of_edges_are_refused) {
+  write("square.poly", square_poly);
+  for (const char* option : {"--grading", "--feature-size"}) {
+    for (const char* wrong : {"0", "-1", "nan", "inf", "fast"}) {
+      const Ran ran = pardel({"mesh", "square.poly", "-o", "o.vtu", option, wrong});
+      EXPECT_EQ(ran.exit_code, 2);
+      EXPECT_TRUE(holds(ran.err, {option, wrong, "greater than 0"})) << ran.err;
+    }
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "o.vtu", option, "1", "--refine"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(holds(ran.err, {option, "--refine"})) << ran.err;
+  }
+}
+
 TEST_F(BadInput, sizes_that_do_not_fit_the_points_are_refused) {
   write("few.sizes", "2\n1 0.1\n2 0.1\n");
   const Ran ran =

@@ -184,6 +184,41 @@ TEST_F(MeshCommand, sizes_at_the_points_grade_the_mesh) {
   EXPECT_GT(near, 4 * far);
 }
 
+TEST_F(MeshCommand, the_feature_size_asks_for_edges_across_narrow_places) {
+  const json coarse = report({"key.poly", "-o", "m.node", "--feature-size", "1", "--check"});
+  EXPECT_EQ(coarse["goal"]["feature_size"], 1);
+  EXPECT_EQ(coarse["goal"]["grading"], nullptr);
+  EXPECT_TRUE(coarse["certificate"]["valid"]);
+  const Ran refused = pardel({"check", "key.poly", "m.node", "--feature-size", "4"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(holds(refused.out, {"size exceeded: ", "is above the size at its centroid", "4 edges per feature size"}))
+      << refused.out;
+  const json dense = report({"key.poly", "-o", "m.node", "--feature-size", "4", "--check"});
+  EXPECT_TRUE(dense["certificate"]["valid"]);
+  EXPECT_EQ(dense["certificate"]["goal"]["feature_edges"], 4);
+  EXPECT_GT(dense["mesh"]["triangles"], 4 * coarse["mesh"]["triangles"].get<int>());
+  EXPECT_TRUE(certified("key.poly", "m.node", {"--feature-size", "4"}));
+}
+
+TEST_F(MeshCommand, grading_limits_how_fast_lengths_grow) {
+  write("fine.sizes", "4\n1 0.02\n2 0.5\n3 0.5\n4 0.5\n");
+  write("fine.asc",
+        "ncols 20\nnrows 1\nxllcorner 0\nyllcorner 0\ndx 0.05\ndy 1\n0.02 0.02 0.02 0.02 0.02 0.02 "
+        "0.02 0.02 0.02 0.02 0.9 0.9 0.9 0.9 0.9 0.9 0.9 0.9 0.9 0.9\n");
+  write("fine.node", "5 2 1 0\n1 0 0 0.5\n2 1 0 0.5\n3 1 1 0.5\n4 0 1 0.5\n5 0.5 0.5 0.01\n");
+  write("fine.ele", "4 3 0\n1 1 2 5\n2 2 3 5\n3 3 4 5\n4 4 1 5\n");
+  for (const std::string field : {"fine.sizes", "fine.asc", "fine.node"}) {
+    SCOPED_TRACE(field);
+    const json steep = report({"square.poly", "-o", "m.node", "--sizes", field, "--check"});
+    EXPECT_EQ(pardel({"check", "square.poly", "m.node", "--sizes", field, "--grading", "0.05"}).exit_code, 1);
+    const json r = report({"square.poly", "-o", "m.node", "--sizes", field, "--grading", "0.05", "--check"});
+    EXPECT_EQ(r["goal"]["grading"], 0.05);
+    EXPECT_TRUE(r["certificate"]["valid"]);
+    EXPECT_GT(r["mesh"]["triangles"], steep["mesh"]["triangles"]);
+    EXPECT_TRUE(certified("square.poly", "m.node", {"--sizes", field, "--grading", "0.05"}));
+  }
+}
+
 TEST_F(MeshCommand, a_raster_of_sizes_grades_the_mesh) {
   write("field.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ndx 0.5\ndy 1\n0.02 0.3\n");
   const json r = report({"square.poly", "-o", "m.node", "--sizes", "field.asc", "--check"});

@@ -107,5 +107,38 @@ TEST(SizeOfARaster, throws_an_error_that_names_the_point_where_there_is_none) {
   }
 }
 
+TEST(SourcesOfARaster, are_the_lines_around_cells_that_change_fast) {
+  Raster raster{5, 4, {0, 0}, 1, 1, std::vector<double>(20, 1.0)};
+  EXPECT_TRUE(size_sources(raster, 0.1)->empty());
+  raster.values[0] = 0.5;
+  const auto sources = size_sources(raster, 0.1);
+  ASSERT_TRUE(sources);
+  ASSERT_EQ(sources->size(), 4U) << "one cell";
+  EXPECT_EQ((*sources)[0], (SizeSource{{0, 0}, {1, 0}, 0.5, 1}));
+  raster.values[6] = 0.5;
+  EXPECT_EQ(size_sources(raster, 0.1)->size(), 12U) << "four cells";
+  EXPECT_TRUE(size_sources(raster, 1)->empty());
+}
+
+TEST(SourcesOfARaster, of_one_row_are_where_it_changes_fast) {
+  const Raster row{4, 1, {0, 0}, 2, 1, {1, 1, 2, 2}};
+  ASSERT_EQ(size_sources(row, 0.4)->size(), 1U);
+  EXPECT_EQ((*size_sources(row, 0.4))[0], (SizeSource{{2, 0}, {4, 0}, 1, 2}));
+  EXPECT_TRUE(size_sources(row, 0.6)->empty());
+}
+
+TEST(SourcesOfARaster, leave_out_values_that_are_not_finite) {
+  const Raster raster{2, 2, {0, 0}, 1, 1, {1, NAN, std::numeric_limits<double>::infinity(), 1}};
+  const auto sources = size_sources(raster, 10);
+  ASSERT_TRUE(sources);
+  ASSERT_EQ(sources->size(), 4U);
+  for (const SizeSource& source : *sources) EXPECT_EQ(source.a, source.b);
+}
+
+TEST(SourcesOfARaster, need_a_limit_that_is_positive_and_finite) {
+  for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity(), static_cast<double>(NAN)})
+    EXPECT_EQ(size_sources(sample(), wrong).error().kind, ErrorKind::usage);
+}
+
 }  // namespace
 }  // namespace pardel

@@ -44,6 +44,11 @@ bool run_snippets(const std::filesystem::path& folder) {
   const auto limited = pardel::mesh(plate, {.max_edge = 0.05}, options);
   if (!limited) return report(limited.error());
 
+  pardel::Goal graded{.grading = 0.2, .feature_edges = 2};
+  graded.sources.push_back({{0.5, 0.1}, {0.5, 0.1}, 0.01, 0.01});  // from a to b, with these lengths at a and b
+  const auto from_sources = pardel::mesh(plate, graded);
+  if (!from_sources) return report(from_sources.error());
+
   for (const pardel::Exemption& exemption : limited->report.exempt) {
     std::printf("triangle %u: %s\n", exemption.triangle, pardel::name(exemption.reason));
   }

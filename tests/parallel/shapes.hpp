@@ -1,6 +1,8 @@
 // Small domains that consist of polygons.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "../../core/pslg.hpp"
@@ -14,6 +16,17 @@ inline void add_polygon(Pslg& pslg, const std::vector<Point>& corners, int marke
 }
 inline void add_square(Pslg& pslg, double side, Point at, int marker = 0) {
   add_polygon(pslg, {at, {at.x + side, at.y}, {at.x + side, at.y + side}, {at.x, at.y + side}}, marker);
+}
+/// A regular polygon around the origin, counter-clockwise from the direction of x.
+inline Pslg regular_polygon(int n, double radius = 1) {
+  Pslg pslg;
+  std::vector<Point> corners;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * k / n;
+    corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  add_polygon(pslg, corners);
+  return pslg;
 }
 inline Pslg points_only(const std::vector<Point>& points) {
   Pslg pslg;

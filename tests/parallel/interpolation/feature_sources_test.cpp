@@ -1,0 +1,96 @@
+// Which features of a domain ask for which lengths.
+#include "../../../parallel/interpolation/feature_sources.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "../../../parallel/interpolation/polylines.hpp"
+#include "../shapes.hpp"
+
+namespace pardel::engine {
+namespace {
+
+using testing::add_polygon;
+
+/// The least length at p, for lengths that grow by 1 / edges.
+double length_at(const Pslg& pslg, double edges, Point p) {
+  double least = INFINITY;
+  for (const GrowingSize& source : feature_sources(pslg, edges, 1 / edges, {}))
+    least = std::min(least, PreparedSize(source).at(p));
+  return least;
+}
+
+TEST(FeatureSources, of_a_rectangle_are_its_width_divided_by_the_number_of_edges) {
+  Pslg pslg;
+  add_polygon(pslg, {{0, 0}, {10, 0}, {10, 1}, {0, 1}});
+  for (const Point on_a_long_side : {Point{0, 0}, Point{5, 0}, Point{7.3, 1}})
+    EXPECT_DOUBLE_EQ(length_at(pslg, 4, on_a_long_side), 0.25);
+  EXPECT_DOUBLE_EQ(length_at(pslg, 4, {5, 0.5}), 0.375) << "half a width away, lengths have grown by an eighth";
+}
+
+TEST(FeatureSources, see_a_point_near_a_segment) {
+  Pslg pslg = testing::square(8);
+  pslg.points.push_back({3, 0.5});
+  EXPECT_NEAR(length_at(pslg, 1, {3, 0}), 0.5, 0.125);
+  EXPECT_LE(length_at(pslg, 1, {3, 0}), 0.5);
+  EXPECT_DOUBLE_EQ(length_at(pslg, 1, {3, 0.5}), 0.5);
+}
+
+TEST(FeatureSources, see_the_side_opposite_a_corner) {
+  Pslg pslg;
+  add_polygon(pslg, {{0, 0}, {2, 0}, {1, 1}});
+  EXPECT_DOUBLE_EQ(length_at(pslg, 2, {1, 1}), 0.5);
+}
+
+TEST(FeatureSources, of_a_circle_are_its_radius_however_many_vertices_it_has) {
+  for (const int n : {64, 1000, 20000}) {
+    const double length = length_at(testing::regular_polygon(n, 3), 2, {3, 0});
+    EXPECT_LE(length, 1.5) << n;
+    EXPECT_GE(length, 1.2) << n;
+  }
+}
+
+TEST(FeatureSources, do_not_see_neighbours_along_a_polyline) {
+  Pslg pslg;
+  for (int k = 0; k <= 100; ++k) pslg.points.push_back({0.1 * k, 0});
+  for (Index k = 0; k < 100; ++k) pslg.segments.push_back({k, k + 1});
+  const auto sources = feature_sources(pslg, 1, 1, {});
+  ASSERT_EQ(sources.size(), 2U) << "the distance of the two ends";
+  EXPECT_DOUBLE_EQ(sources[0].source.at_a, 10);
+}
+
+TEST(FeatureSources, see_the_other_side_of_a_long_smooth_hole) {
+  Pslg pslg;
+  std::vector<Point> corners;
+  for (int k = 0; k <= 16; ++k) {
+    const double angle = std::numbers::pi * (k / 16.0 - 0.5);
+    corners.push_back({10 + std::cos(angle), std::sin(angle)});
+  }
+  for (int k = 0; k <= 16; ++k) {
+    const double angle = std::numbers::pi * (k / 16.0 + 0.5);
+    corners.push_back({-10 + std::cos(angle), std::sin(angle)});
+  }
+  add_polygon(pslg, corners);
+  ASSERT_TRUE(find_polylines(pslg, {}).all[0].closed);
+  EXPECT_NEAR(length_at(pslg, 1, {0, 1}), 2, 0.5);
+  EXPECT_LE(length_at(pslg, 1, {0, 1}), 2);
+}
+
+TEST(FeatureSources, of_a_long_channel_are_few) {
+  Pslg pslg;
+  add_polygon(pslg, {{0, 0}, {1000, 0}, {1000, 1}, {0, 1}});
+  EXPECT_LT(feature_sources(pslg, 2, 0.5, {}).size(), 500U) << "pieces of equal width are one source";
+}
+
+TEST(SegmentSources, have_the_lengths_of_the_segments) {
+  Pslg pslg = testing::square(3);
+  const auto sources = segment_sources(pslg, 0.5, {});
+  ASSERT_EQ(sources.size(), 4U);
+  for (const GrowingSize& source : sources) EXPECT_EQ(source.source.at_a, 3);
+  EXPECT_EQ(sources[0].slope, 0.5);
+}
+
+}  // namespace
+}  // namespace pardel::engine
