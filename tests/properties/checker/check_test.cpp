@@ -686,7 +686,9 @@ TEST(Certificate, has_the_extremes_and_their_triangles) {
   EXPECT_EQ(certificate.min_edge.value, 2);
   EXPECT_NEAR(certificate.max_edge.value, std::sqrt(8), 1e-12);
   EXPECT_NEAR(certificate.max_circumradius.value, std::sqrt(2), 1e-12);
-  EXPECT_EQ(certificate.max_area.triangle, 0u);
+  EXPECT_EQ(certificate.max_area.triangle, 0u) << "of several triangles, the first";
+  EXPECT_EQ(certificate.min_edge.triangle, 0u);
+  EXPECT_EQ(certificate.max_edge.triangle, 0u);
   EXPECT_NEAR(certificate.max_area.where.x, 4.0 / 3, 1e-15) << "the centroid of the triangle";
   EXPECT_NEAR(certificate.max_area.where.y, 2.0 / 3, 1e-15);
   std::uint64_t angles = 0;

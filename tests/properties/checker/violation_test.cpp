@@ -447,14 +447,15 @@ TEST(Violations, of_a_point_that_stands_twice_in_a_file_with_triangles_at_both_p
 }
 
 TEST(Violations, of_input_that_cannot_be_used_are_the_only_ones) {
-  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    Case c = testing::square_in_two();
-    c.pslg.points[2].x = value;
-    const Certificate certificate = check(c);
-    ASSERT_EQ(certificate.violations.size(), 1u) << said(certificate);
-    EXPECT_EQ(certificate.violations[0].witness, "point 2 of the input is not finite");
-    EXPECT_EQ(certificate.angle_histogram, std::vector<std::uint64_t>(18, 0)) << "no angle was measured";
-  }
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const std::size_t point : {0, 2, 3}) {
+      Case c = testing::square_in_two();
+      c.pslg.points[point].x = value;
+      const Certificate certificate = check(c);
+      ASSERT_EQ(certificate.violations.size(), 1u) << said(certificate);
+      EXPECT_EQ(certificate.violations[0].witness, "point " + std::to_string(point) + " of the input is not finite");
+      EXPECT_EQ(certificate.angle_histogram, std::vector<std::uint64_t>(18, 0)) << "no angle was measured";
+    }
 }
 
 TEST(Violations, of_chains_off_their_segments) {
