@@ -67,7 +67,7 @@ TEST(Raster, has_no_value_only_if_a_missing_one_has_a_weight) {
 TEST(Raster, is_infinite_beside_an_infinite_value) {
   Raster raster = sample();
   raster.values[1] = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(std::isinf(interpolate(raster, {11, 20})));
+  EXPECT_EQ(interpolate(raster, {11, 20}), std::numeric_limits<double>::infinity());
   EXPECT_EQ(interpolate(raster, {10, 21}), 2);
   raster.values[0] = NAN;
   EXPECT_TRUE(std::isnan(interpolate(raster, {11, 20})));

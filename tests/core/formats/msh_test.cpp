@@ -133,6 +133,13 @@ TEST(Msh, numbers_its_elements_from_1_without_gaps) {
   EXPECT_EQ(*numbers.rbegin(), 9u);
 }
 
+TEST(Msh, gives_each_entity_the_box_around_its_elements) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_msh(sample_mesh(), folder / "m.msh", MshEncoding::ascii).ok());
+  EXPECT_NE(folder.read("m.msh").find("\n1 0 0 0 2 2 0 1 1 0\n"), std::string::npos) << folder.read("m.msh");
+  EXPECT_NE(folder.read("m.msh").find("\n5 2 0 0 2 2 0 1 5 0\n"), std::string::npos) << folder.read("m.msh");
+}
+
 TEST(Msh, takes_the_tag_of_a_group_whose_name_is_no_value) {
   const auto markers = [](const std::string& name) {
     const Result<Mesh> mesh = parse_msh(replaced(ascii, "mid # wall", name.c_str()), "f");

@@ -28,6 +28,15 @@ TEST(Svg, of_a_mesh_fills_each_region_and_draws_each_constrained_edge) {
   EXPECT_EQ(count(svg, "</svg>\n$"), 1u);
 }
 
+TEST(Svg, of_a_small_mesh_is_that_of_a_large_one) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  ASSERT_TRUE(write_svg(mesh, folder / "large.svg").ok());
+  for (Point& p : mesh.points) p = {0x1p-10 * p.x, 0x1p-10 * p.y};
+  ASSERT_TRUE(write_svg(mesh, folder / "small.svg").ok());
+  EXPECT_EQ(folder.read("small.svg"), folder.read("large.svg"));
+}
+
 TEST(Svg, of_a_mesh_without_regions_draws_its_triangles) {
   const TemporaryFolder folder;
   Mesh mesh = sample_mesh();

@@ -127,6 +127,12 @@ TEST(TextReader, after_a_failure_gives_the_number_that_stands_for_a_missing_one)
   EXPECT_EQ(in.number("a fourth"), 0);
 }
 
+TEST(TextReader, takes_tabs_and_the_characters_of_old_printers_as_blanks) {
+  TextReader in("1\t2\v3\f4\r\n", "f");
+  ASSERT_TRUE(in.next_line());
+  for (const double expected : {1, 2, 3, 4}) EXPECT_EQ(in.number("a number"), expected);
+}
+
 TEST(TextReader, gives_the_rest_of_a_line_without_the_blanks_around_it) {
   TextReader in("name  \t of  it \t\r\nempty   \nlast", "f");
   ASSERT_TRUE(in.next_line());
