@@ -40,6 +40,7 @@ TEST(ValidPslg, of_points_alone_is_their_convex_hull) {
   const Pslg outline = square(4);
   EXPECT_FALSE(validate(outline)->convex_hull());
   EXPECT_TRUE(validate(outline, {.convex_hull = true})->convex_hull());
+  EXPECT_TRUE(validate(outline).value().with_convex_hull().convex_hull());
 }
 
 TEST(ValidPslg, leaves_an_invalid_pslg_as_it_is_and_gives_its_problems) {
