@@ -498,6 +498,18 @@ TEST(Check, compares_angles_with_the_bound_exactly) {
   EXPECT_EQ(count(check(c, goal), Kind::small_angle), 2u);
 }
 
+TEST(Check, reports_no_small_angle_of_a_flat_triangle) {
+  Case c = testing::square_in_two();
+  c.mesh.points.push_back({0.5, 0});
+  c.mesh.origin.push_back(0);
+  c.mesh.triangles.push_back({{0, 4, 1}, {no_index, no_index, no_index}});
+  Goal goal;
+  goal.min_angle_deg = 20;
+  const Certificate certificate = check(c, goal);
+  EXPECT_EQ(count(certificate, Kind::degenerate_triangle), 1u);
+  EXPECT_EQ(count(certificate, Kind::small_angle), 0u);
+}
+
 TEST(Check, names_the_smallest_angle_of_a_triangle_with_two_small_angles) {
   for (const double x : {1.5, 2.5}) {
     Case c;
@@ -861,6 +873,7 @@ TEST(Certificate, with_everything_is_this_JSON) {
   EXPECT_EQ(nlohmann::ordered_json::parse(to_json(certificate)), nlohmann::ordered_json::parse(R"({
   "schema": "pardel.certificate/1", "valid": false, "cancelled": false,
   "goal": {"min_angle_deg": 20.0, "max_area": 0.5, "max_edge": 2.0, "region_caps": true, "sizing": true,
+           "grading": null, "feature_edges": 0.0,
            "conforming": true, "convex_hull": true},
   "mesh": {"vertices": 1, "triangles": 1, "constrained_edges": 1, "area": 2.25},
   "extremes": {
@@ -890,6 +903,17 @@ TEST(Certificate, that_was_cancelled_says_so) {
   EXPECT_EQ(text.substr(0, text.find('\n')), "cancelled: 2 vertices, 2 triangles, 2 constrained edges");
   EXPECT_EQ(text.find("angles, in degrees"), std::string::npos) << "nothing was measured";
   EXPECT_EQ(text.find("triangle "), std::string::npos) << "no triangle has an extreme value";
+}
+
+TEST(Certificate, lists_max_violations_of_unused_vertices_and_not_one_more) {
+  Case c = testing::square_in_two();
+  c.mesh.points.append(std::vector<Point>{{7, 7}, {8, 8}, {9, 9}});
+  c.mesh.origin.resize(7, interior_vertex);
+  for (const std::size_t most : {0, 1, 2, 3}) {
+    const Certificate certificate = check(c, no_angle_bound(), {.max_violations = most});
+    EXPECT_EQ(count(certificate, Kind::unused_vertex), 3u);
+    EXPECT_EQ(certificate.violations.size(), most);
+  }
 }
 
 TEST(Certificate, lists_at_most_max_violations_and_counts_all) {
