@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -26,12 +27,17 @@ using MeshStructure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_v
                                                            CGAL::Delaunay_mesh_face_base_2<Kernel>>;
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, MeshStructure>;
 
-/// CGAL::Delaunay_mesh_size_criteria_2, but with a bound on areas instead of edges, so that all tools have the same
-/// goal. Triangles that are too large are split first, in decreasing size; then thin triangles, in increasing angle.
+[[nodiscard]] inline double squared_sine(const Goal& goal) {
+  const double sine = std::sin(goal.min_angle_deg * std::numbers::pi / 180);
+  return sine * sine;
+}
+
+/// CGAL::Delaunay_mesh_size_criteria_2, but with the bounds of a Goal on areas and on edges that depend on the place, so
+/// that all tools have the same goal. Triangles that are too large are split first, in decreasing size; then thin triangles, in increasing angle.
 class ShapeAndArea {
  public:
   struct Quality {
-    double size = 0;  ///< the area divided by the area bound
+    double size = 0;  ///< the area, or the squared longest edge, divided by its bound
     double sine = 0;  ///< squared sine of the smallest angle
     bool operator<(const Quality& other) const {
       if (size > 1) return other.size > 1 ? size > other.size : true;
@@ -41,7 +47,8 @@ class ShapeAndArea {
 
   class Is_bad {
    public:
-    Is_bad(double sine_bound, double area_bound) : sine_bound_(sine_bound), area_bound_(area_bound) {}
+    Is_bad(double sine_bound, double area_bound, const std::function<double(Point)>* size)
+        : sine_bound_(sine_bound), area_bound_(area_bound), size_(size) {}
 
     CGAL::Mesh_2::Face_badness operator()(const Quality& quality) const {
       if (quality.size > 1) return CGAL::Mesh_2::IMPERATIVELY_BAD;
@@ -54,6 +61,10 @@ class ShapeAndArea {
                    lc = CGAL::squared_distance(a, b);
       // The smallest angle lies opposite the shortest edge.
       quality.size = area / area_bound_;
+      if (*size_) {
+        const double wanted = (*size_)({(a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3});
+        quality.size = std::max(quality.size, std::max({la, lb, lc}) / (wanted * wanted));
+      }
       quality.sine = 4 * area * area / (la * lb * lc) * std::min({la, lb, lc});
       return (*this)(quality);
     }
@@ -61,14 +72,15 @@ class ShapeAndArea {
    private:
     double sine_bound_;
     double area_bound_;
+    const std::function<double(Point)>* size_;
   };
 
-  ShapeAndArea(double sine_bound, double area_bound) : sine_bound_(sine_bound), area_bound_(area_bound) {}
-  [[nodiscard]] Is_bad is_bad_object() const { return {sine_bound_, area_bound_}; }
+  /// Keeps a reference to the goal.
+  explicit ShapeAndArea(const Goal& goal) : goal_(goal) {}
+  [[nodiscard]] Is_bad is_bad_object() const { return {squared_sine(goal_), goal_.max_area, &goal_.size}; }
 
  private:
-  double sine_bound_;
-  double area_bound_;
+  const Goal& goal_;
 };
 
 /// The faces for which `takes` returns true and their vertices, as plain data.
@@ -104,11 +116,6 @@ inline void constrain_hull(Constrained& cdt) {
   do hull.push_back(v);
   while (++v != first);
   for (std::size_t i = 0; i < hull.size(); ++i) cdt.insert_constraint(hull[i], hull[(i + 1) % hull.size()]);
-}
-
-[[nodiscard]] inline double squared_sine(const Goal& goal) {
-  const double sine = std::sin(goal.min_angle_deg * std::numbers::pi / 180);
-  return sine * sine;
 }
 
 /// The refined constrained Delaunay triangulation of a Pslg. The hole points are passed to CGAL as seeds. If the Pslg

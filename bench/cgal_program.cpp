@@ -27,7 +27,7 @@ int fail(const Error& error) {
 int run(const char* poly, const char* out, const Goal& goal) {
   const Result<Pslg> pslg = read_pslg(poly);
   if (!pslg) return fail(pslg.error());
-  const Constrained cdt = refined(*pslg, ShapeAndArea(squared_sine(goal), goal.max_area));
+  const Constrained cdt = refined(*pslg, ShapeAndArea(goal));
   const Mesh mesh = plain(cdt, [](auto face) { return face->is_in_domain(); });
   if (Status written = write_mesh(mesh, *pslg, out); !written) return fail(written.error());
   return 0;

@@ -68,7 +68,7 @@ Tool cgal_size_tool() {
 Tool cgal_mesh_tool() {
   return {"cgal-mesh", [](const Task& task) { return !task.delaunay_only; },
           [](const Task& task, const std::filesystem::path&) {
-            const ShapeAndArea criteria(squared_sine(task.goal), task.goal.max_area);
+            const ShapeAndArea criteria(task.goal);
             return run_in_child<Run>([&] { return mesh_once(task, criteria); }).value_or(Run{});
           }};
 }

@@ -93,6 +93,9 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
     fmt::print(", Delaunay triangulation alone");
   else
     fmt::print(", angles of at least {}°", task.goal.min_angle_deg);
+  if (is_graded(task))
+    fmt::print(", edges of at most {:.4g} times the distance from the centre ({} decades)", grading(task).ratio,
+               task.points);
   if (std::isfinite(task.goal.max_area)) fmt::print(", areas of at most {:.4g}", task.goal.max_area);
   fmt::print("; one thread; {} rounds, in each of which every tool runs for at least a second; medians of all runs\n\n",
              settings.runs);
@@ -121,6 +124,7 @@ bool write_json(const std::vector<Row>& rows, const Settings& settings) {
   report["seed"] = settings.task.seed;
   report["delaunay_only"] = settings.task.delaunay_only;
   report["min_angle_deg"] = settings.task.goal.min_angle_deg;
+  if (is_graded(settings.task)) report["edge_over_distance"] = grading(settings.task).ratio;
   if (std::isfinite(settings.task.goal.max_area)) report["max_area"] = settings.task.goal.max_area;
   report["runs"] = settings.runs;
   for (const Row& row : rows) {
@@ -152,14 +156,18 @@ int main_of_peers(int argc, char** argv) {
   Settings settings;
   Task& task = settings.task;
   bool no_check = false;
+  std::uint64_t decades = 4;
   CLI::App app{"Runs pardel and other meshers on the same domain and goal; prints one table of medians."};
   app.add_option("--domain", task.domain, "The domain")
-      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters", "grid-points"}))
+      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters", "grid-points", "radial"}))
       ->capture_default_str();
   app.add_option("--triangles", task.triangles,
-                 "Approximate number of triangles, which determines the area cap; 0: no cap")
+                 "Approximate number of triangles, which determines the area cap, or the sizes of radial; 0: no cap")
       ->capture_default_str();
   app.add_option("--points", task.points, "Number of points (for --domain points, kuzmin, line, clusters, grid-points)");
+  app.add_option("--decades", decades, "Decades of radii (for --domain radial)")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
   app.add_option("--seed", task.seed, "Seed of the random points")->capture_default_str();
   app.add_option("--min-angle", task.goal.min_angle_deg, "Minimum angle in degrees")
       ->check(CLI::Range(0.0, 33.0))
@@ -177,7 +185,8 @@ int main_of_peers(int argc, char** argv) {
   app.add_option("--json", settings.json_file, "Write all runs to this file");
   CLI11_PARSE(app, argc, argv);
   task.check = !no_check;
-  task.goal.max_area = area_cap(task);
+  if (is_graded(task)) task.points = decades;
+  set_size(task);
 
   const std::vector<Row> rows = compare(settings, chosen_tools(settings));
   print(rows, settings);

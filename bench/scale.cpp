@@ -74,7 +74,7 @@ Row row_for(const Settings& settings, double triangles, const std::optional<Row>
   }
   Task task = settings.task;
   task.triangles = static_cast<std::uint64_t>(triangles);
-  task.goal.max_area = area_cap(task);
+  set_size(task);
   const std::optional<Row> run = run_in_child<Row>([&] { return make_and_check(task, settings.threads); });
   if (!run) row.mesh.set_verdict("the process died");
   return run.value_or(row);

@@ -148,8 +148,8 @@ int main(int argc, char** argv) {
   bench::Settings settings;
   settings.task.goal.min_angle_deg = 20.7;
   CLI::App app("The speed of tiles and threads: one mesh in interleaved runs; prints one table of medians");
-  app.add_option("--domain", settings.task.domain, "The domain: square, pipe, points, ...")->capture_default_str();
-  app.add_option("--points", settings.task.points, "Number of points (for --domain points)");
+  app.add_option("--domain", settings.task.domain, "The domain: square, pipe, points, radial, ...")->capture_default_str();
+  app.add_option("--points", settings.task.points, "Number of points (for --domain points), or of decades (radial)");
   app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Minimum angle in degrees")->capture_default_str();
   app.add_option("--triangles", settings.task.triangles,
                  "Approximate number of triangles; 0: the angle bound alone determines it");
@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
   app.add_flag("!--no-at-once", settings.at_once,
                "Leave out the rows with n processes of one thread each, which take n times the memory");
   CLI11_PARSE(app, argc, argv);
-  settings.task.goal.max_area = bench::area_cap(settings.task);
+  bench::set_size(settings.task);
   std::vector<bench::Row> rows;
   if (settings.one_queue) rows.push_back({Decomposition::none, 1});
   for (const int threads : settings.threads) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "../properties/checker/check.hpp"
 #include "../properties/domains/domains.hpp"
@@ -42,9 +43,24 @@ double domain_area(const Task& task) {
   return 2 * largest - sum;
 }
 
-double area_cap(const Task& task) {
-  if (task.triangles == 0) return INFINITY;
-  return triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
+bool is_graded(const Task& task) { return task.domain == "radial"; }
+
+Grading grading(const Task& task) {
+  // Measured on five decades: the mean area of a triangle, divided by the square of the wanted edge length.
+  constexpr double mean_area = 0.2156;
+  const double inner = 0.95 * std::pow(10, -static_cast<double>(task.points));
+  // The integral of 1 / max(inner, r)^2 over a square with sides of length 2: over the inner disk, over the ring up to
+  // the radius 1, and over the corners of the square.
+  const double integral = std::numbers::pi - 2 * std::numbers::pi * std::log(inner) + 0.69;
+  return {std::sqrt(integral / (mean_area * static_cast<double>(task.triangles))), inner};
+}
+
+void set_size(Task& task) {
+  if (task.triangles == 0) return;
+  if (is_graded(task))
+    task.goal.size = grading(task);
+  else
+    task.goal.max_area = triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
 }
 
 std::string verdict(const Task& task, const Mesh& mesh, bool foreign) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -23,13 +24,13 @@ inline constexpr double triangles_per_cap = 1.37;
 /// The input of a run. Every child process creates the domain from its name.
 struct Task {
   std::string domain = "square";  ///< a name of properties/domains/domains.hpp
-  std::uint64_t points = 0;       ///< number of points, for sets of points
+  std::uint64_t points = 0;       ///< number of points, for sets of points; decades of radii, for the domain `radial`
   std::uint64_t seed = 1;
-  Goal goal;                   ///< minimum angle and area cap
+  Goal goal;                   ///< minimum angle, and a bound on areas or sizes (set_size)
   bool delaunay_only = false;  ///< only triangulate the points
   bool check = true;           ///< check every mesh
-  /// About how many triangles to make: area_cap() computes the cap from it, tools without a cap use it directly. 0: the
-  /// number follows from the angle bound.
+  /// About how many triangles to make: set_size() computes the bound from it, tools without such a bound use it
+  /// directly. 0: the number follows from the angle bound.
   std::uint64_t triangles = 0;
 };
 
@@ -38,8 +39,17 @@ struct Task {
 [[nodiscard]] bool is_point_set(const Task& task);
 /// The area of the task's domain without its holes, by the shoelace formula.
 [[nodiscard]] double domain_area(const Task& task);
-/// The area cap that gives about task.triangles triangles; infinity if task.triangles is 0.
-[[nodiscard]] double area_cap(const Task& task);
+/// True if the wanted edge length grows with the distance from the centre of the domain.
+[[nodiscard]] bool is_graded(const Task& task);
+/// The wanted edge length of a graded task that makes about task.triangles triangles: `ratio` times the distance from the
+/// origin, but at least `ratio` times `inner`.
+struct Grading {
+  double ratio = 0, inner = 0;
+  [[nodiscard]] double operator()(Point p) const { return ratio * std::max(inner, std::sqrt(p.x * p.x + p.y * p.y)); }
+};
+[[nodiscard]] Grading grading(const Task& task);
+/// Sets the bound of the goal that gives about task.triangles triangles: on areas, or on edges if the task is graded.
+void set_size(Task& task);
 
 /// The result of one run. Trivially copyable, because a child process sends it through a pipe.
 struct Run {
