@@ -112,6 +112,7 @@ nlohmann::ordered_json sweeps_json(const Tiling& tiling) {
     sweeps.push_back({{"columns", sweep.columns},
                       {"rows", sweep.rows},
                       {"inserted", sweep.inserted},
+                      {"largest_task", sweep.largest_task},
                       {"handed_on", sweep.handed_on()},
                       {"seconds", sweep.seconds}});
   return sweeps;

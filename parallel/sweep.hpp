@@ -7,11 +7,12 @@
 
 namespace pardel {
 
-/// One pass over the cells of a lattice. Cells have four colours; the cells of one colour are refined in parallel, one
-/// task per cell.
+/// One pass over the cells of a lattice, or the leaves of a quadtree. Cells have several colours; the cells of one colour
+/// are refined in parallel, one task per cell.
 struct Sweep {
-  Index columns = 1, rows = 1;  ///< size of the lattice; for a quadtree the number of leaves, and 1
-  std::uint64_t inserted = 0;   ///< number of vertices inserted
+  Index columns = 1, rows = 1;     ///< size of the lattice; for a quadtree the number of leaves, and 1
+  std::uint64_t inserted = 0;      ///< number of vertices inserted
+  std::uint64_t largest_task = 0;  ///< the number that one task inserted, at most
   /// The numbers of bad triangles that were handed on, by reason. A task hands a triangle on if it leaves the triangle
   /// to a later task.
   std::uint64_t to_other_cells = 0;  ///< the split point lies in another cell

@@ -237,6 +237,7 @@ class Refinement {
     counts_.refused += r.refused;
     counts_.left_alone = counts_.left_alone || r.left_alone;
     sweep.inserted += r.inserted + r.segment_splits;
+    sweep.largest_task = std::max(sweep.largest_task, r.inserted + r.segment_splits);
     sweep.to_other_cells += r.handed_on.size() - r.out_of_indices;
     sweep.beyond_box += task.outside_box.size() + r.needs_larger_box.size();
     sweep.out_of_numbers += r.out_of_indices;

@@ -555,6 +555,13 @@ TEST_F(MeshCommand, uses_the_tiles_that_the_options_describe_and_reports_them) {
     EXPECT_GE(cut["cell_side_over_circumradius"], 4.0);
     EXPECT_EQ(cut["handed_on"]["beyond_box"], 0);
     EXPECT_GE(r["refine"]["sweeps"].size(), 2U);
+    int inserted = 0;
+    for (const json& sweep : r["refine"]["sweeps"]) {
+      EXPECT_LE(sweep["largest_task"], sweep["inserted"]);
+      EXPECT_EQ(sweep["largest_task"] > 0, sweep["inserted"] > 0);
+      inserted += sweep["inserted"].get<int>();
+    }
+    EXPECT_EQ(inserted, r["refine"]["inserted"].get<int>() + r["refine"]["segment_splits"].get<int>());
   }
 }
 

@@ -23,7 +23,7 @@ struct Problem {
 /// 28 degrees, area bounds, area caps of regions, conforming or not, both decompositions, both placements of points.
 [[nodiscard]] Problem problem(generators::Family family, std::uint64_t number);
 
-inline constexpr std::uint64_t graded_problems = 33;
+inline constexpr std::uint64_t graded_problems = 110;
 /// Graded problem `number`, from 0 to graded_problems - 1: the domain and goal of a problem of each family in turn,
 /// with sizes that grow from a small one at a point of the domain, on the leaves of a quadtree.
 [[nodiscard]] Problem graded_problem(std::uint64_t number);

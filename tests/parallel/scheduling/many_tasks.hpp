@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <thread>
 #include <vector>
@@ -63,6 +64,22 @@ inline Refined refined(const Case& c, const Options& options, const Schedule& sc
 inline Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {
   Options options{.threads = threads, .decomposition = decomposition, .min_edge = 1e-6};
   options.cells = c.cells;
+  return options;
+}
+
+/// The case with sizes that grow with the distance from one of its points, and options that refine it on the leaves of
+/// a quadtree.
+inline Case graded(Case c) {
+  const Point centre = c.pslg.points.front();
+  c.goal.size = [centre](Point p) {
+    const double x = p.x - centre.x, y = p.y - centre.y;
+    return 0.01 + 0.2 * std::sqrt(x * x + y * y);
+  };
+  return c;
+}
+inline Options options_for_leaves(const Case& c, int threads = 1) {
+  Options options = options_for(c, Decomposition::quadtree, threads);
+  options.triangles_per_tile = 40;
   return options;
 }
 

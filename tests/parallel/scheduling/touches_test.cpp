@@ -60,14 +60,9 @@ TEST_P(Touches, of_the_tasks_of_a_phase_are_disjoint) {
 }
 
 TEST_P(Touches, of_tasks_on_the_leaves_of_a_quadtree_are_disjoint) {
-  samples::Case graded = case_;
-  const Point centre = graded.pslg.points.front();
-  graded.goal.size = [centre](Point p) { return 0.01 + 0.2 * std::hypot(p.x - centre.x, p.y - centre.y); };
-  Options options = samples::options_for(graded, Decomposition::quadtree);
-  options.triangles_per_tile = 40;
   Watch watch;
   const Schedule schedule = watch.schedule();
-  const auto done = samples::refined(graded, options, schedule);
+  const auto done = samples::refined(samples::graded(case_), samples::options_for_leaves(case_), schedule);
   EXPECT_GT(done.counts.tiling.leaves.size(), 20U);
   EXPECT_GT(watch.touched(), done.counts.inserted);
   EXPECT_GT(watch.most_tasks(), 3U);
