@@ -23,9 +23,10 @@ namespace {
 /// cavities of shorter triangles fit the boxes of the finer level.
 constexpr double long_in_finer_cells = 0.25;
 
-/// A leaf of a quadtree is divided if more triangles than this multiple of Options::triangles_per_tile are expected. A
-/// task works on a box of 2.25 leaves, and of four cells in a lattice.
-constexpr double triangles_per_leaf = 2.5;
+/// A leaf of a quadtree is divided if more triangles are expected in it than a share of all, so that there are enough
+/// leaves for many threads, and at least and at most these multiples of Options::triangles_per_tile. (A task works on a
+/// box of 2.25 leaves, and of four cells in a lattice.) Larger leaves hand fewer triangles on.
+constexpr double share_of_leaf = 1.0 / 128, least_per_leaf = 2.5, most_per_leaf = 11;
 
 /// The decomposition is a quadtree if the work in a cell of a lattice exceeds the average by more than this factor.
 constexpr double most_overload = 4;
@@ -109,8 +110,7 @@ class Refinement {
       const Tiles& present = levels.back();
       Quadtree finer = *present.quadtree();
       const Array<WorkAt> work = pending_.work(criteria_);
-      for (int halvings = 0; halvings < 2; ++halvings)
-        finer = finer.divided(per_leaf(work, finer), triangles_per_leaf * options_.triangles_per_tile);
+      for (int halvings = 0; halvings < 2; ++halvings) finer = finer.divided(per_leaf(work, finer), allowed(work));
       if (finer.cells() == present.cells()) break;
       refine_due(present, short_enough_for(*present.quadtree(), finer));
       levels.emplace_back(std::move(finer));
@@ -121,6 +121,14 @@ class Refinement {
     for (const unsigned key : pending_.median_keys(levels.back())) shorter_half.push_back({.last_key = key});
     refine_on_finest(levels.back(), Deferrals(std::move(shorter_half)));
     go_up(levels);
+  }
+
+  /// The number of triangles that a leaf may have.
+  [[nodiscard]] double allowed(const Array<WorkAt>& work) const {
+    double all = 0;
+    for (const WorkAt& each : work) all += each.triangles;
+    const double tile = options_.triangles_per_tile;
+    return std::clamp(share_of_leaf * all, least_per_leaf * tile, most_per_leaf * tile);
   }
 
   /// For each leaf: the rule that leaves triangles to the finer leaves in it.

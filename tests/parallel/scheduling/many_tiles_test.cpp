@@ -2,7 +2,9 @@
 // effect that can be seen in the mesh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "../../../core/digest.hpp"
 #include "../../../parallel/mesher.hpp"
@@ -37,6 +39,25 @@ TEST(ManyTiles, of_a_graded_mesh_leave_no_seam) {
   Goal goal{.min_angle_deg = 25};
   goal.size = [](Point p) { return 0.0006 + 0.02 * std::hypot(p.x, p.y); };
   expect_same_on_threads(domains::square(), goal);
+}
+
+/// The sizes span three decades, and nearly all triangles are near one corner.
+TEST(ManyTiles, of_a_graded_mesh_share_the_work) {
+  Goal goal{.min_angle_deg = 25};
+  goal.size = [](Point p) { return 0.0001 + 0.03 * std::hypot(p.x, p.y); };
+  const Options options{.threads = 2, .decomposition = Decomposition::quadtree, .triangles_per_tile = 100};
+  const Result<Meshed> meshed = mesh(domains::square(), goal, options);
+  ASSERT_TRUE(meshed);
+  ASSERT_GT(meshed->report.tiling.leaves.size(), 100U);
+  std::uint64_t largest = 0, all = 0, handed_on = 0;
+  for (const Sweep& sweep : meshed->report.tiling.sweeps) {
+    largest = std::max(largest, sweep.largest_task);
+    all += sweep.inserted;
+    handed_on += sweep.handed_on();
+  }
+  EXPECT_EQ(all, meshed->report.inserted + meshed->report.segment_splits);
+  EXPECT_LT(largest, all / 20);
+  EXPECT_LT(handed_on, all / 2);
 }
 
 TEST(ManyTiles, of_random_points_leave_no_seam) {
