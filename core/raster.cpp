@@ -56,16 +56,16 @@ Result<std::function<double(Point)>> interpolated_size(Raster raster, std::strin
                                                " (counted from the north-west corner), at " + shortest(at) + ", is " +
                                                shortest(raster.values[k]) + "; sizes must be greater than 0"};
   }
-  struct Field {
-    Raster raster;
-    std::string name;
-  };
-  const auto field = std::make_shared<const Field>(Field{std::move(raster), std::move(name)});
-  return std::function<double(Point)>([field](Point p) {
-    const double size = field->raster.covers(p) ? interpolate(field->raster, p) : NAN;
-    if (std::isnan(size)) throw Error{ErrorKind::invalid_input, field->name + " has no size at " + shortest(p)};
-    return size;
-  });
+  return std::function<double(Point)>(RasterSize(std::move(raster), std::move(name)));
+}
+
+RasterSize::RasterSize(Raster raster, std::string name)
+    : field_(std::make_shared<const Field>(Field{std::move(raster), std::move(name)})) {}
+
+double RasterSize::operator()(Point p) const {
+  const double size = field_->raster.covers(p) ? interpolate(field_->raster, p) : NAN;
+  if (std::isnan(size)) throw Error{ErrorKind::invalid_input, field_->name + " has no size at " + shortest(p)};
+  return size;
 }
 
 Result<std::vector<SizeSource>> size_sources(const Raster& raster, double grading) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,24 @@ struct Raster {
 /// NaN. O(1).
 [[nodiscard]] double interpolate(const Raster& raster, Point p);
 
-/// Makes a function for Goal::size that interpolates. It shares one copy of the raster with its own copies, and several
-/// threads may call it. At a point without a value the function throws an Error (`invalid_input`), which the mesher
-/// returns. `name` names the raster in messages.
+/// A function for Goal::size that interpolates. It shares one copy of the raster with its own copies, and several
+/// threads may call it. `name` names the raster in messages.
+class RasterSize {
+ public:
+  RasterSize(Raster raster, std::string name);
+  /// Throws an Error (`invalid_input`), which the mesher returns, at a point without a value.
+  [[nodiscard]] double operator()(Point p) const;
+  [[nodiscard]] const Raster& raster() const { return field_->raster; }
+
+ private:
+  struct Field {
+    Raster raster;
+    std::string name;
+  };
+  std::shared_ptr<const Field> field_;
+};
+
+/// Makes a RasterSize.
 ///
 /// Errors: `invalid_input` if a value is not greater than 0. NaN (no value) and infinity (no bound) are allowed.
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(Raster raster, std::string name = "the raster");

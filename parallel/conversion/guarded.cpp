@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "../../core/raster.hpp"
 #include "../../core/support/shortest.hpp"
 #include "../interpolation/local_bound.hpp"
 
@@ -32,7 +33,9 @@ auto guarded_call(const Call& call, const Where& where) {
 }  // namespace
 
 Goal guarded(Goal goal) {
-  if (!goal.size || goal.size.target<OnBackground<PointValues>>() != nullptr) return goal;
+  if (!goal.size || goal.size.target<OnBackground<PointValues>>() != nullptr ||
+      goal.size.target<RasterSize>() != nullptr)
+    return goal;
   goal.size = [size = std::move(goal.size)](Point p) {
     const double length = guarded_call([&] { return size(p); }, [&] { return "Goal::size at " + shortest(p); });
     if (!(length > 0))

@@ -1,8 +1,10 @@
 #include "local_bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "../../core/raster.hpp"
 #include "../../core/result.hpp"
 #include "../../core/support/shortest.hpp"
 
@@ -15,6 +17,26 @@ LocalBound with_hint(const std::function<double(Point)>& function) {
   if (known == nullptr) return {};
   return LocalBound([field = known->field](Point p, LocationHint& hint) { return field->at(p, hint); },
                     known->field->steepness());
+}
+
+/// A raster without gaps is a continuous field on a rectangle, whose slope in a cell is bounded by the changes along its
+/// sides.
+Steepness steepness(const Raster& raster) {
+  constexpr double to_spare = 1.001, roundings = 64 * 0x1p-53;
+  const auto value = [&](std::size_t i, std::size_t j) { return raster.values[j * raster.columns + i]; };
+  const std::size_t last_column = raster.columns - 1, last_row = raster.rows - 1;
+  double squared_slope = 0, largest = 0;
+  for (std::size_t j = 0; j < raster.rows; ++j)
+    for (std::size_t i = 0; i < raster.columns; ++i) {
+      const std::size_t right = std::min(i + 1, last_column), up = std::min(j + 1, last_row);
+      const double a = value(i, j), b = value(right, j), c = value(i, up), d = value(right, up);
+      if (!std::isfinite(a)) return {};
+      const double x = std::max(std::abs(b - a), std::abs(d - c)) / raster.step_x;
+      const double y = std::max(std::abs(c - a), std::abs(d - b)) / raster.step_y;
+      squared_slope = std::max(squared_slope, x * x + y * y);
+      largest = std::max(largest, a);
+    }
+  return {to_spare * std::sqrt(squared_slope), roundings * largest * (double(raster.columns) + raster.rows)};
 }
 
 }  // namespace
@@ -42,6 +64,8 @@ LocalBound local_bound(std::function<double(Point)> function) {
   if (LocalBound found = with_hint<PointValues>(function)) return found;
   if (LocalBound found = with_hint<TriangleValues>(function)) return found;
   if (LocalBound found = with_hint<GradedValues>(function)) return found;
+  if (const auto* size = function.target<RasterSize>())
+    return LocalBound([size = *size](Point p, LocationHint&) { return size(p); }, steepness(size->raster()));
   return LocalBound([function = std::move(function)](Point p, LocationHint&) { return function(p); });
 }
 
