@@ -186,6 +186,10 @@ int main_of_peers(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   task.check = !no_check;
   if (is_graded(task)) task.points = decades;
+  if (is_point_set(task) && task.domain != "points" && !task.delaunay_only) {
+    fmt::print(stderr, "peers: --domain {} needs --delaunay-only\n", task.domain);
+    return 2;
+  }
   set_size(task);
 
   const std::vector<Row> rows = compare(settings, chosen_tools(settings));

@@ -15,7 +15,8 @@ namespace pardel::bench {
 Pslg make_domain(const Task& task) {
   // The size of this domain is its number of cells along a side.
   const bool is_grid = task.domain == "grid-points";
-  const std::uint64_t n = is_grid ? static_cast<std::uint64_t>(std::sqrt(task.points)) - 1 : task.points;
+  const std::uint64_t n =
+      is_grid && task.points > 0 ? static_cast<std::uint64_t>(std::sqrt(task.points)) - 1 : task.points;
   Result<Pslg> made = domains::generate(task.domain, n, task.seed);
   return made ? std::move(*made) : Pslg{};
 }
@@ -56,6 +57,7 @@ Grading grading(const Task& task) {
 }
 
 void set_size(Task& task) {
+  if (is_graded(task) && task.points == 0) task.points = 4;
   if (task.triangles == 0) return;
   if (is_graded(task))
     task.goal.size = grading(task);

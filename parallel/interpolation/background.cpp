@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "../../core/neighbours.hpp"
 #include "../arithmetic/distance.hpp"
@@ -201,10 +202,33 @@ double Background::value_at(const Located& at, std::span<const double> value_per
   return value;
 }
 
+/// Is the border one chain without a turn to the right?
+bool Background::is_convex() const {
+  std::vector<Index> next(points_.size(), no_index);
+  std::size_t edges = 0;
+  Index start = no_index;
+  for (const Leaf& leaf : leaves_)
+    for (unsigned side = 0; side < 3; ++side) {
+      if (leaf.n[side] != no_index) continue;
+      start = leaf.v[(side + 1) % 3];
+      if (std::exchange(next[start], leaf.v[(side + 2) % 3]) != no_index) return false;
+      ++edges;
+    }
+  if (start == no_index) return false;
+  Index a = start;
+  do {
+    const Index b = next[a];
+    if (b == no_index || next[b] == no_index || orient2d(points_[a], points_[b], points_[next[b]]) < 0) return false;
+    a = b;
+  } while (--edges > 0 && a != start);
+  return edges == 0 && a == start;
+}
+
 Steepness Background::steepness(std::span<const double> value_per_point) const {
   constexpr double thin = 1e-10;          // area divided by the squared longest side
   constexpr double slope_to_spare = 1.001;  // the relative rounding error of a slope is less than 64 * 2^-53 / thin
   constexpr double roundings = 64 * 0x1p-53;
+  if (!is_convex()) return {};
   Steepness all{0, 0};
   for (const Leaf& leaf : leaves_) {
     const auto c = corners(leaf);

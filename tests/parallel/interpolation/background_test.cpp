@@ -52,6 +52,25 @@ TEST(Background, knows_how_fast_a_field_changes) {
   EXPECT_NEAR(background.steepness(value).slope, 5, 0.01);
 }
 
+/// Two squares on a bar, with a slot between them: the nearest point jumps from one side of the slot to the other.
+TEST(Background, knows_how_fast_a_field_changes_only_if_it_is_convex) {
+  std::vector<Point> points;
+  for (int k = 0; k < 12; ++k) points.push_back({double(k % 4), double(k / 4)});
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Index low : {0U, 1U, 2U, 4U, 6U}) {
+    triangles.push_back({low, low + 1, low + 5});
+    triangles.push_back({low, low + 5, low + 4});
+  }
+  const std::vector<double> values(points.size(), 1);
+  EXPECT_EQ(Background(points, triangles).steepness(values).slope, INFINITY);
+  triangles.push_back({5, 6, 10});
+  EXPECT_EQ(Background(points, triangles).steepness(values).slope, INFINITY);
+  triangles.push_back({5, 10, 9});
+  EXPECT_EQ(Background(points, triangles).steepness(values).slope, 0) << "the slot is filled";
+  triangles.erase(triangles.begin() + 2, triangles.begin() + 4);
+  EXPECT_EQ(Background(points, triangles).steepness(values).slope, INFINITY) << "a notch in the border";
+}
+
 TEST(Background, does_not_know_how_fast_a_field_changes_in_a_flat_triangle) {
   const Background background(std::vector<Point>{{0, 0}, {1, 0}, {0.5, 1e-11}, {0.5, 1}},
                               {{{0, 1, 2}}, {{1, 3, 2}}, {{3, 0, 2}}});
