@@ -27,8 +27,8 @@ struct LocationHint {
   Index leaf = no_index;
 };
 
-/// How fast a field changes: its values at two points differ by at most slope * distance + blur. The blur is the rounding
-/// error of the values.
+/// How fast a field changes: its values at two points differ by at most slope * distance + blur. The blur is the
+/// rounding error of the values.
 struct Steepness {
   double slope = INFINITY, blur = INFINITY;
 };
@@ -54,8 +54,9 @@ class Background {
   [[nodiscard]] double interpolate(Point p, std::span<const double> value_per_point) const {
     return value_at(locate(p), value_per_point);
   }
-  /// Of the interpolation of these values. Infinite if a triangle is so thin that rounding may hide its slope, and if the
-  /// triangulation is not convex: beyond its border the value at the nearest point counts, which may jump there. O(n).
+  /// Of the interpolation of these values. Infinite if a triangle is so thin that rounding may hide its slope, and if
+  /// the triangulation is not convex: beyond its border the value at the nearest point counts, which may jump there.
+  /// O(n).
   [[nodiscard]] Steepness steepness(std::span<const double> value_per_point) const;
   /// True if p is in the triangle at which it was located, or not farther from it than the length of its longest side.
   [[nodiscard]] bool is_near(const Located& at, Point p) const;
