@@ -33,12 +33,12 @@ struct Goal {
   /// limit. It grows from the `sources`, from each segment of the domain, on which it is at most the length of the
   /// segment, and from narrow places, as feature_edges says with 1 edge if feature_edges is 0. A triangle is too large
   /// if its longest edge exceeds the least of all these lengths at its centroid. Distances are straight, also across
-  /// holes. Not for refine(), which has no segments of a domain.
+  /// holes. At least 1e-12. Not for refine(), which has no segments of a domain.
   double grading = std::numeric_limits<double>::infinity();
   /// Where lengths are prescribed, for `grading`. `size` itself does not count: a function cannot be limited before
   /// all its values are known. size_sources() (raster.hpp, mesher.hpp) makes the sources of a field of sizes.
   std::vector<SizeSource> sources{};
-  /// How many edges lie across narrow places of the domain, >= 0; 0: no such bound. On a feature (a segment or a
+  /// How many edges lie across narrow places of the domain, from 0 to 1e6; 0: no such bound. On a feature (a segment or a
   /// corner) the wanted length is the distance to the nearest feature that is apart from it, divided by this number. At
   /// a vertex where a polyline turns it is the radius of the turn, divided by this number. Away from there it grows by
   /// the reciprocal of this number per unit of distance, or by `grading` if that is less. docs/sizes.md has the

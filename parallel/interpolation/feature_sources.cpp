@@ -303,13 +303,20 @@ class Widths {
   void add(Index feature) { add(features_.touching(feature), features_.from(feature), features_.to(feature)); }
 
  private:
-  /// Divides the piece until the distance to other features changes little along each part.
+  /// Divides the piece until the distance to other features changes little along each part. Along a channel that is much
+  /// narrower than the domain it changes little along long parts, too; near a single narrow place it does not.
   void add(const Touching& touching, Point a, Point b) {
-    constexpr double part = 0.25, least_part = 0x1p-16;
+    constexpr double part = 0.25, short_part = 0x1p-16, shortest_part = 0x1p-46;
     const double width = features_.nearest_apart(touching, a, b), length = distance(a, b);
     if (width == INFINITY) return;
-    if (length <= part * width || length <= least_part * features_.extent()) return out_.add(a, b, width / edges_);
     const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const auto is_even = [&] {
+      return std::ranges::all_of(std::array{a, middle, b},
+                                 [&](Point y) { return features_.nearest_apart(touching, y, y) <= 2 * width; });
+    };
+    const double extent = features_.extent();
+    if (length <= part * width || length <= shortest_part * extent || (length <= short_part * extent && is_even()))
+      return out_.add(a, b, width / edges_);
     add(touching, a, middle);
     add(touching, middle, b);
   }

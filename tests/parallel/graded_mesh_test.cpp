@@ -58,6 +58,20 @@ TEST(GradedMesh, does_not_depend_on_threads) {
   for (const int threads : {2, 3, 8}) EXPECT_EQ(digest(certified(*key, goal, {.threads = threads})), expected);
 }
 
+/// The size of the mesh grows with the logarithm of the gap. A wall along which lengths are the least of long pieces
+/// would be meshed with 1/gap triangles.
+TEST(GradedMesh, near_a_point_that_almost_touches_a_wall_is_small) {
+  std::size_t before = 0;
+  for (const double gap : {1e-5, 1e-7, 1e-9}) {
+    Pslg pslg = rectangle(10, 10);
+    pslg.points.push_back({5, gap});
+    const std::size_t triangles = certified(pslg, {.feature_edges = 2}).triangles.size();
+    EXPECT_LT(triangles, 6000U) << gap;
+    EXPECT_GT(triangles, before);
+    before = triangles;
+  }
+}
+
 TEST(GradedMesh, scales_with_the_domain) {
   Pslg pslg = rectangle(7, 1.25);
   pslg.points.push_back({2, 0.125});
@@ -117,8 +131,9 @@ TEST(GradedMesh, is_refused_for_useless_numbers) {
     EXPECT_NE(checked.error().message.find(what), std::string::npos) << checked.error().message;
     EXPECT_FALSE(mesh(testing::square(1), goal));
   };
-  for (const double wrong : {0.0, -1.0, -infinity, std::nan("")}) refused({.grading = wrong}, "limit on gradation");
-  for (const double wrong : {-1.0, infinity, std::nan("")}) refused({.feature_edges = wrong}, "edges across");
+  for (const double wrong : {0.0, -1.0, 1e-200, -infinity, std::nan("")})
+    refused({.grading = wrong}, "limit on gradation");
+  for (const double wrong : {-1.0, 1e7, infinity, std::nan("")}) refused({.feature_edges = wrong}, "edges across");
   for (const double wrong : {0.0, -0.5, infinity, std::nan("")}) {
     refused({.grading = 1, .sources = {{{0, 0}, {1, 0}, 1, wrong}}}, "source 0 at (0, 0)");
     refused({.grading = 1, .sources = {{{0, 0}, {1, 0}, 1, 1}, {{0, 0}, {1, 0}, wrong, 1}}}, "source 1 at (0, 0)");

@@ -69,6 +69,16 @@ TEST_P(Regression, gets_no_point_from_a_goal_without_bounds) {
 
 INSTANTIATE_TEST_SUITE_P(Files, Regression, ::testing::ValuesIn(inputs(PARDEL_REGRESSIONS)), test_name);
 
+TEST(FeatureSizeRegression, point_almost_on_a_side_needs_few_triangles) {
+  const Result<Pslg> pslg = read_pslg(fs::path(PARDEL_REGRESSIONS) / "point_almost_on_a_side.poly");
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  const Goal goal{.min_angle_deg = 20.7, .feature_edges = 2};
+  const Result<Meshed> meshed = mesh(*pslg, goal, {.max_vertices = 10'000});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(meshed->report.goal_met());
+  EXPECT_TRUE(check(*pslg, meshed->mesh, goal).valid);
+}
+
 class RepairRegression : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(RepairRegression, is_repaired_up_to_rounding) {
@@ -100,7 +110,7 @@ TEST_P(WrittenRegression, has_the_same_verdict_in_memory_and_in_every_format) {
     const Goal goal{.min_angle_deg = angle};
     Options options;
     options.max_vertices = 400;
-    const Result<Meshed> meshed = mesh(*pslg, goal, options);
+    const Result<Meshed> meshed = mesh(*pslg, goal);
     ASSERT_TRUE(meshed) << meshed.error().message;
     const Certificate certificate = check(*pslg, meshed->mesh, goal);
     for (const testing::WrittenAs& format : testing::formats_with_constrained_edges())
