@@ -296,4 +296,10 @@ std::vector<std::string> names() {
   return all;
 }
 
+std::vector<std::string> even_names() {
+  std::vector<std::string> all = names();
+  std::erase_if(all, [](const std::string& name) { return name == "kuzmin" || name == "line" || name == "clusters"; });
+  return all;
+}
+
 }  // namespace pardel::domains

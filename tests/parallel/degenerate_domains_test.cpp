@@ -141,7 +141,7 @@ TEST(Circle, of_a_thousand_points_ends_with_and_without_segments) {
 }
 
 TEST(Scale, of_any_power_of_two_ends) {
-  for (const std::string& name : domains::names())
+  for (const std::string& name : domains::even_names())
     for (const double scale : {0x1p60, 0x1p-60, 0x1p150, 0x1p-100}) {
       SCOPED_TRACE(name + " times " + std::to_string(std::log2(scale)) + " octaves");
       const Pslg pslg = domains::moved(*domains::generate(name, 0, 1), 0, 0, scale);
