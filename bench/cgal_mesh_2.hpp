@@ -32,8 +32,9 @@ using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, MeshStruc
   return sine * sine;
 }
 
-/// CGAL::Delaunay_mesh_size_criteria_2, but with the bounds of a Goal on areas and on edges that depend on the place, so
-/// that all tools have the same goal. Triangles that are too large are split first, in decreasing size; then thin triangles, in increasing angle.
+/// CGAL::Delaunay_mesh_size_criteria_2, but with the bounds of a Goal on areas and on edges that depend on the place,
+/// so that all tools have the same goal. Triangles that are too large are split first, in decreasing size; then thin
+/// triangles, in increasing angle.
 class ShapeAndArea {
  public:
   struct Quality {

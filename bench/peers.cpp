@@ -159,12 +159,14 @@ int main_of_peers(int argc, char** argv) {
   std::uint64_t decades = 4;
   CLI::App app{"Runs pardel and other meshers on the same domain and goal; prints one table of medians."};
   app.add_option("--domain", task.domain, "The domain")
-      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters", "grid-points", "radial"}))
+      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters",
+                             "grid-points", "radial"}))
       ->capture_default_str();
   app.add_option("--triangles", task.triangles,
                  "Approximate number of triangles, which determines the area cap, or the sizes of radial; 0: no cap")
       ->capture_default_str();
-  app.add_option("--points", task.points, "Number of points (for --domain points, kuzmin, line, clusters, grid-points)");
+  app.add_option("--points", task.points,
+                 "Number of points (for --domain points, kuzmin, line, clusters, grid-points)");
   app.add_option("--decades", decades, "Decades of radii (for --domain radial)")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();

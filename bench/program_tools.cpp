@@ -58,8 +58,8 @@ Run failed(const ProgramRun& program) {
   return run;
 }
 
-/// Writes the points beyond the square, which are inside it, and the wanted edge lengths. Gmsh takes them as a mean, not
-/// as a bound; the factor makes about as many triangles as other tools make.
+/// Writes the points beyond the square, which are inside it, and the wanted edge lengths. Gmsh takes them as a mean,
+/// not as a bound; the factor makes about as many triangles as other tools make.
 void write_field(const Pslg& pslg, const Grading& size, std::ostream& out) {
   constexpr double factor = 0.757;
   for (std::size_t i = pslg.segments.size(); i < pslg.points.size(); ++i)

@@ -148,7 +148,8 @@ int main(int argc, char** argv) {
   bench::Settings settings;
   settings.task.goal.min_angle_deg = 20.7;
   CLI::App app("The speed of tiles and threads: one mesh in interleaved runs; prints one table of medians");
-  app.add_option("--domain", settings.task.domain, "The domain: square, pipe, points, radial, ...")->capture_default_str();
+  app.add_option("--domain", settings.task.domain, "The domain: square, pipe, points, radial, ...")
+      ->capture_default_str();
   app.add_option("--points", settings.task.points, "Number of points (for --domain points), or of decades (radial)");
   app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Minimum angle in degrees")->capture_default_str();
   app.add_option("--triangles", settings.task.triangles,

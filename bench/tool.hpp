@@ -41,8 +41,8 @@ struct Task {
 [[nodiscard]] double domain_area(const Task& task);
 /// True if the wanted edge length grows with the distance from the centre of the domain.
 [[nodiscard]] bool is_graded(const Task& task);
-/// The wanted edge length of a graded task that makes about task.triangles triangles: `ratio` times the distance from the
-/// origin, but at least `ratio` times `inner`.
+/// The wanted edge length of a graded task that makes about task.triangles triangles: `ratio` times the distance from
+/// the origin, but at least `ratio` times `inner`.
 struct Grading {
   double ratio = 0, inner = 0;
   [[nodiscard]] double operator()(Point p) const { return ratio * std::max(inner, std::sqrt(p.x * p.x + p.y * p.y)); }

@@ -38,10 +38,10 @@ struct Goal {
   /// Where lengths are prescribed, for `grading`. `size` itself does not count: a function cannot be limited before
   /// all its values are known. size_sources() (raster.hpp, mesher.hpp) makes the sources of a field of sizes.
   std::vector<SizeSource> sources{};
-  /// How many edges lie across narrow places of the domain, from 0 to 1e6; 0: no such bound. On a feature (a segment or a
-  /// corner) the wanted length is the distance to the nearest feature that is apart from it, divided by this number. At
-  /// a vertex where a polyline turns it is the radius of the turn, divided by this number. Away from there it grows by
-  /// the reciprocal of this number per unit of distance, or by `grading` if that is less. docs/sizes.md has the
+  /// How many edges lie across narrow places of the domain, from 0 to 1e6; 0: no such bound. On a feature (a segment or
+  /// a corner) the wanted length is the distance to the nearest feature that is apart from it, divided by this number.
+  /// At a vertex where a polyline turns it is the radius of the turn, divided by this number. Away from there it grows
+  /// by the reciprocal of this number per unit of distance, or by `grading` if that is less. docs/sizes.md has the
   /// definitions. Not for refine().
   double feature_edges = 0;
   /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh

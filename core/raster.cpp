@@ -45,6 +45,17 @@ double interpolate(const Raster& raster, Point p) {
   return mixed(in_row(y.low), in_row(y.high), y.share);
 }
 
+double squared_slope(const Raster& raster, Index i, Index j) {
+  const Index right = std::min(i + 1, raster.columns - 1), up = std::min(j + 1, raster.rows - 1);
+  const auto value = [&](Index k, Index l) { return raster.values[std::size_t{l} * raster.columns + k]; };
+  const double a = value(i, j), b = value(right, j), c = value(i, up), d = value(right, up);
+  for (const double v : {a, b, c, d})
+    if (!std::isfinite(v)) return INFINITY;
+  const double x = std::max(std::abs(b - a), std::abs(d - c)) / raster.step_x;
+  const double y = std::max(std::abs(c - a), std::abs(d - b)) / raster.step_y;
+  return x * x + y * y;
+}
+
 Result<std::function<double(Point)>> interpolated_size(Raster raster, std::string name) {
   for (std::size_t k = 0; k < raster.values.size(); ++k) {
     if (!(raster.values[k] <= 0)) continue;
@@ -73,13 +84,9 @@ Result<std::vector<SizeSource>> size_sources(const Raster& raster, double gradin
     return Error{ErrorKind::usage, "the limit on gradation must be finite and positive, not " + shortest(grading)};
   const auto value = [&](Index i, Index j) { return raster.values[std::size_t{j} * raster.columns + i]; };
   const auto change = [&](Index i, Index j, Index k, Index l) { return std::abs(value(k, l) - value(i, j)); };
-  // Comparisons with NaN are false, so they are written such that a cell with NaN is steep.
   const auto is_steep = [&](Index i, Index j) {
     if (i >= raster.columns - 1 || j >= raster.rows - 1) return false;  // no cell; before the first one, i or j wraps
-    const double x = std::max(change(i, j, i + 1, j), change(i, j + 1, i + 1, j + 1)) / raster.step_x;
-    const double y = std::max(change(i, j, i, j + 1), change(i + 1, j, i + 1, j + 1)) / raster.step_y;
-    const bool finite = std::isfinite(change(i, j, i + 1, j + 1)) && std::isfinite(change(i + 1, j, i, j + 1));
-    return !finite || !(x * x + y * y < 0.998 * grading * grading);
+    return squared_slope(raster, i, j) >= 0.998 * grading * grading;
   };
   std::vector<SizeSource> sources;
   const auto add = [&](Index i, Index j, Index k, Index l) {

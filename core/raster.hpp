@@ -33,6 +33,10 @@ struct Raster {
 /// NaN. O(1).
 [[nodiscard]] double interpolate(const Raster& raster, Point p);
 
+/// An upper bound on the squared slope of the interpolation in the cell between the grid points (i, j) and (i + 1, j +
+/// 1), up to rounding; a column or row that does not exist counts as its neighbour. Infinity if a value is not finite.
+[[nodiscard]] double squared_slope(const Raster& raster, Index i, Index j);
+
 /// A function for Goal::size that interpolates. It shares one copy of the raster with its own copies, and several
 /// threads may call it. `name` names the raster in messages.
 class RasterSize {

@@ -7,8 +7,8 @@
 
 namespace pardel {
 
-/// One pass over the cells of a lattice, or the leaves of a quadtree. Cells have several colours; the cells of one colour
-/// are refined in parallel, one task per cell.
+/// One pass over the cells of a lattice, or the leaves of a quadtree. Cells have several colours; the cells of one
+/// colour are refined in parallel, one task per cell.
 struct Sweep {
   Index columns = 1, rows = 1;     ///< size of the lattice; for a quadtree the number of leaves, and 1
   std::uint64_t inserted = 0;      ///< number of vertices inserted

@@ -8,7 +8,6 @@
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../concurrency/hilbert_order.hpp"
-#include "polylines.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -303,8 +302,8 @@ class Widths {
   void add(Index feature) { add(features_.touching(feature), features_.from(feature), features_.to(feature)); }
 
  private:
-  /// Divides the piece until the distance to other features changes little along each part. Along a channel that is much
-  /// narrower than the domain it changes little along long parts, too; near a single narrow place it does not.
+  /// Divides the piece until the distance to other features changes little along each part. Along a channel that is
+  /// much narrower than the domain it changes little along long parts, too; near a single narrow place it does not.
   void add(const Touching& touching, Point a, Point b) {
     constexpr double part = 0.25, short_part = 0x1p-16, shortest_part = 0x1p-46;
     const double width = features_.nearest_apart(touching, a, b), length = distance(a, b);
@@ -344,8 +343,8 @@ void add_turns(const Pslg& pslg, const Polyline& line, double edges, double slop
 
 }  // namespace
 
-std::vector<GrowingSize> feature_sources(const Pslg& pslg, double edges, double slope, const Threads& threads) {
-  const Polylines lines = find_polylines(pslg, threads);
+std::vector<GrowingSize> feature_sources(const Pslg& pslg, const Polylines& lines, double edges, double slope,
+                                         const Threads& threads) {
   Features features(pslg, lines, threads);
   std::vector<GrowingSize> sources;
   for (Index f = 0; f < features.size(); ++f)
@@ -358,9 +357,9 @@ std::vector<GrowingSize> feature_sources(const Pslg& pslg, double edges, double 
   return sources;
 }
 
-std::vector<GrowingSize> segment_sources(const Pslg& pslg, double slope, const Threads& threads) {
+std::vector<GrowingSize> segment_sources(const Pslg& pslg, const Polylines& lines, double slope) {
   std::vector<GrowingSize> sources;
-  for (const Polyline& line : find_polylines(pslg, threads).all) {
+  for (const Polyline& line : lines.all) {
     Joined lengths(slope, sources);
     for (std::size_t k = 0; k + 1 < line.vertices.size(); ++k) {
       const Point a = pslg.points[line.vertices[k]], b = pslg.points[line.vertices[k + 1]];

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "../concurrency/bounding_box.hpp"
 #include "feature_sources.hpp"
 #include "local_bound.hpp"
 
@@ -14,14 +15,14 @@ bool is_graded(const Goal& goal) { return goal.grading < INFINITY || goal.featur
 
 std::function<double(Point)> graded_size(const Goal& goal, const Pslg& pslg, const Threads& threads) {
   const double edges = goal.feature_edges > 0 ? goal.feature_edges : 1;
-  std::vector<GrowingSize> sources = feature_sources(pslg, edges, std::min(goal.grading, 1 / edges), threads);
+  const Polylines lines = find_polylines(pslg, threads);
+  std::vector<GrowingSize> sources = feature_sources(pslg, lines, edges, std::min(goal.grading, 1 / edges), threads);
   if (goal.grading < INFINITY) {
-    const std::vector<GrowingSize> lengths = segment_sources(pslg, goal.grading, threads);
+    const std::vector<GrowingSize> lengths = segment_sources(pslg, lines, goal.grading);
     sources.insert(sources.end(), lengths.begin(), lengths.end());
     for (const SizeSource& source : goal.sources) sources.push_back({source, goal.grading});
   }
-  Box box = empty_box;
-  for (const Point p : pslg.points) box.cover(Box::around(p));
+  const Box box = bounding_box(threads, pslg.points.size(), [&](std::size_t i) { return pslg.points[i]; });
   GradedValues values{local_bound(goal.size), SizeEnvelope(sources, box, threads)};
   return OnBackground<GradedValues>{std::make_shared<const GradedValues>(std::move(values))};
 }

@@ -19,24 +19,15 @@ LocalBound with_hint(const std::function<double(Point)>& function) {
                     known->field->steepness());
 }
 
-/// A raster without gaps is a continuous field on a rectangle, whose slope in a cell is bounded by the changes along its
-/// sides.
+/// A raster without gaps is a continuous field on a rectangle.
 Steepness steepness(const Raster& raster) {
   constexpr double to_spare = 1.001, roundings = 64 * 0x1p-53;
-  const auto value = [&](std::size_t i, std::size_t j) { return raster.values[j * raster.columns + i]; };
-  const std::size_t last_column = raster.columns - 1, last_row = raster.rows - 1;
-  double squared_slope = 0, largest = 0;
-  for (std::size_t j = 0; j < raster.rows; ++j)
-    for (std::size_t i = 0; i < raster.columns; ++i) {
-      const std::size_t right = std::min(i + 1, last_column), up = std::min(j + 1, last_row);
-      const double a = value(i, j), b = value(right, j), c = value(i, up), d = value(right, up);
-      if (!std::isfinite(a)) return {};
-      const double x = std::max(std::abs(b - a), std::abs(d - c)) / raster.step_x;
-      const double y = std::max(std::abs(c - a), std::abs(d - b)) / raster.step_y;
-      squared_slope = std::max(squared_slope, x * x + y * y);
-      largest = std::max(largest, a);
-    }
-  return {to_spare * std::sqrt(squared_slope), roundings * largest * (double(raster.columns) + raster.rows)};
+  double steepest = 0;
+  for (Index j = 0; j < raster.rows; ++j)
+    for (Index i = 0; i < raster.columns; ++i) steepest = std::max(steepest, squared_slope(raster, i, j));
+  if (steepest == INFINITY) return {};
+  const double largest = *std::ranges::max_element(raster.values);
+  return {to_spare * std::sqrt(steepest), roundings * largest * (double(raster.columns) + raster.rows)};
 }
 
 }  // namespace

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
 
 namespace pardel::engine {
 namespace {
 
 constexpr double least_cosine = 0.65;  ///< of the turn at a smooth vertex; no regular polygon turns by nearly so much
-
-bool is_before(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 bool turns_little(Point a, Point v, Point b) {
   const double dot = (v.x - a.x) * (b.x - v.x) + (v.y - a.y) * (b.y - v.y);
@@ -78,7 +77,7 @@ class PolylineSearch {
 
   void orient(Polyline& line) const {
     std::vector<Index>& v = line.vertices;
-    const auto before = [&](Index a, Index b) { return is_before(pslg_.points[a], pslg_.points[b]); };
+    const auto before = [&](Index a, Index b) { return lexicographically_less(pslg_.points[a], pslg_.points[b]); };
     if (line.closed) {
       v.pop_back();
       std::ranges::rotate(v, std::ranges::min_element(v, before));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
 
 namespace pardel::engine {
@@ -14,11 +16,10 @@ constexpr double rounding_margin = 0x1p-40;
 
 }  // namespace
 
-PreparedSize::PreparedSize(const GrowingSize& growing)
-    : a_(growing.source.a), length_(growing.source.at_a), slope_(growing.slope) {
+PreparedSize::PreparedSize(const GrowingSize& growing) : slope_(growing.slope) {
   SizeSource source = growing.source;
-  // One orientation, so that rounding_margin does not depend on the other.
-  if (source.b.x < source.a.x || (source.b.x == source.a.x && source.b.y < source.a.y)) {
+  // The direction of a source must not change its values, not even in the last bit.
+  if (lexicographically_less(source.b, source.a)) {
     std::swap(source.a, source.b);
     std::swap(source.at_a, source.at_b);
   }

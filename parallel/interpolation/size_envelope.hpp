@@ -31,7 +31,7 @@ class PreparedSize {
   Point a_;
   double ux_ = 0, uy_ = 0;  ///< the unit vector from a to b
   double extent_ = 0;       ///< the distance of a and b; 0 for a point
-  double length_;           ///< the wanted length at a
+  double length_ = 0;       ///< the wanted length at a
   double change_ = 0;       ///< of the wanted length per unit along the source
   double offset_ = 0;       ///< the best y lies so much beside the foot of p, per unit of p's distance from the line
   double slope_;

@@ -110,7 +110,8 @@ class Refinement {
       const Tiles& present = levels.back();
       Quadtree finer = *present.quadtree();
       const Array<WorkAt> work = pending_.work(criteria_);
-      for (int halvings = 0; halvings < 2; ++halvings) finer = finer.divided(per_leaf(work, finer), allowed(work));
+      const double most = allowed(work);
+      for (int halvings = 0; halvings < 2; ++halvings) finer = finer.divided(per_leaf(work, finer), most);
       if (finer.cells() == present.cells()) break;
       refine_due(present, short_enough_for(*present.quadtree(), finer));
       levels.emplace_back(std::move(finer));

@@ -28,9 +28,8 @@ inline constexpr double shell_ulps = 8;
 /// their angle is greater than this value. At 60 degrees and more refinement needs no exceptions.
 inline constexpr double shell_cosine = 0.5;
 
-/// The length that Goal::grading and Goal::feature_edges allow at a centroid is computed in doubles. An edge is too long
-/// if it exceeds
-///     (1 + size_tolerance) * (that length) + size_ulps * (the unit of chain_ulps).
+/// The length that Goal::grading and Goal::feature_edges allow at a centroid is computed in doubles. An edge is too
+/// long if it exceeds (1 + size_tolerance) * (that length) + size_ulps * (the unit of chain_ulps).
 inline constexpr double size_tolerance = 1e-9;
 inline constexpr double size_ulps = 64;
 

@@ -88,8 +88,8 @@ namespace pardel::domains {
 /// The names that generate() accepts.
 [[nodiscard]] std::vector<std::string> names();
 
-/// The names without the unevenly spread points: domains with sides of at most some units, whose distances between points
-/// are large enough for coordinates far from the origin.
+/// The names without the unevenly spread points: domains with sides of at most some units, whose distances between
+/// points are large enough for coordinates far from the origin.
 [[nodiscard]] std::vector<std::string> even_names();
 
 }  // namespace pardel::domains

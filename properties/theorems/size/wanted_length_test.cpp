@@ -70,6 +70,17 @@ Goal some_graded_goal(const Box& box) {
   return goal;
 }
 
+struct GradedDomain {
+  Pslg pslg;
+  Box box;
+  Goal goal;
+};
+GradedDomain some_graded_domain(Exhibit& exhibit) {
+  const Pslg pslg = some_domain(exhibit);
+  const Box box = box_of(pslg);
+  return {pslg, box, some_graded_goal(box)};
+}
+
 std::function<double(Point)> size_of(const Pslg& pslg, const Goal& goal) {
   auto domain = validate(pslg);
   RC_ASSERT(domain.ok());
@@ -85,9 +96,7 @@ PARDEL_PROPERTY(WantedLength, of_the_engine_is_that_of_the_definition,
                               "least two thirds of it.",
                  .source = definition,
                  .families = families}) {
-  const Pslg pslg = some_domain(exhibit);
-  const Box box = box_of(pslg);
-  const Goal goal = some_graded_goal(box);
+  const auto [pslg, box, goal] = some_graded_domain(exhibit);
   const auto size = size_of(pslg, goal);
   const ref::WantedLength wanted(pslg, goal, 24);
   std::vector<Point> places{pslg.points[*rc::gen::inRange<std::size_t>(0, pslg.points.size())]};
@@ -106,9 +115,7 @@ PARDEL_PROPERTY(WantedLength, grows_by_at_most_the_limit,
                               "places if there is no other limit.",
                  .source = definition,
                  .families = families}) {
-  const Pslg pslg = some_domain(exhibit);
-  const Box box = box_of(pslg);
-  const Goal goal = some_graded_goal(box);
+  const auto [pslg, box, goal] = some_graded_domain(exhibit);
   const auto size = size_of(pslg, goal);
   const double slope = goal.grading < infinity ? goal.grading : 1 / goal.feature_edges;
   for (int i = 0; i < 10; ++i) {
@@ -128,9 +135,7 @@ PARDEL_PROPERTY(WantedLength, does_not_depend_on_the_numbering,
                               "nor on the direction of segments, not even in the last bit.",
                  .source = definition,
                  .families = families}) {
-  const Pslg pslg = some_domain(exhibit);
-  const Box box = box_of(pslg);
-  const Goal goal = some_graded_goal(box);
+  const auto [pslg, box, goal] = some_graded_domain(exhibit);
   generators::Random random(*rc::gen::arbitrary<std::uint64_t>());
   std::vector<Index> order(pslg.points.size()), place(pslg.points.size());
   std::iota(order.begin(), order.end(), Index{0});
@@ -171,9 +176,7 @@ PARDEL_PROPERTY(WantedLength, of_the_checker_is_that_of_the_definition,
                               "the definition allows at its centroid, and none whose edges the definition allows.",
                  .source = definition,
                  .families = families}) {
-  const Pslg pslg = some_domain(exhibit);
-  const Box box = box_of(pslg);
-  const Goal goal = some_graded_goal(box);
+  const auto [pslg, box, goal] = some_graded_domain(exhibit);
   const Mesh coarse = value_of(mesh(pslg, {.min_angle_deg = goal.min_angle_deg})).mesh;
   const Certificate certificate = check(pslg, coarse, goal, {.max_violations = coarse.triangles.size()});
   std::set<Index> reported;
@@ -196,8 +199,8 @@ PARDEL_PROPERTY(WantedLength, is_kept_by_a_certified_mesh_that_threads_do_not_ch
                               "the same on 1, 2 and 4 threads.",
                  .source = definition,
                  .families = families}) {
-  const Pslg pslg = some_domain(exhibit);
-  Problem problem{pslg, some_graded_goal(box_of(pslg))};
+  const auto [pslg, box, goal] = some_graded_domain(exhibit);
+  Problem problem{pslg, goal};
   Options options = some_options();
   const Meshed result = meshed(problem, exhibit, options);
   require_valid(check(problem.pslg, result.mesh, problem.goal));

@@ -17,7 +17,7 @@ using testing::add_polygon;
 /// The least length at p, for lengths that grow by 1 / edges.
 double length_at(const Pslg& pslg, double edges, Point p) {
   double least = INFINITY;
-  for (const GrowingSize& source : feature_sources(pslg, edges, 1 / edges, {}))
+  for (const GrowingSize& source : feature_sources(pslg, find_polylines(pslg, {}), edges, 1 / edges, {}))
     least = std::min(least, PreparedSize(source).at(p));
   return least;
 }
@@ -56,7 +56,7 @@ TEST(FeatureSources, do_not_see_neighbours_along_a_polyline) {
   Pslg pslg;
   for (int k = 0; k <= 100; ++k) pslg.points.push_back({0.1 * k, 0});
   for (Index k = 0; k < 100; ++k) pslg.segments.push_back({k, k + 1});
-  const auto sources = feature_sources(pslg, 1, 1, {});
+  const auto sources = feature_sources(pslg, find_polylines(pslg, {}), 1, 1, {});
   ASSERT_EQ(sources.size(), 2U) << "the distance of the two ends";
   EXPECT_DOUBLE_EQ(sources[0].source.at_a, 10);
 }
@@ -81,12 +81,13 @@ TEST(FeatureSources, see_the_other_side_of_a_long_smooth_hole) {
 TEST(FeatureSources, of_a_long_channel_are_few) {
   Pslg pslg;
   add_polygon(pslg, {{0, 0}, {1000, 0}, {1000, 1}, {0, 1}});
-  EXPECT_LT(feature_sources(pslg, 2, 0.5, {}).size(), 500U) << "pieces of equal width are one source";
+  const auto sources = feature_sources(pslg, find_polylines(pslg, {}), 2, 0.5, {});
+  EXPECT_LT(sources.size(), 500U) << "pieces of equal width are one source";
 }
 
 TEST(SegmentSources, have_the_lengths_of_the_segments) {
   Pslg pslg = testing::square(3);
-  const auto sources = segment_sources(pslg, 0.5, {});
+  const auto sources = segment_sources(pslg, find_polylines(pslg, {}), 0.5);
   ASSERT_EQ(sources.size(), 4U);
   for (const GrowingSize& source : sources) EXPECT_EQ(source.source.at_a, 3);
   EXPECT_EQ(sources[0].slope, 0.5);
