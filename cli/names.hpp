@@ -4,8 +4,6 @@
 #include "../core/formats.hpp"
 #include "../core/support/enum_names.hpp"
 #include "../parallel/options.hpp"
-#include "drawing/canvas.hpp"
-#include "drawing/colouring.hpp"
 #include "progress_bar.hpp"
 
 namespace pardel::cli {
@@ -27,20 +25,7 @@ inline constexpr auto show_progress_names = enum_names<ShowProgress>({
     {ShowProgress::never, "never"},
 });
 
-inline constexpr auto picture_format_names = enum_names<PictureFormat>({
-    {PictureFormat::svg, "svg"},
-    {PictureFormat::png, "png"},
-});
 /// Without the last enumerator: Triangle's files are several, which standard output would not separate.
 inline constexpr EnumNames<MeshFormat, 4> stream_format_names{{"msh", "off", "svg", "vtu"}};
-
-inline constexpr auto colour_names = enum_names<ColourBy>({
-    {ColourBy::quality, "quality"},
-    {ColourBy::size, "size"},
-    {ColourBy::region, "region"},
-    {ColourBy::tile, "tile"},
-    {ColourBy::phase, "phase"},
-    {ColourBy::thread, "thread"},
-});
 
 }  // namespace pardel::cli

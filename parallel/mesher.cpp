@@ -97,7 +97,7 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   if (outgrows_memory(pslg.points.size(), options)) return too_much_memory(options);
   Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, progress.threads());
   if (!domain) return domain.error();
-  InputData input{{}, {pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
+  InputData input{{}, {pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
   if (pslg.attributes_per_point > 0) input.background = input_corners(*domain, progress.threads());
   result.report.triangulate_seconds = watch.lap();
 
@@ -242,7 +242,8 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   Result<DomainTriangulation> domain = import_mesh(coarse, progress.threads());
   if (!domain) return domain.error();
   InputData input{coarse.region_attributes,
-                  {coarse.attributes_per_point, coarse.point_attributes.span(), coarse.point_markers.span()},
+                  {coarse.points.span(), coarse.attributes_per_point, coarse.point_attributes.span(),
+                   coarse.point_markers.span()},
                   {}};
   if (!max_areas.empty() || coarse.attributes_per_point > 0)
     for (const Triangle& triangle : coarse.triangles) input.background.push_back(triangle.v);

@@ -1,8 +1,10 @@
 #include "bowyer_watson.hpp"
 
+#include <utility>
+
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/in_circumdisk.hpp"
-#include "../triangulation/locate.hpp"
+#include "../triangulation/paired_disk_query.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -25,16 +27,76 @@ bool disk_contains(const Triangulation& t, TriangleId id, Point p) {
 
 constexpr auto no_corners = [](VertexId) { return Corner{}; };
 
+/// The query of a box that does not hold the vertex at infinity. The walk over the cavity ends before it enters a ghost
+/// triangle, so all corners that it passes to the query are vertices.
+struct FiniteBoxQuery {
+  const Triangulation& t;
+  Pair p;
+  const Box& box;
+  PairedDiskQuery pairs{t, p, box};
+
+  [[nodiscard]] bool is_own(VertexId v) const { return v != ghost && pairs.is_own(v); }
+  [[nodiscard]] Corner corner(VertexId v) const { return v == ghost ? Corner{} : pairs.corner(v); }
+  [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>& c, EdgeRef behind) const {
+    if (far_corner(behind) == ghost) [[unlikely]]
+      return InDisks::of(in_circumdisk(t, first, as_point(p)), is_hit(behind));
+    return pairs.first_and_behind(first, c, behind);
+  }
+  [[nodiscard, gnu::always_inline]] DisksAndCorners both(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left) const {
+    const VertexId on_right = far_corner(right), on_left = far_corner(left);
+    if (on_right == ghost || on_left == ghost) [[unlikely]]
+      return {InDisks::of(is_hit(right), is_hit(left)), {corner(on_right), corner(on_left)}};
+    return pairs.both(u, w, v, right, left);
+  }
+
+ private:
+  [[nodiscard]] VertexId far_corner(EdgeRef e) const { return t.slot(e).apex(e.side()); }
+  [[nodiscard]] bool is_hit(EdgeRef e) const { return disk_contains(t, e.triangle(), as_point(p)); }
+};
+
 }  // namespace
+
+TriangleId BowyerWatson::locate(Point point) const {
+  const Pair p = as_pair(point);
+  const auto relative = [&](VertexId v) { return as_pair(t_.points[v]) - p; };
+  // The walk is in the triangle behind `entered`. It came across this side, which runs from a to b; p is not beyond it.
+  EdgeRef entered(near_, 0);
+  const Slot& start = t_.slots[near_];
+  Pair a = relative(start.v[1]), b = relative(start.v[2]);
+  if (orient2d(t_.points[start.v[1]], t_.points[start.v[2]], point) < 0) {
+    entered = start.n[0];
+    std::swap(a, b);
+  }
+  for (;;) {
+    const Slot& slot = t_.slot(entered);
+    const unsigned side = entered.side();
+    const VertexId apex = slot.apex(side);
+    if (entered.triangle() != near_ && !in_box(apex)) return no_index;
+    if (apex == ghost) return entered.triangle();
+    const Pair c = relative(apex);
+    const Orientation<Pair> turns(firsts(b, c), seconds(b, c), firsts(c, a), seconds(c, a));
+    unsigned beyond = bits(turns.determinant < 0);
+    if (!turns.is_certain()) [[unlikely]] {
+      const Point from = t_.points[slot.from(side)], to = t_.points[slot.to(side)], far = t_.points[apex];
+      beyond = InDisks::of(orient2d(to, far, point) < 0, orient2d(far, from, point) < 0).bits;
+    }
+    if (beyond == 0) return entered.triangle();
+    if ((beyond & 1U) != 0) {
+      entered = slot.n[next_corner[side]];
+      a = c;
+    } else {
+      entered = slot.n[previous_corner[side]];
+      b = c;
+    }
+  }
+}
 
 Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
   const Point p = t_.points[v];
-  const TriangleId first = locate(t_, p, near_, [this](VertexId apex) { return in_box(apex); });
+  const TriangleId first = locate(p);
   if (first == no_index) return Inserted::leaves_box;
-  if (!disk_contains(t_, first, p)) return Inserted::duplicate;
-  const auto is_hit = [&](EdgeRef e) { return disk_contains(t_, e.triangle(), p); };
-  const auto is_own = [&](VertexId apex) { return in_box(apex); };
-  const Walk walk = cavity_.find(t_, first, SingleTriangleQuery(t_, is_hit, no_corners, is_own));
+  const Walk walk = find_cavity(first, p);
+  if (walk == Walk::elsewhere) return Inserted::duplicate;
   if (walk == Walk::foreign) return Inserted::leaves_box;
   if (walk == Walk::tangled) return Inserted::inconsistent;
   for (const TriangleId id : retriangulate(t_, cavity_, v, [&] { return fresh++; }))
@@ -43,6 +105,14 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
       break;
     }
   return Inserted::yes;
+}
+
+Walk BowyerWatson::find_cavity(TriangleId first, Point p) {
+  if (!holds_infinity_) return cavity_.find(t_, first, FiniteBoxQuery{t_, as_pair(p), box_});
+  if (!disk_contains(t_, first, p)) return Walk::elsewhere;
+  const auto is_hit = [&](EdgeRef e) { return disk_contains(t_, e.triangle(), p); };
+  const auto is_own = [](VertexId) { return true; };
+  return cavity_.find(t_, first, SingleTriangleQuery(t_, is_hit, no_corners, is_own));
 }
 
 }  // namespace pardel::engine

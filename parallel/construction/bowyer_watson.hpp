@@ -35,6 +35,12 @@ class BowyerWatson {
   [[nodiscard]] Inserted insert(VertexId v, TriangleId fresh);
 
  private:
+  /// Returns the non-ghost triangle that contains p or, if p lies outside the convex hull, a ghost triangle whose hull
+  /// edge separates p from the hull; no_index if the walk to it leaves the box. The walk starts at near_. It crosses a
+  /// side that separates the triangle from p; in a Delaunay triangulation such a walk meets no triangle twice
+  /// (Devillers, Pion and Teillaud 2002).
+  [[nodiscard]] TriangleId locate(Point p) const;
+  [[nodiscard]] Walk find_cavity(TriangleId first, Point p);
   [[nodiscard]] bool in_box(VertexId v) const {
     return v == ghost ? holds_infinity_ : box_.contains_half_open(t_.points[v]);
   }

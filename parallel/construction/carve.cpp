@@ -35,29 +35,27 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
   return fresh;
 }
 
-/// Removes the triangles with the label `removed`, and moves the last remaining triangles into the free slots. All
-/// other triangles keep their order, which follows a space-filling curve.
-void remove_labelled(Triangulation& t, Array<Index>& label, Index removed, const Threads& threads) {
-  const Array<TriangleId> holes =
-      indices_where(threads, t.slots.size(), [&](std::size_t id) { return label[id] == removed; });
-  SparseAsk ask(threads.stop);
-  for (const TriangleId id : holes) {
+/// Removes the triangles for which is_removed(id) holds, and moves the last remaining triangles into the free slots. All
+/// other triangles keep their order, which follows a space-filling curve. Calls on_move(from, to) for each move.
+template <class IsRemoved, class OnMove>
+void remove_triangles(Triangulation& t, std::span<const TriangleId> removed, const IsRemoved& is_removed,
+                      const OnMove& on_move, SparseAsk& ask) {
+  for (const TriangleId id : removed) {
     ask();
     for (const EdgeRef out : t.slots[id].n)
-      if (label[out.triangle()] != removed) t.slots[out.triangle()].n[out.side()] = EdgeRef();
+      if (!is_removed(out.triangle())) t.slots[out.triangle()].n[out.side()] = EdgeRef();
   }
-  const std::size_t kept = t.slots.size() - holes.size();
+  const std::size_t kept = t.slots.size() - removed.size();
   auto last = static_cast<TriangleId>(t.slots.size());
-  for (const TriangleId hole : holes) {
+  for (const TriangleId hole : removed) {
     if (hole >= kept) break;
     ask();
     do --last;
-    while (label[last] == removed);
+    while (is_removed(last));
     t.move_triangle(last, hole);
-    label[hole] = label[last];
+    on_move(last, hole);
   }
   t.slots.resize(kept);
-  label.resize(kept);
 }
 
 }  // namespace
@@ -68,6 +66,11 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const 
   SparseAsk ask(threads.stop);
   std::vector<Constraint> hull;
   if (rules.convex_hull) hull = constrain_hull(t, ghosts.span(), ask);
+  if (rules.convex_hull && rules.holes.empty() && rules.region_seeds.empty()) {
+    // The constrained hull separates the ghosts from all other triangles.
+    remove_triangles(t, ghosts.span(), [&](TriangleId id) { return t.slots[id].is_ghost(); }, [](auto, auto) {}, ask);
+    return hull;
+  }
 
   constexpr Index unlabelled = no_index, removed = no_index - 1;
   Array<Index> label = make_array(threads, n, [](std::size_t) { return unlabelled; });
@@ -88,8 +91,13 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const 
     flood(t, stack, label, static_cast<Index>(r), ask);
   }
 
-  remove_labelled(t, label, removed, threads);
-  if (!rules.region_seeds.empty()) t.region = std::move(label);
+  const Array<TriangleId> outside = indices_where(threads, n, [&](std::size_t id) { return label[id] == removed; });
+  remove_triangles(
+      t, outside.span(), [&](TriangleId id) { return label[id] == removed; },
+      [&](TriangleId from, TriangleId to) { label[to] = label[from]; }, ask);
+  if (rules.region_seeds.empty()) return hull;
+  label.resize(t.slots.size());
+  t.region = std::move(label);
   return hull;
 }
 

@@ -47,11 +47,11 @@ void export_triangles(DomainTriangulation& domain, Mesh& mesh, const Threads& th
   mesh.triangles = std::move(triangles);
 }
 
-/// Moves the input points back to the positions that they have in the input.
-void restore_order(std::span<const Index> input_of_vertex, Array<Point>& points, const Threads& threads) {
-  const Array<Point> moved = make_array(threads, input_of_vertex.size(), [&](std::size_t v) { return points[v]; });
-  parallel_blocks(threads, moved.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t v = first; v < last; ++v) points[input_of_vertex[v]] = moved[v];
+/// Puts the input points in the order of the input. The vertices of the triangulation have another order.
+void restore_order(std::span<const Point> input, Array<Point>& points, const Threads& threads) {
+  parallel_blocks(threads, input.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    std::copy(input.begin() + static_cast<std::ptrdiff_t>(first), input.begin() + static_cast<std::ptrdiff_t>(last),
+              points.begin() + first);
   });
 }
 
@@ -134,7 +134,7 @@ Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attrib
   Mesh mesh;
   export_triangles(domain, mesh, threads);  // first, because it reads the origins of the vertices
   export_origins(domain, mesh, threads);
-  restore_order(domain.input_of_vertex.span(), domain.triangulation.points, threads);
+  restore_order(data.points, domain.triangulation.points, threads);
   mesh.points = std::move(domain.triangulation.points);
   mesh.region = std::move(domain.triangulation.region);
   mesh.region_attributes = std::move(region_attributes);

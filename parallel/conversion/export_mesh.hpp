@@ -11,8 +11,9 @@
 
 namespace pardel::engine {
 
-/// The data of the input points that the mesh inherits. Attributes of new vertices are interpolated.
+/// The input points, and the data that the mesh inherits from them. Attributes of new vertices are interpolated.
 struct PointData {
+  std::span<const Point> points;
   std::size_t attributes_per_point = 0;
   std::span<const double> attributes;
   std::span<const int> markers;

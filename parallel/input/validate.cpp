@@ -53,6 +53,7 @@ SoundSegments check_each_segment(const Pslg& pslg, std::span<const Duplicate> du
 }
 
 void drop_duplicates(const Pslg& pslg, SoundSegments& sound, StopSignal* stop, Findings& found) {
+  if (sound.segments.empty()) return;
   SparseAsk ask(stop);
   std::vector<bool> again(sound.segments.size());
   Ends first{no_index, no_index, no_index};
@@ -95,12 +96,12 @@ std::vector<Index> loose_points(const Pslg& pslg, std::span<const Segment> segme
   return loose;
 }
 
-/// Returns the result of the sweep, in which the seeds are the queries.
+/// Returns the result of the sweep, in which the seeds are the queries. Without segments there is no sweep.
 Swept check_conflicts(const Pslg& pslg, const SoundSegments& sound, std::span<const Duplicate> duplicates,
                       std::size_t most, const Threads& threads, Findings& found) {
+  if (sound.segments.empty()) return {};
   SparseAsk ask(threads.stop);
-  std::vector<Index> loose;
-  if (!sound.segments.empty()) loose = loose_points(pslg, sound.segments, duplicates, ask);
+  const std::vector<Index> loose = loose_points(pslg, sound.segments, duplicates, ask);
   const std::vector<Point> seeds = seeds_of(pslg);
   Swept swept = sweep_plane({.points = pslg.points,
                              .segments = sound.segments,

@@ -5,7 +5,7 @@
 
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
-#include "paired_disk_query.hpp"
+#include "../triangulation/paired_disk_query.hpp"
 
 namespace pardel::engine {
 namespace {

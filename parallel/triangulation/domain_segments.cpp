@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -26,34 +27,48 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
                                const Threads& threads) {
   SparseAsk ask(threads.stop);
   segments_.reserve(constraints.size());
-  start_.assign(points.size() + 1, 0);
   for (const Constraint c : constraints) {
     ask();
     segments_.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
-    ++start_[c.a + 1U];
-    ++start_[c.b + 1U];
   }
-  for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-  incident_.resize(2 * segments_.size());
-  std::vector<Index> next = start_;
-  for (Index l = 0; l < segments_.size(); ++l) {
+  find_ends(ask);
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
     ask();
-    incident_[next[segments_[l].a]++] = l;
-    incident_[next[segments_[l].b]++] = l;
-  }
-
-  for (VertexId v = 0; v < points.size(); ++v) {
-    ask();
-    sort_around(points, v);
+    sort_around(points, end);
   }
   find_smallest_angles(points, ask);
   find_narrow_apexes(points, ask);
 }
 
-void DomainSegments::sort_around(const Array<Point>& points, VertexId v) {
+void DomainSegments::find_ends(SparseAsk& ask) {
+  std::vector<std::pair<VertexId, Index>> all;
+  all.reserve(2 * segments_.size());
+  for (Index l = 0; l < segments_.size(); ++l) {
+    ask();
+    all.emplace_back(segments_[l].a, l);
+    all.emplace_back(segments_[l].b, l);
+  }
+  std::ranges::sort(all, [&](const auto& left, const auto& right) {
+    ask();
+    return left < right;
+  });
+  incident_.reserve(all.size());
+  for (const auto& [vertex, segment] : all) {
+    ask();
+    if (ends_.empty() || ends_.back() != vertex) {
+      ends_.push_back(vertex);
+      start_.push_back(static_cast<Index>(incident_.size()));
+    }
+    incident_.push_back(segment);
+  }
+  start_.push_back(static_cast<Index>(incident_.size()));
+}
+
+void DomainSegments::sort_around(const Array<Point>& points, std::size_t end) {
+  const VertexId v = ends_[end];
   const auto far = [&](Index l) { return points[other_end(l, v)]; };
   const auto goes_left = [&](Index l) { return lexicographically_less(far(l), points[v]); };
-  std::sort(incident_.begin() + start_[v], incident_.begin() + start_[v + 1U], [&](Index l, Index r) {
+  std::sort(incident_.begin() + start_[end], incident_.begin() + start_[end + 1], [&](Index l, Index r) {
     if (goes_left(l) != goes_left(r)) return goes_left(r);
     return orient2d(points[v], far(l), far(r)) > 0;
   });
@@ -61,16 +76,13 @@ void DomainSegments::sort_around(const Array<Point>& points, VertexId v) {
 
 /// The smallest angles at a vertex lie between segments that are adjacent in the angular order around it.
 void DomainSegments::find_smallest_angles(const Array<Point>& points, SparseAsk& ask) {
-  for (VertexId v = 0; v < points.size(); ++v) {
-    ask();
-    for_each_angle_at(v, [&](Index here, Index next) {
-      const double cosine = cosine_at(points, v, here, next);
-      for (const Index l : {here, next}) {
-        double& largest = segments_[l].a == v ? segments_[l].cosine_at_a : segments_[l].cosine_at_b;
-        largest = std::max(largest, cosine);
-      }
-    });
-  }
+  for_each_angle(ask, [&](VertexId v, Index here, Index next) {
+    const double cosine = cosine_at(points, v, here, next);
+    for (const Index l : {here, next}) {
+      double& largest = segments_[l].a == v ? segments_[l].cosine_at_a : segments_[l].cosine_at_b;
+      largest = std::max(largest, cosine);
+    }
+  });
 }
 
 void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& ask) {
@@ -78,22 +90,21 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
     ask();
     s.narrow_apex = narrow_end(s);
   }
-  for (VertexId v = 0; v < points.size(); ++v) {
-    ask();
-    for_each_angle_at(v, [&](Index here, Index next) {
-      // The angle between the two is not smaller than the smallest one at each of them.
-      const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
-      if (at_most <= cosine_of_narrow_angle || cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
-      if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
-      if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
-    });
-  }
+  for_each_angle(ask, [&](VertexId v, Index here, Index next) {
+    // The angle between the two is not smaller than the smallest one at each of them.
+    const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
+    if (at_most <= cosine_of_narrow_angle || cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
+    if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
+    if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
+  });
 }
 
 Index DomainSegments::segment_of(const Triangulation& t, VertexId u, VertexId v) const {
   for (const VertexId end : {u, v})
     if (t.origin[end] < segments_.size()) return t.origin[end];
-  for (const Index l : at(u))
+  const auto at = std::ranges::lower_bound(ends_, u);
+  if (at == ends_.end() || *at != u) return no_index;
+  for (const Index l : around(static_cast<std::size_t>(at - ends_.begin())))
     if (other_end(l, u) == v) return l;
   return no_index;
 }

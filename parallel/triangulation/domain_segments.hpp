@@ -29,7 +29,7 @@ struct DomainSegment {
 class DomainSegments {
  public:
   DomainSegments() = default;
-  /// `points` holds the coordinates of the vertices. O(points + k log k) for k constraints.
+  /// `points` holds the coordinates of the vertices. O(k log k) for k constraints.
   DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints, const Threads& threads = {});
 
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
@@ -44,27 +44,31 @@ class DomainSegments {
   [[nodiscard]] double cosine_at(const Array<Point>& points, VertexId apex, Index first, Index second) const;
 
  private:
-  [[nodiscard]] std::span<const Index> at(VertexId v) const {
-    if (v + 1U >= start_.size()) return {};
-    return std::span(incident_).subspan(start_[v], start_[v + 1U] - start_[v]);
+  /// The segments that end at a vertex of ends_.
+  [[nodiscard]] std::span<const Index> around(std::size_t end) const {
+    return std::span(incident_).subspan(start_[end], start_[end + 1] - start_[end]);
   }
   [[nodiscard]] VertexId other_end(Index segment, VertexId end) const {
     return segments_[segment].a == end ? segments_[segment].b : segments_[segment].a;
   }
-  /// Calls visit(s, t) for all segments that are adjacent in the angular order around v.
+  /// Calls visit(v, s, t) for all vertices v, and all segments s and t that are adjacent in the angular order around v.
   template <class Visit>
-  void for_each_angle_at(VertexId v, const Visit& visit) const {
-    const std::span<const Index> around = at(v);
-    for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i)
-      visit(around[i], around[(i + 1) % around.size()]);
+  void for_each_angle(SparseAsk& ask, const Visit& visit) const {
+    for (std::size_t end = 0; end < ends_.size(); ++end) {
+      ask();
+      const std::span<const Index> here = around(end);
+      for (std::size_t i = 0; here.size() > 1 && i < here.size(); ++i)
+        visit(ends_[end], here[i], here[(i + 1) % here.size()]);
+    }
   }
-  void sort_around(const Array<Point>& points, VertexId v);
+  void find_ends(SparseAsk& ask);
+  void sort_around(const Array<Point>& points, std::size_t end);
   void find_smallest_angles(const Array<Point>& points, SparseAsk& ask);
   void find_narrow_apexes(const Array<Point>& points, SparseAsk& ask);
 
   std::vector<DomainSegment> segments_;
-  std::vector<Index> start_,
-      incident_;  ///< the segments at vertex v are incident_[start_[v]] to incident_[start_[v + 1]]
+  std::vector<VertexId> ends_;           ///< the vertices at which segments end, in ascending order
+  std::vector<Index> start_, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
 };
 
 }  // namespace pardel::engine

@@ -177,7 +177,7 @@ TEST(Conversion, asks_once_in_1024_steps_and_stops_at_the_first_word) {
   const Result<DomainTriangulation> domain = triangulate_domain(pslg, true);
   ASSERT_TRUE(domain);
   const auto export_it = [&](const Threads& threads) {
-    (void)export_mesh(DomainTriangulation(*domain), {}, {1, attributes, {}}, background, threads);
+    (void)export_mesh(DomainTriangulation(*domain), {}, {pslg.points, 1, attributes, {}}, background, threads);
   };
   expect_stoppable(export_it, many / 2);  // the other half of the points gets interpolated attributes
 }

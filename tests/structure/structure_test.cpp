@@ -44,7 +44,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"input/repair_once", {"input/repair_test"}},
     {"input/untangle", {"input/repair_test"}},
     {"refinement/exemptions", {"mesher_test", "limits_test"}},
-    {"refinement/paired_disk_query", {"triangulation/cavity_test"}},
+    {"triangulation/paired_disk_query", {"triangulation/cavity_test"}},
     {"scheduling/phase", {"scheduling/schedules_test", "scheduling/touches_test"}},
     {"scheduling/refine_by_sweeps", {"scheduling/after_sweep_test", "scheduling/many_tiles_test"}},
     {"scheduling/schedule", {"scheduling/schedules_test"}},

@@ -25,7 +25,7 @@ const Mesh& refined_square() {
 }
 
 Mesh exported(DomainTriangulation&& domain, const Mesh& mesh) {
-  return export_mesh(std::move(domain), mesh.region_attributes, {0, {}, mesh.point_markers.span()}, {});
+  return export_mesh(std::move(domain), mesh.region_attributes, {mesh.points.span(), 0, {}, mesh.point_markers.span()}, {});
 }
 
 TEST(ImportMesh, followed_by_export_gives_the_same_mesh) {

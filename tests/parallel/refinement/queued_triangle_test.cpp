@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "../../../parallel/refinement/paired_disk_query.hpp"
+#include "../../../parallel/triangulation/paired_disk_query.hpp"
 #include "../../../parallel/triangulation/cavity.hpp"
 #include "../samples.hpp"
 

@@ -58,7 +58,8 @@ inline Refined refined(const Case& c, const Options& options, const Schedule& sc
   ProgressMonitor progress(options);
   auto counts = refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, schedule);
   EXPECT_TRUE(counts);
-  return {export_mesh(std::move(domain).value(), attributes, {}, {}, options.threads), std::move(counts).value()};
+  const PointData points{c.pslg.points, 0, {}, {}};
+  return {export_mesh(std::move(domain).value(), attributes, points, {}, options.threads), std::move(counts).value()};
 }
 
 inline Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {

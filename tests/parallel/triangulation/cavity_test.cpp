@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "../../../parallel/construction/delaunay.hpp"
-#include "../../../parallel/refinement/paired_disk_query.hpp"
+#include "../../../parallel/triangulation/paired_disk_query.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../samples.hpp"
 

@@ -1,13 +1,13 @@
-// The cavity query of the refinement: it tests two circumdisks at a time.
+// A cavity query that tests two circumdisks at a time.
 #pragma once
 
 #include <array>
 
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/lattice.hpp"
-#include "../triangulation/cavity_query.hpp"
-#include "../triangulation/in_circumdisk.hpp"
-#include "../triangulation/triangulation.hpp"
+#include "cavity_query.hpp"
+#include "in_circumdisk.hpp"
+#include "triangulation.hpp"
 
 namespace pardel::engine {
 
