@@ -30,11 +30,10 @@ void expect_as_recorded(const What& what) {
   const std::vector<std::string> stages = record(what), lines = kept(what, stages);
   for (const std::string& line : lines)
     EXPECT_TRUE(recorded_lines().contains(line)) << "not in " PARDEL_RECORDED_RUNS ": " << line;
-  const auto known = std::ranges::count_if(recorded_lines(), [&](const std::string& line) {
-    return line.starts_with(what.name + ", ");
-  });
+  const auto known = std::ranges::count_if(recorded_lines(),
+                                           [&](const std::string& line) { return line.starts_with(what.name + ", "); });
   EXPECT_EQ(static_cast<std::size_t>(known), lines.size()) << "lines of " << what.name;
-  if (testing::Test::HasFailure() && what.summary)
+  if (::testing::Test::HasFailure() && what.summary)
     for (const std::string& line : stages) std::cout << line << '\n';
 }
 
@@ -45,20 +44,20 @@ void expect_as_recorded(const std::vector<What>& all, const std::string& group) 
     if (each.group == group) expect_as_recorded(each);
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& group) {
+std::string test_name(const ::testing::TestParamInfo<std::string>& group) {
   std::string name = group.param;
   std::erase_if(name, [](char c) { return c == '\''; });
   std::ranges::replace(name, ' ', '_');
   return name;
 }
 
-class RunOn : public testing::TestWithParam<std::string> {};
+class RunOn : public ::testing::TestWithParam<std::string> {};
 TEST_P(RunOn, takes_the_steps_that_are_recorded) { expect_as_recorded(runs(), GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Every, RunOn, testing::ValuesIn(groups_of_runs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Every, RunOn, ::testing::ValuesIn(groups_of_runs()), test_name);
 
-class RepairOf : public testing::TestWithParam<std::string> {};
+class RepairOf : public ::testing::TestWithParam<std::string> {};
 TEST_P(RepairOf, takes_the_steps_that_are_recorded) { expect_as_recorded(messes(), GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Every, RepairOf, testing::ValuesIn(groups_of_messes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Every, RepairOf, ::testing::ValuesIn(groups_of_messes()), test_name);
 
 }  // namespace
 }  // namespace pardel::recorded

@@ -1,6 +1,7 @@
 #include "run_record.hpp"
 
 #include <chrono>
+#include <numeric>
 #include <utility>
 
 #include "../../../core/support/shortest.hpp"
@@ -13,6 +14,7 @@
 #include "../../../parallel/diagnosis/narrowest_part.hpp"
 #include "../../../parallel/input/findings.hpp"
 #include "../../../parallel/input/repair_once.hpp"
+#include "../../../parallel/input/untangle.hpp"
 #include "../../../parallel/interpolation/background.hpp"
 #include "../../../parallel/interpolation/feature_sources.hpp"
 #include "../../../parallel/interpolation/graded_size.hpp"
@@ -23,10 +25,22 @@
 #include "../../../parallel/repair.hpp"
 #include "../../../parallel/scheduling/refine_by_sweeps.hpp"
 #include "../../../parallel/warnings.hpp"
-#include "fingerprint.hpp"
+
+namespace pardel::engine {
+
+static void add_to(testing::Fingerprint& to, EdgeRef e) { to.add_all(e.triangle(), e.side(), e.constrained()); }
+static void add_to(testing::Fingerprint& to, const Slot& s) { to.add_all(s.v, s.n); }
+static void add_to(testing::Fingerprint& to, const Triangulation& t) {
+  to.add_all(t.points, t.slots, t.origin, t.region);
+}
+
+}  // namespace pardel::engine
 
 namespace pardel::recorded {
 namespace {
+
+using testing::Fingerprint;
+using testing::fingerprint;
 
 using namespace engine;
 
@@ -35,10 +49,7 @@ std::string text(Point p) { return shortest(p); }
 std::string text(const std::string& value) { return value; }
 std::string text(const char* value) { return value; }
 template <class T>
-  requires std::is_integral_v<T>
-std::string text(T value) {
-  return std::to_string(value);
-}
+requires std::is_integral_v<T> std::string text(T value) { return std::to_string(value); }
 
 template <class... Ts>
 std::string words(const Ts&... values) {
@@ -72,6 +83,7 @@ class Record {
   void add(const char* what, const Ts&... values) {
     lines_.push_back(name_ + ", " + what + ":" + words(values...));
   }
+  void forget_questions() { questions_ = 0; }
   void add_progress() { add("progress", std::exchange(progress_, Fingerprint()).text()); }
   [[nodiscard]] std::vector<std::string> lines() && { return std::move(lines_); }
 
@@ -176,8 +188,8 @@ void record_refinement(Record& record, DomainTriangulation& domain, const Criter
   Fingerprint all;
   std::array<std::size_t, exempt_reasons> of_reason{};
   // Arc cosines of libraries differ in the last digits.
-  for (const Exemption& e : exemptions(domain.triangulation, domain.segments, criteria, options,
-                                       counts->budget_reached, record.threads())) {
+  for (const Exemption& e :
+       exemptions(domain.triangulation, domain.segments, criteria, options, counts->budget_reached, record.threads())) {
     all.add_all(e.triangle, e.reason, e.apex, std::llround(e.angle_deg * 1e6));
     ++of_reason[static_cast<std::size_t>(e.reason)];
   }
@@ -189,8 +201,8 @@ void record_refinement(Record& record, DomainTriangulation& domain, const Criter
 void record_refinement_of_mesh(Record& record, const Mesh& mesh) {
   const Result<DomainTriangulation> again = import_mesh(mesh, record.threads());
   if (!again) return record.end_of_stage("import", again.error().message);
-  record.end_of_stage("import", fingerprint(again->triangulation, again->input_of_vertex, again->input_segment,
-                                            again->segment_marker));
+  record.end_of_stage(
+      "import", fingerprint(again->triangulation, again->input_of_vertex, again->input_segment, again->segment_marker));
   std::vector<double> caps;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& v = mesh.triangles[i].v;
@@ -284,21 +296,31 @@ std::vector<std::string> record(const Run& run) {
 
 std::vector<std::string> record(const Mess& mess) {
   Record record(mess.name, {});
+  StopSignal& stop = *record.threads().stop;
   record.end_of_stage("validation", problems_text(engine::find_problems(mess.pslg, {}, record.threads())));
-  for (const bool convex_hull : {false, true})
-    for (const double snap : {0.0, 0x1p-20, 0.0625}) {
-      const auto repaired = repair_once(mess.pslg, snap, convex_hull, *record.threads().stop);
-      const std::string stage = "repair with " + shortest(snap) + (convex_hull ? " of the hull" : "");
+  record.end_of_stage("values", problems_text(find_unusable_values(mess.pslg, stop)));
+  for (const double snap : {0.0, 0x1p-20, 0.0625}) {
+    const std::string with = " with " + shortest(snap);
+    Work work{mess.pslg, std::vector<Index>(mess.pslg.points.size()), std::vector<Index>(mess.pslg.segments.size())};
+    std::iota(work.point_map.begin(), work.point_map.end(), Index{0});
+    std::iota(work.source.begin(), work.source.end(), Index{0});
+    const bool ended = untangle(work, snap, stop);
+    record.end_of_stage(("untangling" + with).c_str(), ended, fingerprint(work.pslg, work.point_map, work.source));
+    for (const bool convex_hull : {false, true}) {
+      const auto repaired = repair_once(mess.pslg, snap, convex_hull, stop);
+      record.forget_questions();  // the validation in the repair asks after some time
+      const std::string stage = "repair" + with + (convex_hull ? " of the hull" : "");
       if (!repaired || !*repaired) {
-        record.end_of_stage(stage.c_str(), repaired ? (*repaired).error().message : "no end");
+        record.add(stage.c_str(), repaired ? (*repaired).error().message : "no end");
         continue;
       }
       const Repaired& r = **repaired;
-      record.end_of_stage(stage.c_str(), r.domain.pslg().points.size(), r.domain.pslg().segments.size(),
-                          fingerprint(r.domain.pslg(), r.point_map, r.segment_map, r.log), r.moved_points.count,
-                          r.moved_points.farthest, r.moved_points.distance, r.bent_segments.count,
-                          r.bent_segments.farthest, r.bent_segments.distance);
+      record.add(stage.c_str(), r.domain.pslg().points.size(), r.domain.pslg().segments.size(),
+                 fingerprint(r.domain.pslg(), r.point_map, r.segment_map, r.log), r.moved_points.count,
+                 r.moved_points.farthest, r.moved_points.distance, r.bent_segments.count, r.bent_segments.farthest,
+                 r.bent_segments.distance);
     }
+  }
   const Result<Repaired> by_default = repair(mess.pslg);
   if (!by_default)
     record.add("repair", by_default.error().message);

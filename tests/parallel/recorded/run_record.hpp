@@ -8,7 +8,7 @@
 #include "../../../core/goal.hpp"
 #include "../../../core/pslg.hpp"
 #include "../../../parallel/options.hpp"
-#include "fingerprint.hpp"
+#include "../../fingerprint.hpp"
 
 namespace pardel::recorded {
 
@@ -39,7 +39,7 @@ struct Mess {
 /// The lines of the file `runs` for these lines of one record.
 template <class What>
 [[nodiscard]] std::vector<std::string> kept(const What& what, const std::vector<std::string>& lines) {
-  return what.summary ? std::vector{what.name + ", all stages: " + fingerprint(lines)} : lines;
+  return what.summary ? std::vector{what.name + ", all stages: " + testing::fingerprint(lines)} : lines;
 }
 
 }  // namespace pardel::recorded

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "../../../parallel/validate.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/domains/generators/goals.hpp"
 #include "../../../properties/domains/generators/lattice_domain.hpp"
@@ -54,11 +56,17 @@ std::vector<Named> named() {
       {"square in the paper's lattice", domains::square(), small, with_cells(6, 5, Decomposition::paper)},
       {"square by circumcentres", domains::square(), small, {.placement = Placement::circumcentre}},
       {"square of short edges", domains::square(), {.max_edge = 0.05}, with_cells(3, 4)},
-      {"square in a quadtree", domains::square(), {.size = growing_from({0, 0}, 0.004, 0.1)},
+      {"square in a quadtree",
+       domains::square(),
+       {.size = growing_from({0, 0}, 0.004, 0.1)},
        {.decomposition = Decomposition::quadtree, .triangles_per_tile = 40}},
-      {"square of uneven work", domains::square(), {.size = growing_from({0.3, 0.7}, 0.0005, 0.2)},
+      {"square of uneven work",
+       domains::square(),
+       {.size = growing_from({0.3, 0.7}, 0.0005, 0.2)},
        {.triangles_per_tile = 30}},
-      {"square of nearly even work", domains::square(), {.size = growing_from({0.5, 0.5}, 0.03, 0.01)},
+      {"square of nearly even work",
+       domains::square(),
+       {.size = growing_from({0.5, 0.5}, 0.03, 0.01)},
        {.triangles_per_tile = 30}},
       {"square of few vertices", domains::square(), {.min_angle_deg = 40, .max_area = 1e-4}, {.max_vertices = 700}},
       {"square of long edges", domains::square(), small, {.min_edge = 0.03}},
@@ -77,7 +85,9 @@ std::vector<Named> named() {
       {"conforming cracks", cracks(), {.min_angle_deg = 30, .max_area = 0.005, .conforming = true}, with_cells(3, 3)},
       {"cracks without splits", cracks(), {.max_area = 0.01}, {.no_segment_splits = true}},
       {"cracks in their hull", cracks(), {.max_area = 0.02, .convex_hull = true}, {}},
-      {"far cracks", domains::moved(cracks(), 654321, 4987654), {.min_angle_deg = 25, .max_area = 0.005},
+      {"far cracks",
+       domains::moved(cracks(), 654321, 4987654),
+       {.min_angle_deg = 25, .max_area = 0.005},
        with_cells(3, 3)},
       {"wedge", domains::wedge(12, 7), {.min_angle_deg = 28, .max_area = 0.005}, with_cells(3, 4)},
       {"narrow wedge", domains::wedge(5, 0.3), {.max_area = 0.01}, {}},
@@ -87,7 +97,9 @@ std::vector<Named> named() {
       {"regions without caps", domains::regions(), {.min_angle_deg = 15}, {}},
       {"touching holes", domains::touching_holes(), {.max_area = 0.001}, with_cells(4, 4)},
       {"points", domains::random_points(300, 3), {.min_angle_deg = 30}, with_cells(8, 8)},
-      {"points in the paper's lattice", domains::random_points(600, 4), {.max_area = 1e-3},
+      {"points in the paper's lattice",
+       domains::random_points(600, 4),
+       {.max_area = 1e-3},
        with_cells(20, 20, Decomposition::paper)},
       {"clustered points", domains::clustered_points(400, 5), {}, {.triangles_per_tile = 60}},
       {"points near a line", domains::line_points(300, 6), {}, {.triangles_per_tile = 60}},
@@ -110,8 +122,12 @@ void add_random_runs(generators::Family family, std::vector<Run>& all) {
     Random random(1000 * number + static_cast<std::uint64_t>(family));
     const generators::LatticeDomain domain = generators::generate(family, random, static_cast<int>(4 * number + 5));
     const std::string group = group_of(family);
-    Run run{group, group + " " + std::to_string(number), to_pslg(domain),
-            generators::to_goal(generators::any_goal(domain, random), domain), {}, true};
+    Run run{group,
+            group + " " + std::to_string(number),
+            to_pslg(domain),
+            generators::to_goal(generators::any_goal(domain, random), domain),
+            {},
+            true};
     if (random.chance(2)) run.pslg = with_point_data(std::move(run.pslg));
     run.options.triangles_per_tile = static_cast<std::uint32_t>(random.between(8, 60));
     if (random.chance(3)) run.options.decomposition = Decomposition::paper;
@@ -128,6 +144,40 @@ void add_random_runs(generators::Family family, std::vector<Run>& all) {
   }
 }
 
+/// A closed curve around the origin. Coordinates are rounded, because the last bit of a sine differs between platforms.
+void add_curve(Pslg& pslg, int vertices, double radius, double depth, int waves) {
+  const auto first = static_cast<Index>(pslg.points.size()), n = static_cast<Index>(vertices);
+  const auto rounded = [](double x) { return std::round(x * 0x1p20) * 0x1p-20; };
+  for (Index i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / vertices, r = radius * (1 + depth * std::cos(waves * turn));
+    pslg.points.push_back({rounded(r * std::cos(turn)), rounded(r * std::sin(turn))});
+    pslg.segments.push_back({first + i, first + (i + 1) % n});
+  }
+}
+
+/// Rings between two curves, with edges across narrow places.
+void add_runs_on_curves(std::vector<Run>& all) {
+  for (int number = 0; number < 24; ++number) {
+    Random random(static_cast<std::uint64_t>(number));
+    Run run{"curves", "curves " + std::to_string(number), {}, {}, {.triangles_per_tile = 60}, true};
+    for (const double radius : {2.0, 0.7}) {
+      const int vertices = random.between(3, radius > 1 ? 90 : 40);
+      const double depth = 0.0625 * random.between(0, 5);
+      add_curve(run.pslg, vertices, radius, depth, random.between(1, 6));
+    }
+    run.pslg.holes = {{0, 0}};
+    if (random.chance(2)) {  // an open chain in the ring
+      const auto first = static_cast<Index>(run.pslg.points.size());
+      for (Index i = 0; i < 8; ++i) run.pslg.points.push_back({0.0625 * i * i - 1, 1.2 + 0.03125 * (i % 3)});
+      for (Index i = 0; i + 1 < 8; ++i) run.pslg.segments.push_back({first + i, first + i + 1});
+    }
+    if (random.chance(2)) run.goal.grading = 0.125 * random.between(1, 6);
+    run.goal.feature_edges = random.between(1, 2);
+    run.options.max_vertices = 3000;
+    if (find_problems(run.pslg).empty()) all.push_back(std::move(run));
+  }
+}
+
 /// Random points on a small lattice, some of them twice, and segments between them, in a square.
 Pslg tangle(std::uint64_t seed) {
   Random random(seed);
@@ -135,7 +185,10 @@ Pslg tangle(std::uint64_t seed) {
   const double unit = std::array{1.0, 0.1, 1.0 / 3, 1e-3}[seed % 4];
   Pslg pslg;
   const auto add = [&](double x, double y) { pslg.points.push_back({x * unit, y * unit}); };
-  for (int i = random.between(3, 25); i > 0; --i) add(random.between(1, side), random.between(1, side));
+  for (int i = random.between(3, 25); i > 0; --i) {
+    const int x = random.between(1, side), y = random.between(1, side);
+    add(x, y);
+  }
   const auto n = pslg.points.size();
   for (int i = random.between(2, 20); i > 0; --i)
     pslg.segments.push_back({static_cast<Index>(random.below(n)), static_cast<Index>(random.below(n)), i % 4});
@@ -173,6 +226,7 @@ const std::vector<Run>& runs() {
     std::vector<Run> list;
     for (const Named& each : named()) list.push_back({each.name, each.name, each.pslg, each.goal, each.options});
     for (const generators::Family family : generators::all_families()) add_random_runs(family, list);
+    add_runs_on_curves(list);
     return list;
   }();
   return all;
@@ -182,6 +236,7 @@ std::vector<std::string> groups_of_runs() {
   std::vector<std::string> groups;
   for (const Named& each : named()) groups.push_back(each.name);
   for (const generators::Family family : generators::all_families()) groups.push_back(group_of(family));
+  groups.emplace_back("curves");
   return groups;
 }
 
@@ -194,7 +249,8 @@ const std::vector<Mess>& messes() {
   static const std::vector<Mess> all = [] {
     std::vector<Mess> list;
     for (std::uint64_t seed = 0; seed < tangles; ++seed)
-      list.push_back({group_of_tangles(seed / tangles_per_group), "tangle " + std::to_string(seed), tangle(seed), true});
+      list.push_back(
+          {group_of_tangles(seed / tangles_per_group), "tangle " + std::to_string(seed), tangle(seed), true});
     const std::string group = "gaps";
     for (const double distance : {1e-12, 3e-10, 1e-7, 0.01}) {
       list.push_back({group, "two keys " + std::to_string(list.size()), twice(domains::key(), distance)});

@@ -1,4 +1,4 @@
-// A fingerprint of everything that a stage of the engine makes, with the numbering and the order of its parts.
+// A fingerprint of values, with the numbering and the order of their parts. Tests compare it with a recorded one.
 #pragma once
 
 #include <bit>
@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
-#include "../../../core/mesh.hpp"
-#include "../../../core/size_source.hpp"
-#include "../../../core/support/hash.hpp"
-#include "../../../parallel/triangulation/triangulation.hpp"
+#include "../core/mesh.hpp"
+#include "../core/size_source.hpp"
+#include "../core/support/hash.hpp"
 
-namespace pardel::recorded {
+namespace pardel::testing {
 
 class Fingerprint {
  public:
@@ -23,10 +23,8 @@ class Fingerprint {
     add_all(values...);
   }
   template <class T>
-    requires std::is_integral_v<T> || std::is_enum_v<T>
-  void add(T value) {
-    hash_ = mixed(hash_ * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(value));
-  }
+  requires std::is_integral_v<T> || std::is_enum_v<T>
+  void add(T value) { hash_ = mixed(hash_ * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(value)); }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); }  // -0 + 0 is 0
   void add(Point p) { add_all(p.x, p.y); }
   void add(std::string_view text) {
@@ -39,16 +37,21 @@ class Fingerprint {
   void add(const SizeSource& s) { add_all(s.a, s.b, s.at_a, s.at_b); }
   void add(const Triangle& t) { add_all(t.v, t.n); }
   void add(const ConstrainedEdge& e) { add_all(e.a, e.b, e.segment, e.marker); }
-  void add(engine::EdgeRef e) { add_all(e.triangle(), e.side(), e.constrained()); }
-  void add(const engine::Slot& s) { add_all(s.v, s.n); }
-  void add(const engine::Triangulation& t) { add_all(t.points, t.slots, t.origin, t.region); }
   void add(const Pslg& p) {
     add_all(p.points, p.attributes_per_point, p.point_attributes, p.point_markers, p.segments, p.has_segment_markers,
             p.holes, p.regions);
   }
   void add(const Mesh& m) {
-    add_all(m.points, m.triangles, m.origin, m.region, m.region_attributes, m.constrained_edges,
-            m.attributes_per_point, m.point_attributes, m.point_markers);
+    add_all(m.points, m.triangles, m.origin, m.region, m.region_attributes, m.constrained_edges, m.attributes_per_point,
+            m.point_attributes, m.point_markers);
+  }
+  /// Other types have a function add_to() in their own namespace.
+  template <class T>
+  requires requires(Fingerprint& to, const T& value) { add_to(to, value); }
+  void add(const T& value) { add_to(*this, value); }
+  template <class A, class B>
+  void add(const std::pair<A, B>& pair) {
+    add_all(pair.first, pair.second);
   }
   template <std::ranges::range Range>
   void add(const Range& range) {
@@ -75,4 +78,4 @@ template <class... Ts>
   return Fingerprint(values...).text();
 }
 
-}  // namespace pardel::recorded
+}  // namespace pardel::testing
