@@ -287,7 +287,8 @@ std::vector<std::string> record(const Run& run) {
     caps.push_back(region.max_area);
   }
   record_refinement(record, *domain, Criteria(goal, run.options.placement, caps));
-  const PointData data{run.pslg.attributes_per_point, run.pslg.point_attributes, run.pslg.point_markers};
+  const PointData data{run.pslg.points, run.pslg.attributes_per_point, run.pslg.point_attributes,
+                       run.pslg.point_markers};
   const Mesh mesh = export_mesh(std::move(*domain), attributes, data, background, record.threads());
   record.end_of_stage("mesh", mesh.points.size(), mesh.triangles.size(), fingerprint(mesh));
   record_refinement_of_mesh(record, mesh);
