@@ -59,9 +59,11 @@ Grading grading(const Task& task) {
 void set_size(Task& task) {
   if (is_graded(task) && task.points == 0) task.points = 4;
   if (task.triangles == 0) return;
-  if (is_graded(task))
-    task.goal.size = grading(task);
-  else
+  if (is_graded(task)) {
+    const Grading size = grading(task);
+    task.goal.size = size;
+    task.goal.size_slope = size.ratio;
+  } else
     task.goal.max_area = triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
 }
 

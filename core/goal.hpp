@@ -29,6 +29,11 @@ struct Goal {
   /// throws anything else, or returns a number that is not positive, the mesher returns a `usage` error that names the
   /// point. The error is the same for any number of threads.
   std::function<double(Point)> size{};
+  /// A promise about `size`: its values at two points differ by at most this number times their distance, up to
+  /// rounding; infinity: nothing is promised. A number up to 0.5 makes graded meshes faster and changes no triangle,
+  /// because the size at a new vertex then decides about most of its triangles. If `size` breaks the promise, triangles
+  /// may be too large, and the checker reports them. The sizes of interpolated_size() need no promise.
+  double size_slope = std::numeric_limits<double>::infinity();
   /// The limit on gradation: the wanted length grows by at most this number per unit of distance, > 0; infinity: no
   /// limit. It grows from the `sources`, from each segment of the domain, on which it is at most the length of the
   /// segment, and from narrow places, as feature_edges says with 1 edge if feature_edges is 0. A triangle is too large

@@ -275,6 +275,7 @@ Status check_goal(const Goal& goal, const Options& options) {
                   goal.min_angle_deg);
   if (!(goal.max_area > 0)) return refuse("the largest area must be positive", goal.max_area);
   if (!(goal.max_edge > 0)) return refuse("the longest edge must be positive", goal.max_edge);
+  if (!(goal.size_slope >= 0)) return refuse("the promised slope of the sizes must be zero or positive", goal.size_slope);
   if (!(goal.grading >= 1e-12)) return refuse("the limit on gradation must be at least 1e-12", goal.grading);
   if (!(goal.feature_edges >= 0 && goal.feature_edges <= 1e6))
     return refuse("the edges across narrow places must lie between 0 and 1e6", goal.feature_edges);

@@ -23,7 +23,7 @@ std::function<double(Point)> graded_size(const Goal& goal, const Pslg& pslg, con
     for (const SizeSource& source : goal.sources) sources.push_back({source, goal.grading});
   }
   const Box box = bounding_box(threads, pslg.points.size(), [&](std::size_t i) { return pslg.points[i]; });
-  GradedValues values{local_bound(goal.size), SizeEnvelope(sources, box, threads)};
+  GradedValues values{local_bound(goal.size, goal.size_slope), SizeEnvelope(sources, box, threads)};
   return OnBackground<GradedValues>{std::make_shared<const GradedValues>(std::move(values))};
 }
 

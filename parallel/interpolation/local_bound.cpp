@@ -50,14 +50,15 @@ Steepness GradedValues::steepness() const {
   return {std::max(both.slope, size.steepness().slope), std::max(both.blur, size.steepness().blur)};
 }
 
-LocalBound local_bound(std::function<double(Point)> function) {
+LocalBound local_bound(std::function<double(Point)> function, double promised_slope) {
   if (!function) return {};
   if (LocalBound found = with_hint<PointValues>(function)) return found;
   if (LocalBound found = with_hint<TriangleValues>(function)) return found;
   if (LocalBound found = with_hint<GradedValues>(function)) return found;
   if (const auto* size = function.target<RasterSize>())
     return LocalBound([size = *size](Point p, LocationHint&) { return size(p); }, steepness(size->raster()));
-  return LocalBound([function = std::move(function)](Point p, LocationHint&) { return function(p); });
+  const Steepness steepness = promised_slope < INFINITY ? Steepness{promised_slope, 0} : Steepness{};
+  return LocalBound([function = std::move(function)](Point p, LocationHint&) { return function(p); }, steepness);
 }
 
 }  // namespace pardel::engine

@@ -61,7 +61,8 @@ class LocalBound {
 };
 
 /// The function as a LocalBound, with hints if its target is an OnBackground. Empty if the function is empty.
-[[nodiscard]] LocalBound local_bound(std::function<double(Point)> function);
+/// `promised_slope`: a bound on the slope of a function of the caller.
+[[nodiscard]] LocalBound local_bound(std::function<double(Point)> function, double promised_slope = INFINITY);
 
 /// The least of a bound, if there is one, and of lengths that grow away from their sources.
 struct GradedValues {

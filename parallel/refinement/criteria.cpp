@@ -47,7 +47,7 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       squared_max_edge_(squared(goal.max_edge) * stricter),
       triangles_by_shape_(shape_factor(goal.min_angle_deg)),
       twice_region_cap_(std::move(region_caps)),
-      size_(local_bound(goal.size)),
+      size_(local_bound(goal.size, goal.size_slope)),
       area_cap_(local_bound(std::move(area_cap))),
       looks_around_(size_ && size_.steepness().slope < most_slope),
       has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ ||

@@ -50,6 +50,38 @@ TEST(GradedMesh, of_every_domain_is_certified) {
   }
 }
 
+/// Sizes from 0.01 that grow with the distance from a corner of the unit square.
+Goal growing(double slope, double promised) {
+  Goal goal;
+  goal.size = [slope](Point p) { return 0.01 + slope * std::sqrt(p.x * p.x + p.y * p.y); };
+  goal.size_slope = promised;
+  return goal;
+}
+
+TEST(GradedMesh, is_the_same_with_a_promise_about_the_sizes) {
+  for (const double slope : {0.05, 0.3, 0.7}) {
+    const auto expected = digest(certified(rectangle(1, 1), growing(slope, infinity)));
+    EXPECT_EQ(digest(certified(rectangle(1, 1), growing(slope, slope))), expected) << slope;
+  }
+}
+
+TEST(GradedMesh, fails_the_check_where_a_promise_about_the_sizes_is_wrong) {
+  const Goal goal = growing(0.4, 0);
+  const Result<Meshed> meshed = mesh(rectangle(1, 1), goal);
+  ASSERT_TRUE(meshed);
+  const Certificate certificate = check(rectangle(1, 1), meshed->mesh, goal);
+  EXPECT_GT(certificate.violation_counts[static_cast<std::size_t>(ViolationKind::size_exceeded)], 0);
+}
+
+TEST(GradedMesh, is_refused_with_a_negative_slope) {
+  for (const double slope : {-1.0, std::nan("")}) {
+    const Result<Meshed> meshed = mesh(rectangle(1, 1), growing(0.1, slope));
+    ASSERT_FALSE(meshed);
+    EXPECT_EQ(meshed.error().kind, ErrorKind::usage);
+    EXPECT_NE(meshed.error().message.find("slope"), std::string::npos) << meshed.error().message;
+  }
+}
+
 TEST(GradedMesh, does_not_depend_on_threads) {
   const auto key = domains::generate("key", 0, 1);
   ASSERT_TRUE(key);

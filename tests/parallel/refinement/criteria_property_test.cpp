@@ -119,6 +119,16 @@ std::function<double(Point)> some_field(int side) {
   return OnBackground<PointValues>{std::make_shared<const PointValues>(std::move(background), std::move(sizes))};
 }
 
+/// Sizes that grow with the distance from a point, and the promise of their slope.
+void promise_some_slope(Goal& goal) {
+  const Point centre{*rc::gen::inRange(0, 97) / 16.0, *rc::gen::inRange(0, 97) / 16.0};
+  goal.size_slope = *rc::gen::inRange(0, 17) / 32.0;
+  goal.size = [centre, slope = goal.size_slope](Point p) {
+    const double x = p.x - centre.x, y = p.y - centre.y;
+    return 1 + slope * std::sqrt(x * x + y * y);
+  };
+}
+
 /// The triangle, scaled about its first corner.
 Shape scaled(const Shape& s, double factor) {
   const auto moved = [&](Point p) {
@@ -128,14 +138,18 @@ Shape scaled(const Shape& s, double factor) {
 }
 
 PARDEL_PROPERTY(SizeAround, a_corner_changes_no_answer,
-                {.statement = "a triangle is too large for a size that is interpolated at its centroid if and only if "
-                              "it is so after the size at its first corner was looked up",
+                {.statement = "a triangle is too large for the size at its centroid if and only if it is so after the size at "
+                              "its first corner was looked up",
                  .source = "parallel/refinement/criteria.hpp",
-                 .families = "triangles in a square with random sizes at lattice points; scaled such that the longest "
-                             "side is the size up to a few units in the last place, or differs by up to a half"}) {
+                 .families = "triangles in a square with random sizes at lattice points, or with sizes that grow from a "
+                             "point with a promised slope; scaled such that the longest side is the size up to a few "
+                             "units in the last place, or differs by up to a half"}) {
   constexpr int side = 6;
   Goal goal{.min_angle_deg = 0};
-  goal.size = some_field(side);
+  if (*rc::gen::arbitrary<bool>())
+    goal.size = some_field(side);
+  else
+    promise_some_slope(goal);
   const Criteria criteria(goal, Placement::circumcentre, {});
   const auto coordinate = [](int low, int high) { return *rc::gen::inRange(16 * low, 16 * high + 1) / 16.0; };
   const Point p{coordinate(2, 4), coordinate(2, 4)};
