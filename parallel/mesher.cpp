@@ -18,6 +18,7 @@
 #include "diagnosis/find_gaps.hpp"
 #include "diagnosis/find_least_size.hpp"
 #include "input/findings.hpp"
+#include "interpolation/coverage.hpp"
 #include "interpolation/graded_size.hpp"
 #include "interpolation/local_bound.hpp"
 #include "interpolation/steep_edges.hpp"
@@ -80,6 +81,20 @@ Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, cons
   return Done{};
 }
 
+/// The corners of the triangles.
+std::vector<Point> corners_of(const Triangulation& t, const Threads& threads) {
+  SparseAsk ask(threads.stop);
+  std::vector<bool> is_corner(t.points.size());
+  for (const Slot& slot : t.slots) {
+    ask();
+    for (const VertexId v : slot.v) is_corner[v] = true;
+  }
+  std::vector<Point> corners;
+  for (VertexId v = 0; v < is_corner.size(); ++v)
+    if (is_corner[v]) corners.push_back(t.points[v]);
+  return corners;
+}
+
 /// Calls options.before_refinement, if there is one. Its error ends the run.
 Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, const Options& options,
                            const Threads& threads) {
@@ -110,6 +125,8 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
     result.report.gaps = find_gaps(*domain, progress.threads());
     if (Status wanted = announce_least_size(*domain, *goal, options, progress.threads()); !wanted)
       return wanted.error();
+    if (goal->size)
+      require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
     Goal graded = guarded(*goal);
     if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
     const Criteria criteria(graded, options.placement, std::move(caps));
@@ -241,10 +258,10 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   Meshed result;
   Result<DomainTriangulation> domain = import_mesh(coarse, progress.threads());
   if (!domain) return domain.error();
-  InputData input{coarse.region_attributes,
-                  {coarse.points.span(), coarse.attributes_per_point, coarse.point_attributes.span(),
-                   coarse.point_markers.span()},
-                  {}};
+  InputData input{
+      coarse.region_attributes,
+      {coarse.points.span(), coarse.attributes_per_point, coarse.point_attributes.span(), coarse.point_markers.span()},
+      {}};
   if (!max_areas.empty() || coarse.attributes_per_point > 0)
     for (const Triangle& triangle : coarse.triangles) input.background.push_back(triangle.v);
   std::function<double(Point)> area_cap;
@@ -254,6 +271,7 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   }
   result.report.triangulate_seconds = watch.lap();
 
+  if (goal.size) require_coverage(goal.size, coarse.points.span(), progress.threads());
   const Criteria criteria(guarded(goal), options.placement, {}, area_cap);
   if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
     return refined.error();
@@ -275,7 +293,8 @@ Status check_goal(const Goal& goal, const Options& options) {
                   goal.min_angle_deg);
   if (!(goal.max_area > 0)) return refuse("the largest area must be positive", goal.max_area);
   if (!(goal.max_edge > 0)) return refuse("the longest edge must be positive", goal.max_edge);
-  if (!(goal.size_slope >= 0)) return refuse("the promised slope of the sizes must be zero or positive", goal.size_slope);
+  if (!(goal.size_slope >= 0))
+    return refuse("the promised slope of the sizes must be zero or positive", goal.size_slope);
   if (!(goal.grading >= 1e-12)) return refuse("the limit on gradation must be at least 1e-12", goal.grading);
   if (!(goal.feature_edges >= 0 && goal.feature_edges <= 1e6))
     return refuse("the edges across narrow places must lie between 0 and 1e6", goal.feature_edges);

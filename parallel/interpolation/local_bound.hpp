@@ -20,8 +20,8 @@ struct PointValues {
   std::vector<double> values;
   bool limited = false;
   [[nodiscard]] double at(Point p, LocationHint& hint) const;
-  /// Unknown if it is limited: a segment between two points near the background may leave it.
-  [[nodiscard]] Steepness steepness() const { return limited ? Steepness{} : background->steepness(values); }
+  /// Of a limited function: where all points are near the background (coverage.hpp).
+  [[nodiscard]] Steepness steepness() const { return background->steepness(values); }
 };
 /// A function that is constant on each triangle of a background. The values have to outlive it.
 struct TriangleValues {

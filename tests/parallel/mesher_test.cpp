@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 
+#include "../../core/digest.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "test_name.hpp"
@@ -213,6 +214,29 @@ TEST(SizeOnAMesh, reaches_beyond_the_mesh_by_the_length_of_a_side) {
   ASSERT_FALSE(meshed);
   EXPECT_EQ(meshed.error().kind, ErrorKind::invalid_input);
   EXPECT_NE(meshed.error().message.find("the mesh of the sizes does not cover ("), std::string::npos);
+}
+
+TEST(SizeOnAMesh, must_cover_all_vertices_of_the_domain) {
+  const auto size = interpolated_size(two_triangles(), std::vector<double>{100, 100, 100, 100});
+  ASSERT_TRUE(size);
+  Pslg pslg = domains::square();
+  const auto corner = std::ranges::find(pslg.points, Point{0, 1});
+  ASSERT_NE(corner, pslg.points.end());
+  *corner = {0, 3};
+  const Result<Meshed> meshed = mesh(pslg, {.min_angle_deg = 0, .size = *size});
+  ASSERT_FALSE(meshed) << "although no triangle has to be split";
+  EXPECT_EQ(meshed.error().message, "the mesh of the sizes does not cover (0, 3)");
+  *corner = {0, 2};
+  EXPECT_TRUE(mesh(pslg, {.min_angle_deg = 0, .size = *size}));
+}
+
+TEST(SizeOnAMesh, gives_the_mesh_of_a_function_with_the_same_values) {
+  const auto size = interpolated_size(two_triangles(), std::vector<double>{0.02, 0.05, 0.1, 0.3});
+  ASSERT_TRUE(size);
+  const Result<Meshed> on_mesh = mesh(domains::square(), {.size = *size});
+  const Result<Meshed> function = mesh(domains::square(), {.size = [&](Point p) { return (*size)(p); }});
+  ASSERT_TRUE(on_mesh && function);
+  EXPECT_EQ(digest(on_mesh->mesh), digest(function->mesh));
 }
 
 TEST(SizeOnAMesh, names_what_is_wrong_with_its_mesh) {

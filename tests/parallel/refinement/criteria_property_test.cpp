@@ -137,13 +137,14 @@ Shape scaled(const Shape& s, double factor) {
   return {s.p[0], moved(s.p[1]), moved(s.p[2])};
 }
 
-PARDEL_PROPERTY(SizeAround, a_corner_changes_no_answer,
-                {.statement = "a triangle is too large for the size at its centroid if and only if it is so after the size at "
-                              "its first corner was looked up",
-                 .source = "parallel/refinement/criteria.hpp",
-                 .families = "triangles in a square with random sizes at lattice points, or with sizes that grow from a "
-                             "point with a promised slope; scaled such that the longest side is the size up to a few "
-                             "units in the last place, or differs by up to a half"}) {
+PARDEL_PROPERTY(
+    SizeAround, a_corner_changes_no_answer,
+    {.statement = "a triangle is too large for the size at its centroid if and only if it is so after the size at "
+                  "its first corner was looked up",
+     .source = "parallel/refinement/criteria.hpp",
+     .families = "triangles in a square with random sizes at lattice points, or with sizes that grow from a "
+                 "point with a promised slope; scaled such that the longest side is the size up to a few "
+                 "units in the last place, or differs by up to a half"}) {
   constexpr int side = 6;
   Goal goal{.min_angle_deg = 0};
   if (*rc::gen::arbitrary<bool>())
