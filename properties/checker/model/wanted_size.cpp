@@ -9,8 +9,6 @@ namespace {
 
 double length_of(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-bool is_at_a_place(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
 /// The cosine of a turn above which a vertex with two segments is no corner. The mesher has the same number, because
 /// the definition does.
 constexpr double least_cosine = 0.65;
@@ -21,9 +19,7 @@ class FeatureGraph {
   explicit FeatureGraph(const Pslg& pslg) : pslg_(pslg), at_(pslg.points.size()) {
     for (Index s = 0; s < pslg.segments.size(); ++s) {
       const auto [a, b, marker] = pslg.segments[s];
-      if (a >= pslg.points.size() || b >= pslg.points.size() || a == b || !is_at_a_place(pslg.points[a]) ||
-          !is_at_a_place(pslg.points[b]))
-        continue;
+      if (a == b) continue;
       usable_.push_back(s);
       at_[a].push_back(s);
       at_[b].push_back(s);
@@ -106,7 +102,6 @@ class Widths {
       add(b, nearest(b));
     }
     for (Index v = 0; v < pslg_.points.size(); ++v) {
-      if (!is_at_a_place(pslg_.points[v])) continue;
       if (graph_.is_corner(v)) {
         touch_corner(v);
         add(pslg_.points[v], nearest(pslg_.points[v]));
@@ -129,7 +124,7 @@ class Widths {
       pieces.push_back({pslg_.points[pslg_.segments[s].a], pslg_.points[pslg_.segments[s].b], 0, 0, 1});
     }
     for (Index v = 0; v < pslg_.points.size(); ++v) {
-      if (!is_at_a_place(pslg_.points[v]) || !graph_.is_corner(v)) continue;
+      if (!graph_.is_corner(v)) continue;
       numbers_.push_back(of_corner(v));
       pieces.push_back({pslg_.points[v], pslg_.points[v], 0, 0, 1});
     }

@@ -9,19 +9,16 @@ namespace {
 
 bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-bool pslg_is_usable(const Pslg& pslg, Findings& found) {
-  bool usable = true;
+void check_pslg(const Pslg& pslg, Findings& found) {
   SparseAsk ask(found.stop());
   for (std::size_t i = 0; i < pslg.points.size(); ++i) {
     ask();
     if (is_finite(pslg.points[i])) continue;
-    usable = false;
     found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {pslg.points[i]},
               "point " + to_text(i) + " of the input is not finite");
   }
   const auto seed_is_usable = [&](Point seed, std::size_t i, const char* what) {
     if (is_finite(seed)) return;
-    usable = false;
     found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {seed},
               what + to_text(i) + " of the input is not finite");
   };
@@ -31,14 +28,12 @@ bool pslg_is_usable(const Pslg& pslg, Findings& found) {
     ask();
     const auto [a, b, marker] = pslg.segments[s];
     if (a < pslg.points.size() && b < pslg.points.size()) continue;
-    usable = false;
     found.add(ViolationKind::index_out_of_range, {static_cast<Index>(s), a, b}, {},
               "segment " + to_text(s) + " of the input refers to a point that does not exist");
   }
-  return usable;
 }
 
-bool corners_are_usable(const Mesh& mesh, Findings& found) {
+void check_corners(const Mesh& mesh, Findings& found) {
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     if (!is_finite(mesh.points[v]))
       mine.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(v)}, {mesh.points[v]},
@@ -54,6 +49,11 @@ bool corners_are_usable(const Mesh& mesh, Findings& found) {
       mine.add(ViolationKind::degenerate_triangle, {static_cast<Index>(t), a, b, c}, {mesh.points[a]},
                "triangle " + to_text(t) + " has two equal corners");
   });
+}
+
+/// True if there were no problems with the points and corners of the input and of the mesh. Precondition: nothing else
+/// was checked yet.
+bool geometry_is_usable(const Findings& found) {
   return found.count(ViolationKind::non_finite_coordinate) == 0 &&
          found.count(ViolationKind::index_out_of_range) == 0 && found.count(ViolationKind::degenerate_triangle) == 0;
 }
@@ -117,8 +117,9 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
 
 Sanity check_sanity(const Subject& subject, Findings& found) {
   Sanity sanity;
-  sanity.geometry = pslg_is_usable(subject.pslg, found);
-  sanity.geometry = corners_are_usable(subject.mesh, found) && sanity.geometry;
+  check_pslg(subject.pslg, found);
+  check_corners(subject.mesh, found);
+  sanity.geometry = geometry_is_usable(found);
   sanity.neighbours = neighbours_are_usable(subject.mesh, found);
   sanity.labels = labels_are_usable(subject, found);
   return sanity;

@@ -816,6 +816,12 @@ Certificate full_certificate() {
   return certificate;
 }
 
+TEST(Certificate, names_the_caps_of_ten_regions) {
+  Certificate certificate = full_certificate();
+  certificate.region_caps.resize(11);
+  EXPECT_NE(to_text(certificate).find("9.5 in region 9, 10.5 in region 10, sizes"), std::string::npos);
+}
+
 TEST(Certificate, with_everything_is_this_text) {
   EXPECT_EQ(to_text(full_certificate()),
             "NOT VALID: 1 vertex, 1 triangle, 1 constrained edge\n"
@@ -924,6 +930,65 @@ TEST(Certificate, lists_at_most_max_violations_and_counts_all) {
   const Certificate certificate = check(testing::square_in_eight(), goal, options);
   EXPECT_EQ(certificate.violations.size(), 3u);
   EXPECT_EQ(count(certificate, Kind::large_area), 8u);
+}
+
+/// Two hexagons around one vertex, one turned a little: two closed fans.
+TEST(Check, reports_a_vertex_with_two_closed_fans) {
+  std::vector<Point> points{{0, 0}};
+  const std::vector<Point> corners{{4, 0}, {2, 3}, {-2, 3}, {-4, 0}, {-2, -3}, {2, -3}};
+  for (const Point p : corners) points.push_back(p);
+  for (const Point p : corners) points.push_back({p.x + p.y / 4, p.y - p.x / 4});
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Index first : {1U, 7U})
+    for (Index i = 0; i < 6; ++i) triangles.push_back({0, first + i, first + (i + 1) % 6});
+  Case c;
+  c.pslg.points = points;
+  c.mesh = testing::mesh_of(points, triangles);
+  EXPECT_EQ(count(check(c), Kind::non_manifold_vertex), 1U);
+}
+
+TEST(Check, reports_an_unused_vertex_that_comes_first) {
+  Case c = testing::square_in_two();
+  std::vector<Point> points{{9, 9}};
+  for (const Point p : c.mesh.points) points.push_back(p);
+  c.mesh = testing::mesh_of(points, {{1, 2, 3}, {1, 3, 4}});
+  c.mesh.origin = {};
+  const Certificate certificate = check(c, no_angle_bound(), {.foreign = true});
+  EXPECT_TRUE(reports_only(certificate, Kind::unused_vertex));
+  EXPECT_EQ(certificate.violations[0].ids, std::vector<Index>{0});
+}
+
+/// Point 4 lies outside the domain and has no triangle. Vertex 5 is at the same place, and has one.
+TEST(Check, takes_the_first_vertices_of_a_foreign_mesh_as_input_points_if_they_are_in_order) {
+  Case c = testing::square_in_two();
+  c.pslg.points.push_back({5, 5});
+  c.pslg.point_markers = {0, 0, 0, 0, 8};
+  std::vector<Point> points = c.pslg.points;
+  points.insert(points.end(), {{5, 5}, {6, 5}, {5, 6}});
+  c.mesh = testing::mesh_of(points, {{0, 1, 2}, {0, 2, 3}, {5, 6, 7}});
+  c.mesh.origin = {};
+  c.mesh.point_markers.append(std::vector<int>{1, 1, 1, 1, 8, 0, 0, 0});
+  EXPECT_EQ(count(check(c, no_angle_bound(), {.foreign = true}), Kind::wrong_vertex_marker), 0U);
+  c.mesh.point_markers[4] = 0;
+  c.mesh.point_markers[5] = 8;
+  EXPECT_EQ(count(check(c, no_angle_bound(), {.foreign = true}), Kind::wrong_vertex_marker), 2U);
+}
+
+/// Two vertices of one segment are so close that their distances from its ends are nearly equal.
+TEST(Check, does_not_justify_a_small_angle_by_two_vertices_of_one_segment) {
+  Case c;
+  c.pslg.points = {{0, 0}, {1, 0}, {0.5, 0.5}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
+  std::vector<Point> points = c.pslg.points;
+  points.insert(points.end(), {{0.5, 0}, {0.5 + 0x1p-36, 0}});
+  c.mesh = testing::mesh_of(points, {{0, 3, 2}, {3, 4, 2}, {4, 1, 2}});
+  c.mesh.origin[3] = c.mesh.origin[4] = 0;
+  c.mesh.constrained_edges = {{0, 3, 0, 1}, {3, 4, 0, 1}, {4, 1, 0, 1}, {1, 2, 1, 1}, {2, 0, 2, 1}};
+  Goal goal;
+  goal.min_angle_deg = 10;
+  const Certificate certificate = check(c, goal);
+  EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
+  EXPECT_TRUE(certificate.justified.empty());
 }
 
 }  // namespace
