@@ -218,14 +218,14 @@ bool Background::is_convex() const {
   Index a = start;
   do {
     const Index b = next[a];
-    if (b == no_index || next[b] == no_index || orient2d(points_[a], points_[b], points_[next[b]]) < 0) return false;
+    if (next[b] == no_index || orient2d(points_[a], points_[b], points_[next[b]]) < 0) return false;
     a = b;
   } while (--edges > 0 && a != start);
   return edges == 0 && a == start;
 }
 
 Steepness Background::steepness(std::span<const double> value_per_point) const {
-  constexpr double thin = 1e-10;          // area divided by the squared longest side
+  constexpr double thin = 1e-10;            // area divided by the squared longest side
   constexpr double slope_to_spare = 1.001;  // the relative rounding error of a slope is less than 64 * 2^-53 / thin
   constexpr double roundings = 64 * 0x1p-53;
   if (!is_convex()) return {};

@@ -326,5 +326,18 @@ TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {
   for (std::size_t v = 0; v < pslg.points.size(); ++v) EXPECT_EQ(meshed.mesh.points[v], pslg.points[v]);
 }
 
+TEST(Mesh, reports_the_times_of_its_stages) {
+  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 0.01});
+  ASSERT_TRUE(meshed);
+  EXPECT_GT(meshed->report.validate_seconds, 0);
+  EXPECT_GT(meshed->report.triangulate_seconds, 0);
+  EXPECT_GT(meshed->report.refine_seconds, 0);
+  const Result<Meshed> again = refine(meshed->mesh, {}, {.max_area = 0.005});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->report.validate_seconds, 0);
+  EXPECT_GT(again->report.triangulate_seconds, 0);
+  EXPECT_GT(again->report.refine_seconds, 0);
+}
+
 }  // namespace
 }  // namespace pardel::engine

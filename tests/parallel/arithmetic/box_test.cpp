@@ -53,5 +53,12 @@ TEST(Box, has_a_largest_magnitude_on_any_side) {
   EXPECT_EQ((Box{-7, -8, 6, 5}).largest_magnitude(), 8);
 }
 
+TEST(Box, that_ends_on_any_side_is_not_the_whole_plane) {
+  EXPECT_FALSE((Box{0, -INFINITY, INFINITY, INFINITY}).is_whole_plane());
+  EXPECT_FALSE((Box{-INFINITY, 0, INFINITY, INFINITY}).is_whole_plane());
+  EXPECT_FALSE((Box{-INFINITY, -INFINITY, 0, INFINITY}).is_whole_plane());
+  EXPECT_FALSE((Box{-INFINITY, -INFINITY, INFINITY, 0}).is_whole_plane());
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -83,5 +83,15 @@ TEST(LatticeLevels, of_the_paper_have_cells_of_four_circumradii) {
   }
 }
 
+TEST(LatticeLevels, may_have_a_single_column_or_row) {
+  for (const auto& cells : {std::array<Index, 2>{1, 3}, std::array<Index, 2>{3, 1}}) {
+    Options options;
+    options.cells = {cells[0], cells[1]};
+    const Lattice lattice = finest_lattice(bounds()[0], 1e6, options);
+    EXPECT_EQ(lattice.columns(), cells[0]);
+    EXPECT_EQ(lattice.rows(), cells[1]);
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -92,5 +92,28 @@ TEST(Lattice, has_a_cell_for_every_point_even_if_a_coordinate_is_not_finite) {
     for (const double y : {-1e300, 1e300, 0.5}) EXPECT_LT(lattice.cell_of({x, y}), lattice.cells());
 }
 
+TEST(Lattice, gives_the_centre_of_a_cell_to_this_cell) {
+  for (const Lattice& lattice : lattices())
+    for (Index cell = 0; cell < lattice.cells(); ++cell) EXPECT_EQ(lattice.cell_of(lattice.centre_of(cell)), cell);
+  EXPECT_EQ(Lattice({0, 0, 6, 2}, 3, 2).centre_of(4), (Point{3, 1.5}));
+}
+
+TEST(Lattice, has_boxes_with_margins_of_half_a_cell_inside_and_without_end_at_the_border) {
+  const Lattice lattice({10, 20, 16, 26}, 3, 3);
+  const Box inner = lattice.box_of(4), corner = lattice.box_of(2);
+  EXPECT_EQ(inner.min_x, 11);
+  EXPECT_EQ(inner.min_y, 21);
+  EXPECT_EQ(inner.max_x, 15);
+  EXPECT_EQ(inner.max_y, 25);
+  EXPECT_EQ(corner.min_x, 13);
+  EXPECT_EQ(corner.max_x, INFINITY);
+  EXPECT_EQ(corner.min_y, -INFINITY);
+  EXPECT_EQ(corner.max_y, 23);
+  EXPECT_EQ(lattice.box_area(4), 16);
+  EXPECT_EQ(lattice.side(), 2);
+  EXPECT_DOUBLE_EQ(lattice.radius_that_fits(), 0.99 * 0.5);
+  EXPECT_EQ(Lattice::colours(), 4U);
+}
+
 }  // namespace
 }  // namespace pardel::engine

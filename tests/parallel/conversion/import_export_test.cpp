@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "../../../core/neighbours.hpp"
 #include "../../../parallel/conversion/export_mesh.hpp"
 #include "../../../parallel/conversion/import_mesh.hpp"
 #include "../../../parallel/mesher.hpp"
@@ -25,7 +26,8 @@ const Mesh& refined_square() {
 }
 
 Mesh exported(DomainTriangulation&& domain, const Mesh& mesh) {
-  return export_mesh(std::move(domain), mesh.region_attributes, {mesh.points.span(), 0, {}, mesh.point_markers.span()}, {});
+  return export_mesh(std::move(domain), mesh.region_attributes, {mesh.points.span(), 0, {}, mesh.point_markers.span()},
+                     {});
 }
 
 TEST(ImportMesh, followed_by_export_gives_the_same_mesh) {
@@ -87,6 +89,42 @@ TEST(ImportMesh, rejects_a_mesh_that_is_not_a_manifold_of_positive_triangles) {
   rejects("is not positively oriented", [](Mesh& mesh) { std::swap(mesh.triangles[2].v[0], mesh.triangles[2].v[1]); });
   rejects("has a neighbour that does not agree",
           [](Mesh& mesh) { std::swap(mesh.triangles[0].n[0], mesh.triangles[0].n[1]); });
+}
+
+/// Two triangles with every numbering of corners and triangles. The points 0 and 2 are too far apart.
+TEST(ImportMesh, flips_an_edge_that_is_not_delaunay_wherever_it_is_listed) {
+  for (unsigned first = 0; first < 3; ++first)
+    for (unsigned second = 0; second < 3; ++second) {
+      Mesh mesh;
+      for (const Point p : {Point{0, 0}, {4, -1}, {8, 0}, {4, 1}}) mesh.points.push_back(p);
+      mesh.triangles.push_back({{0, 1, 2}, {}});
+      mesh.triangles.push_back({{0, 2, 3}, {}});
+      std::rotate(mesh.triangles[0].v.begin(), mesh.triangles[0].v.begin() + first, mesh.triangles[0].v.end());
+      std::rotate(mesh.triangles[1].v.begin(), mesh.triangles[1].v.begin() + second, mesh.triangles[1].v.end());
+      rebuild_neighbours(mesh.triangles, mesh.points.size());
+      const Result<DomainTriangulation> domain = import_mesh(mesh);
+      ASSERT_TRUE(domain) << domain.error().message;
+      for (const Slot& slot : domain->triangulation.slots)
+        EXPECT_TRUE(std::ranges::count(slot.v, 1U) == 1 && std::ranges::count(slot.v, 3U) == 1);
+    }
+}
+
+TEST(ImportMesh, refuses_flat_triangles_and_wrong_neighbours) {
+  Mesh mesh;
+  for (const Point p : {Point{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 0}}) mesh.points.push_back(p);
+  mesh.triangles.push_back({{0, 4, 1}, {no_index, no_index, no_index}});
+  EXPECT_FALSE(import_mesh(mesh)) << "flat";
+  mesh.triangles = {};
+  mesh.triangles.push_back({{0, 1, 2}, {no_index, 1, no_index}});
+  mesh.triangles.push_back({{0, 2, 3}, {no_index, no_index, 0}});
+  EXPECT_TRUE(import_mesh(mesh));
+  for (const Index other : {0U, 1U, 2U})
+    for (unsigned side = 0; side < 3; ++side) {
+      Mesh wrong = mesh;
+      if (wrong.triangles[1].n[side] == other) continue;
+      wrong.triangles[1].n[side] = other;
+      EXPECT_FALSE(import_mesh(wrong)) << side << " to " << other;
+    }
 }
 
 }  // namespace

@@ -65,5 +65,13 @@ TEST(JoinSubsegments, does_not_join_a_closed_ring) {
   EXPECT_EQ(join_subsegments(mesh, mesh.constrained_edges).segments.size(), 3U);
 }
 
+TEST(JoinSubsegments, keeps_the_origins_of_vertices_inside_faces) {
+  Mesh mesh;
+  mesh.points.resize(3);
+  for (const Index origin : {interior_vertex, input_vertex, interior_vertex}) mesh.origin.push_back(origin);
+  const JoinedSegments joined = join_subsegments(mesh, mesh.constrained_edges);
+  for (Index v = 0; v < 3; ++v) EXPECT_EQ(joined.origin[v], mesh.origin[v]);
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -135,5 +135,12 @@ TEST(Gaps, of_similar_width_are_closed_by_one_snapping_distance) {
   EXPECT_EQ(closing_snap({}), 0);
 }
 
+TEST(Gaps, at_the_convex_hull_are_described_by_three_points) {
+  const Gap gap{GapKind::point_near_hull, {4, 7, 9}, no_index, 1e-5, 1, {0.25, 0.5}};
+  EXPECT_EQ(gap.message(),
+            "The distance of point 4 at (0.25, 0.5) from the side of the convex hull between points 7 "
+            "and 9 is only 1e-05.");
+}
+
 }  // namespace
 }  // namespace pardel

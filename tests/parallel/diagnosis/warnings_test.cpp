@@ -108,5 +108,25 @@ TEST(Warnings, are_not_given_for_cracks_inside_the_domain_nor_for_a_convex_hull)
   EXPECT_TRUE(find_warnings(*validate(open_beside_closed(), {.convex_hull = true})).empty());
 }
 
+/// A square, turned by quarters, with one point far away in each direction.
+TEST(Warnings, name_a_far_point_in_any_direction) {
+  for (const Point far : {Point{-1e4, 1}, {1e4, 1}, {1, -1e4}, {1, 1e4}, {-1e4, -1e4}, {1e4, 1e4}})
+    for (const bool first : {true, false}) {
+      Pslg pslg = square(4);
+      if (first) {
+        pslg.points.insert(pslg.points.begin(), far);
+        for (Segment& s : pslg.segments) ++s.a, ++s.b;
+      } else {
+        pslg.points.push_back(far);
+      }
+      const std::vector<Warning> warnings = find_warnings(*validate(pslg));
+      ASSERT_EQ(warnings.size(), 1U);
+      EXPECT_EQ(warnings[0].kind, WarningKind::far_part);
+      EXPECT_EQ(warnings[0].where, far);
+      EXPECT_EQ(warnings[0].points, (std::vector<Index>{first ? 0U : 4U}));
+      EXPECT_EQ(warnings[0].extent_without, 4);
+    }
+}
+
 }  // namespace
 }  // namespace pardel

@@ -28,5 +28,13 @@ TEST(Duplicates, include_points_closer_than_a_distance_across_cells) {
   EXPECT_TRUE(find_close(points, 1e-300).empty());
 }
 
+TEST(Duplicates, of_segments_are_found_in_the_order_of_all_ends) {
+  const std::vector<Segment> segments{{0, 3}, {2, 0}, {0, 1}, {2, 1}, {3, 1}, {1, 2}, {3, 2}};
+  std::vector<std::array<Index, 3>> found;
+  for (const Ends& e : sorted_ends(segments, 4)) found.push_back({e.low, e.high, e.segment});
+  EXPECT_EQ(found, (std::vector<std::array<Index, 3>>{
+                       {0, 1, 2}, {0, 2, 1}, {0, 3, 0}, {1, 2, 3}, {1, 2, 5}, {1, 3, 4}, {2, 3, 6}}));
+}
+
 }  // namespace
 }  // namespace pardel::engine

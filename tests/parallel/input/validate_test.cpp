@@ -381,5 +381,18 @@ TEST(Validate, has_a_name_and_a_message_for_every_kind) {
   }
 }
 
+TEST(Validate, does_not_compare_segments_that_end_at_an_unusable_point) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const bool turned : {false, true}) {
+      Pslg pslg = testing::square(4);
+      pslg.points.insert(pslg.points.end(), {{1, 1}, {bad, 2}});
+      pslg.segments.push_back(turned ? Segment{5, 4} : Segment{4, 5});
+      const std::vector<Problem> problems = find_problems(pslg);
+      ASSERT_EQ(problems.size(), 1U);
+      EXPECT_EQ(problems[0].kind, ProblemKind::non_finite_coordinate);
+      EXPECT_EQ(problems[0].ids, std::vector<Index>{5});
+    }
+}
+
 }  // namespace
 }  // namespace pardel::engine

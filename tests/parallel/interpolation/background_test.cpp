@@ -185,5 +185,13 @@ TEST(Background, of_one_triangle_works) {
   EXPECT_EQ(background.locate({7, 7}).triangle, 0U);
 }
 
+/// Twice the area is exactly 1e-10 of the squared longest side.
+TEST(Background, does_not_know_how_fast_a_field_changes_in_a_triangle_that_is_just_too_thin) {
+  const std::vector<std::array<Index, 3>> triangle{{0, 1, 2}};
+  const std::vector<double> values{1, 1, 1};
+  EXPECT_EQ(Background(std::vector<Point>{{0, 0}, {1, 0}, {0.5, 1e-10}}, triangle).steepness(values).slope, INFINITY);
+  EXPECT_EQ(Background(std::vector<Point>{{0, 0}, {1, 0}, {0.5, 1.01e-10}}, triangle).steepness(values).slope, 0);
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -55,6 +55,10 @@ class RunOn : public ::testing::TestWithParam<std::string> {};
 TEST_P(RunOn, takes_the_steps_that_are_recorded) { expect_as_recorded(runs(), GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Every, RunOn, ::testing::ValuesIn(groups_of_runs()), test_name);
 
+class TriangulationOf : public ::testing::TestWithParam<std::string> {};
+TEST_P(TriangulationOf, takes_the_steps_that_are_recorded) { expect_as_recorded(clouds(), GetParam()); }
+INSTANTIATE_TEST_SUITE_P(Every, TriangulationOf, ::testing::ValuesIn(groups_of_clouds()), test_name);
+
 class RepairOf : public ::testing::TestWithParam<std::string> {};
 TEST_P(RepairOf, takes_the_steps_that_are_recorded) { expect_as_recorded(messes(), GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Every, RepairOf, ::testing::ValuesIn(groups_of_messes()), test_name);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../../../core/support/shortest.hpp"
+#include "../../../parallel/construction/delaunay.hpp"
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../parallel/conversion/export_mesh.hpp"
 #include "../../../parallel/conversion/import_mesh.hpp"
@@ -12,6 +13,7 @@
 #include "../../../parallel/diagnosis/find_gaps.hpp"
 #include "../../../parallel/diagnosis/find_least_size.hpp"
 #include "../../../parallel/diagnosis/narrowest_part.hpp"
+#include "../../../parallel/input/convex_hull.hpp"
 #include "../../../parallel/input/findings.hpp"
 #include "../../../parallel/input/repair_once.hpp"
 #include "../../../parallel/input/untangle.hpp"
@@ -327,6 +329,23 @@ std::vector<std::string> record(const Mess& mess) {
     record.add("repair", by_default.error().message);
   else
     record.add("repair", by_default->snap, fingerprint(by_default->domain.pslg(), by_default->log));
+  return std::move(record).lines();
+}
+
+std::vector<std::string> record(const Cloud& cloud) {
+  Record record(cloud.name, {});
+  const bool collinear = all_collinear(cloud.points, record.threads());
+  record.end_of_stage("line", collinear);
+  const std::vector<Index> hull = collinear ? std::vector<Index>{} : convex_hull(cloud.points, record.threads());
+  record.end_of_stage("hull", hull.size(), fingerprint(hull));
+  for (const std::size_t per_tile : {4U, 30U, 300U}) {
+    const Result<Delaunay> made = delaunay(cloud.points, record.threads(), per_tile);
+    const std::string stage = "triangulation with tiles of " + std::to_string(per_tile);
+    if (!made)
+      record.end_of_stage(stage.c_str(), made.error().message);
+    else
+      record.end_of_stage(stage.c_str(), fingerprint(made->triangulation, made->input_of_vertex));
+  }
   return std::move(record).lines();
 }
 

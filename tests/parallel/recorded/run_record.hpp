@@ -36,6 +36,16 @@ struct Mess {
 [[nodiscard]] const std::vector<Mess>& messes();
 [[nodiscard]] std::vector<std::string> groups_of_messes();
 [[nodiscard]] std::vector<std::string> record(const Mess& mess);
+/// Many points, which are triangulated on small tiles.
+struct Cloud {
+  std::string group, name;
+  std::vector<Point> points;
+  bool summary = false;
+};
+[[nodiscard]] const std::vector<Cloud>& clouds();
+[[nodiscard]] std::vector<std::string> groups_of_clouds();
+[[nodiscard]] std::vector<std::string> record(const Cloud& cloud);
+
 /// The lines of the file `runs` for these lines of one record.
 template <class What>
 [[nodiscard]] std::vector<std::string> kept(const What& what, const std::vector<std::string>& lines) {

@@ -107,6 +107,10 @@ std::vector<Named> named() {
       {"lattice", domains::grid_points(9), {.max_area = 0.026}, with_cells(4, 4)},
       {"grid", domains::grid(6), {.max_area = 0.1}, with_cells(3, 3)},
       {"rings", domains::radial(3), {}, {.triangles_per_tile = 50}},
+      {"pipe in its hull", domains::pipe(), {.min_angle_deg = 5, .convex_hull = true}, {}},
+      {"comb with many teeth", domains::comb(300, 1e-3), {.min_angle_deg = 0}, {}},
+      {"large grid", domains::grid(22), {.min_angle_deg = 0}, {}},
+      {"many points", with_point_data(domains::random_points(2500, 8)), {.min_angle_deg = 0}, {}},
   };
   Goal sources{.grading = 0.25};
   sources.sources = {{{0.2, 0.3}, {0.8, 0.3}, 0.02, 0.1}, {{0.5, 0.9}, {0.5, 0.9}, 0.01, 0.01}};
@@ -244,6 +248,41 @@ namespace {
 constexpr std::uint64_t tangles = 200, tangles_per_group = 20;
 std::string group_of_tangles(std::uint64_t number) { return "tangles " + std::to_string(number); }
 }  // namespace
+
+const std::vector<Cloud>& clouds() {
+  static const std::vector<Cloud> all = [] {
+    std::vector<Cloud> list;
+    const auto add = [&](const std::string& name, const Pslg& pslg) { list.push_back({name, name, pslg.points}); };
+    add("cloud", domains::random_points(3000, 1));
+    add("cloud around the origin", domains::kuzmin_points(1500, 2));
+    add("cloud near a line", domains::line_points(1500, 3));
+    add("cloud of clusters", domains::clustered_points(1500, 4));
+    add("cloud on a lattice", domains::grid_points(36));
+    Pslg disk, diamond, line;
+    for (const Point p : domains::random_points(20'000, 5).points) {
+      const Point q{2 * p.x - 1, 2 * p.y - 1};
+      if (q.x * q.x + q.y * q.y < 1) disk.points.push_back(q);
+      diamond.points.push_back({q.x + q.y, q.x - q.y});
+    }
+    for (int i = 0; i < 2500; ++i) line.points.push_back({double(i * 7 % 2500), 3.0 * (i * 7 % 2500)});
+    add("disk", disk);
+    add("diamond", diamond);
+    add("line", line);
+    return list;
+  }();
+  return all;
+}
+
+std::vector<std::string> groups_of_clouds() {
+  return {"cloud",
+          "cloud around the origin",
+          "cloud near a line",
+          "cloud of clusters",
+          "cloud on a lattice",
+          "disk",
+          "diamond",
+          "line"};
+}
 
 const std::vector<Mess>& messes() {
   static const std::vector<Mess> all = [] {

@@ -10,6 +10,8 @@ int main() {
                "# which is right when the algorithm was changed on purpose, and only then.\n";
   for (const auto& run : recorded::runs())
     for (const std::string& line : recorded::kept(run, recorded::record(run))) std::cout << line << '\n';
+  for (const auto& cloud : recorded::clouds())
+    for (const std::string& line : recorded::kept(cloud, recorded::record(cloud))) std::cout << line << '\n';
   for (const auto& mess : recorded::messes())
     for (const std::string& line : recorded::kept(mess, recorded::record(mess))) std::cout << line << '\n';
 }

@@ -64,5 +64,29 @@ TEST(InitialAssessment, predicts_how_unevenly_a_lattice_divides_the_work) {
   EXPECT_GT(overload_of([](Point p) { return 1e-4 + 0.01 * (p.x + p.y); }), 10);
 }
 
+/// Two triangles in four cells. The first triangle is to be divided into many, the second into few.
+TEST(InitialAssessment, compares_the_work_of_cells_exactly) {
+  Triangulation t = samples::triangulated({{0, 0}, {1, 0}, {1, 1}, {0, 1}}).triangulation;
+  ASSERT_EQ(t.slots.size(), 2U);
+  const auto overload_with = [&](double first, double second, const Lattice& lattice) {
+    const Options options;
+    const Criteria criteria({.min_angle_deg = 0, .region_caps = true}, Placement::off_centre, {first, second});
+    t.region.resize(2);
+    t.region[0] = 0;
+    t.region[1] = 1;
+    const DomainSegments none;
+    const Assessor assessor(t, none, criteria, options);
+    return overload(t, criteria, assessor, lattice, 1);
+  };
+  const Lattice four({0, 0, 1, 1}, 2, 2), one({0, 0, 1, 1}, 1, 1);
+  const double even = overload_with(0.01, 0.01, four), uneven = overload_with(0.01, 0.1, four);
+  EXPECT_DOUBLE_EQ(even, 1) << "triangles of more than a cell count in several cells";
+  EXPECT_DOUBLE_EQ(overload_with(0.02, 0.02, four), even) << "only the shares matter";
+  EXPECT_DOUBLE_EQ(overload_with(30, 30, four), even) << "also if there is little work";
+  EXPECT_DOUBLE_EQ(overload_with(0.1, 0.01, four), uneven) << "the order does not matter";
+  EXPECT_GT(uneven, 1.5);
+  EXPECT_DOUBLE_EQ(overload_with(0.01, 0.1, one), 1) << "in one cell, all work is even";
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -2,8 +2,15 @@
 #include "../../../parallel/scheduling/tiling_record.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
 #include <utility>
+
+#include "many_tasks.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -72,6 +79,24 @@ TEST(TilingRecord, finds_the_leaf_of_a_point_and_its_colour) {
     EXPECT_EQ(tiling.cell_of(tree.centre_of(cell)), cell);
     EXPECT_EQ(tiling.colour_of(cell), tree.colour_of(cell));
   }
+}
+
+/// The first two tasks wait for each other, so two threads run them.
+TEST(TilingRecord, names_all_threads_that_worked) {
+  if (omp_get_max_threads() < 2) GTEST_SKIP() << "there is one thread only";
+  std::atomic<int> started{0};
+  Schedule schedule;
+  schedule.before_task = [&](std::size_t) {
+    ++started;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (started < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  };
+  schedule.order = [&](const std::vector<std::size_t>& tasks) { started = tasks.size() < 2 ? 2 : 0; };
+  const samples::Case& c = samples::cases().front();
+  const Tiling tiling =
+      samples::refined(c, samples::options_for(c, Decomposition::automatic, 2), schedule).counts.tiling;
+  EXPECT_EQ(std::ranges::max(tiling.thread_of_cell), 1);
+  EXPECT_TRUE(std::ranges::count(tiling.thread_of_cell, 0) > 0);
 }
 
 }  // namespace
