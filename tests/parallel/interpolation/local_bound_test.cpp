@@ -86,12 +86,5 @@ TEST(LocalBound, of_a_function_of_the_caller_calls_it) {
   EXPECT_FALSE(local_bound({}));
 }
 
-TEST(LocalBound, of_limited_values_at_points_does_not_know_how_fast_it_changes) {
-  PointValues field{two_triangles(), {1, 3, 5, 3}};
-  EXPECT_NEAR(field.steepness().slope, std::sqrt(2.0), 0.01);
-  field.limited = true;
-  EXPECT_EQ(field.steepness().slope, INFINITY);
-}
-
 }  // namespace
 }  // namespace pardel::engine
