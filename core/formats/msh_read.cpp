@@ -281,7 +281,8 @@ class MshReader {
       if (i < integers.size()) integers[i] = value;
     }
     const auto [step, values, nodes] = integers;
-    if (n < 3 || values == 0 || !source_.room_for(nodes, 1 + values, "values at nodes"))
+    // In binary, the tag of a node takes four bytes only.
+    if (n < 3 || values == 0 || !source_.room_for(nodes, values, "values at nodes"))
       return in_.fail("expected the number of values per node and the number of nodes");
     mesh_.attributes_per_point = 1;
     mesh_.point_attributes.resize(nodes_.size(), std::numeric_limits<double>::quiet_NaN());

@@ -122,6 +122,7 @@ std::string_view TextReader::word() {
 }
 
 std::string_view TextReader::rest_of_line() {
+  if (failed_) return {};
   skip_blanks();
   const char* stop = std::find(at_, end_, '\n');
   while (stop != at_ && is_blank(stop[-1])) --stop;

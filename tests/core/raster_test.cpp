@@ -140,5 +140,13 @@ TEST(SourcesOfARaster, need_a_limit_that_is_positive_and_finite) {
     EXPECT_EQ(size_sources(sample(), wrong).error().kind, ErrorKind::usage);
 }
 
+TEST(SourcesOfARaster, compare_slopes_with_any_limit) {
+  for (const double limit : {0.125, 0.5, 3.0, 8.0})
+    for (const double share : {0.9, 1.1}) {
+      const Raster row{3, 2, {0, 0}, 1, 1, {20, 20 + share * limit, 20, 20, 20 + share * limit, 20}};
+      EXPECT_EQ(size_sources(row, limit)->empty(), share < 1) << limit;
+    }
+}
+
 }  // namespace
 }  // namespace pardel

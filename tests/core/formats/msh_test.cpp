@@ -397,5 +397,56 @@ Physical Surface("left", 3) = {1}; Physical Surface("right", 8) = {2};
   EXPECT_EQ(digests[0], digests[1]);
 }
 
+/// The mesh in MSH 4.1, binary, with a value at each node.
+std::string binary_with_values() {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(write_msh(sample_mesh(), folder / "m.msh", MshEncoding::binary));
+  std::string text = folder.read("m.msh") + "$NodeData\n1\n\"h\"\n1\n0.0\n3\n0\n1\n6\n";
+  for (std::int32_t tag = 6; tag > 0; --tag) {
+    const double value = 10.0 + tag;
+    text.append(reinterpret_cast<const char*>(&tag), sizeof tag);
+    text.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  return text + "\n$EndNodeData\n";
+}
+
+TEST(Msh, of_bytes_may_have_values_at_nodes) {
+  const Result<Mesh> mesh = parse_msh(binary_with_values(), "f");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(std::vector<double>(mesh->point_attributes.begin(), mesh->point_attributes.end()),
+            (std::vector<double>{11, 12, 13, 14, 15, 16}));
+  std::string longer = binary_with_values();
+  longer.replace(longer.find("$NodeData"), 30, "$NodeData\n1\n\"h\"\n1\n0.0\n3\n0\n1\n9\n");
+  EXPECT_FALSE(parse_msh(longer, "f")) << "more nodes than there are";
+}
+
+TEST(Msh, numbers_points_from_one) {
+  const Result<Mesh> mesh = parse_msh(binary_with_values(), "f");
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->first_id.value, 1);
+}
+
+TEST(Msh, without_nodes_has_no_corners) {
+  const char* text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n0\n$EndNodes\n$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n";
+  EXPECT_EQ(message_of_invalid(parse_msh(text, "f")), "f:9: there is no node 1");
+}
+
+TEST(Msh, has_the_largest_int_as_a_tag) {
+  Mesh mesh = sample_mesh();
+  mesh.region_attributes = {2147483646, 2147483647};
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_msh(mesh, folder / "m.msh", MshEncoding::ascii));
+  EXPECT_NE(folder.read("m.msh").find("2 2147483647 \"region 2147483647\""), std::string::npos);
+}
+
+TEST(Msh, with_the_largest_number_of_nodes_is_too_short_and_with_one_more_cannot_be_held) {
+  const auto failure = [](const std::string& nodes) {
+    return message_of_invalid(parse_msh("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + nodes + "\n", "f"));
+  };
+  EXPECT_EQ(failure("4294967293"), "f:5: announces more nodes than a mesh can hold");
+  EXPECT_NE(failure("4294967292"), "f:5: announces more nodes than a mesh can hold");
+}
+
 }  // namespace
 }  // namespace pardel

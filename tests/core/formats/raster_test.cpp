@@ -193,5 +193,26 @@ TEST_F(Npy, needs_a_world_file_without_rotation) {
   EXPECT_NE(alone.error().message.find("needs a world file"), std::string::npos) << alone.error().message;
 }
 
+TEST_F(Npy, is_refused_in_versions_that_do_not_exist_yet) {
+  std::string text = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
+  for (const char version : {'\0', '\4', '\5'}) {
+    text[6] = version;
+    EXPECT_NE(failure(text).find("a.npy: this is not an array of NumPy"), std::string::npos);
+  }
+}
+
+TEST_F(Npy, needs_steps_that_are_not_zero) {
+  const std::string good = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
+  EXPECT_NE(failure(good, replaced(world, "-4", "0")).find("the fourth number must be less than 0"), std::string::npos);
+  EXPECT_NE(failure(good, replaced(world, "2", "0")).find("the first number must be greater than 0"),
+            std::string::npos);
+}
+
+TEST_F(Npy, may_have_its_type_last_and_few_blanks) {
+  const auto raster = read(npy<double>("{'fortran_order':False,'shape':(2, 3),'descr':'<f8'", {5, 6, 7, 1, 2, 4}));
+  ASSERT_TRUE(raster) << raster.error().message;
+  EXPECT_EQ(raster->values, south_to_north);
+}
+
 }  // namespace
 }  // namespace pardel

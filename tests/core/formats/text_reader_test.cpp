@@ -1,6 +1,7 @@
 #include "../../../core/formats/text_reader.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <limits>
 
@@ -190,6 +191,34 @@ TEST(ReadFile, returns_all_bytes) {
   const TemporaryFolder folder;
   const std::string bytes("\0\xff\r\n#", 5);
   EXPECT_EQ(*read_file(folder.write("with spaces.bin", bytes)), bytes);
+}
+
+TEST(TextReader, gives_nothing_after_a_failure) {
+  TextReader in("1 two 3\n4 5 6\n", "f");
+  ASSERT_TRUE(in.next_line());
+  in.fail("wrong");
+  EXPECT_EQ(in.word(), "");
+  EXPECT_EQ(in.rest_of_line(), "");
+  EXPECT_EQ(in.number("a number"), 0);
+  EXPECT_EQ(in.integer("a number", low, high), 0);
+  EXPECT_EQ(in.integer_or("a number", low, high, 7), 7);
+  EXPECT_EQ(in.count("a number"), 0U);
+  EXPECT_EQ(in.bytes(1, "a byte"), "");
+  EXPECT_FALSE(in.next_line());
+  EXPECT_FALSE(in.next_field());
+  in.fail("later");
+  EXPECT_EQ(in.error().message, "f:1: wrong");
+}
+
+TEST(TextReader, closes_the_files_that_it_reads) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("f", "text");
+  rlimit old{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &old), 0);
+  const rlimit few{64, old.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  for (int i = 0; i < 200; ++i) EXPECT_TRUE(read_file(file));
+  setrlimit(RLIMIT_NOFILE, &old);
 }
 
 }  // namespace

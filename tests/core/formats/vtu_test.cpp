@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <vector>
 
 #include "../../../core/formats.hpp"
@@ -310,6 +312,38 @@ TEST(Vtu, with_a_number_that_is_not_finite_is_refused) {
   ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu").ok());
   EXPECT_NE(message_of(read_mesh(folder / "m.vtu"), folder).find("value 10 of the array \"Points\" is not finite"),
             std::string::npos);
+}
+
+TEST(Vtu, that_is_none_is_refused_at_its_first_line) {
+  EXPECT_EQ(failure_of_vtu("\n<x/>"), "f:1: expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
+  EXPECT_EQ(
+      failure_of_vtu("\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\"></VTKFile>"),
+      "f:1: expected a <Piece>, found none");
+}
+
+/// Compared with the law of cosines.
+TEST(Vtu, has_the_smallest_angle_of_triangles_that_are_turned) {
+  const TemporaryFolder folder;
+  Mesh mesh;
+  for (const Point& p : {Point{0, 0}, {3, 1}, {1, 2}, {-2, 5}, {4, 7}}) mesh.points.push_back(p);
+  for (const std::array<Index, 3>& v : {std::array<Index, 3>{0, 1, 2}, {1, 4, 3}, {4, 0, 1}, {3, 2, 4}})
+    mesh.triangles.push_back({v, {}});
+  ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu").ok());
+  const std::string file = folder.read("m.vtu");
+  const std::size_t element = file.find("Name=\"quality\"");
+  const std::size_t offset = std::stoul(file.substr(file.find("offset=\"", element) + 8));
+  double quality[4];
+  std::memcpy(quality, &file[file.find("\n_") + 2 + offset + 8], 32);
+  for (std::size_t t = 0; t < 4; ++t) {
+    double least = 180;
+    for (unsigned i = 0; i < 3; ++i) {
+      const auto point = [&](unsigned k) { return mesh.points[mesh.triangles[t].v[(i + k) % 3]]; };
+      const auto length = [](Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); };
+      const double a = length(point(1), point(2)), b = length(point(0), point(1)), c = length(point(0), point(2));
+      least = std::min(least, std::acos((b * b + c * c - a * a) / (2 * b * c)) * 180 / std::numbers::pi);
+    }
+    EXPECT_NEAR(quality[t], least, 1e-9);
+  }
 }
 
 }  // namespace

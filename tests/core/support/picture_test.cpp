@@ -41,5 +41,16 @@ TEST(Picture, a_circle_does_not_enlarge_the_window) {
   EXPECT_EQ(window(written(picture)), window(written(with_circle)));
 }
 
+TEST(Picture, of_a_small_thing_is_as_large_as_that_of_a_large_thing) {
+  std::string all[2];
+  for (const bool small : {false, true}) {
+    Picture picture;
+    const double side = small ? 0.0625 : 16;
+    picture.polygon({{0, 0}, {side, 0}, {side, side / 2}}, "none", Ink::thin);
+    all[small ? 1 : 0] = written(picture);
+  }
+  EXPECT_EQ(all[0], all[1]);
+}
+
 }  // namespace
 }  // namespace pardel::drawing

@@ -39,5 +39,22 @@ TEST(StopSignal, asks_its_question_again_only_after_the_interval) {
   EXPECT_EQ(asked, 1);
 }
 
+TEST(StopSignal, that_was_stopped_does_not_ask_any_more) {
+  int asked = 0;
+  StopSignal signal([&]() -> std::optional<Error> {
+    ++asked;
+    return {};
+  });
+  signal.stop({ErrorKind::cancelled, "enough"});
+  EXPECT_THROW(signal.ask_now(), Stopped);
+  EXPECT_THROW(signal.ask(), Stopped);
+  EXPECT_EQ(asked, 0);
+}
+
+TEST(StopSignal, that_its_question_stops_says_so_at_once) {
+  StopSignal signal([]() -> std::optional<Error> { return Error{ErrorKind::cancelled, "no"}; }, std::chrono::hours(1));
+  EXPECT_THROW(signal.ask_now(), Stopped);
+}
+
 }  // namespace
 }  // namespace pardel
