@@ -157,7 +157,7 @@ Quadtree quadtree_over(const PlainMesh& mesh) {
   while (!undivided.empty()) {
     const Cell leaf = *undivided.begin();
     undivided.erase(undivided.begin());
-    if (!leaves.contains(leaf) || leaf.level == deepest || !has_a_vertex(leaf)) continue;
+    if (leaf.level == deepest || !has_a_vertex(leaf)) continue;
     std::set<Cell> after = leaves, made;
     divide(after, made, leaf);
     if (!std::ranges::all_of(made, may_be)) continue;

@@ -44,7 +44,9 @@ def parse(task):
     entry, root, folders = task
     words = shlex.split(entry["command"])
     kept = [a for before, a in zip(words, words[1:]) if re.match(r"-I|-D|-std|-isystem", a) or before == "-isystem"]
-    return sites.find_sites(entry["file"], kept, root, folders)
+    # clang has its own headers, except omp.h, which is in a package of its own. That of g++ has the same declarations.
+    of_gcc = subprocess.run(["g++", "-print-file-name=include"], check=True, capture_output=True, text=True).stdout
+    return sites.find_sites(entry["file"], [*kept, "-idirafter", of_gcc.strip()], root, folders)
 
 
 def all_sites(source, build, folders, jobs):

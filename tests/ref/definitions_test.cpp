@@ -131,5 +131,20 @@ TEST(Definitions, encroachment_is_tested_for_every_constrained_edge) {
   EXPECT_FALSE(is_encroached(mesh, edge(0, 1)));
 }
 
+/// Two triangles with one common vertex, one inside the other; in both orders and with all numberings.
+TEST(Conformal, meshes_have_no_triangle_inside_another_at_a_common_vertex) {
+  const std::vector<ExactPoint> points{{0, 0}, {8, 0}, {0, 8}, {2, 1}, {1, 2}, {-2, -1}, {-1, -2}};
+  for (unsigned first = 0; first < 3; ++first)
+    for (unsigned second = 0; second < 3; ++second) {
+      Corners large{0, 1, 2}, small{0, 3, 4}, opposite{0, 5, 6};
+      for (Corners* t : {&small, &opposite}) std::rotate(t->begin(), t->begin() + second, t->end());
+      std::rotate(large.begin(), large.begin() + first, large.end());
+      EXPECT_FALSE(is_conformal({points, {large, small}, {}}));
+      EXPECT_FALSE(is_conformal({points, {small, large}, {}}));
+      EXPECT_TRUE(is_conformal({points, {opposite, large}, {}}));
+      EXPECT_TRUE(is_conformal({points, {large, opposite}, {}}));
+    }
+}
+
 }  // namespace
 }  // namespace pardel::ref

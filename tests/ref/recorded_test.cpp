@@ -233,5 +233,43 @@ TEST(Reference, divides_the_plane_into_cells_as_recorded) {
   EXPECT_EQ(trees.text(), "a9236a10738afd1f");
 }
 
+TEST(Reference, reaches_all_triangles_in_a_box_around_them_and_none_in_a_box_far_away) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const PlainMesh mesh = random_mesh(seed);
+    const Box all{{-1e6, -1e6}, {1e6, 1e6}};
+    EXPECT_EQ(in_reach_of(mesh, all).size(), mesh.triangles.size());
+    EXPECT_EQ(in_reach_and_sight_of(mesh, all).size(), mesh.triangles.size());
+    EXPECT_TRUE(in_reach_of(mesh, {{1e9, 1e9}, {1e9 + 1, 1e9 + 1}}).empty());
+    EXPECT_TRUE(owns(mesh, all, in_reach_of(mesh, all)));
+    EXPECT_FALSE(owns(mesh, {{1, 1}, {2, 2}}, in_reach_of(mesh, all)));
+  }
+}
+
+TEST(Reference, needs_one_colour_for_one_leaf) {
+  EXPECT_EQ(colours(uniform_quadtree({0, 0}, 4, 0)), 1);
+  EXPECT_GE(colours(uniform_quadtree({0, 0}, 4, 1)), 2);
+}
+
+/// The least length of a piece is that of its nearest point, if the lengths along it change little.
+TEST(Reference, lets_lengths_grow_from_the_best_place_of_a_piece) {
+  Pslg pslg;
+  pslg.points = {{-1e3, -1e3}, {1e3, -1e3}, {1e3, 1e3}, {-1e3, 1e3}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  Goal goal{.grading = 0.5};
+  goal.sources = {{{0, 0}, {4, 0}, 1, 1}, {{0, 50}, {8, 50}, 1, 3}, {{50, 0}, {50, 0}, 2, 2}};
+  const WantedLength wanted(pslg, goal);
+  EXPECT_NEAR(wanted.at({2, 1}), 1.5, 1e-9);
+  EXPECT_NEAR(wanted.at({-3, 4}), 3.5, 1e-9);
+  EXPECT_NEAR(wanted.at({50, 6}), 5, 1e-9);
+  for (const Point p : {Point{4, 53}, {1, 47}, {7, 50}, {9, 54}, {-2, 51}}) {
+    double least = 1e9;
+    for (int i = 0; i <= 100'000; ++i) {
+      const double f = i / 1e5, x = p.x - 8 * f, y = p.y - 50;
+      least = std::min(least, 1 + 2 * f + 0.5 * std::sqrt(x * x + y * y));
+    }
+    EXPECT_NEAR(wanted.at(p), least, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace pardel::ref
