@@ -44,9 +44,10 @@ def parse(task):
     entry, root, folders = task
     words = shlex.split(entry["command"])
     kept = [a for before, a in zip(words, words[1:]) if re.match(r"-I|-D|-std|-isystem", a) or before == "-isystem"]
-    # clang has its own headers, except omp.h, which is in a package of its own. That of g++ has the same declarations.
+    # clang has headers of its own, but omp.h is in another package. That of g++ has an attribute that clang lacks.
     of_gcc = subprocess.run(["g++", "-print-file-name=include"], check=True, capture_output=True, text=True).stdout
-    return sites.find_sites(entry["file"], [*kept, "-idirafter", of_gcc.strip()], root, folders)
+    kept += ["-idirafter", of_gcc.strip(), "-D__malloc__(x)=__malloc__"]
+    return sites.find_sites(entry["file"], kept, root, folders)
 
 
 def all_sites(source, build, folders, jobs):
