@@ -1,8 +1,10 @@
 // Prints the digests of meshes, one per line, for the comparison of builds and machines.
 //   mesh_digests                              prints the file `digests`
-//   mesh_digests DOMAIN TRIANGLES THREADS...  meshes DOMAIN, which is square, pipe or points, with about TRIANGLES
-//                                             triangles, once on each number of threads; tasks run in random order and
-//                                             with delays
+//   mesh_digests DOMAIN TRIANGLES THREADS...  meshes DOMAIN, which is square, pipe, points or radial, with about
+//                                             TRIANGLES triangles, once on each number of threads; tasks run in random
+//                                             order and with delays
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -31,12 +33,24 @@ void print_recorded() {
     std::cout << line(graded_problem(number), 1) << '\n';
 }
 
+/// Rings around a point, and sizes that grow with the distance from it over four decades.
+samples::Case radial(double triangles) {
+  constexpr double triangles_for_ratio_1 = 288;  // measured
+  static constexpr double inner = 0.95e-4;
+  Goal goal{.min_angle_deg = 25};
+  goal.size = [ratio = std::sqrt(triangles_for_ratio_1 / triangles)](Point p) {
+    return ratio * std::max(inner, std::sqrt(p.x * p.x + p.y * p.y));
+  };
+  return {"radial", *domains::generate("radial", 4, 1), goal, {}};
+}
+
 /// A problem whose mesh has about this number of triangles: a domain with a bound on areas, or random points with the
 /// default bound on angles.
 samples::Case large(const std::string& domain, double triangles) {
   if (domain == "square") return {domain, domains::square(), {.max_area = 1.37 / triangles}, {}};
   if (domain == "pipe") return {domain, domains::pipe(), {.max_area = 3.41 / triangles}, {}};
   if (domain == "points") return {domain, domains::random_points(static_cast<Index>(triangles / 3.2), 1), {}, {}};
+  if (domain == "radial") return radial(triangles);
   throw std::invalid_argument("no domain '" + domain + "'");
 }
 
