@@ -82,6 +82,11 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
   app.add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
       ->transform(choice(placement_names))
       ->type_name("WHERE");
+  app.add_option("--interior", options.interior,
+                 "What fills the interior where areas and edges have constant bounds: refine (default), or fill: "
+                 "equilateral triangles, which are the fewest (up to --min-angle 29.9)")
+      ->transform(choice(interior_names))
+      ->type_name("WHAT");
   app.add_option("--decomposition", options.decomposition,
                  "How the plane is cut into cells: auto (the default), lattice (by work),\nquadtree (by work, for "
                  "graded meshes), "

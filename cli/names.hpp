@@ -12,6 +12,10 @@ inline constexpr auto placement_names = enum_names<Placement>({
     {Placement::circumcentre, "circumcentre"},
     {Placement::off_centre, "off-centre"},
 });
+inline constexpr auto interior_names = enum_names<Interior>({
+    {Interior::refine, "refine"},
+    {Interior::fill, "fill"},
+});
 inline constexpr auto decomposition_names = enum_names<Decomposition>({
     {Decomposition::automatic, "auto"},
     {Decomposition::paper, "paper"},

@@ -48,6 +48,7 @@ nlohmann::ordered_json goal_json(const MeshRun& run) {
           {"conforming", run.goal.conforming},
           {"convex_hull", run.goal.convex_hull},
           {"placement", placement_names[run.options.placement]},
+          {"interior", interior_names[run.options.interior]},
           {"max_vertices", run.options.max_vertices},
           {"min_edge", run.options.min_edge}};
 }
@@ -128,6 +129,7 @@ nlohmann::ordered_json refine_json(const MeshRun& run) {
   nlohmann::ordered_json exemptions = nlohmann::ordered_json::array();
   for (const Exemption& exemption : report.exempt) exemptions.push_back(exemption_json(exemption));
   return {
+      {"laid", report.laid},
       {"inserted", report.inserted},
       {"segment_splits", report.segment_splits},
       {"refused", report.refused},

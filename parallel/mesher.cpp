@@ -17,6 +17,7 @@
 #include "conversion/locate_regions.hpp"
 #include "diagnosis/find_gaps.hpp"
 #include "diagnosis/find_least_size.hpp"
+#include "filling/fill_domain.hpp"
 #include "input/findings.hpp"
 #include "interpolation/coverage.hpp"
 #include "interpolation/graded_size.hpp"
@@ -104,6 +105,21 @@ Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, 
       find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
 }
 
+/// The edges of the patches in each region, and last without a region. Empty if there are no patches.
+std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const Options& options) {
+  constexpr double most_degrees = 29.9;  // refinement for larger angles spreads into equilateral triangles
+  const bool is_constant = !goal.size && !is_graded(goal);
+  if (options.interior != Interior::fill || !is_constant || goal.min_angle_deg > most_degrees) return {};
+  std::vector<double> edges;
+  for (const Region& region : pslg.regions)
+    edges.push_back(
+        edge_of_patch(goal.region_caps ? std::min(goal.max_area, region.max_area) : goal.max_area, goal.max_edge));
+  edges.push_back(edge_of_patch(goal.max_area, goal.max_edge));
+  for (double& edge : edges)
+    if (edge < options.min_edge) edge = INFINITY;
+  return edges;
+}
+
 /// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
 Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
                           ProgressMonitor& progress) {
@@ -116,6 +132,7 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   if (pslg.attributes_per_point > 0) input.background = input_corners(*domain, progress.threads());
   result.report.triangulate_seconds = watch.lap();
 
+  std::vector<Point> points;  // replace those of the Pslg if the interior is filled
   std::vector<double> caps;
   for (const Region& region : pslg.regions) {
     input.region_attributes.push_back(region.attribute);
@@ -127,6 +144,16 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
       return wanted.error();
     if (goal->size)
       require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
+    if (const std::vector<double> edges = edges_of_patches(pslg, *goal, options); !edges.empty()) {
+      Result<std::optional<Filling>> filled = fill_domain(pslg, convex_hull, *domain, edges, progress.threads());
+      if (!filled) return filled.error();
+      if (filled->has_value()) {
+        domain = std::move((*filled)->domain);
+        points = std::move((*filled)->points);
+        input.points.points = points;
+        result.report.laid = (*filled)->triangles;
+      }
+    }
     Goal graded = guarded(*goal);
     if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
     const Criteria criteria(graded, options.placement, std::move(caps));

@@ -35,6 +35,14 @@ enum class Decomposition : std::uint8_t {
   quadtree,
 };
 
+/// What fills the parts of the domain that are far from all segments, where the bound on size is constant.
+enum class Interior : std::uint8_t {
+  refine,  ///< triangles of the refinement, as everywhere
+  /// Equilateral triangles just below the bound: the fewest that keep it. Not for bounds that depend on the place, and
+  /// not for angles of 30 degrees and more, for which the refinement would spread into them.
+  fill,
+};
+
 struct Progress {
   /// The current number, approximately: an insertion counts as two; it never decreases. 0 until the refinement starts.
   std::uint64_t triangles = 0;
@@ -43,6 +51,7 @@ struct Progress {
 
 struct Options {
   Placement placement = Placement::off_centre;
+  Interior interior = Interior::refine;
   /// The number of threads; 0: as many as OpenMP offers, one per core by default. The result does not depend on it.
   int threads = 0;
   Decomposition decomposition = Decomposition::automatic;

@@ -64,6 +64,7 @@ struct Tiling {
 };
 
 struct Report {
+  std::uint64_t laid = 0;            ///< number of equilateral triangles before the refinement (Interior::fill)
   std::uint64_t inserted = 0;        ///< number of vertices added inside faces
   std::uint64_t segment_splits = 0;  ///< number of vertices added on segments
   /// Number of split points not inserted: they would have made an edge too short, or a triangle without positive area.

@@ -4,6 +4,7 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../triangulation/locate.hpp"
+#include "../triangulation/remove_triangles.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -33,29 +34,6 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
     fresh.push_back({slot.to(corner), slot.from(corner)});
   }
   return fresh;
-}
-
-/// Removes the triangles for which is_removed(id) holds, and moves the last remaining triangles into the free slots. All
-/// other triangles keep their order, which follows a space-filling curve. Calls on_move(from, to) for each move.
-template <class IsRemoved, class OnMove>
-void remove_triangles(Triangulation& t, std::span<const TriangleId> removed, const IsRemoved& is_removed,
-                      const OnMove& on_move, SparseAsk& ask) {
-  for (const TriangleId id : removed) {
-    ask();
-    for (const EdgeRef out : t.slots[id].n)
-      if (!is_removed(out.triangle())) t.slots[out.triangle()].n[out.side()] = EdgeRef();
-  }
-  const std::size_t kept = t.slots.size() - removed.size();
-  auto last = static_cast<TriangleId>(t.slots.size());
-  for (const TriangleId hole : removed) {
-    if (hole >= kept) break;
-    ask();
-    do --last;
-    while (is_removed(last));
-    t.move_triangle(last, hole);
-    on_move(last, hole);
-  }
-  t.slots.resize(kept);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 #include <vector>
 
 #include "../concurrency/parallel_arrays.hpp"
@@ -55,6 +56,16 @@ void restore_order(std::span<const Point> input, Array<Point>& points, const Thr
   });
 }
 
+/// Among the first vertices, which get the order of the input, moves the origins that are not input_vertex.
+void restore_order_of_origins(std::span<const Index> input_of_vertex, Array<Index>& origin, SparseAsk& ask) {
+  std::vector<std::pair<Index, Index>> moved;
+  for (std::size_t v = 0; v < input_of_vertex.size(); ++v) {
+    ask();
+    if (origin[v] != input_vertex) moved.emplace_back(input_of_vertex[v], std::exchange(origin[v], input_vertex));
+  }
+  for (const auto& [v, its_origin] : moved) origin[v] = its_origin;
+}
+
 /// For each vertex inside a domain segment, replaces the index of this segment by the input segment or hull_vertex.
 void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& threads) {
   Array<Index>& origin = domain.triangulation.origin;
@@ -65,6 +76,8 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& thre
         origin[v] = segment == no_index ? hull_vertex : segment;
       }
   });
+  SparseAsk ask(threads.stop);
+  restore_order_of_origins(domain.input_of_vertex.span(), origin, ask);
   mesh.origin = std::move(origin);
 }
 

@@ -80,7 +80,7 @@ class PolylineSearch {
     const auto before = [&](Index a, Index b) { return lexicographically_less(pslg_.points[a], pslg_.points[b]); };
     if (line.closed) {
       v.pop_back();
-      std::ranges::rotate(v, std::ranges::min_element(v, before));
+      std::rotate(v.begin(), std::ranges::min_element(v, before), v.end());
       v.push_back(v.front());
     }
     const bool loop = v.front() == v.back();

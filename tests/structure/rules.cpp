@@ -72,6 +72,7 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/scheduling", 6, "pardel::engine"},
       {"parallel", "parallel/conversion", 7, "pardel::engine"},
       {"parallel", "parallel/diagnosis", 8, "pardel::engine"},
+      {"parallel", "parallel/filling", 8, "pardel::engine"},
       {"properties/domains", "properties/domains/generators/lattice", 0, "pardel::generators"},
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
       {"properties/checker", "properties/checker/model", 1, "pardel::checker"},

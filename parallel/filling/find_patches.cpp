@@ -1,0 +1,84 @@
+#include "find_patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../concurrency/bounding_box.hpp"
+#include "../concurrency/parallel_arrays.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// The least distance of a patch from everything else, in edges. Necessary is more than 1 / sqrt 3: then the
+/// circumdisks of the patch are empty, and nothing passes between its points.
+constexpr double clearance = 0.7;
+/// The coordinates are at most so many edges. So a rounding moves a point by less than 1e-7 edges.
+constexpr double most_edges = 0x1p26;
+
+/// The triangles of each region; those without a region come last.
+std::vector<std::vector<TriangleId>> by_region(const Triangulation& t, std::size_t regions, SparseAsk& ask) {
+  std::vector<std::vector<TriangleId>> result(regions + 1);
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
+    const Index region = t.region.empty() ? no_index : t.region[id];
+    result[region == no_index ? regions : region].push_back(id);
+  }
+  return result;
+}
+
+/// Calls add(i, spans) for all i < n, and returns all spans.
+template <class Add>
+std::vector<Span> spans_of(std::size_t n, const Threads& threads, const Add& add) {
+  std::vector<std::vector<Span>> blocks(block_count(n));
+  parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
+    SparseAsk ask(threads.stop);
+    for (std::size_t i = first; i < last; ++i) {
+      ask();
+      add(i, blocks[block]);
+    }
+  });
+  std::vector<Span> all;
+  for (const std::vector<Span>& spans : blocks) all.insert(all.end(), spans.begin(), spans.end());
+  return all;
+}
+
+Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, double edge, const Threads& threads) {
+  const auto corner = [&](std::size_t i, unsigned k) { return t.points[t.slots[triangles[i]].v[k]]; };
+  const Box box = bounding_box(threads, 3 * triangles.size(),
+                               [&](std::size_t i) { return corner(i / 3, static_cast<unsigned>(i % 3)); });
+  const TriangularLattice lattice({box.min_x, box.min_y}, edge);
+  const double farthest =
+      std::max({std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
+  if (!(farthest < most_edges * edge)) return Patch(lattice, {});
+
+  const std::vector<Span> inside = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
+    lattice.add_inside(corner(i, 0), corner(i, 1), corner(i, 2), spans);
+  });
+  const std::vector<Span> near = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
+    const Slot& slot = t.slots[triangles[i]];
+    for (unsigned side = 0; side < 3; ++side) {
+      const Point from = t.points[slot.from(side)], to = t.points[slot.to(side)];
+      // A vertex without segments is near, too. Each vertex is the start of a side of each of its triangles.
+      lattice.add_near(from, slot.n[side].constrained() ? to : from, clearance * edge, spans);
+    }
+  });
+  return Patch(lattice, without(merged(inside), merged(near)));
+}
+
+}  // namespace
+
+std::vector<RegionPatch> find_patches(const Triangulation& t, std::span<const double> edges, const Threads& threads) {
+  SparseAsk ask(threads.stop);
+  const std::size_t regions = edges.size() - 1;
+  const std::vector<std::vector<TriangleId>> triangles = by_region(t, regions, ask);
+  std::vector<RegionPatch> result;
+  for (std::size_t r = 0; r <= regions; ++r) {
+    if (triangles[r].empty() || !(edges[r] < INFINITY)) continue;
+    Patch patch = patch_of(t, triangles[r], edges[r], threads);
+    if (patch.triangles() == 0) continue;
+    result.push_back({r < regions ? static_cast<Index>(r) : no_index, std::move(patch)});
+  }
+  return result;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,46 @@
+// The points of a lattice of equilateral triangles, and which of them lie in a triangle or near a segment.
+#pragma once
+
+#include <vector>
+
+#include "../../core/pslg.hpp"
+
+namespace pardel::engine {
+
+/// Places of a row: low, low + 2, ..., high.
+struct Span {
+  int row = 0, low = 0, high = 0;
+  friend bool operator==(const Span&, const Span&) = default;
+};
+
+/// The places of the lattice are pairs (x, row), in which x counts half edges, so x and row are both even or both odd.
+/// Neighbours of (x, row) are (x - 2, row), (x + 2, row), and (x - 1, r) and (x + 1, r) for r = row - 1 and row + 1.
+class TriangularLattice {
+ public:
+  /// `origin`: the point at (0, 0). `edge`: the length of an edge.
+  TriangularLattice(Point origin, double edge);
+
+  [[nodiscard]] Point at(int x, int row) const { return {origin_.x + x * half_edge_, origin_.y + row * height_}; }
+
+  /// Appends the places in the triangle abc, and perhaps places that are outside by less than 1e-6 edges. No place in
+  /// the triangle is missing, up to rounding. O(rows).
+  void add_inside(Point a, Point b, Point c, std::vector<Span>& spans) const;
+  /// Appends the places that are nearer to the segment ab than the distance, up to rounding. a may be equal to b.
+  void add_near(Point a, Point b, double distance, std::vector<Span>& spans) const;
+
+ private:
+  /// Appends the places of a row between two coordinates.
+  void add_between(int row, double from, double to, std::vector<Span>& spans) const;
+  [[nodiscard]] int first_row(double y) const;
+  [[nodiscard]] int last_row(double y) const;
+
+  Point origin_;
+  double half_edge_, height_;  ///< the distances of columns and of rows
+};
+
+/// The union of the spans, in ascending order of row and low. There is a gap between any two spans of a row.
+[[nodiscard]] std::vector<Span> merged(std::vector<Span> spans);
+/// The places of the first list that are not in the second. Both are merged, and so is the result.
+[[nodiscard]] std::vector<Span> without(const std::vector<Span>& spans, const std::vector<Span>& removed);
+
+}  // namespace pardel::engine
