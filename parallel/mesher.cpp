@@ -294,7 +294,8 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   std::function<double(Point)> area_cap;
   if (std::ranges::any_of(max_areas, [](double cap) { return cap < INFINITY; })) {
     auto background = std::make_shared<Background>(coarse.points.span(), input.background, progress.threads());
-    area_cap = OnBackground<TriangleValues>{std::make_shared<const TriangleValues>(std::move(background), max_areas)};
+    area_cap = OnBackground<TriangleValues>{
+        std::make_shared<const TriangleValues>(TriangleValues{std::move(background), max_areas})};
   }
   result.report.triangulate_seconds = watch.lap();
 

@@ -142,9 +142,11 @@ void WantedLength::add(Point p, double length, double slope) {
 
 double WantedLength::at(Point p) const {
   double least = infinity;
-  for (const auto& [source, slope] : all_) {
+  for (const auto& growing : all_) {
+    const SizeSource& source = growing.source;
     const auto value = [&](double f) {
-      return source.at_a + f * (source.at_b - source.at_a) + slope * distance(p, between(source.a, source.b, f));
+      return source.at_a + f * (source.at_b - source.at_a) +
+             growing.slope * distance(p, between(source.a, source.b, f));
     };
     // The value is a convex function of f.
     double low = 0, high = 1;

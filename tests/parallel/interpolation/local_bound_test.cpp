@@ -26,7 +26,7 @@ void expect_same(const std::function<double(Point)>& function) {
 
 TEST(LocalBound, of_values_at_points_interpolates_them) {
   const OnBackground<PointValues> size{
-      std::make_shared<const PointValues>(two_triangles(), std::vector<double>{1, 3, 5, 3})};
+      std::make_shared<const PointValues>(PointValues{two_triangles(), {1, 3, 5, 3}, false})};
   EXPECT_EQ(size({0.5, 0.5}), 2);
   expect_same(size);
   LocationHint hint;
@@ -36,7 +36,7 @@ TEST(LocalBound, of_values_at_points_interpolates_them) {
 
 TEST(LocalBound, of_values_on_triangles_is_constant_there) {
   const std::vector<double> values{7, 8};
-  const OnBackground<TriangleValues> cap{std::make_shared<const TriangleValues>(two_triangles(), values)};
+  const OnBackground<TriangleValues> cap{std::make_shared<const TriangleValues>(TriangleValues{two_triangles(), values})};
   EXPECT_EQ(cap({1.5, 0.5}), 7);
   EXPECT_EQ(cap({0.5, 1.5}), 8);
   expect_same(cap);
