@@ -4,7 +4,7 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../triangulation/locate.hpp"
-#include "../triangulation/remove_triangles.hpp"
+#include "remove_triangles.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -54,12 +54,13 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
   const std::vector<Span> inside = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
     lattice.add_inside(corner(i, 0), corner(i, 1), corner(i, 2), spans);
   });
+  const double distance = clearance * edge;
   const std::vector<Span> near = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
     const Slot& slot = t.slots[triangles[i]];
     for (unsigned side = 0; side < 3; ++side) {
       const Point from = t.points[slot.from(side)], to = t.points[slot.to(side)];
       // A vertex without segments is near, too. Each vertex is the start of a side of each of its triangles.
-      lattice.add_near(from, slot.n[side].constrained() ? to : from, clearance * edge, spans);
+      lattice.add_near(from, slot.n[side].constrained() ? to : from, distance, spans);
     }
   });
   return Patch(lattice, without(merged(inside), merged(near)));

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "../concurrency/parallel_arrays.hpp"
-#include "../triangulation/remove_triangles.hpp"
+#include "../construction/remove_triangles.hpp"
 
 namespace pardel::engine {
 namespace {

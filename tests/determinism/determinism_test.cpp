@@ -100,6 +100,14 @@ TEST(GradedMesh, has_the_digest_that_is_recorded) {
     }
 }
 
+TEST(FilledMesh, has_the_digest_that_is_recorded) {
+  for (std::uint64_t number = 0; number < filled_problems; ++number)
+    for (const int threads : {1, 2, 5}) {
+      const std::string found = line(filled_problem(number), threads);
+      EXPECT_TRUE(recorded().contains(found)) << "not in " PARDEL_DIGESTS ": " << found;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, MeshOf, testing::ValuesIn(generators::all_families()),
                          [](const auto& parameter) { return std::string(generators::name(parameter.param)); });
 

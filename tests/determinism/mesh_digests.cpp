@@ -31,6 +31,8 @@ void print_recorded() {
       std::cout << line(problem(family, number), 1) << '\n';
   for (std::uint64_t number = 0; number < graded_problems; ++number)
     std::cout << line(graded_problem(number), 1) << '\n';
+  for (std::uint64_t number = 0; number < filled_problems; ++number)
+    std::cout << line(filled_problem(number), 1) << '\n';
 }
 
 /// Rings around a point, and sizes that grow with the distance from it over four decades.

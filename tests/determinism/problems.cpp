@@ -77,6 +77,14 @@ Problem graded_problem(std::uint64_t number) {
   return p;
 }
 
+Problem filled_problem(std::uint64_t number) {
+  const std::vector<generators::Family> families = generators::all_families();
+  Problem p = problem(families[number % families.size()], number % problems_per_family);
+  p.options.interior = Interior::fill;
+  p.what.name = "filled " + std::to_string(number) + " of " + p.what.name;
+  return p;
+}
+
 std::string line(const Problem& problem, int threads) {
   Options options = problem.options;
   options.threads = threads;

@@ -28,6 +28,11 @@ inline constexpr std::uint64_t graded_problems = 110;
 /// with sizes that grow from a small one at a point of the domain, on the leaves of a quadtree.
 [[nodiscard]] Problem graded_problem(std::uint64_t number);
 
+inline constexpr std::uint64_t filled_problems = 44;
+/// Problem `number`, from 0 to filled_problems - 1, with an interior of equilateral triangles: the domain, goal and
+/// options of a problem of each family in turn.
+[[nodiscard]] Problem filled_problem(std::uint64_t number);
+
 /// The line of the problem in the file `digests`: its name and the digest of the mesh that mesh() makes.
 [[nodiscard]] std::string line(const Problem& problem, int threads);
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "../concurrency/threads.hpp"
-#include "triangulation.hpp"
+#include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 
