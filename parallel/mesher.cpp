@@ -145,7 +145,8 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
     if (goal->size)
       require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
     if (const std::vector<double> edges = edges_of_patches(pslg, *goal, options); !edges.empty()) {
-      Result<std::optional<Filling>> filled = fill_domain(pslg, convex_hull, *domain, edges, progress.threads());
+      Result<std::optional<Filling>> filled =
+          fill_domain(pslg, convex_hull, *domain, edges, options, progress.threads());
       if (!filled) return filled.error();
       if (filled->has_value()) {
         domain = std::move((*filled)->domain);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../concurrency/parallel_arrays.hpp"
+#include "../scheduling/limits.hpp"
 #include "find_patches.hpp"
 #include "lay_patches.hpp"
 
@@ -25,20 +25,27 @@ double edge_of_patch(double max_area, double max_edge) {
 }
 
 Result<std::optional<Filling>> fill_domain(const Pslg& pslg, bool convex_hull, const DomainTriangulation& coarse,
-                                           std::span<const double> edges, const Threads& threads) {
+                                           std::span<const double> edges, const Options& options,
+                                           const Threads& threads) {
   const std::vector<RegionPatch> patches = find_patches(coarse.triangulation, edges, threads);
   if (patches.empty()) return std::optional<Filling>();
 
   Filling filling;
+  std::uint64_t vertices = pslg.points.size();
+  for (const auto& [region, patch] : patches) {
+    vertices += patch.border_points() + patch.inner_points();
+    filling.triangles += patch.triangles();
+  }
+  if (options.max_vertices > 0 && vertices > options.max_vertices) return std::optional<Filling>();
+  if (outgrows_memory(vertices, options)) return too_much_memory(options);
+  if (Status fits = check_size(static_cast<double>(filling.triangles), options); !fits) return fits.error();
+
   Pslg with_borders;
   with_borders.points = pslg.points;
   with_borders.segments = pslg.segments;
   with_borders.holes = pslg.holes;
   with_borders.regions = pslg.regions;
-  for (const auto& [region, patch] : patches) {
-    append_border_points(patch, with_borders.points);
-    filling.triangles += patch.triangles();
-  }
+  for (const auto& [region, patch] : patches) append_border_points(patch, with_borders.points);
   Result<DomainTriangulation> domain = triangulate_domain(with_borders, convex_hull, threads);
   if (!domain) return domain.error();
   Triangulation& t = domain->triangulation;

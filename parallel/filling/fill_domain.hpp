@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../conversion/domain_triangulation.hpp"
+#include "../options.hpp"
 
 namespace pardel::engine {
 
@@ -26,7 +27,8 @@ struct Filling {
 /// The length of the edges in a patch whose triangles keep a bound on their area and one on their edges.
 [[nodiscard]] double edge_of_patch(double max_area, double max_edge);
 
-/// Returns nothing if no triangle of a patch fits into the domain.
+/// Returns nothing if no triangle of a patch fits into the domain, or if the patches have too many points for
+/// Options::max_vertices. Errors: resources if they are too large for Options::max_memory or for the engine.
 ///
 /// `coarse`: the triangulation of the Pslg. `edges`: the lengths of the edges in each region, and last in triangles
 /// without a region; infinity: no patch. No patch is made if double precision cannot resolve its edges. The number of
@@ -34,6 +36,7 @@ struct Filling {
 /// crosses, plus O(1) for each triangle of a patch.
 [[nodiscard]] Result<std::optional<Filling>> fill_domain(const Pslg& pslg, bool convex_hull,
                                                          const DomainTriangulation& coarse,
-                                                         std::span<const double> edges, const Threads& threads);
+                                                         std::span<const double> edges, const Options& options,
+                                                         const Threads& threads);
 
 }  // namespace pardel::engine

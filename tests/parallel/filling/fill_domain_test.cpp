@@ -98,7 +98,7 @@ TEST(FillDomain, gives_a_constrained_delaunay_triangulation_of_the_same_area) {
     const DomainTriangulation domain = coarse(pslg);
     const double edge = extent(pslg) / 31, area = samples::twice_area(domain.triangulation);
     for (const int threads : {1, 3}) {
-      const auto filled = fill_domain(pslg, false, domain, std::array{edge}, Threads(threads));
+      const auto filled = fill_domain(pslg, false, domain, std::array{edge}, {}, Threads(threads));
       ASSERT_TRUE(filled && *filled);
       const Triangulation& t = (*filled)->domain.triangulation;
       EXPECT_EQ(samples::fault(t), "");
@@ -121,7 +121,7 @@ TEST(FillDomain, gives_each_region_its_own_lattice) {
   const DomainTriangulation domain = coarse(*pslg);
   std::vector<double> edges(pslg->regions.size() + 1, INFINITY);
   for (std::size_t r = 0; r < pslg->regions.size(); ++r) edges[r] = extent(*pslg) / (20 + 9 * static_cast<double>(r));
-  const auto filled = fill_domain(*pslg, false, domain, edges, {});
+  const auto filled = fill_domain(*pslg, false, domain, edges, {}, {});
   ASSERT_TRUE(filled && *filled);
   const Triangulation& t = (*filled)->domain.triangulation;
   EXPECT_EQ(samples::fault(t), "");
@@ -139,6 +139,33 @@ TEST(FillDomain, gives_each_region_its_own_lattice) {
   };
   const auto before = areas(domain.triangulation), after = areas(t);
   for (std::size_t r = 0; r < before.size(); ++r) EXPECT_NEAR(before[r], after[r], 1e-12 * (1 + before[r]));
+}
+
+TEST(FillDomain, keeps_the_limits_on_vertices_and_memory) {
+  const Pslg pslg = domains::square();
+  const DomainTriangulation square = coarse(pslg);
+  const auto filled = [&](const Options& options) {
+    return fill_domain(pslg, false, square, std::array{0.01}, options, {});
+  };
+  const auto whole = filled({});
+  ASSERT_TRUE(whole && *whole);
+  const std::uint64_t vertices = (*whole)->domain.triangulation.points.size();
+  Options options;
+  options.max_vertices = vertices;
+  EXPECT_TRUE(filled(options)->has_value());
+  options.max_vertices = vertices - 1;
+  EXPECT_FALSE(filled(options)->has_value());
+  options.max_vertices = 0;
+  options.max_memory = 1000;
+  ASSERT_FALSE(filled(options));
+  EXPECT_EQ(filled(options).error().kind, ErrorKind::resources);
+}
+
+TEST(FillDomain, refuses_more_triangles_than_the_engine_can_number) {
+  const Pslg pslg = domains::square();
+  const auto filled = fill_domain(pslg, false, coarse(pslg), std::array{4e-5}, {}, {});
+  ASSERT_FALSE(filled);
+  EXPECT_EQ(filled.error().kind, ErrorKind::resources);
 }
 
 TEST(LayPatches, notices_that_a_border_is_missing) {
