@@ -25,7 +25,8 @@ struct Settings {
   std::string json_file;
 };
 
-/// A row of the table: the medians of the runs of one tool.
+/// A row of the table: the medians of the runs of one tool. Its column "per cap" is the number of triangles per area
+/// bound that fits into the domain: 1 if all triangles were as large as allowed.
 struct Row {
   std::string tool;
   double seconds = 0;
@@ -99,20 +100,24 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
   if (std::isfinite(task.goal.max_area)) fmt::print(", areas of at most {:.4g}", task.goal.max_area);
   fmt::print("; one thread; {} rounds, in each of which every tool runs for at least a second; medians of all runs\n\n",
              settings.runs);
-  fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", "tool", "time, s", "time / pardel's time",
-             "triangles", "M tri/s", "B/tri", "the checker's verdict");
-  fmt::print("|---|---|---|---|---|---|---|\n");
+  const auto print_row = [](const auto&... cells) {
+    fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>7} | {:>8} | {:>5} | {} |\n", cells...);
+  };
+  print_row("tool", "time, s", "time / pardel's time", "triangles", "per cap", "M tri/s", "B/tri",
+            "the checker's verdict");
+  fmt::print("|---|---|---|---|---|---|---|---|\n");
   const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.tool == "pardel"; });
   for (const Row& row : rows) {
     if (row.failed()) {
-      fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>8} | {:>8} | {} |\n", row.tool, "–", "–", "–", "–", "–",
-                 row.verdict);
+      print_row(row.tool, "–", "–", "–", "–", "–", "–", row.verdict);
       continue;
     }
-    const std::string ratio =
-        own == rows.end() || own->failed() ? "–" : fmt::format("{:.2f}", row.seconds / own->seconds);
-    fmt::print("| {:13} | {:8.3f} | {:>9} | {:10} | {:8.2f} | {:8.0f} | {} |\n", row.tool, row.seconds, ratio,
-               row.triangles, row.rate() / 1e6, row.bytes_per_triangle, row.verdict);
+    const auto n = static_cast<double>(row.triangles);
+    print_row(
+        row.tool, fmt::format("{:.3f}", row.seconds),
+        own == rows.end() || own->failed() ? "–" : fmt::format("{:.2f}", row.seconds / own->seconds), row.triangles,
+        std::isfinite(task.goal.max_area) ? fmt::format("{:.3f}", n * task.goal.max_area / domain_area(task)) : "–",
+        fmt::format("{:.2f}", row.rate() / 1e6), fmt::format("{:.0f}", row.bytes_per_triangle), row.verdict);
   }
 }
 
@@ -141,8 +146,8 @@ bool write_json(const std::vector<Row>& rows, const Settings& settings) {
 
 std::vector<Tool> chosen_tools(const Settings& settings) {
   std::vector<Tool> tools;
-  for (const Tool& tool :
-       {pardel_tool(), cgal_mesh_tool(), cgal_size_tool(), cgal_delaunay_tool(), gmsh_tool(), triangle_tool()}) {
+  for (const Tool& tool : {pardel_tool(), pardel_fill_tool(), cgal_mesh_tool(), cgal_size_tool(), cgal_delaunay_tool(),
+                           gmsh_tool(), triangle_tool()}) {
     const bool wanted = settings.tools.empty() ||
                         std::find(settings.tools.begin(), settings.tools.end(), tool.name) != settings.tools.end();
     if (wanted && tool.applies(settings.task)) tools.push_back(tool);
@@ -159,8 +164,8 @@ int main_of_peers(int argc, char** argv) {
   std::uint64_t decades = 4;
   CLI::App app{"Runs pardel and other meshers on the same domain and goal; prints one table of medians."};
   app.add_option("--domain", task.domain, "The domain")
-      ->check(CLI::IsMember({"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters",
-                             "grid-points", "radial"}))
+      ->check(CLI::IsMember(
+          {"square", "pipe", "key", "star", "comb", "points", "kuzmin", "line", "clusters", "grid-points", "radial"}))
       ->capture_default_str();
   app.add_option("--triangles", task.triangles,
                  "Approximate number of triangles, which determines the area cap, or the sizes of radial; 0: no cap")
@@ -178,10 +183,10 @@ int main_of_peers(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_flag("--delaunay-only", task.delaunay_only, "Only triangulate the points; no refinement");
-  app.add_option(
-         "--tools", settings.tools,
-         "Tools: pardel, cgal-mesh (Mesh_2 with a bound on areas), cgal-size (Mesh_2 with a bound on edge lengths), "
-         "cgal-delaunay, gmsh, triangle (default: all that are installed and can do the task)")
+  app.add_option("--tools", settings.tools,
+                 "Tools: pardel, pardel-fill (with --interior fill), cgal-mesh (Mesh_2 with a bound on areas), "
+                 "cgal-size (Mesh_2 with a bound on edge lengths), "
+                 "cgal-delaunay, gmsh, triangle (default: all that are installed and can do the task)")
       ->delimiter(',');
   app.add_flag("--no-check", no_check, "Do not check the meshes (checking a large mesh takes long)");
   app.add_option("--json", settings.json_file, "Write all runs to this file");

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "../cli/choice.hpp"
+#include "../cli/names.hpp"
 #include "../core/digest.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
@@ -23,6 +25,7 @@ namespace {
 
 struct Settings {
   Task task;
+  Interior interior = Interior::refine;
   std::vector<int> threads = {1, 2};
   int runs = 3;
   bool one_queue = true;
@@ -54,10 +57,11 @@ struct Row {
   [[nodiscard]] const Timed& median() const { return runs[runs.size() / 2]; }
 };
 
-Timed timed_run(const Task& task, Decomposition decomposition, int threads) {
-  const Pslg pslg = make_domain(task);
+Timed timed_run(const Settings& settings, Decomposition decomposition, int threads) {
+  const Pslg pslg = make_domain(settings.task);
   const Stopwatch watch;
-  const Result<Meshed> meshed = mesh(pslg, task.goal, {.threads = threads, .decomposition = decomposition});
+  const Result<Meshed> meshed = mesh(
+      pslg, settings.task.goal, {.interior = settings.interior, .threads = threads, .decomposition = decomposition});
   const double seconds = watch.seconds();
   if (!meshed) return {};
   const std::uint64_t peak = peak_rss_bytes();
@@ -70,10 +74,10 @@ Timed timed_run(const Task& task, Decomposition decomposition, int threads) {
 
 /// Makes one run, or several processes at the same time. Several processes count as one run that has all their
 /// triangles and the sum of their rates. Returns nothing if a process failed or if they made different meshes.
-std::optional<Timed> run(const Task& task, const Row& row) {
+std::optional<Timed> run(const Settings& settings, const Row& row) {
   std::vector<Child<Timed>> children;
   for (int i = 0; i < row.processes; ++i)
-    children.emplace_back([&] { return timed_run(task, row.decomposition, row.threads); });
+    children.emplace_back([&] { return timed_run(settings, row.decomposition, row.threads); });
   std::optional<Timed> all;
   double rate = 0, refine_rate = 0;
   for (Child<Timed>& child : children) {
@@ -99,7 +103,7 @@ bool measure(const Settings& settings, std::vector<Row>& rows) {
   for (int i = 0; i <= settings.runs; ++i)
     for (Row& row : rows) {
       warm_memory(row.peak_rss_bytes);
-      const std::optional<Timed> one = run(settings.task, row);
+      const std::optional<Timed> one = run(settings, row);
       if (!one) {
         fmt::print(stderr, "scaling: {}: no mesh, or different meshes\n", row.name());
         return false;
@@ -154,6 +158,8 @@ int main(int argc, char** argv) {
   app.add_option("--min-angle", settings.task.goal.min_angle_deg, "Minimum angle in degrees")->capture_default_str();
   app.add_option("--triangles", settings.task.triangles,
                  "Approximate number of triangles; 0: the angle bound alone determines it");
+  app.add_option("--interior", settings.interior, "The interior: refine, or fill with equilateral triangles")
+      ->transform(cli::choice(cli::interior_names));
   app.add_option("--threads", settings.threads, "Numbers of threads, one row each")
       ->delimiter(',')
       ->capture_default_str();

@@ -78,6 +78,8 @@ struct Tool {
 };
 
 [[nodiscard]] Tool pardel_tool();
+/// pardel with interiors of equilateral triangles, for tasks with a bound on areas.
+[[nodiscard]] Tool pardel_fill_tool();
 [[nodiscard]] Tool cgal_mesh_tool();  ///< CGAL's Mesh_2 with a bound on angles and one on areas (cgal_mesh_2.hpp)
 [[nodiscard]] Tool
 cgal_size_tool();  ///< the same with CGAL's own criteria, and edges so long that about as many triangles result
