@@ -68,8 +68,9 @@ Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, cons
                      ProgressMonitor& progress, Report& report) {
   Triangulation& t = domain.triangulation;
   options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
-  Result<RefineCounts> counts = refine_by_sweeps(t, domain.segments, criteria, options, progress, {},
-                                                 watcher(domain, input, options, progress.threads()));
+  Result<RefineCounts> counts =
+      refine_by_sweeps(t, domain.segments, criteria, options, progress, {},
+                       watcher(domain, input, options, progress.threads()), domain.settled_from);
   if (!counts) return counts.error();
   report.inserted = counts->inserted;
   report.segment_splits = counts->segment_splits;

@@ -56,6 +56,7 @@ Result<std::optional<Filling>> fill_domain(const Pslg& pslg, bool convex_hull, c
       border[input - inputs] = v;
       t.origin[v] = interior_vertex;
     }
+  domain->settled_from = static_cast<TriangleId>(t.slots.size());
   if (!lay_patches(t, patches, border, threads))
     return Error{ErrorKind::internal, "the border of a patch is not in the triangulation"};
   filling.domain = std::move(*domain);

@@ -11,7 +11,8 @@
 namespace pardel::engine {
 
 /// Replaces the triangles inside the borders of the patches by the triangles of the patches. The inner points of the
-/// patches become the last vertices; nearly all triangles of the patches become the last triangles. `border`: the
+/// patches become the last vertices. The triangles that `t` has keep their ids or disappear, and all triangles after
+/// them are triangles of the patches. `border`: the
 /// vertices on the borders, in the order of the patches and of Patch::pieces(). The number of threads does not change
 /// the result.
 ///

@@ -15,12 +15,13 @@ constexpr double triangles_per_input_triangle = 1.7;
 }  // namespace
 
 InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
-                             const Threads& threads) {
-  const std::size_t blocks = block_count(t.slots.size());
+                             const Threads& threads, TriangleId settled_from) {
+  const std::size_t count = std::min<std::size_t>(t.slots.size(), settled_from);
+  const std::size_t blocks = block_count(count);
   std::vector<TriangleEstimates> estimates(blocks);
   std::vector<std::vector<Deferred>> bad(blocks);
   std::vector<char> left_alone(blocks, 0);
-  parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+  parallel_blocks(threads, count, [&](std::size_t first, std::size_t last, std::size_t block) {
     LocalHints hints;
     for (std::size_t id = first; id < last; ++id) {
       const auto triangle = static_cast<TriangleId>(id);
@@ -42,6 +43,10 @@ InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, c
     all.estimates.with_angle_bound += block.with_angle_bound;
     all.estimates.lower_bound += block.lower_bound;
   }
+  const auto settled = static_cast<double>(t.slots.size() - count);
+  all.estimates.without_angle_bound += settled;
+  all.estimates.with_angle_bound += settled;
+  all.estimates.lower_bound += settled;
   return all;
 }
 

@@ -59,8 +59,8 @@ class Refinement {
         pending_(t, assessor_, threads_),
         progress_(progress) {}
 
-  Status run() {
-    InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_);
+  Status run(TriangleId settled_from) {
+    InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_, settled_from);
     counts_.left_alone = initial.left_alone;
     pending_.defer(std::move(initial.bad));
     if (Status fits = check_size(initial.estimates.lower_bound, options_); !fits) return fits;
@@ -270,9 +270,9 @@ class Refinement {
 
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, ProgressMonitor& progress, const Schedule& schedule,
-                                      const Watcher& watcher) try {
+                                      const Watcher& watcher, TriangleId settled_from) try {
   Refinement refinement(t, segments, criteria, options, progress, schedule, watcher);
-  if (Status done = refinement.run(); !done) return done.error();
+  if (Status done = refinement.run(settled_from); !done) return done.error();
   return std::move(refinement).counts();
 } catch (const Stopped& stopped) {
   return stopped.error;

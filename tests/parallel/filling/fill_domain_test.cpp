@@ -110,6 +110,9 @@ TEST(FillDomain, gives_a_constrained_delaunay_triangulation_of_the_same_area) {
         return is_edge(a, b) && is_edge(b, c) && is_edge(c, a);
       });
       EXPECT_GE(static_cast<std::size_t>(laid), (*filled)->triangles);
+      const auto settled = static_cast<std::ptrdiff_t>((*filled)->domain.settled_from);
+      EXPECT_TRUE(
+          std::none_of(t.slots.begin() + settled, t.slots.end(), [](const Slot& s) { return s.any_constrained(); }));
       EXPECT_GT((*filled)->triangles, 20U);
     }
   }
