@@ -182,6 +182,32 @@ void add_runs_on_curves(std::vector<Run>& all) {
   }
 }
 
+/// Corners of all kinds of small angles.
+void add_runs_on_small_angles(std::vector<Run>& all) {
+  const auto add = [&](const std::string& group, const std::string& name, const Pslg& pslg) {
+    for (const bool fine : {false, true}) {
+      const Goal goal{.min_angle_deg = fine ? 30 : 20.7, .max_area = fine ? 0.01 : INFINITY};
+      Options options{.triangles_per_tile = 60, .max_vertices = 2500};
+      if (fine) options.placement = Placement::circumcentre;
+      all.push_back({group, name + (fine ? " fine" : ""), pslg, goal, options, true});
+    }
+  };
+  int number = 0;
+  for (const double degrees : {0.002, 0.05, 0.4, 0.9, 1.1, 5.0, 14.0, 29.0, 45.0, 59.0, 61.0})
+    for (const int segments : {2, 3, 5})
+      add(degrees < 1 ? "narrow corners" : "small angles", "angles " + std::to_string(number++),
+          domains::wedge(segments, degrees));
+  for (const double degrees : {0.05, 0.7, 2.0, 40.0})
+    for (const int spikes : {3, 8}) add("spikes", "spikes " + std::to_string(number++), domains::star(spikes, degrees));
+  // Segments of different lengths that end in narrow corners on both sides.
+  for (const double height : {1e-5, 1e-3, 0.05, 0.4}) {
+    Pslg pslg;
+    pslg.points = {{0, 0}, {1, height}, {3, 0}, {1.5, -height / 3}, {7, 5}, {-4, 5}, {-4, -5}, {7, -5}};
+    pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
+    add("lenses", "lens " + std::to_string(number++), pslg);
+  }
+}
+
 /// Random points on a small lattice, some of them twice, and segments between them, in a square.
 Pslg tangle(std::uint64_t seed) {
   Random random(seed);
@@ -212,6 +238,25 @@ Pslg tangle(std::uint64_t seed) {
   return pslg;
 }
 
+/// Many nearly parallel segments far from the origin, whose crossings are rounded to points beside them.
+Pslg bundle(std::uint64_t seed) {
+  Random random(seed);
+  Pslg pslg;
+  const double unit = std::ldexp(1.0, -random.between(30, 38));
+  const int segments = random.between(10, 40), wide = random.between(2, 400);
+  for (int i = 0; i < segments; ++i) {
+    const double left = unit * random.between(0, wide), right = unit * random.between(0, wide);
+    const double slope = random.chance(5) ? 7 : 0;
+    pslg.points.insert(pslg.points.end(),
+                       {{1e3, 1e3 / 3 + left}, {1e3 + 0.1 * random.between(1, 9), 1e3 / 3 + slope * unit + right}});
+    pslg.segments.push_back({static_cast<Index>(2 * i), static_cast<Index>(2 * i + 1), i});
+  }
+  const auto first = static_cast<Index>(pslg.points.size());
+  pslg.points.insert(pslg.points.end(), {{999, 333}, {1002, 333}, {1002, 334}, {999, 334}});
+  for (Index i = 0; i < 4; ++i) pslg.segments.push_back({first + i, first + (i + 1) % 4, 0});
+  return pslg;
+}
+
 /// Two copies of a domain, one turned and moved a little, as from two projections.
 Pslg twice(const Pslg& one, double distance) {
   Pslg both = one;
@@ -231,6 +276,7 @@ const std::vector<Run>& runs() {
     for (const Named& each : named()) list.push_back({each.name, each.name, each.pslg, each.goal, each.options});
     for (const generators::Family family : generators::all_families()) add_random_runs(family, list);
     add_runs_on_curves(list);
+    add_runs_on_small_angles(list);
     return list;
   }();
   return all;
@@ -240,12 +286,13 @@ std::vector<std::string> groups_of_runs() {
   std::vector<std::string> groups;
   for (const Named& each : named()) groups.push_back(each.name);
   for (const generators::Family family : generators::all_families()) groups.push_back(group_of(family));
-  groups.emplace_back("curves");
+  groups.insert(groups.end(), {"curves", "narrow corners", "small angles", "spikes", "lenses"});
   return groups;
 }
 
 namespace {
-constexpr std::uint64_t tangles = 200, tangles_per_group = 20;
+constexpr std::uint64_t bundles = 60, tangles = 200, tangles_per_group = 20;
+std::string group_of_bundles(std::uint64_t number) { return "bundles " + std::to_string(number); }
 std::string group_of_tangles(std::uint64_t number) { return "tangles " + std::to_string(number); }
 }  // namespace
 
@@ -290,6 +337,8 @@ const std::vector<Mess>& messes() {
     for (std::uint64_t seed = 0; seed < tangles; ++seed)
       list.push_back(
           {group_of_tangles(seed / tangles_per_group), "tangle " + std::to_string(seed), tangle(seed), true});
+    for (std::uint64_t seed = 0; seed < bundles; ++seed)
+      list.push_back({group_of_bundles(seed / 15), "bundle " + std::to_string(seed), bundle(seed), true});
     const std::string group = "gaps";
     for (const double distance : {1e-12, 3e-10, 1e-7, 0.01}) {
       list.push_back({group, "two keys " + std::to_string(list.size()), twice(domains::key(), distance)});
@@ -304,6 +353,7 @@ const std::vector<Mess>& messes() {
 
 std::vector<std::string> groups_of_messes() {
   std::vector<std::string> groups{"gaps"};
+  for (std::uint64_t i = 0; i < bundles / 15; ++i) groups.push_back(group_of_bundles(i));
   for (std::uint64_t i = 0; i < tangles / tangles_per_group; ++i) groups.push_back(group_of_tangles(i));
   return groups;
 }
