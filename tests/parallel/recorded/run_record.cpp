@@ -13,6 +13,7 @@
 #include "../../../parallel/diagnosis/find_gaps.hpp"
 #include "../../../parallel/diagnosis/find_least_size.hpp"
 #include "../../../parallel/diagnosis/narrowest_part.hpp"
+#include "../../../parallel/filling/fill_domain.hpp"
 #include "../../../parallel/input/convex_hull.hpp"
 #include "../../../parallel/input/findings.hpp"
 #include "../../../parallel/input/repair_once.hpp"
@@ -255,6 +256,31 @@ std::string domain_text(const DomainTriangulation& domain) {
   return all.text();
 }
 
+/// Replaces the domain, and the points to which it refers, if triangles can be laid.
+void record_filling(Record& record, const Run& run, DomainTriangulation& domain, std::vector<Point>& points) {
+  std::vector<double> edges;
+  for (const Region& region : run.pslg.regions)
+    edges.push_back(edge_of_patch(std::min(region.max_area, run.goal.max_area), run.goal.max_edge));
+  edges.push_back(edge_of_patch(run.goal.max_area, run.goal.max_edge));
+  Result<std::optional<Filling>> filled = fill_domain(run.pslg, run.goal.convex_hull, domain, edges, record.threads());
+  if (!filled) return record.end_of_stage("filling", filled.error().message);
+  if (!*filled) return record.end_of_stage("filling", "nothing fits");
+  domain = std::move((*filled)->domain);
+  points = std::move((*filled)->points);
+  record.end_of_stage("filling", fingerprint(edges), (*filled)->triangles, points.size(), domain_text(domain));
+}
+
+/// The run as one function of the interface.
+void record_whole(Record& record, const Run& run) {
+  Options options = run.options;
+  options.threads = 1;
+  const Result<Meshed> meshed = mesh(run.pslg, run.goal, options);
+  if (!meshed) return record.add("whole", meshed.error().message);
+  const Report& report = meshed->report;
+  record.add("whole", report.inserted, report.segment_splits, report.refused, report.laid, report.exempt.size(),
+             report.gaps.size(), report.tiling.sweeps.size(), fingerprint(meshed->mesh));
+}
+
 }  // namespace
 
 std::vector<std::string> record(const Run& run) {
@@ -277,6 +303,8 @@ std::vector<std::string> record(const Run& run) {
   record_gaps(record, *domain);
   record_least_size(record, *domain, run.goal, run.options);
 
+  std::vector<Point> points = run.pslg.points;
+  if (run.options.interior == Interior::fill) record_filling(record, run, *domain, points);
   Goal goal = run.goal;
   if (is_graded(goal)) {
     record_features(record, run.pslg);
@@ -289,11 +317,11 @@ std::vector<std::string> record(const Run& run) {
     caps.push_back(region.max_area);
   }
   record_refinement(record, *domain, Criteria(goal, run.options.placement, caps));
-  const PointData data{run.pslg.points, run.pslg.attributes_per_point, run.pslg.point_attributes,
-                       run.pslg.point_markers};
+  const PointData data{points, run.pslg.attributes_per_point, run.pslg.point_attributes, run.pslg.point_markers};
   const Mesh mesh = export_mesh(std::move(*domain), attributes, data, background, record.threads());
   record.end_of_stage("mesh", mesh.points.size(), mesh.triangles.size(), fingerprint(mesh));
   record_refinement_of_mesh(record, mesh);
+  record_whole(record, run);
   return std::move(record).lines();
 }
 

@@ -112,6 +112,18 @@ std::vector<Named> named() {
       {"large grid", domains::grid(22), {.min_angle_deg = 0}, {}},
       {"many points", with_point_data(domains::random_points(2500, 8)), {.min_angle_deg = 0}, {}},
   };
+  const Options fill{.interior = Interior::fill, .triangles_per_tile = 100};
+  all.insert(all.end(), {{"filled square", domains::square(), {.max_area = 1e-3}, fill},
+                         {"filled square of short edges", domains::square(), {.max_edge = 0.06}, fill},
+                         {"filled pipe", with_point_data(domains::pipe()), {.max_area = 2e-3}, fill},
+                         {"filled key", domains::key(), {.min_angle_deg = 25, .max_area = 0.01}, fill},
+                         {"filled key without room", domains::key(), {.max_area = 10}, fill},
+                         {"filled regions", with_point_data(domains::regions()), {.region_caps = true}, fill},
+                         {"filled cracks", cracks(), {.max_area = 0.01}, fill},
+                         {"filled far cracks", domains::moved(cracks(), 654321, 4987654), {.max_area = 0.02}, fill},
+                         {"filled hull of points", domains::random_points(9, 4), {.max_area = 1e-3}, fill},
+                         {"filled touching holes", domains::touching_holes(), {.max_area = 0.01}, fill},
+                         {"filled star", domains::star(5, 40), {.max_area = 0.002}, fill}});
   Goal sources{.grading = 0.25};
   sources.sources = {{{0.2, 0.3}, {0.8, 0.3}, 0.02, 0.1}, {{0.5, 0.9}, {0.5, 0.9}, 0.01, 0.01}};
   all.push_back({"square with sources", domains::square(), sources, {.triangles_per_tile = 50}});
@@ -141,6 +153,7 @@ void add_random_runs(generators::Family family, std::vector<Run>& all) {
       const auto [left, right] = std::ranges::minmax(run.pslg.points, {}, &Point::x);
       run.goal.size = growing_from(left, (right.x - left.x) / 64, 0.125 * random.between(1, 4));
     }
+    if (random.chance(4)) run.options.interior = Interior::fill;
     if (random.chance(6)) run.goal.grading = 0.125 * random.between(1, 8);
     if (random.chance(6)) run.goal.feature_edges = random.between(1, 3);
     run.options.max_vertices = 3000;
