@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
+#include "../../../core/formats.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/domains/generators/goals.hpp"
@@ -221,6 +223,23 @@ void add_runs_on_small_angles(std::vector<Run>& all) {
   }
 }
 
+std::string group_of_regressions(double degrees) { return "regressions " + std::to_string(std::lround(degrees)); }
+
+/// The domains of earlier mistakes.
+void add_regressions(std::vector<Run>& all) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(PARDEL_REGRESSIONS))
+    if (entry.path().extension() == ".poly") files.push_back(entry.path());
+  std::ranges::sort(files);
+  for (const auto& file : files)
+    for (const double degrees : {20.7, 30.0}) {
+      const std::string name = file.stem().string() + " " + std::to_string(std::lround(degrees));
+      const Goal goal{.min_angle_deg = degrees, .conforming = degrees > 25};
+      const Options options{.triangles_per_tile = 60, .max_vertices = 2500};
+      all.push_back({group_of_regressions(degrees), name, read_pslg(file).value(), goal, options, true});
+    }
+}
+
 /// Random points on a small lattice, some of them twice, and segments between them, in a square.
 Pslg tangle(std::uint64_t seed) {
   Random random(seed);
@@ -290,6 +309,7 @@ const std::vector<Run>& runs() {
     for (const generators::Family family : generators::all_families()) add_random_runs(family, list);
     add_runs_on_curves(list);
     add_runs_on_small_angles(list);
+    add_regressions(list);
     return list;
   }();
   return all;
@@ -299,7 +319,8 @@ std::vector<std::string> groups_of_runs() {
   std::vector<std::string> groups;
   for (const Named& each : named()) groups.push_back(each.name);
   for (const generators::Family family : generators::all_families()) groups.push_back(group_of(family));
-  groups.insert(groups.end(), {"curves", "narrow corners", "small angles", "spikes", "lenses"});
+  groups.insert(groups.end(), {"curves", "narrow corners", "small angles", "spikes", "lenses",
+                               group_of_regressions(20.7), group_of_regressions(30)});
   return groups;
 }
 
