@@ -178,8 +178,9 @@ void record_refinement(Record& record, DomainTriangulation& domain, const Criter
     snapshots.add_all(copy, sweep.inserted);
     return Done{};
   };
-  const Result<RefineCounts> counts = refine_by_sweeps(domain.triangulation, domain.segments, criteria, options,
-                                                       record.monitor(), tasks.schedule(), watcher);
+  const Result<RefineCounts> counts =
+      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, record.monitor(), tasks.schedule(),
+                       watcher, domain.settled_from);
   record.add_progress();
   record.add("snapshots", snapshots.text());
   tasks.end(record);
@@ -262,7 +263,8 @@ void record_filling(Record& record, const Run& run, DomainTriangulation& domain,
   for (const Region& region : run.pslg.regions)
     edges.push_back(edge_of_patch(std::min(region.max_area, run.goal.max_area), run.goal.max_edge));
   edges.push_back(edge_of_patch(run.goal.max_area, run.goal.max_edge));
-  Result<std::optional<Filling>> filled = fill_domain(run.pslg, run.goal.convex_hull, domain, edges, record.threads());
+  Result<std::optional<Filling>> filled =
+      fill_domain(run.pslg, run.goal.convex_hull, domain, edges, record.options(), record.threads());
   if (!filled) return record.end_of_stage("filling", filled.error().message);
   if (!*filled) return record.end_of_stage("filling", "nothing fits");
   domain = std::move((*filled)->domain);
