@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "../core/support/shortest.hpp"
 #include "../parallel/mesher.hpp"
 #include "choice.hpp"
 #include "distinct_files.hpp"
@@ -83,8 +84,8 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
       ->transform(choice(placement_names))
       ->type_name("WHERE");
   app.add_option("--interior", options.interior,
-                 "What fills the interior where areas and edges have constant bounds: refine (default), or fill: "
-                 "equilateral triangles, which are the fewest (up to --min-angle 29.9)")
+                 "What fills the interior where areas and edges have constant bounds: refine\n"
+                 "(default), or fill: equilateral triangles, the fewest that keep them")
       ->transform(choice(interior_names))
       ->type_name("WHAT");
   app.add_option("--decomposition", options.decomposition,
@@ -133,8 +134,29 @@ void add_mesh_options(CLI::App& app, MeshArguments& arguments) {
   app.footer(footer);
 }
 
+namespace {
+
+/// Refuses --interior fill where no triangle would be laid.
+Status check_interior(const MeshArguments& arguments) {
+  const auto refuse = [](const std::string& why) { return Error{ErrorKind::usage, "--interior fill " + why}; };
+  if (arguments.options.interior != Interior::fill) return Done{};
+  const GoalOptions& goal = arguments.goal;
+  if (arguments.refine) return refuse("needs a domain and cannot be used with --refine");
+  for (const auto& [name, given] :
+       {std::pair{"--sizes", !goal.sizes.empty()}, std::pair{"--grading", goal.grading.has_value()},
+        std::pair{"--feature-size", goal.feature_size.has_value()}})
+    if (given) return refuse(std::string("needs bounds that are the same everywhere and cannot be used with ") + name);
+  if (!goal.max_area && !goal.max_edge && !goal.regions) return refuse("needs --max-area, --max-edge or --regions");
+  if (const double angle = goal_without_sizes(goal).min_angle_deg; angle > largest_filling_angle_deg)
+    return refuse("works for angles up to " + shortest(largest_filling_angle_deg) + " degrees, not " + shortest(angle));
+  return Done{};
+}
+
+}  // namespace
+
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;
+  if (Status fits = check_interior(arguments); !fits) return fits;
   for (const auto& [name, given] : {std::pair{"--grading", arguments.goal.grading.has_value()},
                                     std::pair{"--feature-size", arguments.goal.feature_size.has_value()}})
     if (given && arguments.refine)

@@ -108,9 +108,8 @@ Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, 
 
 /// The edges of the patches in each region, and last without a region. Empty if there are no patches.
 std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const Options& options) {
-  constexpr double most_degrees = 29.9;  // refinement for larger angles spreads into equilateral triangles
   const bool is_constant = !goal.size && !is_graded(goal);
-  if (options.interior != Interior::fill || !is_constant || goal.min_angle_deg > most_degrees) return {};
+  if (options.interior != Interior::fill || !is_constant || goal.min_angle_deg > largest_filling_angle_deg) return {};
   std::vector<double> edges;
   for (const Region& region : pslg.regions)
     edges.push_back(

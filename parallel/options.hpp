@@ -38,10 +38,14 @@ enum class Decomposition : std::uint8_t {
 /// What fills the parts of the domain that are far from all segments, where the bound on size is constant.
 enum class Interior : std::uint8_t {
   refine,  ///< triangles of the refinement, as everywhere
-  /// Equilateral triangles just below the bound: the fewest that keep it. Not for bounds that depend on the place, and
-  /// not for angles of 30 degrees and more, for which the refinement would spread into them.
+  /// Equilateral triangles just below the bound: the fewest that keep it. Only in mesh(), and where the bounds do not
+  /// depend on the place; not for angles above largest_filling_angle_deg: the refinement would spread into them, because
+  /// a point inside an equilateral triangle makes angles of at most 30 degrees.
   fill,
 };
+
+/// With larger bounds on angles, Interior::fill does as Interior::refine.
+inline constexpr double largest_filling_angle_deg = 29.9;
 
 struct Progress {
   /// The current number, approximately: an insertion counts as two; it never decreases. 0 until the refinement starts.

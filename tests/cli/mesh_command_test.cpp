@@ -565,6 +565,35 @@ TEST_F(MeshCommand, uses_the_tiles_that_the_options_describe_and_reports_them) {
   }
 }
 
+TEST_F(MeshCommand, fills_the_interior_with_fewer_triangles) {
+  const json refined = report({"square.poly", "-o", "m.node", "--max-area", "1e-3"});
+  const json filled = report({"square.poly", "-o", "m.node", "--max-area", "1e-3", "--interior", "fill", "--check"});
+  EXPECT_EQ(refined["refine"]["laid"], 0);
+  EXPECT_GT(filled["refine"]["laid"], 500);
+  EXPECT_LT(filled["mesh"]["triangles"].get<int>(), 0.9 * refined["mesh"]["triangles"].get<int>());
+  EXPECT_EQ(filled["goal"]["interior"], "fill");
+  EXPECT_TRUE(certified("square.poly", "m.node", {"--max-area", "1e-3"}));
+}
+
+TEST_F(MeshCommand, refuses_to_fill_the_interior_where_nothing_would_be_laid) {
+  using Arguments = std::vector<std::string>;
+  const std::pair<Arguments, std::string> cases[] = {
+      {{}, "needs --max-area, --max-edge or --regions"},
+      {{"--max-area", "0.1", "--min-angle", "30"}, "works for angles up to 29.9 degrees, not 30"},
+      {{"--max-area", "0.1", "--grading", "0.2"}, "cannot be used with --grading"},
+      {{"--max-area", "0.1", "--feature-size", "2"}, "cannot be used with --feature-size"},
+      {{"--max-area", "0.1", "--sizes", "sizes.txt"}, "cannot be used with --sizes"},
+  };
+  for (const auto& [options, message] : cases) {
+    Arguments arguments{"mesh", "square.poly", "-o", "m.vtu", "--interior", "fill"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"--interior fill", message}));
+    EXPECT_FALSE(exists("m.vtu"));
+  }
+}
+
 TEST_F(MeshCommand, refuses_cells_together_with_one_tile) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--cells", "3,2", "--decomposition", "none"});
   EXPECT_EQ(ran.exit_code, 2) << ran;
