@@ -13,12 +13,13 @@ namespace {
 
 void run_stages(const Subject& subject, Findings& found, Certificate& certificate) {
   const auto& [pslg, mesh, goal, options] = subject;
-  const Sanity sanity = check_sanity(subject, found);
+  Scan scanned = scan(mesh.points.span(), mesh.triangles.span(), bounds_of(subject), found.stop());
+  const Sanity sanity = check_sanity(subject, scanned, found);
   if (!sanity.geometry) return;
-  const Adjacency adjacency = check_topology(subject, sanity.neighbours, found);
+  const Adjacency adjacency = check_topology(subject, sanity.neighbours, scanned, found);
   const Domain domain(pslg, goal.convex_hull, found.stop());
   const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
-  const Chains chains = check_segments(subject, domain, adjacency, inputs, found);
+  const Chains chains = check_segments(subject, domain, adjacency, inputs, scanned, found);
   check_coverage(subject, domain, adjacency, chains, found);
   std::vector<Index> faces;
   if (!pslg.regions.empty()) faces = paint_faces(domain, adjacency, chains, found.stop());
@@ -26,9 +27,9 @@ void run_stages(const Subject& subject, Findings& found, Certificate& certificat
     check_labels(subject, domain, adjacency, chains, inputs, faces, found);
     certificate.digest = digest(mesh);
   }
-  check_delaunay(subject, adjacency, chains, found);
-  check_goal(subject, domain, adjacency, chains, inputs, faces, found, certificate.justified);
-  measure(mesh, certificate, found.stop());
+  check_delaunay(subject, adjacency, chains, scanned, found);
+  check_goal(subject, domain, adjacency, chains, inputs, faces, scanned, found, certificate.justified);
+  measure(mesh, adjacency, scanned, certificate);
 }
 
 }  // namespace

@@ -47,32 +47,39 @@ void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEd
   }
 }
 
-Adjacency::Adjacency(Array<Triangle> rebuilt, const Mesh& mesh, StopSignal* stop)
-    : rebuilt_(std::move(rebuilt)),
-      triangles_(rebuilt_.empty() ? mesh.triangles.span() : std::as_const(rebuilt_).span()),
-      start_(mesh.points.size(), no_index),
-      corners_(mesh.points.size(), 0),
-      on_boundary_(mesh.points.size(), 0) {
-  SparseAsk ask(stop);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    ask();
-    const Triangle& triangle = triangles_[t];
-    for (int i = 0; i < 3; ++i) {
-      start_[triangle.v[i]] = static_cast<Index>(t);
-      ++corners_[triangle.v[i]];
-      if (triangle.n[i] != no_index) continue;
-      const Index from = triangle.v[next(i)];
-      const Index to = triangle.v[previous(i)];
-      boundary_.push_back({from, to, {static_cast<Index>(t), i}});
-      on_boundary_[from] = on_boundary_[to] = 1;
-    }
-  }
+void sort_boundary(std::vector<BoundaryEdge>& boundary, StopSignal* stop) {
   const auto less = [](const BoundaryEdge& x, const BoundaryEdge& y) {
     if (x.from != y.from) return x.from < y.from;
     if (x.to != y.to) return x.to < y.to;
     return x.left.triangle < y.left.triangle;
   };
-  stoppable_sort(boundary_.begin(), boundary_.end(), less, stop);
+  stoppable_sort(boundary.begin(), boundary.end(), less, stop);
+}
+
+Adjacency::Adjacency(std::span<const Triangle> triangles, Array<Index> start, std::vector<BoundaryEdge> boundary)
+    : triangles_(triangles),
+      boundary_(std::move(boundary)),
+      start_(std::move(start)),
+      on_boundary_(start_.size(), 0) {
+  for (const BoundaryEdge& edge : boundary_) on_boundary_[edge.from] = on_boundary_[edge.to] = 1;
+}
+
+Adjacency::Adjacency(Array<Triangle> rebuilt, Array<Index> start, std::vector<BoundaryEdge> boundary)
+    : Adjacency(std::as_const(rebuilt).span(), std::move(start), std::move(boundary)) {
+  rebuilt_ = std::move(rebuilt);
+}
+
+void Adjacency::count_corners(StopSignal* stop) {
+  if (!corners_.empty()) return;
+  SparseAsk ask(stop);
+  corners_.resize(start_.size(), 0);
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    ask();
+    for (const Index v : triangles_[t].v) {
+      start_[v] = static_cast<Index>(t);
+      ++corners_[v];
+    }
+  }
 }
 
 void Adjacency::index_irregular_vertices(StopSignal* stop) {
@@ -97,12 +104,32 @@ void Adjacency::index_irregular_vertices(StopSignal* stop) {
   irregular_ = std::move(found);
 }
 
+Index Adjacency::count_up_to(Index vertex, Index most) const {
+  Index count = 0;
+  visit_fans(vertex, [&](Index, int) { return ++count < most; });
+  return count;
+}
+
+bool Adjacency::has_fewer_triangles(Index a, Index b) const {
+  // Both walks go on in turn, in steps of growing length, until the shorter one has ended.
+  for (Index most = 16;; most *= 2) {
+    const Index at_a = count_up_to(a, most), at_b = count_up_to(b, most);
+    if (at_a < most || at_b < most) return at_a < at_b;
+  }
+}
+
 TriangleEdge Adjacency::left_of(Index a, Index b) const {
   TriangleEdge found;
   visit_fans(a, [&](Index t, int corner) {
     if (triangles_[t].v[next(corner)] == b) found = {t, previous(corner)};
   });
   return found;
+}
+
+ExactSum covered_area(std::span<const Point> points, const Adjacency& adjacency) {
+  ExactSum sum;
+  for (const BoundaryEdge& edge : adjacency.boundary()) sum.add_cross(points[edge.from], points[edge.to]);
+  return sum;
 }
 
 }  // namespace pardel::checker

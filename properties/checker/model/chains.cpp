@@ -30,7 +30,7 @@ class ChainSearch {
   std::vector<ChainEdge> run() {
     if (first_ == no_index || last_ == no_index || first_ == last_) return {};
     // Start at the end with fewer triangles. If many segments meet in one point, no search visits the triangles there.
-    const bool backward = mesh_.adjacency.corners(last_) < mesh_.adjacency.corners(first_);
+    const bool backward = mesh_.adjacency.has_fewer_triangles(last_, first_);
     if (backward) std::swap(first_, last_);
     a_ = mesh_.points[first_];
     b_ = mesh_.points[last_];

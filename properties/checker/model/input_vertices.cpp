@@ -15,7 +15,7 @@ InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) 
 }
 
 InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
-                                            std::span<const Index> corners_of_vertex, StopSignal* stop) {
+                                            const Adjacency& adjacency, StopSignal* stop) {
   InputVertices result;
   result.vertex_.resize(inputs.size(), no_index);
   result.input_.resize(std::max<std::size_t>(vertices.size(), 1), no_index);
@@ -30,7 +30,7 @@ InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::
                                      [&](Index i, Point p) { return lexicographically_less(inputs[i], p); });
     if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;
     Index& match = result.vertex_[*at];
-    if (match != no_index && (corners_of_vertex[match] > 0 || corners_of_vertex[v] == 0)) continue;
+    if (match != no_index && (adjacency.has_triangle(match) || !adjacency.has_triangle(static_cast<Index>(v)))) continue;
     match = static_cast<Index>(v);
   }
   for (std::size_t i = 0; i < inputs.size(); ++i)

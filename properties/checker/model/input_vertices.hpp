@@ -4,6 +4,7 @@
 #include <span>
 
 #include "../../../core/mesh.hpp"
+#include "adjacency.hpp"
 #include "stoppable.hpp"
 
 namespace pardel::checker {
@@ -15,8 +16,7 @@ class InputVertices {
   /// Input points and vertices with equal coordinates correspond. If several vertices are at one place, the first
   /// vertex that has a triangle is taken. O(n log n).
   [[nodiscard]] static InputVertices by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
-                                                    std::span<const Index> corners_of_vertex,
-                                                    StopSignal* stop = nullptr);
+                                                    const Adjacency& adjacency, StopSignal* stop = nullptr);
 
   /// no_index if the input point is not a vertex.
   [[nodiscard]] Index vertex(Index input) const { return vertex_[input]; }

@@ -14,22 +14,22 @@ namespace pardel::checker {
 /// Loops with fewer iterations run on one thread, because waking the other threads takes longer than the loop.
 inline constexpr std::size_t parallel_loop_size = 1 << 13;
 
-/// Calls body(i, thread) for all i < n on all threads. Each thread takes one run of consecutive indices, and the runs
-/// have the order of the threads.
+/// Calls body(first, last, thread) for runs of indices that together are all indices below n, on all threads. Each thread
+/// takes consecutive runs of at most 1024 indices, in ascending order, and the threads are in order, too.
 template <class Body>
-void for_each_index(std::size_t n, StopSignal* stop, const Body& body) {
+void for_each_run(std::size_t n, StopSignal* stop, const Body& body) {
+  constexpr std::size_t run = 1024;  // as many steps as SparseAsk makes between two questions
   std::exception_ptr thrown;
 #pragma omp parallel if (n >= parallel_loop_size)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-    SparseAsk ask(stop);
     bool stopped = false;
 #pragma omp for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < (n + run - 1) / run; ++i) {
       if (stopped) continue;
       try {  // an exception may not leave a parallel loop
-        ask();
-        body(i, thread);
+        if (stop != nullptr) stop->ask();
+        body(i * run, std::min(n, (i + 1) * run), thread);
       } catch (...) {
         stopped = true;
 #pragma omp critical(pardel_checker_exception)
@@ -39,6 +39,15 @@ void for_each_index(std::size_t n, StopSignal* stop, const Body& body) {
   }
   if (thrown) std::rethrow_exception(thrown);
   if (stop != nullptr && stop->stopped()) stop->ask();
+}
+
+/// Calls body(i, thread) for all i < n on all threads. Each thread takes one run of consecutive indices, and the runs
+/// have the order of the threads.
+template <class Body>
+void for_each_index(std::size_t n, StopSignal* stop, const Body& body) {
+  for_each_run(n, stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
+    for (std::size_t i = first; i < last; ++i) body(i, thread);
+  });
 }
 
 /// std::sort. If it ends early, the order of the values is unspecified.

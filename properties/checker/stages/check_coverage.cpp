@@ -229,16 +229,10 @@ void check_holes(const Subject& subject, const Domain& domain, Findings& found) 
 }
 
 /// The exact sum of the triangles' areas must be the exact area within the chains that bound the domain.
-void check_area(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+void check_area(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                Findings& found) {
   const Mesh& mesh = subject.mesh;
-  std::vector<ExactSum> parts(static_cast<std::size_t>(omp_get_max_threads()));
-  for_each_index(mesh.triangles.size(), found.stop(), [&](std::size_t t, std::size_t thread) {
-    const auto& v = mesh.triangles[t].v;
-    for (int i = 0; i < 3; ++i) parts[thread].add_cross(mesh.points[v[i]], mesh.points[v[next(i)]]);
-  });
-  ExactSum covered;
-  for (const ExactSum& part : parts) covered += part;
-
+  const ExactSum covered = covered_area(mesh.points.span(), adjacency);
   ExactSum enclosed;
   SparseAsk ask(found.stop());
   for (const ChainEdge& edge : chains.edges) {
@@ -267,7 +261,7 @@ void check_coverage(const Subject& subject, const Domain& domain, const Adjacenc
   check_faces(subject, domain, chains, found);
   check_boundary(subject, domain, adjacency, chains, found);
   check_holes(subject, domain, found);
-  if (chains.broken.empty()) check_area(subject, domain, chains, found);
+  if (chains.broken.empty()) check_area(subject, domain, adjacency, chains, found);
 }
 
 }  // namespace pardel::checker

@@ -7,11 +7,13 @@
 
 namespace pardel::checker {
 
-void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, Findings& found) {
+void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, const Scan& scan,
+                    Findings& found) {
   const auto triangles = adjacency.triangles();
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
-  check_each(triangles.size(), found, [&](std::size_t i, Findings& mine) {
-    const auto t = static_cast<Index>(i);
+  const std::vector<Index> open = scan.open_for(Test::delaunay);
+  check_each(open.size(), found, [&](std::size_t i, Findings& mine) {
+    const Index t = open[i];
     const Triangle& triangle = triangles[t];
     const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
     if (!trust_orientation && exactly::orientation(a, b, c) <= 0) return;

@@ -13,6 +13,14 @@
 #include "stages.hpp"
 
 namespace pardel::checker {
+
+ScanBounds bounds_of(const Subject& subject) {
+  return {.cosine = angle_cosine_bound(subject.goal.min_angle_deg),
+          .area = subject.goal.max_area,
+          .edge = subject.goal.max_edge,
+          .circumradius = std::isfinite(subject.options.max_circumradius) ? subject.options.max_circumradius : 0};
+}
+
 namespace {
 
 class GoalCheck {
@@ -30,20 +38,39 @@ class GoalCheck {
         trust_orientation_(trust_orientation),
         cosine_bound_(angle_cosine_bound(subject.goal.min_angle_deg)) {}
 
-  void check_triangle(std::size_t i, Findings& found, std::vector<Justified>& justified) const {
-    const auto t = static_cast<Index>(i);
-    const Triangle& triangle = adjacency_.triangles()[t];
-    const std::array<Point, 3> p{subject_.corner(triangle, 0), subject_.corner(triangle, 1),
-                                 subject_.corner(triangle, 2)};
-    if (!trust_orientation_ && exactly::orientation(p[0], p[1], p[2]) <= 0) return;
+  /// The tests that the scan left open.
+  void check_open(Index t, Findings& found, std::vector<Justified>& justified) const {
+    const std::array<Point, 3> p = corners(t);
+    if (!is_oriented(p)) return;
     check_angles(t, p, found, justified);
-    check_areas(t, p, found);
+    check_area(t, p, found);
     check_edges(t, p, found);
-    check_size(t, p, found);
     check_circumradius(t, p, found);
   }
 
+  /// True if check_places() has something to do: bounds that depend on the place of a triangle, and that the scan does
+  /// not know.
+  [[nodiscard]] bool has_places() const { return has_region_caps() || has_sizes(); }
+
+  void check_places(Index t, Findings& found) const {
+    const std::array<Point, 3> p = corners(t);
+    if (!is_oriented(p)) return;
+    const filter::Shape shape(p[0], p[1], p[2]);
+    if (has_region_caps()) check_region_area(t, p, shape, found);
+    if (has_sizes()) check_size(t, p, shape, found);
+  }
+
  private:
+  [[nodiscard]] std::array<Point, 3> corners(Index t) const {
+    const Triangle& triangle = adjacency_.triangles()[t];
+    return {subject_.corner(triangle, 0), subject_.corner(triangle, 1), subject_.corner(triangle, 2)};
+  }
+  [[nodiscard]] bool is_oriented(const std::array<Point, 3>& p) const {
+    return trust_orientation_ || exactly::orientation(p[0], p[1], p[2]) > 0;
+  }
+  [[nodiscard]] bool has_region_caps() const { return subject_.goal.region_caps && !faces_.empty(); }
+  [[nodiscard]] bool has_sizes() const { return subject_.goal.size || !wanted_.empty(); }
+
   void check_angles(Index t, const std::array<Point, 3>& p, Findings& found, std::vector<Justified>& justified) const {
     if (cosine_bound_ >= 1) return;
     int sharp = -1;
@@ -67,23 +94,22 @@ class GoalCheck {
                     ", and no small input angle justifies it"});
   }
 
-  void check_areas(Index t, const std::array<Point, 3>& p, Findings& found) const {
-    if (exceeds_area(p, subject_.goal.max_area) && found.admit(ViolationKind::large_area))
-      found.keep(
-          {ViolationKind::large_area, ids(t), {p.begin(), p.end()}, area_description(t, p, subject_.goal.max_area)});
-    if (!subject_.goal.region_caps || faces_.empty()) return;
+  void check_area(Index t, const std::array<Point, 3>& p, Findings& found) const {
+    const double cap = subject_.goal.max_area;
+    if (std::isfinite(cap) && exactly::area_exceeds(p[0], p[1], p[2], cap) && found.admit(ViolationKind::large_area))
+      found.keep({ViolationKind::large_area, ids(t), {p.begin(), p.end()}, area_description(t, p, cap)});
+  }
+
+  void check_region_area(Index t, const std::array<Point, 3>& p, const filter::Shape& shape, Findings& found) const {
     for (const auto& [face, region] : domain_.regions_in(faces_[t])) {
       const double cap = subject_.pslg.regions[region].max_area;
-      if (exceeds_area(p, cap) && found.admit(ViolationKind::region_area))
+      if (!std::isfinite(cap) || (shape.is_tame() && filter::is_not_larger(shape, cap))) continue;
+      if (exactly::area_exceeds(p[0], p[1], p[2], cap) && found.admit(ViolationKind::region_area))
         found.keep({ViolationKind::region_area,
                     ids(t),
                     {p.begin(), p.end()},
                     area_description(t, p, cap) + ", the cap of region " + to_text(region)});
     }
-  }
-
-  static bool exceeds_area(const std::array<Point, 3>& p, double cap) {
-    return std::isfinite(cap) && exactly::area_exceeds(p[0], p[1], p[2], cap);
   }
 
   static std::string area_description(Index t, const std::array<Point, 3>& p, double cap) {
@@ -109,14 +135,13 @@ class GoalCheck {
   }
 
   /// The centroid is rounded; the edges are compared exactly with the size there.
-  void check_size(Index t, const std::array<Point, 3>& p, Findings& found) const {
-    if (!subject_.goal.size && wanted_.empty()) return;
+  void check_size(Index t, const std::array<Point, 3>& p, const filter::Shape& shape, Findings& found) const {
     const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
     std::optional<double> size = std::numeric_limits<double>::infinity();
     if (subject_.goal.size) size = size_at(centroid);
     if (size && !wanted_.empty())
       size = std::min(*size, (1 + size_tolerance) * wanted_.at(centroid) + size_ulps * ulp_);
-    if (size && allows_edges(*size, p)) return;
+    if (size && allows_edges(*size, p, shape)) return;
     const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
     if (found.admit(ViolationKind::size_exceeded))
       found.keep({ViolationKind::size_exceeded,
@@ -128,8 +153,9 @@ class GoalCheck {
   }
 
   /// True if no edge is longer than this size. A size that is not positive allows nothing.
-  static bool allows_edges(double size, const std::array<Point, 3>& p) {
+  static bool allows_edges(double size, const std::array<Point, 3>& p, const filter::Shape& shape) {
     if (!(size > 0)) return false;
+    if (shape.is_tame() && filter::is_not_longer(shape, size)) return true;
     return std::isinf(size) ||
            !(exactly::length_exceeds(p[0], p[1], size) || exactly::length_exceeds(p[1], p[2], size) ||
              exactly::length_exceeds(p[2], p[0], size));
@@ -176,17 +202,21 @@ class GoalCheck {
 }  // namespace
 
 void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                const InputVertices& inputs, std::span<const Index> faces, Findings& found,
+                const InputVertices& inputs, std::span<const Index> faces, const Scan& scan, Findings& found,
                 std::vector<Justified>& justified) {
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
   const WantedSize wanted(subject.pslg, subject.goal, found.stop());
   const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, wanted, trust_orientation);
   // Each thread takes a range of consecutive triangles, so the joined list is ascending.
   std::vector<std::vector<Justified>> parts(static_cast<std::size_t>(omp_get_max_threads()));
-  check_each(adjacency.triangles().size(), found, [&](std::size_t t, Findings& mine) {
-    goal.check_triangle(t, mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);
+  const std::vector<Index> open = scan.open_for(Test::angle, Test::area, Test::edge, Test::circumradius);
+  check_each(open.size(), found, [&](std::size_t i, Findings& mine) {
+    goal.check_open(open[i], mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);
   });
   for (const auto& part : parts) justified.insert(justified.end(), part.begin(), part.end());
+  if (!goal.has_places()) return;
+  check_each(adjacency.triangles().size(), found,
+             [&](std::size_t t, Findings& mine) { goal.check_places(static_cast<Index>(t), mine); });
 }
 
 }  // namespace pardel::checker

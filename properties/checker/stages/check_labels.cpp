@@ -132,7 +132,7 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
       if (given == own) return;
       expected = to_text(own);
     } else {
-      if (adjacency.corners(vertex) == 0) return;
+      if (!adjacency.has_triangle(vertex)) return;
       const auto first = std::lower_bound(markers.begin(), markers.end(), vertex,
                                           [](const auto& entry, Index key) { return entry.first < key; });
       const bool none = first == markers.end() || first->first != vertex;

@@ -115,12 +115,15 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
 
 }  // namespace
 
-Sanity check_sanity(const Subject& subject, Findings& found) {
+Sanity check_sanity(const Subject& subject, const Scan& scan, Findings& found) {
+  // The scan knows whether points, corners and neighbours are usable. Only mistakes are searched again, to describe them.
+  const bool corners_usable = scan.points_finite && scan.corners_usable;
+  const bool neighbours_usable = corners_usable && scan.neighbours_in_range;
   Sanity sanity;
   check_pslg(subject.pslg, found);
-  check_corners(subject.mesh, found);
+  if (!corners_usable) check_corners(subject.mesh, found);
   sanity.geometry = geometry_is_usable(found);
-  sanity.neighbours = neighbours_are_usable(subject.mesh, found);
+  sanity.neighbours = neighbours_usable || neighbours_are_usable(subject.mesh, found);
   sanity.labels = labels_are_usable(subject, found);
   return sanity;
 }

@@ -8,12 +8,12 @@ namespace {
 
 /// True if the vertices of the mesh begin with the input points, in their order, and each point of the domain has a
 /// triangle. Then the numbers tell which vertices are input points, also if another vertex has the same coordinates.
-bool is_numbered_as_input(const Subject& subject, const Domain& domain, std::span<const Index> corners) {
+bool is_numbered_as_input(const Subject& subject, const Domain& domain, const Adjacency& adjacency) {
   const auto& points = subject.pslg.points;
   if (subject.mesh.points.size() < points.size()) return false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(subject.mesh.points[i] == points[i])) return false;
-    if (corners[i] == 0 && domain.has_point(static_cast<Index>(i))) return false;
+    if (!adjacency.has_triangle(static_cast<Index>(i)) && domain.has_point(static_cast<Index>(i))) return false;
   }
   return true;
 }
@@ -24,10 +24,9 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
                                    Findings& found) {
   const Mesh& mesh = subject.mesh;
   const auto& points = subject.pslg.points;
-  const std::span<const Index> corners = adjacency.corners();
-  const bool by_index = !subject.options.foreign || is_numbered_as_input(subject, domain, corners);
+  const bool by_index = !subject.options.foreign || is_numbered_as_input(subject, domain, adjacency);
   InputVertices inputs = by_index ? InputVertices::by_index(points.size(), mesh.points.size())
-                                  : InputVertices::by_coordinates(points, mesh.points.span(), corners, found.stop());
+                                  : InputVertices::by_coordinates(points, mesh.points.span(), adjacency, found.stop());
   check_each(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
@@ -39,18 +38,16 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
       if (needed) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
       report(" was moved or renumbered: vertex " + to_text(vertex) + " is " + to_text(mesh.points[vertex]));
-    } else if (needed && corners[vertex] == 0) {
+    } else if (needed && !adjacency.has_triangle(vertex)) {
       report(" of the domain has no triangle");
     }
   });
-  SparseAsk ask(found.stop());
-  for (std::size_t v = 0; v < corners.size(); ++v) {
-    ask();
+  check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
-    if (corners[v] == 0 && inputs.input(vertex) == no_index)
-      found.add(ViolationKind::unused_vertex, {vertex}, {mesh.points[v]},
-                "vertex " + to_text(v) + " has no triangle and is not an input point");
-  }
+    if (!adjacency.has_triangle(vertex) && inputs.input(vertex) == no_index)
+      mine.add(ViolationKind::unused_vertex, {vertex}, {mesh.points[v]},
+               "vertex " + to_text(v) + " has no triangle and is not an input point");
+  });
   return inputs;
 }
 
@@ -84,12 +81,12 @@ void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subj
 }  // namespace
 
 Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                      const InputVertices& inputs, Findings& found) {
+                      const InputVertices& inputs, const Scan& scan, Findings& found) {
   Chains chains;
   chains.segment_of.resize(subject.mesh.points.size(), no_index);
   chains.on_chain.resize(subject.mesh.triangles.size(), 0);
   const std::size_t segments = domain.segments().size();
-  const MeshEdges mesh{subject.mesh.points.span(), adjacency, MarkedEdges(subject.mesh, adjacency, found.stop())};
+  const MeshEdges mesh{subject.mesh.points.span(), adjacency, MarkedEdges(subject.mesh, adjacency, scan, found.stop())};
 
   // Chains are found in blocks of segments, each block on all threads. Only the chains of one block are stored twice.
   constexpr std::size_t block = 4096;

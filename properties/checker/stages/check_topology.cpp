@@ -1,5 +1,6 @@
 // Checks that the triangles are counter-clockwise and joined edge to edge. These checks do not use the domain.
 #include <algorithm>
+#include <numeric>
 
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/text.hpp"
@@ -8,14 +9,16 @@
 namespace pardel::checker {
 namespace {
 
-void check_orientation(const Subject& subject, Findings& found) {
-  check_each(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
+void check_orientation(const Subject& subject, const Scan& scan, Findings& found) {
+  const std::vector<Index> open = scan.open_for(Test::orientation);
+  check_each(open.size(), found, [&](std::size_t i, Findings& mine) {
+    const Index t = open[i];
     const Triangle& triangle = subject.mesh.triangles[t];
     const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
     if (exactly::orientation(a, b, c) > 0) return;
     if (mine.admit(ViolationKind::degenerate_triangle))
       mine.keep({ViolationKind::degenerate_triangle,
-                 {static_cast<Index>(t), triangle.v[0], triangle.v[1], triangle.v[2]},
+                 {t, triangle.v[0], triangle.v[1], triangle.v[2]},
                  {a, b, c},
                  "triangle " + to_text(t) + " is not counter-clockwise: twice its signed area is " +
                      exactly::orientation_text(a, b, c)});
@@ -65,35 +68,84 @@ void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Finding
   }
 }
 
-bool names_no_neighbour_at_all(const Mesh& mesh) {
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [](const Triangle& t) {
-    return t.n == std::array<Index, 3>{no_index, no_index, no_index};
-  });
+/// Reports a vertex if an edge at it has two triangles on one side. This is possible only at vertices with several fans.
+void check_fans(Index vertex, const Mesh& mesh, const Adjacency& adjacency, Findings& found) {
+  std::vector<Index> ahead;
+  const int fans = adjacency.visit_fans(
+      vertex, [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
+  if (fans <= 1) return;
+  std::sort(ahead.begin(), ahead.end());
+  const auto twice = std::adjacent_find(ahead.begin(), ahead.end());
+  if (twice != ahead.end())
+    found.add(ViolationKind::non_manifold_vertex, {vertex, *twice}, {mesh.points[vertex]},
+              "vertex " + to_text(vertex) + " has two triangles on the left of its edge to vertex " + to_text(*twice));
 }
 
-/// Reports a vertex if a walk around it does not reach all its triangles, or if an edge at it has two triangles on one
-/// side. The second case is possible only at vertices with several fans.
-void check_vertices(const Subject& subject, const Adjacency& adjacency, Findings& found) {
-  const Mesh& mesh = subject.mesh;
+/// Reports a vertex if a walk around it does not reach all its triangles, or if check_fans() does. Visits all vertices.
+void walk_around_vertices(const Mesh& mesh, Adjacency& adjacency, Findings& found) {
+  adjacency.count_corners(found.stop());
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
     Index reached = 0;
-    const int fans = adjacency.visit_fans(vertex, [&](Index, int) { ++reached; });
-    if (reached != adjacency.corners(vertex)) {
-      mine.add(ViolationKind::non_manifold_vertex, {vertex}, {mesh.points[v]},
-               "vertex " + to_text(v) + " has " + to_text(adjacency.corners(vertex)) +
-                   " triangles, but a walk around it from its boundary edges reaches " + to_text(reached));
-    } else if (fans > 1) {
-      std::vector<Index> ahead;
-      adjacency.visit_fans(vertex,
-                           [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
-      std::sort(ahead.begin(), ahead.end());
-      const auto twice = std::adjacent_find(ahead.begin(), ahead.end());
-      if (twice != ahead.end())
-        mine.add(ViolationKind::non_manifold_vertex, {vertex, *twice}, {mesh.points[v]},
-                 "vertex " + to_text(v) + " has two triangles on the left of its edge to vertex " + to_text(*twice));
-    }
+    adjacency.visit_fans(vertex, [&](Index, int) { ++reached; });
+    if (reached == adjacency.corners(vertex)) return check_fans(vertex, mesh, adjacency, mine);
+    mine.add(ViolationKind::non_manifold_vertex, {vertex}, {mesh.points[v]},
+             "vertex " + to_text(v) + " has " + to_text(adjacency.corners(vertex)) +
+                 " triangles, but a walk around it from its boundary edges reaches " + to_text(reached));
   });
+}
+
+/// The vertices with boundary edges, ascending.
+std::vector<Index> boundary_vertices(const Adjacency& adjacency) {
+  std::vector<Index> vertices;
+  for (const BoundaryEdge& edge : adjacency.boundary())
+    if (vertices.empty() || vertices.back() != edge.from) vertices.push_back(edge.from);
+  return vertices;
+}
+
+std::uint64_t count_used_vertices(const Adjacency& adjacency, std::size_t vertices, StopSignal* stop) {
+  std::vector<std::uint64_t> counts(static_cast<std::size_t>(omp_get_max_threads()), 0);
+  for_each_run(vertices, stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
+    std::uint64_t used = 0;
+    for (std::size_t v = first; v < last; ++v) used += adjacency.has_triangle(static_cast<Index>(v)) ? 1 : 0;
+    counts[thread] += used;
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+/// True if it is certain that each vertex without boundary edges has one fan, and that all fans of the others end at
+/// boundary edges. Then a walk around each vertex reaches all its triangles. Precondition: all triangles are
+/// counter-clockwise.
+///
+/// Around a vertex, a closed fan of counter-clockwise triangles turns by 360 degrees or a multiple of it. So the ray from
+/// the vertex to the right begins in one triangle of the fan or in several. The scan has counted these triangles at all
+/// vertices. Without those of the open fans, at least one remains for each inner vertex. If no more remain, then each
+/// inner vertex has one closed fan, and no boundary vertex has any.
+bool has_only_single_fans(const Mesh& mesh, const Adjacency& adjacency, const Scan& scan, StopSignal* stop) {
+  std::uint64_t rays = scan.rays;
+  const std::vector<Index> outer = boundary_vertices(adjacency);
+  SparseAsk ask(stop);
+  for (const Index vertex : outer) {
+    adjacency.visit_fans(vertex, [&](Index t, int corner) {
+      ask();
+      const auto& v = adjacency.triangles()[t].v;
+      if (has_ray_at(mesh.points[vertex], mesh.points[v[next(corner)]], mesh.points[v[previous(corner)]])) --rays;
+    });
+  }
+  return rays + outer.size() == count_used_vertices(adjacency, mesh.points.size(), stop);
+}
+
+/// Reports vertices with triangles that do not form a fan or several open fans. True if has_only_single_fans().
+bool check_vertices(const Mesh& mesh, Adjacency& adjacency, const Scan& scan, Findings& found) {
+  if (found.count(ViolationKind::degenerate_triangle) > 0 ||
+      !has_only_single_fans(mesh, adjacency, scan, found.stop())) {
+    walk_around_vertices(mesh, adjacency, found);
+    return false;
+  }
+  const std::vector<Index> outer = boundary_vertices(adjacency);
+  check_each(outer.size(), found,
+             [&](std::size_t i, Findings& mine) { check_fans(outer[i], mesh, adjacency, mine); });
+  return true;
 }
 
 void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& edges, Findings& found) {
@@ -123,14 +175,35 @@ void report_non_manifold(const Mesh& mesh, const std::vector<NonManifoldEdge>& e
               "triangles " + to_text(s) + " and " + to_text(t) + " have the same corners");
 }
 
+/// The boundary edge that follows another on its loop: turns clockwise through the triangles at the end of the edge.
+TriangleEdge next_on_loop(std::span<const Triangle> triangles, TriangleEdge edge) {
+  const Index pivot = triangles[edge.triangle].v[previous(edge.edge)];
+  for (edge.edge = next(edge.edge); triangles[edge.triangle].n[edge.edge] != no_index;) {
+    edge.triangle = triangles[edge.triangle].n[edge.edge];
+    edge.edge = next(next(corner_at(triangles[edge.triangle], pivot)));  // past the edge that arrives at the pivot
+  }
+  return edge;
+}
+
+/// The position in Adjacency::boundary() of an edge without a neighbour.
+std::size_t position_of(TriangleEdge edge, const Adjacency& adjacency) {
+  const Triangle& triangle = adjacency.triangles()[edge.triangle];
+  const Index from = triangle.v[next(edge.edge)], to = triangle.v[previous(edge.edge)];
+  const auto boundary = adjacency.boundary();
+  auto at = std::lower_bound(boundary.begin(), boundary.end(), std::pair(from, to),
+                             [](const BoundaryEdge& e, const auto& key) { return std::pair(e.from, e.to) < key; });
+  while (at->left.triangle != edge.triangle) ++at;
+  return static_cast<std::size_t>(at - boundary.begin());
+}
+
 /// Visits the triangles component by component. Memory: one byte per triangle, and the list of triangles to visit next.
 class Surface {
  public:
   Surface(const Adjacency& adjacency, StopSignal* stop)
-      : triangles_(adjacency.triangles()),
-        boundary_(adjacency.boundary()),
+      : adjacency_(adjacency),
+        triangles_(adjacency.triangles()),
         passed_(triangles_.size(), 0),
-        on_loop_(boundary_.size(), 0),
+        on_loop_(adjacency.boundary().size(), 0),
         ask_(stop) {}
 
   [[nodiscard]] bool reached(Index t) const { return (passed_[t] & reached_bit) != 0; }
@@ -204,31 +277,130 @@ class Surface {
     for (std::size_t at = position(edge); on_loop_[at] == 0; at = position(edge)) {
       ask_();
       on_loop_[at] = 1;
-      // Find the next boundary edge of the same fan at the pivot: turn clockwise through the triangles there.
-      const Index pivot = boundary_[at].to;
-      for (edge.edge = next(edge.edge); triangles_[edge.triangle].n[edge.edge] != no_index;) {
-        edge.triangle = triangles_[edge.triangle].n[edge.edge];
-        edge.edge = next(next(corner_at(triangles_[edge.triangle], pivot)));  // past the edge that arrives at the pivot
-      }
+      edge = next_on_loop(triangles_, edge);
     }
     return true;
   }
 
-  [[nodiscard]] std::size_t position(TriangleEdge edge) const {
-    const Index from = triangles_[edge.triangle].v[next(edge.edge)];
-    const Index to = triangles_[edge.triangle].v[previous(edge.edge)];
-    auto at = std::lower_bound(boundary_.begin(), boundary_.end(), std::pair(from, to),
-                               [](const BoundaryEdge& e, const auto& key) { return std::pair(e.from, e.to) < key; });
-    while (at->left.triangle != edge.triangle) ++at;
-    return static_cast<std::size_t>(at - boundary_.begin());
-  }
+  [[nodiscard]] std::size_t position(TriangleEdge edge) const { return position_of(edge, adjacency_); }
 
+  const Adjacency& adjacency_;
   std::span<const Triangle> triangles_;
-  std::span<const BoundaryEdge> boundary_;
   Array<std::uint8_t> passed_;
   std::vector<char> on_loop_;
   SparseAsk ask_;
 };
+
+/// Joins the boundary loops that lie in one component of the mesh, as far as walks straight down from holes find them.
+class Loops {
+ public:
+  Loops(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop)
+      : mesh_(mesh), adjacency_(adjacency), loop_of_(adjacency.boundary().size(), no_index), ask_(stop) {
+    for (std::size_t e = 0; e < loop_of_.size(); ++e)
+      if (loop_of_[e] == no_index) add_loop(adjacency.boundary()[e].left, e);
+    classes_ = lowest_.size();
+    representative_.resize(lowest_.size());
+    std::iota(representative_.begin(), representative_.end(), Index{0});
+    for (std::size_t loop = 0; loop < lowest_.size(); ++loop) walk_down(static_cast<Index>(loop));
+  }
+
+  [[nodiscard]] std::size_t count() const { return lowest_.size(); }
+  /// The number of classes of joined loops. Each component has at least one loop, because its triangles have a positive
+  /// area. So there are at most as many components.
+  [[nodiscard]] std::size_t classes() const { return classes_; }
+
+ private:
+  /// Two successive edges of a loop, at its lowest vertex.
+  struct Lowest {
+    TriangleEdge before, after;
+  };
+
+  [[nodiscard]] Point from(TriangleEdge e) const {
+    return mesh_.points[adjacency_.triangles()[e.triangle].v[next(e.edge)]];
+  }
+  [[nodiscard]] Point to(TriangleEdge e) const {
+    return mesh_.points[adjacency_.triangles()[e.triangle].v[previous(e.edge)]];
+  }
+
+  void add_loop(TriangleEdge edge, std::size_t at) {
+    Lowest lowest{edge, edge};
+    bool any = false;
+    for (; loop_of_[at] == no_index; at = position_of(edge, adjacency_)) {
+      ask_();
+      loop_of_[at] = static_cast<Index>(lowest_.size());
+      const TriangleEdge after = next_on_loop(adjacency_.triangles(), edge);
+      if (!any || is_lower(from(after), from(lowest.after))) lowest = {edge, after};
+      any = true;
+      edge = after;
+    }
+    lowest_.push_back(lowest);
+  }
+
+  /// Follows a vertical line from the lowest vertex of a hole, beside the vertex, to the next edge of the boundary. Only
+  /// sides of vertices decide which way the line takes through the triangles.
+  void walk_down(Index loop) {
+    const auto [before, after] = lowest_[loop];
+    const Point bottom = from(after);
+    const bool is_steep = to(after).x == bottom.x;
+    TriangleEdge at = is_steep ? before : after;
+    const double other = is_steep ? from(before).x : to(after).x;
+    const bool domain_is_below = is_steep ? other > bottom.x : other < bottom.x;
+    if (!domain_is_below) return;
+    const bool line_is_right = other > bottom.x;
+    const auto is_right = [&](Index v) {
+      return line_is_right ? mesh_.points[v].x > bottom.x : mesh_.points[v].x >= bottom.x;
+    };
+    for (;;) {
+      if (++steps_ > adjacency_.triangles().size()) return;
+      ask_();
+      const Triangle& triangle = adjacency_.triangles()[at.triangle];
+      // The line enters across this edge and leaves across one of the two others.
+      const bool apex = is_right(triangle.v[at.edge]);
+      const int exit = apex == is_right(triangle.v[next(at.edge)]) ? next(at.edge) : previous(at.edge);
+      const Index beyond = triangle.n[exit];
+      if (beyond == no_index) return join(loop, loop_of_[position_of({at.triangle, exit}, adjacency_)]);
+      const int corner = corner_at(adjacency_.triangles()[beyond], triangle.v[next(exit)]);
+      at = {beyond, next(corner)};
+    }
+  }
+
+  [[nodiscard]] Index find(Index loop) {
+    while (representative_[loop] != loop) loop = representative_[loop] = representative_[representative_[loop]];
+    return loop;
+  }
+  void join(Index a, Index b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    representative_[a] = b;
+    --classes_;
+  }
+
+  const Mesh& mesh_;
+  const Adjacency& adjacency_;
+  std::vector<Index> loop_of_;  ///< by position in the boundary
+  std::vector<Lowest> lowest_;  ///< by loop
+  std::vector<Index> representative_;
+  std::size_t classes_ = 0, steps_ = 0;
+  SparseAsk ask_;
+};
+
+/// True if it is certain that each component has V - E + F = 2 - L. Preconditions: all triangles are counter-clockwise,
+/// and has_only_single_fans().
+///
+/// Let g be the genus of a component: V - E + F = 2 - 2g - L for a connected oriented surface with L boundary loops. So
+/// half the sum of V - E + F + L over all components is the sum of 1 - g, which is at most the number of components, and
+/// equal to it only if every g is 0. The number of components is at most the number of classes of loops.
+bool has_only_disks_with_holes(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop) {
+  const auto faces = static_cast<std::int64_t>(adjacency.triangles().size());
+  const auto sides = static_cast<std::int64_t>(adjacency.boundary().size());
+  const std::size_t outer = boundary_vertices(adjacency).size();
+  // Each inner vertex has one fan. Each other fan begins at one edge of the boundary.
+  const auto fans = static_cast<std::int64_t>(count_used_vertices(adjacency, mesh.points.size(), stop) - outer) + sides;
+  const std::int64_t characteristic = fans - (3 * faces + sides) / 2 + faces;
+  const Loops loops(mesh, adjacency, stop);
+  return characteristic + static_cast<std::int64_t>(loops.count()) == 2 * static_cast<std::int64_t>(loops.classes());
+}
 
 /// A connected oriented surface with L boundary loops is a disk with holes if and only if V - E + F = 2 - L,
 /// where a vertex counts once for each of its fans (that is, a surface is cut where it touches itself in a vertex).
@@ -247,19 +419,23 @@ void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& f
 
 }  // namespace
 
-Adjacency check_topology(const Subject& subject, bool neighbours_usable, Findings& found) {
+Adjacency check_topology(const Subject& subject, bool neighbours_usable, Scan& scan, Findings& found) {
   const Mesh& mesh = subject.mesh;
-  check_orientation(subject, found);
+  check_orientation(subject, scan, found);
+  const auto check_rest = [&](Adjacency& adjacency, bool has_single_fans) {
+    if (!has_single_fans || !has_only_disks_with_holes(mesh, adjacency, found.stop()))
+      check_euler(subject, adjacency, found);
+  };
 
-  const bool absent = subject.options.foreign && names_no_neighbour_at_all(mesh);
+  const bool absent = subject.options.foreign && scan.names_no_neighbour;
   if (neighbours_usable && !absent) {
-    check_reciprocity(mesh, found);
+    if (!scan.neighbours_reciprocal) check_reciprocity(mesh, found);
     if (found.count(ViolationKind::wrong_neighbour) == 0) {
-      Adjacency given({}, mesh, found.stop());
+      Adjacency given(mesh.triangles.span(), std::move(scan.start), std::move(scan.boundary));
       check_lost_neighbours(mesh, given, found);
-      check_vertices(subject, given, found);
+      const bool single_fans = check_vertices(mesh, given, scan, found);
       if (found.count(ViolationKind::wrong_neighbour) == 0 && found.count(ViolationKind::non_manifold_vertex) == 0) {
-        check_euler(subject, given, found);
+        check_rest(given, single_fans);
         return given;
       }
     }
@@ -270,10 +446,15 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Finding
   std::vector<NonManifoldEdge> non_manifold;
   rebuild_neighbours(rebuilt.span(), non_manifold, found.stop());
   report_non_manifold(mesh, non_manifold, found);
-  Adjacency adjacency(std::move(rebuilt), mesh, found.stop());
-  if (found.count(ViolationKind::non_manifold_vertex) == 0) check_vertices(subject, adjacency, found);
-  check_euler(subject, adjacency, found);
-  adjacency.index_irregular_vertices(found.stop());
+  scan = checker::scan(mesh.points.span(), std::as_const(rebuilt).span(), bounds_of(subject), found.stop());
+  Adjacency adjacency(std::move(rebuilt), std::move(scan.start), std::move(scan.boundary));
+  const bool single_fans = found.count(ViolationKind::non_manifold_vertex) == 0 &&
+                           check_vertices(mesh, adjacency, scan, found);
+  check_rest(adjacency, single_fans);
+  if (!single_fans) {
+    adjacency.count_corners(found.stop());
+    adjacency.index_irregular_vertices(found.stop());
+  }
   return adjacency;
 }
 

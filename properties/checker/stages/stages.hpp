@@ -11,6 +11,7 @@
 #include "../model/chains.hpp"
 #include "../model/domain.hpp"
 #include "../model/input_vertices.hpp"
+#include "../model/scan.hpp"
 #include "findings.hpp"
 
 namespace pardel::checker {
@@ -30,11 +31,17 @@ struct Sanity {
   bool neighbours = true;  ///< neighbour ids
   bool labels = true;      ///< constrained edges, regions, origins, markers and attributes
 };
-/// Checks that ids are in range, that arrays have the right length, and that coordinates are finite.
-[[nodiscard]] Sanity check_sanity(const Subject& subject, Findings& found);
+/// The bounds of the goal and of the options, for the scan.
+[[nodiscard]] ScanBounds bounds_of(const Subject& subject);
 
-/// Checks orientation, neighbours, manifold edges and vertices, duplicates and the Euler characteristic.
-[[nodiscard]] Adjacency check_topology(const Subject& subject, bool neighbours_usable, Findings& found);
+/// Checks that ids are in range, that arrays have the right length, and that coordinates are finite. `scan` is the scan
+/// of the mesh.
+[[nodiscard]] Sanity check_sanity(const Subject& subject, const Scan& scan, Findings& found);
+
+/// Checks orientation, neighbours, manifold edges and vertices, duplicates and the Euler characteristic. `scan` is the
+/// scan of the mesh. If the neighbours are rebuilt, it becomes the scan of the triangles with these neighbours. Moves
+/// `start` and `boundary` out of the scan.
+[[nodiscard]] Adjacency check_topology(const Subject& subject, bool neighbours_usable, Scan& scan, Findings& found);
 
 /// Checks that every input point of the domain is a vertex, and that every vertex is used.
 [[nodiscard]] InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
@@ -42,7 +49,7 @@ struct Sanity {
 
 /// Checks that every segment of the domain is a chain of mesh edges.
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                                    const InputVertices& inputs, Findings& found);
+                                    const InputVertices& inputs, const Scan& scan, Findings& found);
 
 /// Checks that the triangles cover the domain exactly once, and cover nothing else.
 void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
@@ -53,14 +60,15 @@ void check_labels(const Subject& subject, const Domain& domain, const Adjacency&
                   const InputVertices& inputs, std::span<const Index> faces, Findings& found);
 
 /// Checks that every unconstrained edge (for a conforming goal: every edge) is locally Delaunay.
-void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, Findings& found);
+void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, const Scan& scan,
+                    Findings& found);
 
 /// Checks the bounds on angles, areas, edges, sizes and circumradii. Appends the justified triangles to `justified`.
 void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                const InputVertices& inputs, std::span<const Index> faces, Findings& found,
+                const InputVertices& inputs, std::span<const Index> faces, const Scan& scan, Findings& found,
                 std::vector<Justified>& justified);
 
 /// Sets the certificate's extremes, histogram and area.
-void measure(const Mesh& mesh, Certificate& certificate, StopSignal* stop);
+void measure(const Mesh& mesh, const Adjacency& adjacency, const Scan& scan, Certificate& certificate);
 
 }  // namespace pardel::checker
