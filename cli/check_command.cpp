@@ -21,6 +21,7 @@
 #include "output.hpp"
 #include "progress_option.hpp"
 #include "rounded_points.hpp"
+#include "threads_option.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
@@ -32,6 +33,7 @@ struct CheckArguments {
   GoalOptions goal;
   double max_circumradius = 0;
   std::filesystem::path json;
+  int threads = 0;
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
 };
@@ -83,6 +85,7 @@ Result<ExitCode> run(const CheckArguments& arguments) {
   const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes};
   if (Status fine = check_standard_input(inputs); !fine) return fine.error();
   if (Status fine = check_output_of(arguments); !fine) return fine.error();
+  use_threads(arguments.threads);
   ProgressBar bar(arguments.progress);
   const Result<CheckInput, Refusal> input = read(arguments, bar);
   if (!input) return refused(input.error(), arguments.domain, arguments.json);
@@ -120,6 +123,7 @@ Command add_check(CLI::App& program) {
       ->group("Goal");
   app->add_option("--json", arguments->json, "Write the certificate as JSON, with all violations; - is standard output")
       ->type_name("FILE|-");
+  add_threads_option(*app, arguments->threads, "the certificate");
   add_progress_option(*app, arguments->progress);
   app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the certificate of --json -");
   app->footer(

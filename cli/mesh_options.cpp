@@ -16,6 +16,7 @@
 #include "names.hpp"
 #include "progress_option.hpp"
 #include "snap_option.hpp"
+#include "threads_option.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -33,15 +34,6 @@ Examples:
   pardel mesh key.poly -o mesh.node -o mesh.svg --min-angle 30 --max-area 0.001 --check
   pardel mesh bay.poly -o bay.msh --regions --sizes bay.sizes --json - | jq .mesh
   pardel mesh mesh.node --refine -o finer.node --max-area 0.0001    refines a mesh; mesh.area, if any, gives caps)";
-
-/// Accepts 0 to 4096, and `all`, which is 0.
-CLI::Validator number_of_threads() {
-  return {[](std::string& text) -> std::string {
-            if (text == "all") text = "0";
-            return CLI::Range(0, 4096)(text);
-          },
-          ""};
-}
 
 void add_files(CLI::App& app, MeshArguments& arguments) {
   app.add_option("IN", arguments.input,
@@ -71,11 +63,7 @@ void add_limits(CLI::App& app, MeshArguments& arguments) {
       ->check(positive_number("an amount of memory"))
       ->type_name("GIB")
       ->group("Limits");
-  app.add_option("--threads", arguments.threads,
-                 "Number of threads; 0 or all (default): one per core; the mesh does not depend on it")
-      ->type_name("N|all")
-      ->transform(number_of_threads())
-      ->group("Limits");
+  add_threads_option(app, arguments.threads, "the mesh")->group("Limits");
 }
 
 void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
@@ -161,7 +149,7 @@ Status complete_options(MeshArguments& arguments) {
                                     std::pair{"--feature-size", arguments.goal.feature_size.has_value()}})
     if (given && arguments.refine)
       return Error{ErrorKind::usage, std::string(name) + " needs a domain and cannot be used with --refine"};
-  if (arguments.threads > 0) omp_set_num_threads(arguments.threads);  // for reading, writing and checking, too
+  use_threads(arguments.threads);
   options.threads = omp_get_max_threads();
   options.max_memory =
       arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();

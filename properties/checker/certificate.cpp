@@ -198,6 +198,7 @@ std::string to_json(const Certificate& certificate) {
               {"triangles", certificate.triangles},
               {"constrained_edges", certificate.constrained_edges},
               {"area", certificate.area}}},
+            {"decided_exactly", certificate.decided_exactly},
             {"extremes",
              {{"min_angle_deg", to_json(certificate.min_angle_deg)},
               {"max_angle_deg", to_json(certificate.max_angle_deg)},

@@ -30,6 +30,7 @@ void run_stages(const Subject& subject, Findings& found, Certificate& certificat
   check_delaunay(subject, adjacency, chains, scanned, found);
   check_goal(subject, domain, adjacency, chains, inputs, faces, scanned, found, certificate.justified);
   measure(mesh, adjacency, scanned, certificate);
+  certificate.decided_exactly = scanned.open.size();
 }
 
 }  // namespace

@@ -38,9 +38,14 @@ namespace pardel {
 /// - a hole's seed that lies within that distance of an edge of the triangle around it is not reported;
 /// - two vertices lie on one shell around a small input angle within shell_tolerance and shell_ulps.
 ///
-/// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on the number of threads. Exact
-/// arithmetic is used only if a floating-point filter cannot determine the sign. Memory in addition to the mesh: 8
-/// bytes per triangle of a valid mesh without regions, 72 bytes if the neighbours have to be recomputed.
+/// Most of the work is one scan of all triangles, in which floating-point filters with proven bounds on their errors
+/// decide nearly every test (arithmetic/filter.hpp). Exact arithmetic decides the others;
+/// Certificate::decided_exactly counts the triangles that have such tests. The memory of the mesh's neighbours is read,
+/// but not trusted: the scan proves that they are right, or they are computed anew.
+///
+/// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on the number of threads. Memory
+/// in addition to the mesh: 5 bytes per triangle of a valid mesh without regions, 77 bytes if the neighbours have to be
+/// recomputed.
 [[nodiscard]] Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options = {});
 
 }  // namespace pardel

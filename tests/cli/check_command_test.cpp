@@ -36,6 +36,17 @@ TEST_F(CheckCommand, the_certificate_is_written_as_json) {
   EXPECT_EQ(json::parse(read("c.json")), certificate);
 }
 
+TEST_F(CheckCommand, the_number_of_threads_changes_nothing) {
+  const auto certificate = [&](const char* threads) {
+    return pardel({"check", "square.poly", "m.ele", "--threads", threads, "--json", "-"}).out;
+  };
+  const std::string one = certificate("1");
+  EXPECT_EQ(json::parse(one)["decided_exactly"], 1) << "the four corners lie on one circle";
+  EXPECT_EQ(certificate("2"), one);
+  EXPECT_EQ(certificate("all"), one);
+  EXPECT_EQ(pardel({"check", "square.poly", "m.ele", "--threads", "none"}).exit_code, 2);
+}
+
 TEST_F(CheckCommand, a_missing_triangle_is_a_violation) {
   write("m.ele", "1 3 0\n1 1 2 3\n");
   const Ran ran = pardel({"check", "square.poly", "m.ele"});

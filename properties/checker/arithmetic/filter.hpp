@@ -68,7 +68,8 @@ struct Shape {
   const double dot = p.x * q.x + p.y * q.y;
   const double sine = shape.doubled_area * dot + shape.dot[static_cast<std::size_t>(k)] * cross;
   // Squares that are too small or too large, or not a number, answer `no`.
-  return sine > 5.5 * unit * shape.sum * squares && squares >= least_square && squares <= largest_square;
+  if (!(squares >= least_square && squares <= largest_square)) return false;
+  return sine > 5.5 * unit * shape.sum * squares;
 }
 
 /// The cotangent of an angle below which no angle may lie, rounded down. `cosine` is in [0, 1).
@@ -82,8 +83,7 @@ struct Shape {
 [[nodiscard]] inline bool has_no_angle_below(const Shape& shape, double cotangent) {
   // The cosine of an angle is below the bound if dot < cotangent * doubled_area. Both sides have errors below `error`;
   // the products and sums round by less than 4 u of their values, which are below the sum of squares.
-  return shape.largest_dot + 2 * shape.error <
-         cotangent * (shape.doubled_area - 2 * shape.error) * (1 - 4 * unit);
+  return shape.largest_dot + 2 * shape.error < cotangent * (shape.doubled_area - 2 * shape.error) * (1 - 4 * unit);
 }
 
 /// True if the area certainly is at most `bound`.

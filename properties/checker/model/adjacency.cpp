@@ -57,10 +57,7 @@ void sort_boundary(std::vector<BoundaryEdge>& boundary, StopSignal* stop) {
 }
 
 Adjacency::Adjacency(std::span<const Triangle> triangles, Array<Index> start, std::vector<BoundaryEdge> boundary)
-    : triangles_(triangles),
-      boundary_(std::move(boundary)),
-      start_(std::move(start)),
-      on_boundary_(start_.size(), 0) {
+    : triangles_(triangles), boundary_(std::move(boundary)), start_(std::move(start)), on_boundary_(start_.size(), 0) {
   for (const BoundaryEdge& edge : boundary_) on_boundary_[edge.from] = on_boundary_[edge.to] = 1;
 }
 

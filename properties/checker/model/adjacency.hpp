@@ -91,8 +91,8 @@ class Adjacency {
   }
 
   /// Finds the irregular vertices and lists their triangles. Afterwards visit_fans() visits all triangles of an
-  /// irregular vertex, in ascending order instead of around the vertex. Precondition: count_corners() was called. Linear
-  /// time.
+  /// irregular vertex, in ascending order instead of around the vertex. Precondition: count_corners() was called.
+  /// Linear time.
   void index_irregular_vertices(StopSignal* stop = nullptr);
 
   /// True if visit_fans() finds fewer triangles at a than at b. Time: the smaller of the two numbers.
@@ -140,7 +140,7 @@ class Adjacency {
   Array<Triangle> rebuilt_;
   std::span<const Triangle> triangles_;
   std::vector<BoundaryEdge> boundary_;
-  Array<Index> start_;  ///< per vertex, one of its triangles
+  Array<Index> start_;    ///< per vertex, one of its triangles
   Array<Index> corners_;  ///< per vertex; empty before count_corners()
   Array<char> on_boundary_;
   std::vector<std::pair<Index, Index>> irregular_;  ///< (vertex, triangle), sorted

@@ -30,7 +30,8 @@ InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::
                                      [&](Index i, Point p) { return lexicographically_less(inputs[i], p); });
     if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;
     Index& match = result.vertex_[*at];
-    if (match != no_index && (adjacency.has_triangle(match) || !adjacency.has_triangle(static_cast<Index>(v)))) continue;
+    if (match != no_index && (adjacency.has_triangle(match) || !adjacency.has_triangle(static_cast<Index>(v))))
+      continue;
     match = static_cast<Index>(v);
   }
   for (std::size_t i = 0; i < inputs.size(); ++i)

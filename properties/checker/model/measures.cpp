@@ -76,10 +76,10 @@ void Measures::set_bounds() {
   // The angles of a tame triangle are more than 10^-5 degrees away from 0 and 180.
   constexpr double flat = 1e-5;
   const double least = cotangent_of(min_angle_.value), largest = cotangent_of(max_angle_.value);
-  bounds_.cotangent_of_least = !(min_angle_.value > flat)       ? infinity
+  bounds_.cotangent_of_least = !(min_angle_.value > flat)        ? infinity
                                : min_angle_.triangle == no_index ? -infinity
                                                                  : least - cotangent_margin(least);
-  bounds_.cotangent_of_largest = !(max_angle_.value < 180 - flat)   ? -infinity
+  bounds_.cotangent_of_largest = !(max_angle_.value < 180 - flat)  ? -infinity
                                  : max_angle_.triangle == no_index ? infinity
                                                                    : largest + cotangent_margin(largest);
   bounds_.shortest = min_edge_.value * min_edge_.value * (1 + 0x1p-30);

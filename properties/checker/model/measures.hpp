@@ -36,8 +36,8 @@ class Measures {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// The angles whose cotangent lies in a cell of width 1/16: they are in bin `above` if their cotangent is greater than
-  /// `limit`, else in the next bin.
+  /// The angles whose cotangent lies in a cell of width 1/16: they are in bin `above` if their cotangent is greater
+  /// than `limit`, else in the next bin.
   struct Cell {
     double limit;
     std::uint32_t above;
@@ -52,10 +52,9 @@ class Measures {
     const double product = shape.squared[0] * shape.squared[1] * shape.squared[2];
     const double squared_area = shape.doubled_area * shape.doubled_area;
     return shape.largest_dot >= bounds_.cotangent_of_least * shape.doubled_area ||
-           shape.least_dot <= bounds_.cotangent_of_largest * shape.doubled_area ||
-           shape.shortest <= bounds_.shortest || shape.longest >= bounds_.longest ||
-           shape.doubled_area > bounds_.doubled_area || product >= bounds_.radius * squared_area ||
-           product >= bounds_.ratio * squared_area * shape.shortest;
+           shape.least_dot <= bounds_.cotangent_of_largest * shape.doubled_area || shape.shortest <= bounds_.shortest ||
+           shape.longest >= bounds_.longest || shape.doubled_area > bounds_.doubled_area ||
+           product >= bounds_.radius * squared_area || product >= bounds_.ratio * squared_area * shape.shortest;
   }
 
   /// Counts the angles of a tame triangle. False, and nothing is counted, if one of them is so near to a multiple of

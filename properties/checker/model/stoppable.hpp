@@ -14,8 +14,8 @@ namespace pardel::checker {
 /// Loops with fewer iterations run on one thread, because waking the other threads takes longer than the loop.
 inline constexpr std::size_t parallel_loop_size = 1 << 13;
 
-/// Calls body(first, last, thread) for runs of indices that together are all indices below n, on all threads. Each thread
-/// takes consecutive runs of at most 1024 indices, in ascending order, and the threads are in order, too.
+/// Calls body(first, last, thread) for runs of indices that together are all indices below n, on all threads. Each
+/// thread takes consecutive runs of at most 1024 indices, in ascending order, and the threads are in order, too.
 template <class Body>
 void for_each_run(std::size_t n, StopSignal* stop, const Body& body) {
   constexpr std::size_t run = 1024;  // as many steps as SparseAsk makes between two questions

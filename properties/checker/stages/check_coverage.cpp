@@ -142,9 +142,23 @@ std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges, St
   return winding;
 }
 
-/// Reports boundary edges that are not part of a chain, and faces that are covered more than once.
-void check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                    Findings& found) {
+/// The holes with seeds that triangles may contain. If the edges of the boundary meet at their ends only, and all
+/// triangles are counter-clockwise (`regular`), then the winding number around a point in no edge of the boundary is
+/// the number of triangles that cover the points near it.
+std::vector<Index> holes_not_excluded(const Subject& subject, const PlanarFaces& faces, const std::vector<int>& winding,
+                                      bool regular) {
+  std::vector<Index> holes;
+  for (std::size_t h = 0; h < subject.pslg.holes.size(); ++h) {
+    const Index face = faces.face_at(subject.pslg.holes[h]);
+    if (!regular || face == no_index || winding[face] != 0) holes.push_back(static_cast<Index>(h));
+  }
+  return holes;
+}
+
+/// Reports boundary edges that are not part of a chain, and faces that are covered more than once. Returns the holes
+/// with seeds that triangles may contain.
+std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
+                                  const Chains& chains, Findings& found) {
   // Build a planar graph of the boundary edges and their vertices.
   const auto boundary = adjacency.boundary();
   std::vector<Point> points;
@@ -195,6 +209,7 @@ void check_boundary(const Subject& subject, const Domain& domain, const Adjacenc
                     ", which lies on no chain and not inside the domain");
     }
   }
+  return holes_not_excluded(subject, faces, winding, simple && found.count(ViolationKind::degenerate_triangle) == 0);
 }
 
 /// True if p is so near to an edge of the triangle that the rounding of a chain may have moved the edge across p.
@@ -203,12 +218,13 @@ bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
          !exactly::line_distance_exceeds(p, c, a, tolerance);
 }
 
-/// Reports triangles that contain the seed of a hole, unless the seed is so near to an edge of the triangle.
-void check_holes(const Subject& subject, const Domain& domain, Findings& found) {
+/// Reports triangles that contain the seed of one of these holes, unless the seed is so near to an edge of the
+/// triangle.
+void check_holes(const Subject& subject, const Domain& domain, std::span<const Index> suspects, Findings& found) {
   const auto& holes = subject.pslg.holes;
   std::vector<Index> by_x;
-  for (std::size_t h = 0; h < holes.size(); ++h)
-    if (domain.faces().face_at(holes[h]) != no_index) by_x.push_back(static_cast<Index>(h));
+  for (const Index h : suspects)
+    if (domain.faces().face_at(holes[h]) != no_index) by_x.push_back(h);
   if (by_x.empty()) return;
   std::sort(by_x.begin(), by_x.end(), [&](Index g, Index h) { return holes[g].x < holes[h].x; });
   check_each(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
@@ -259,8 +275,8 @@ void check_coverage(const Subject& subject, const Domain& domain, const Adjacenc
                     Findings& found) {
   check_sides(subject, domain, chains, found);
   check_faces(subject, domain, chains, found);
-  check_boundary(subject, domain, adjacency, chains, found);
-  check_holes(subject, domain, found);
+  const std::vector<Index> suspects = check_boundary(subject, domain, adjacency, chains, found);
+  check_holes(subject, domain, suspects, found);
   if (chains.broken.empty()) check_area(subject, domain, adjacency, chains, found);
 }
 

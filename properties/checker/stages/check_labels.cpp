@@ -121,6 +121,8 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
   }
   stoppable_sort(markers.begin(), markers.end(), std::less<>(), found.stop());
   markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
+  std::vector<char> is_marked(mesh.points.size(), 0);
+  for (const auto& [vertex, marker] : markers) is_marked[vertex] = 1;
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
     const int given = mesh.point_markers[v];
@@ -132,7 +134,7 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
       if (given == own) return;
       expected = to_text(own);
     } else {
-      if (!adjacency.has_triangle(vertex)) return;
+      if ((given == 0 && is_marked[v] == 0) || !adjacency.has_triangle(vertex)) return;
       const auto first = std::lower_bound(markers.begin(), markers.end(), vertex,
                                           [](const auto& entry, Index key) { return entry.first < key; });
       const bool none = first == markers.end() || first->first != vertex;

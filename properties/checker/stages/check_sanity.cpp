@@ -116,7 +116,8 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
 }  // namespace
 
 Sanity check_sanity(const Subject& subject, const Scan& scan, Findings& found) {
-  // The scan knows whether points, corners and neighbours are usable. Only mistakes are searched again, to describe them.
+  // The scan knows whether points, corners and neighbours are usable. Only mistakes are searched again, to describe
+  // them.
   const bool corners_usable = scan.points_finite && scan.corners_usable;
   const bool neighbours_usable = corners_usable && scan.neighbours_in_range;
   Sanity sanity;

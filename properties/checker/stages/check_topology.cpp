@@ -68,7 +68,8 @@ void check_lost_neighbours(const Mesh& mesh, const Adjacency& adjacency, Finding
   }
 }
 
-/// Reports a vertex if an edge at it has two triangles on one side. This is possible only at vertices with several fans.
+/// Reports a vertex if an edge at it has two triangles on one side. This is possible only at vertices with several
+/// fans.
 void check_fans(Index vertex, const Mesh& mesh, const Adjacency& adjacency, Findings& found) {
   std::vector<Index> ahead;
   const int fans = adjacency.visit_fans(
@@ -117,10 +118,10 @@ std::uint64_t count_used_vertices(const Adjacency& adjacency, std::size_t vertic
 /// boundary edges. Then a walk around each vertex reaches all its triangles. Precondition: all triangles are
 /// counter-clockwise.
 ///
-/// Around a vertex, a closed fan of counter-clockwise triangles turns by 360 degrees or a multiple of it. So the ray from
-/// the vertex to the right begins in one triangle of the fan or in several. The scan has counted these triangles at all
-/// vertices. Without those of the open fans, at least one remains for each inner vertex. If no more remain, then each
-/// inner vertex has one closed fan, and no boundary vertex has any.
+/// Around a vertex, a closed fan of counter-clockwise triangles turns by 360 degrees or a multiple of it. So the ray
+/// from the vertex to the right begins in one triangle of the fan or in several. The scan has counted these triangles
+/// at all vertices. Without those of the open fans, at least one remains for each inner vertex. If no more remain, then
+/// each inner vertex has one closed fan, and no boundary vertex has any.
 bool has_only_single_fans(const Mesh& mesh, const Adjacency& adjacency, const Scan& scan, StopSignal* stop) {
   std::uint64_t rays = scan.rays;
   const std::vector<Index> outer = boundary_vertices(adjacency);
@@ -137,14 +138,13 @@ bool has_only_single_fans(const Mesh& mesh, const Adjacency& adjacency, const Sc
 
 /// Reports vertices with triangles that do not form a fan or several open fans. True if has_only_single_fans().
 bool check_vertices(const Mesh& mesh, Adjacency& adjacency, const Scan& scan, Findings& found) {
-  if (found.count(ViolationKind::degenerate_triangle) > 0 ||
+  if (!scan.neighbours_reciprocal || found.count(ViolationKind::degenerate_triangle) > 0 ||
       !has_only_single_fans(mesh, adjacency, scan, found.stop())) {
     walk_around_vertices(mesh, adjacency, found);
     return false;
   }
   const std::vector<Index> outer = boundary_vertices(adjacency);
-  check_each(outer.size(), found,
-             [&](std::size_t i, Findings& mine) { check_fans(outer[i], mesh, adjacency, mine); });
+  check_each(outer.size(), found, [&](std::size_t i, Findings& mine) { check_fans(outer[i], mesh, adjacency, mine); });
   return true;
 }
 
@@ -336,8 +336,8 @@ class Loops {
     lowest_.push_back(lowest);
   }
 
-  /// Follows a vertical line from the lowest vertex of a hole, beside the vertex, to the next edge of the boundary. Only
-  /// sides of vertices decide which way the line takes through the triangles.
+  /// Follows a vertical line from the lowest vertex of a hole, beside the vertex, to the next edge of the boundary.
+  /// Only sides of vertices decide which way the line takes through the triangles.
   void walk_down(Index loop) {
     const auto [before, after] = lowest_[loop];
     const Point bottom = from(after);
@@ -389,8 +389,8 @@ class Loops {
 /// and has_only_single_fans().
 ///
 /// Let g be the genus of a component: V - E + F = 2 - 2g - L for a connected oriented surface with L boundary loops. So
-/// half the sum of V - E + F + L over all components is the sum of 1 - g, which is at most the number of components, and
-/// equal to it only if every g is 0. The number of components is at most the number of classes of loops.
+/// half the sum of V - E + F + L over all components is the sum of 1 - g, which is at most the number of components,
+/// and equal to it only if every g is 0. The number of components is at most the number of classes of loops.
 bool has_only_disks_with_holes(const Mesh& mesh, const Adjacency& adjacency, StopSignal* stop) {
   const auto faces = static_cast<std::int64_t>(adjacency.triangles().size());
   const auto sides = static_cast<std::int64_t>(adjacency.boundary().size());
@@ -448,8 +448,8 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Scan& s
   report_non_manifold(mesh, non_manifold, found);
   scan = checker::scan(mesh.points.span(), std::as_const(rebuilt).span(), bounds_of(subject), found.stop());
   Adjacency adjacency(std::move(rebuilt), std::move(scan.start), std::move(scan.boundary));
-  const bool single_fans = found.count(ViolationKind::non_manifold_vertex) == 0 &&
-                           check_vertices(mesh, adjacency, scan, found);
+  const bool single_fans =
+      found.count(ViolationKind::non_manifold_vertex) == 0 && check_vertices(mesh, adjacency, scan, found);
   check_rest(adjacency, single_fans);
   if (!single_fans) {
     adjacency.count_corners(found.stop());
