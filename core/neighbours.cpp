@@ -1,6 +1,10 @@
 #include "neighbours.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
+#include <atomic>
+#include <vector>
 
 namespace pardel {
 namespace {
@@ -17,11 +21,148 @@ Ends ends_of(const Array<Triangle>& triangles, Index side) {
   return {low, high};
 }
 
-}  // namespace
+/// Joins the sides of a mesh in which each edge has at most one triangle on each side, as in a mesh of triangles that
+/// all turn the same way. Each pair consists of a side that rises, from its lower to its higher end, and one that
+/// falls. Only the rising sides are sorted by their lower ends, with a counting sort; the falling sides look for them.
+class PairedSides {
+ public:
+  PairedSides(Array<Triangle>& triangles, std::size_t points) : triangles_(triangles), points_(points) {}
 
-// A counting sort groups the sides by their lower end. Within a group, a table indexed by the higher end finds the
-// other side of the same edge. A second pass over the same group clears the table.
-std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
+  /// False if the mesh has no such form. Then the neighbours have no meaning.
+  bool join() {
+    sort_rising();
+    return are_rising_distinct() && join_falling() && is_each_joined_once();
+  }
+
+ private:
+  struct Rising {
+    Index high;
+    Index side;
+  };
+  static constexpr int most_threads = 8;
+  static constexpr std::size_t least_parallel = 1 << 15;
+
+  [[nodiscard]] int threads() const {
+    return triangles_.size() < least_parallel ? 1 : std::min(omp_get_max_threads(), most_threads);
+  }
+
+  /// Calls visit(place, counts, high, side) for all sides. If the side rises and its lower end is from `first` to
+  /// `last` - 1, counts is 1 and the place is this end. Otherwise counts is 0 and the place is `nowhere`. There are no
+  /// branches, because a processor would guess every other one wrong.
+  template <class Visit>
+  void visit_rising(std::size_t first, std::size_t last, std::size_t nowhere, const Visit& visit) const {
+    const std::size_t length = last - first;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto& v = triangles_[t].v;
+      for (int i = 0; i < 3; ++i) {
+        const Index from = v[i == 2 ? 0 : i + 1], to = v[i == 0 ? 2 : i - 1];
+        const Index counts = static_cast<Index>(from < to) & static_cast<Index>(from - first < length);
+        visit(counts != 0 ? from : nowhere, counts, to, static_cast<Index>(3 * t + i));
+      }
+    }
+  }
+
+  /// Each thread sorts the sides with lower ends in its own range of points. So there is one order for any number of
+  /// threads, and no two threads write to one place.
+  void sort_rising() {
+    const int n = threads();
+    constexpr std::size_t apart = 16;  // places of different threads are in different cache lines
+    const auto range = [&](int k) { return points_ * static_cast<std::size_t>(k) / static_cast<std::size_t>(n); };
+    const auto nowhere = [&](int k) { return points_ + 1 + apart * static_cast<std::size_t>(k); };
+    start_.resize(nowhere(n), 0);
+#pragma omp parallel for num_threads(n) schedule(static, 1)
+    for (int k = 0; k < n; ++k)
+      visit_rising(range(k), range(k + 1), nowhere(k),
+                   [&](std::size_t place, Index counts, Index, Index) { start_[place] += counts; });
+    std::size_t sum = 0;
+    for (std::size_t p = 0; p <= points_; ++p) start_[p] = static_cast<Index>(sum += start_[p]);
+    for (int k = 0; k < n; ++k) start_[nowhere(k)] = static_cast<Index>(sum + static_cast<std::size_t>(k));
+    rising_.resize_uninitialised(sum + static_cast<std::size_t>(n));
+#pragma omp parallel for num_threads(n) schedule(static, 1)
+    for (int k = 0; k < n; ++k)
+      visit_rising(range(k), range(k + 1), nowhere(k), [&](std::size_t place, Index counts, Index high, Index side) {
+        start_[place] -= counts;
+        rising_[start_[place]] = {high, side};
+      });
+  }
+
+  [[nodiscard]] std::span<const Rising> rising_from(std::size_t low) const {
+    return rising_.span().subspan(start_[low], start_[low + 1] - start_[low]);
+  }
+
+  /// False if two rising sides have the same ends, or if there are too many at one point to compare them quickly.
+  [[nodiscard]] bool are_rising_distinct() const {
+    std::atomic<bool> distinct = true;
+#pragma omp parallel for num_threads(threads()) schedule(static)
+    for (std::size_t p = 0; p < points_; ++p) {
+      const auto sides = rising_from(p);
+      bool fine = sides.size() <= most_at_a_point;
+      for (std::size_t i = 0; fine && i < sides.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) fine = fine && sides[i].high != sides[j].high;
+      if (!fine) distinct = false;
+    }
+    return distinct;
+  }
+
+  /// False if two falling sides without a rising one have the same ends, or if a triangle would be its own neighbour.
+  bool join_falling() {
+    for_each_triangle([&](Triangle& triangle) { triangle.n = {no_index, no_index, no_index}; });
+    std::vector<std::vector<std::pair<Index, Index>>> alone(static_cast<std::size_t>(threads()));
+    std::vector<std::size_t> joined(alone.size(), 0);
+    std::atomic<bool> fine = true;
+#pragma omp parallel for num_threads(threads()) schedule(static)
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const auto& v = triangles_[t].v;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index from = v[i == 2 ? 0 : i + 1], to = v[i == 0 ? 2 : i - 1];
+        if (from < to) continue;
+        const auto sides = rising_from(to);
+        const auto match = std::find_if(sides.begin(), sides.end(), [=](const Rising& r) { return r.high == from; });
+        const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+        if (match == sides.end()) {
+          alone[thread].emplace_back(to, from);
+          continue;
+        }
+        if (match->side / 3 == t) fine = false;
+        ++joined[thread];
+        triangles_[t].n[i] = match->side / 3;
+        std::atomic_ref<Index>(triangles_[match->side / 3].n[match->side % 3])
+            .store(static_cast<Index>(t), std::memory_order_relaxed);
+      }
+    }
+    for (std::size_t k = 1; k < alone.size(); ++k) alone[0].insert(alone[0].end(), alone[k].begin(), alone[k].end());
+    std::sort(alone[0].begin(), alone[0].end());
+    for (const std::size_t each : joined) joined_ += each;
+    return fine && std::adjacent_find(alone[0].begin(), alone[0].end()) == alone[0].end();
+  }
+
+  /// False if two falling sides were joined to one rising side: then fewer sides than pairs of two have a neighbour.
+  [[nodiscard]] bool is_each_joined_once() const {
+    std::size_t with_neighbour = 0;
+#pragma omp parallel for num_threads(threads()) schedule(static) reduction(+ : with_neighbour)
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (const Index n : triangles_[t].n) with_neighbour += n != no_index ? 1 : 0;
+    return with_neighbour == 2 * joined_;
+  }
+
+  template <class Change>
+  void for_each_triangle(const Change& change) {
+#pragma omp parallel for num_threads(threads()) schedule(static)
+    for (std::size_t t = 0; t < triangles_.size(); ++t) change(triangles_[t]);
+  }
+
+  static constexpr std::size_t most_at_a_point = 64;
+
+  Array<Triangle>& triangles_;
+  std::size_t points_;
+  Array<Index> start_;
+  Array<Rising> rising_;
+  std::size_t joined_ = 0;
+};
+
+/// For any triangles. A counting sort groups the sides by their lower end. Within a group, a table indexed by the
+/// higher end finds the other side of the same edge. A second pass over the same group clears the table.
+std::size_t join_any_sides(Array<Triangle>& triangles, std::size_t points) {
   const auto sides = static_cast<Index>(3 * triangles.size());
   Array<Index> start(points + 1, 0);
   for (Index s = 0; s < sides; ++s) ++start[ends_of(triangles, s).low];
@@ -50,6 +191,13 @@ std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
     for (const Index s : around) open[ends_of(triangles, s).high] = no_index;
   }
   return surplus;
+}
+
+}  // namespace
+
+std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
+  if (PairedSides(triangles, points).join()) return 0;
+  return join_any_sides(triangles, points);
 }
 
 }  // namespace pardel

@@ -75,7 +75,7 @@ Result<Mesh> read_mesh(const fs::path& file) {
   if (format == MeshFormat::triangle) return read_triangle_mesh(file);
   if (format == MeshFormat::svg || (!format && file.has_extension()))
     return unknown_suffix(file, ".node, .ele, .msh, .vtu and .off");
-  const Result<std::string> text = read_file(file);
+  const auto text = read_file(file);
   if (!text) return text.error();
   if (!format) format = format_of_text(*text);
   if (!format) return not_a_mesh(file);
@@ -89,7 +89,7 @@ Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const fs::path& file) {
   if (file.extension() == ".node" && !fs::exists(fs::path(file).replace_extension(".ele"), ignored))
     return either(read_pslg(file));
   if (file.has_extension()) return file.extension() == ".poly" ? either(read_pslg(file)) : either(read_mesh(file));
-  const Result<std::string> text = read_file(file);
+  const auto text = read_file(file);
   if (!text) return text.error();
   if (const std::optional<MeshFormat> format = format_of_text(*text))
     return either(parse_mesh(*format, *text, file.string()));

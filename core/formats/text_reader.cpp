@@ -1,11 +1,14 @@
 #include "text_reader.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 
 #include "../support/byte_order_mark.hpp"
@@ -16,6 +19,32 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
+int close_unless_input(std::FILE* f) { return f == stdin ? 0 : std::fclose(f); }
+using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Files of at least this size are read on all threads: the system then also provides the memory on all threads.
+constexpr std::size_t least_shared_size = std::size_t{1} << 24;
+
+/// Each thread reads one part of the file. False if one of them cannot, for example because the file becomes shorter.
+bool read_on_all_threads(const std::filesystem::path& file, std::size_t size, Array<char>& bytes) {
+  if (size > static_cast<std::size_t>(std::numeric_limits<long>::max())) return false;
+  bytes.reserve(size);
+  bytes.resize_uninitialised(size);
+  const int threads = omp_get_max_threads();
+  bool complete = true;
+#pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(&& : complete)
+  for (int k = 0; k < threads; ++k) {
+    const auto begin_of = [&](int part) {
+      return size / static_cast<std::size_t>(threads) * static_cast<std::size_t>(part);
+    };
+    const std::size_t begin = begin_of(k), end = k + 1 == threads ? size : begin_of(k + 1);
+    const Stream part(std::fopen(file.c_str(), "rb"), close_unless_input);
+    complete = complete && part && std::fseek(part.get(), static_cast<long>(begin), SEEK_SET) == 0 &&
+               std::fread(bytes.data() + begin, 1, end - begin, part.get()) == end - begin;
+  }
+  return complete;
+}
+
 /// Removes a leading '+', which std::from_chars does not accept. Another sign after the '+' is not allowed.
 std::string_view without_plus(std::string_view token) {
   if (token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
@@ -24,31 +53,35 @@ std::string_view without_plus(std::string_view token) {
 
 }  // namespace
 
-Result<std::string> read_file(const std::filesystem::path& file) {
+FileText::FileText(Array<char> bytes) : bytes_(std::move(bytes)) {
+  if (std::string_view(*this).starts_with(byte_order_mark)) first_ = byte_order_mark.size();
+}
+
+Result<FileText> read_file(const std::filesystem::path& file) {
   const auto failure = [&](const char* what) {
     return Error{ErrorKind::io, file.string() + ": " + what + ": " + std::strerror(errno)};
   };
-  const auto close = [](std::FILE* f) { f == stdin ? 0 : std::fclose(f); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream(
-      is_standard_input(file) ? stdin : std::fopen(file.c_str(), "rb"), close);
+  const bool is_input = is_standard_input(file);
+  const Stream stream(is_input ? stdin : std::fopen(file.c_str(), "rb"), close_unless_input);
   if (!stream) return failure("cannot be opened");
 
-  std::string bytes;
-  std::error_code unknown;  // a pipe has no size; the string then grows step by step
+  Array<char> bytes;
+  std::error_code unknown;  // a pipe has no size; the array then grows step by step
   const auto size = std::filesystem::file_size(file, unknown);
+  if (!unknown && !is_input && size >= least_shared_size && read_on_all_threads(file, size, bytes))
+    return FileText(std::move(bytes));
   std::size_t length = 0;
   std::size_t chunk = unknown ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
   for (;;) {
-    bytes.resize(length + chunk);
+    bytes.resize_uninitialised(length + chunk);
     const std::size_t got = std::fread(bytes.data() + length, 1, chunk, stream.get());
     length += got;
     if (got < chunk) break;
     chunk = length;
   }
   if (std::ferror(stream.get()) != 0) return failure("cannot be read");
-  bytes.resize(length);
-  if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
-  return bytes;
+  bytes.resize_uninitialised(length);
+  return FileText(std::move(bytes));
 }
 
 std::string in_quotes(std::string_view token) {

@@ -7,13 +7,26 @@
 #include <string>
 #include <string_view>
 
+#include "../array.hpp"
 #include "../result.hpp"
 
 namespace pardel::files {
 
-/// Returns the bytes of a file, without a byte order mark (EF BB BF) at the beginning. Names of standard input, such as
-/// `-`, are accepted. Error: `io`, with the name of the file, if it cannot be opened or read.
-[[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file);
+/// The bytes of a file.
+class FileText {
+ public:
+  /// A byte order mark (EF BB BF) at the beginning does not count.
+  explicit FileText(Array<char> bytes);
+  operator std::string_view() const { return std::string_view(bytes_.data(), bytes_.size()).substr(first_); }
+
+ private:
+  Array<char> bytes_;
+  std::size_t first_ = 0;
+};
+
+/// Returns the bytes of a file. Large files are read on all threads. Names of standard input, such as `-`, are
+/// accepted. Error: `io`, with the name of the file, if it cannot be opened or read.
+[[nodiscard]] Result<FileText> read_file(const std::filesystem::path& file);
 
 /// `token` in quotation marks, for messages: its first 40 bytes at most. Bytes that cannot be printed appear as \xNN.
 [[nodiscard]] std::string in_quotes(std::string_view token);

@@ -1,5 +1,6 @@
 // Reads VTU: triangles become triangles of the mesh, lines become its constrained edges, vertices are ignored. The
 // arrays of write_vtu() (region, marker, attributes) are read if they are present. z is ignored.
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -77,12 +78,38 @@ class VtuMesh {
   void read_points() {
     if (file_.points() > max_points) error_ = file_.error_at(0, "the piece announces more points than a mesh can hold");
     const auto xyz = values<double>(required("Points", ""), 3 * file_.points());
-    mesh_.points.resize(xyz.size() / 3);
+    mesh_.points.resize_uninitialised(xyz.size() / 3);
+#pragma omp parallel for schedule(static) if (mesh_.points.size() > 100'000)
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
   }
 
+  static constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
+
+  /// Reads the triangles at the beginning of the cells on all threads and returns their number. If one of them is
+  /// wrong, it reads none.
+  std::size_t read_leading_triangles(const Array<std::int64_t>& corners, const Array<std::int64_t>& ends,
+                                     const Array<std::int64_t>& types) {
+    const auto other = std::find_if(types.begin(), types.end(), [](std::int64_t type) { return type != vtk_triangle; });
+    const auto n = std::min(static_cast<std::size_t>(other - types.begin()), corners.size() / 3);
+    const auto points = static_cast<std::uint64_t>(mesh_.points.size());
+    mesh_.triangles.resize_uninitialised(n);
+    bool right = true;
+#pragma omp parallel for schedule(static) reduction(&& : right) if (n > 100'000)
+    for (std::size_t t = 0; t < n; ++t) {
+      Triangle triangle;
+      bool in_range = ends[t] == static_cast<std::int64_t>(3 * t + 3);
+      for (std::size_t i = 0; i < 3; ++i) {
+        in_range = in_range && static_cast<std::uint64_t>(corners[3 * t + i]) < points;
+        triangle.v[i] = static_cast<Index>(corners[3 * t + i]);
+      }
+      right = right && in_range;
+      mesh_.triangles[t] = triangle;
+    }
+    if (!right) mesh_.triangles.clear();
+    return leading_triangles_ = mesh_.triangles.size();
+  }
+
   void read_cells() {
-    constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
     const VtuArray* corners_array = required("Cells", "connectivity");
     const VtuArray* ends_array = required("Cells", "offsets");
     const VtuArray* types_array = required("Cells", "types");
@@ -90,8 +117,9 @@ class VtuMesh {
     const auto ends = values<std::int64_t>(ends_array, file_.cells());
     const auto types = values<std::int64_t>(types_array, file_.cells());
     if (!error_ && corners.size() / 3 > max_mesh_triangles) fail(*corners_array, "more triangles than a mesh can hold");
-    std::size_t first = 0;
-    for (std::size_t c = 0; c < file_.cells() && !error_; ++c) {
+    const std::size_t leading = error_ ? 0 : read_leading_triangles(corners, ends, types);
+    std::size_t first = 3 * leading;
+    for (std::size_t c = leading; c < file_.cells() && !error_; ++c) {
       const std::size_t n = types[c] == vtk_triangle ? 3 : types[c] == vtk_line ? 2 : 1;
       if (n == 1 && types[c] != vtk_vertex) {
         fail(*types_array, "cell " + std::to_string(c) + " is of type " + std::to_string(types[c]) +
@@ -113,12 +141,16 @@ class VtuMesh {
     }
   }
 
+  [[nodiscard]] std::size_t cell_of(std::size_t triangle) const {
+    return triangle < leading_triangles_ ? triangle : cell_of_triangle_[triangle - leading_triangles_];
+  }
+
   void read_regions() {
     const VtuArray* array = file_.find("CellData", "region");
     const auto by_cell = values<double>(array, file_.cells());
     if (error_ || array == nullptr) return;
     Array<double> by_triangle(mesh_.triangles.size());
-    for (std::size_t t = 0; t < by_triangle.size(); ++t) by_triangle[t] = by_cell[cell_of_triangle_[t]];
+    for (std::size_t t = 0; t < by_triangle.size(); ++t) by_triangle[t] = by_cell[cell_of(t)];
     set_regions(mesh_, by_triangle.span());
   }
 
@@ -159,7 +191,8 @@ class VtuMesh {
 
   const VtuFile& file_;
   Mesh mesh_;
-  std::vector<std::size_t> cell_of_triangle_;
+  std::size_t leading_triangles_ = 0;          ///< their cells are the first cells
+  std::vector<std::size_t> cell_of_triangle_;  ///< of the other triangles
   std::vector<std::size_t> cell_of_line_;
   std::optional<Error> error_;
 };
