@@ -74,7 +74,8 @@ class MshNodes {
  public:
   void add(std::size_t tag, const Point& p) { nodes_.push_back({tag, p}); }
   void sort() {
-    std::sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.tag < b.tag; });
+    const auto less = [](const Node& a, const Node& b) { return a.tag < b.tag; };
+    if (!std::is_sorted(nodes_.begin(), nodes_.end(), less)) std::sort(nodes_.begin(), nodes_.end(), less);
   }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }

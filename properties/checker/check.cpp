@@ -13,7 +13,9 @@ namespace {
 
 void run_stages(const Subject& subject, Findings& found, Certificate& certificate) {
   const auto& [pslg, mesh, goal, options] = subject;
-  Scan scanned = scan(mesh.points.span(), mesh.triangles.span(), bounds_of(subject), found.stop());
+  ScanBounds bounds = bounds_of(subject);
+  bounds.boundary = !lacks_neighbours(subject);
+  Scan scanned = scan(mesh.points.span(), mesh.triangles.span(), bounds, found.stop());
   const Sanity sanity = check_sanity(subject, scanned, found);
   if (!sanity.geometry) return;
   const Adjacency adjacency = check_topology(subject, sanity.neighbours, scanned, found);

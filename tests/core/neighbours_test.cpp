@@ -1,9 +1,15 @@
 #include "../../core/neighbours.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
+#include <algorithm>
 #include <initializer_list>
+#include <map>
+#include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "sample_mesh.hpp"
 
@@ -73,6 +79,55 @@ TEST(Neighbours, agree_with_comparing_all_pairs_of_sides) {
       EXPECT_EQ(triangles[s / 3].n[s % 3], expected);
     }
     EXPECT_EQ(surplus, expected_surplus);
+  }
+}
+
+/// A grid of squares, each cut into two triangles. Vertices and triangles are numbered at random.
+Array<Triangle> shuffled_grid(Index squares, std::mt19937& random) {
+  std::vector<Index> number((squares + 1) * (squares + 1));
+  std::iota(number.begin(), number.end(), Index{0});
+  std::shuffle(number.begin(), number.end(), random);
+  const auto at = [&](Index x, Index y) { return number[x + y * (squares + 1)]; };
+  std::vector<Triangle> triangles;
+  for (Index x = 0; x < squares; ++x)
+    for (Index y = 0; y < squares; ++y) {
+      triangles.push_back({{at(x, y), at(x + 1, y), at(x + 1, y + 1)}, {}});
+      triangles.push_back({{at(x + 1, y + 1), at(x, y + 1), at(x, y)}, {}});
+    }
+  std::shuffle(triangles.begin(), triangles.end(), random);
+  return Array<Triangle>(std::span<const Triangle>(triangles));
+}
+
+TEST(Neighbours, of_many_triangles_are_the_same_on_any_number_of_threads) {
+  constexpr Index squares = 150;
+  constexpr std::size_t points = (squares + 1) * (squares + 1);
+  std::mt19937 random(5);
+  for (const int defect : {0, 1, 2}) {
+    Array<Triangle> triangles = shuffled_grid(squares, random);
+    if (defect == 1) std::swap(triangles[7].v[0], triangles[7].v[1]);
+    if (defect == 2) triangles.push_back(triangles[9]);
+    std::map<std::pair<Index, Index>, std::vector<Index>> at_edge;  // triangles, ascending
+    for (Index t = 0; t < triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i)
+        at_edge[std::minmax(triangles[t].v[(i + 1) % 3], triangles[t].v[(i + 2) % 3])].push_back(t);
+    const int threads = omp_get_max_threads();
+    for (const int n : {1, 2, 5}) {
+      omp_set_num_threads(n);
+      Array<Triangle> joined = triangles;
+      EXPECT_EQ(rebuild_neighbours(joined, points), defect == 2 ? 3U : 0U);
+      std::size_t wrong = 0;
+      for (Index t = 0; t < joined.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto& same = at_edge[std::minmax(joined[t].v[(i + 1) % 3], joined[t].v[(i + 2) % 3])];
+          const Index expected = same.size() < 2 ? no_index
+                                 : same[0] == t  ? same[1]
+                                 : same[1] == t  ? same[0]
+                                                 : no_index;
+          wrong += joined[t].n[i] != expected ? 1 : 0;
+        }
+      EXPECT_EQ(wrong, 0U) << n << " threads, defect " << defect;
+    }
+    omp_set_num_threads(threads);
   }
 }
 

@@ -21,7 +21,7 @@ bool are_finite(std::span<const Point> points, StopSignal* stop) {
 
 /// The part of the result that one thread makes.
 struct Part {
-  bool corners_usable = true, neighbours_in_range = true, neighbours_reciprocal = true, names_no_neighbour = true;
+  bool corners_usable = true, neighbours_in_range = true, neighbours_reciprocal = true;
   std::uint64_t rays = 0, to_later = 0, to_earlier = 0;  ///< the last two: links to triangles with greater/less numbers
   std::vector<OpenTriangle> open;
   std::vector<BoundaryEdge> boundary;
@@ -58,10 +58,9 @@ class TriangleScan {
     bool delaunay = true;
     for (int k = 0; k < 3; ++k) {
       if (n[k] == no_index) {
-        part.boundary.push_back({v[next(k)], v[previous(k)], {t, k}});
+        if (bounds_.boundary) part.boundary.push_back({v[next(k)], v[previous(k)], {t, k}});
         continue;
       }
-      part.names_no_neighbour = false;
       if (n[k] >= triangles_.size()) {
         part.neighbours_in_range = false;
       } else if (n[k] > t) {
@@ -135,7 +134,6 @@ Scan scan(std::span<const Point> points, std::span<const Triangle> triangles, co
     result.corners_usable &= part.corners_usable;
     result.neighbours_in_range &= part.neighbours_in_range;
     result.neighbours_reciprocal &= part.neighbours_reciprocal;
-    result.names_no_neighbour &= part.names_no_neighbour;
     result.rays += part.rays;
     to_later += part.to_later;
     to_earlier += part.to_earlier;

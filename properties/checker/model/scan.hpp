@@ -29,6 +29,7 @@ struct ScanBounds {
   double area = std::numeric_limits<double>::infinity();
   double edge = std::numeric_limits<double>::infinity();
   double circumradius = 0;
+  bool boundary = true;  ///< false: the edges without a neighbour are not listed
 };
 
 /// A triangle with tests that are still open.
@@ -44,7 +45,6 @@ struct Scan {
   bool neighbours_in_range = true;  ///< if not, the scan took the wrong ones as absent
   /// Each neighbour has the common edge in the other direction, and names the triangle there.
   bool neighbours_reciprocal = true;
-  bool names_no_neighbour = true;
   std::vector<OpenTriangle> open;      ///< ascending; without a meaning for edges if neighbours are not reciprocal
   std::vector<BoundaryEdge> boundary;  ///< the edges without a neighbour, sorted as in Adjacency
   Array<Index> start;                  ///< per vertex one of its triangles, any of them, or no_index

@@ -419,6 +419,13 @@ void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& f
 
 }  // namespace
 
+bool lacks_neighbours(const Subject& subject) {
+  const auto& triangles = subject.mesh.triangles;
+  return subject.options.foreign && std::all_of(triangles.begin(), triangles.end(), [](const Triangle& t) {
+           return t.n == std::array<Index, 3>{no_index, no_index, no_index};
+         });
+}
+
 Adjacency check_topology(const Subject& subject, bool neighbours_usable, Scan& scan, Findings& found) {
   const Mesh& mesh = subject.mesh;
   check_orientation(subject, scan, found);
@@ -427,7 +434,7 @@ Adjacency check_topology(const Subject& subject, bool neighbours_usable, Scan& s
       check_euler(subject, adjacency, found);
   };
 
-  const bool absent = subject.options.foreign && scan.names_no_neighbour;
+  const bool absent = lacks_neighbours(subject);
   if (neighbours_usable && !absent) {
     if (!scan.neighbours_reciprocal) check_reciprocity(mesh, found);
     if (found.count(ViolationKind::wrong_neighbour) == 0) {

@@ -31,6 +31,9 @@ struct Sanity {
   bool neighbours = true;  ///< neighbour ids
   bool labels = true;      ///< constrained edges, regions, origins, markers and attributes
 };
+/// True if the mesh is foreign and its triangles name no neighbours at all.
+[[nodiscard]] bool lacks_neighbours(const Subject& subject);
+
 /// The bounds of the goal and of the options, for the scan.
 [[nodiscard]] ScanBounds bounds_of(const Subject& subject);
 

@@ -1,6 +1,7 @@
 #include "../../../core/formats/text_reader.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 #include <sys/resource.h>
 
 #include <limits>
@@ -43,9 +44,9 @@ TEST(ReadFile, skips_a_byte_order_mark_at_the_beginning_only) {
                                                     "1 2"},
                                           {"1\xEF\xBB\xBF", "1\xEF\xBB\xBF"},
                                           {"\xEF\xBB", "\xEF\xBB"}}) {
-    const Result<std::string> text = read_file(folder.write("file", written));
+    const auto text = read_file(folder.write("file", written));
     ASSERT_TRUE(text.ok());
-    EXPECT_EQ(*text, expected);
+    EXPECT_EQ(std::string_view(*text), expected);
   }
   EXPECT_TRUE(parse_poly("\xEF\xBB\xBF"
                          "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n0 0\n0\n",
@@ -190,7 +191,20 @@ TEST(ReadFile, refuses_a_folder) {
 TEST(ReadFile, returns_all_bytes) {
   const TemporaryFolder folder;
   const std::string bytes("\0\xff\r\n#", 5);
-  EXPECT_EQ(*read_file(folder.write("with spaces.bin", bytes)), bytes);
+  EXPECT_EQ(std::string_view(*read_file(folder.write("with spaces.bin", bytes))), bytes);
+}
+
+TEST(ReadFile, returns_all_bytes_of_a_large_file) {
+  const TemporaryFolder folder;
+  std::string bytes = "\xEF\xBB\xBF";
+  for (std::uint32_t i = 0; bytes.size() < (std::size_t{1} << 24) + 11; ++i) bytes += std::to_string(i * 2654435761U);
+  const auto file = folder.write("large", bytes);
+  const int threads = omp_get_max_threads();
+  for (const int n : {1, 3, 7}) {
+    omp_set_num_threads(n);
+    EXPECT_TRUE(std::string_view(*read_file(file)) == std::string_view(bytes).substr(3)) << n;
+  }
+  omp_set_num_threads(threads);
 }
 
 TEST(TextReader, gives_nothing_after_a_failure) {

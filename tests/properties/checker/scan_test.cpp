@@ -1,8 +1,6 @@
 // What the checker concludes from one scan of all triangles, without walks through the mesh.
 #include "../../../properties/checker/model/scan.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 
 #include "../../../core/neighbours.hpp"
@@ -67,33 +65,44 @@ class Bands {
 
 bool is_on_ring(int x, int y) { return x == 0 || x == 6 || y == 0 || y == 6; }
 
-TEST(Scan, does_not_hide_a_handle_of_two_bands_that_cross) {
-  // Two square rings cross in two places. In one of them they have a square in common. This surface is a torus without
-  // a disk. All its triangles are counter-clockwise, and all its vertices have one fan.
-  Bands bands;
+PARDEL_PROPERTY(
+    Scan, does_not_hide_a_handle_of_two_bands_that_cross,
+    {.statement = "a surface with a handle has the wrong Euler characteristic, also if all its triangles are "
+                  "counter-clockwise and all its vertices have one fan",
+     .source = "properties/checker/stages/check_topology.cpp",
+     .families = "two square rings that cross twice and have a square in common at one of the crossings, "
+                 "with triangles in any order"}) {
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  std::vector<std::array<int, 3>> cells;  // x, y, sheet
   for (int x = 0; x < 7; ++x)
     for (int y = 0; y < 7; ++y) {
       if (!is_on_ring(x, y)) continue;
-      bands.add_cell(x, y, 0);
-      if (x + 3 != 6 || y + 3 != 3) bands.add_cell(x + 3, y + 3, 1);
+      cells.push_back({x, y, 0});
+      if (x + 3 != 6 || y + 3 != 3) cells.push_back({x + 3, y + 3, 1});
     }
+  random.shuffle(cells);
+  Bands bands;
+  for (const auto& [x, y, sheet] : cells) bands.add_cell(x, y, sheet);
   Pslg square;
   square.points = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   square.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   const Certificate found = check(square, bands.finished(), Goal{}, {.foreign = true});
-  EXPECT_EQ(found.violation_counts[static_cast<std::size_t>(ViolationKind::euler_characteristic)], 1U)
-      << to_text(found);
-  EXPECT_EQ(found.violation_counts[static_cast<std::size_t>(ViolationKind::non_manifold_vertex)], 0U);
+  RC_ASSERT(found.violation_counts[static_cast<std::size_t>(ViolationKind::euler_characteristic)] == 1U);
+  RC_ASSERT(found.violation_counts[static_cast<std::size_t>(ViolationKind::non_manifold_vertex)] == 0U);
 }
 
-TEST(Scan, does_not_hide_the_triangle_in_a_hole) {
+PARDEL_PROPERTY(Scan, does_not_hide_the_triangle_in_a_hole,
+                {.statement = "a triangle that contains the seed of a hole is reported as that",
+                 .source = "properties/checker/stages/check_coverage.cpp",
+                 .families = "a square with a square hole that is filled with triangles, any seed in the hole"}) {
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
   Pslg plate;
   plate.points = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
   plate.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
   const Mesh filled = triangulate(plate)->mesh;
-  plate.holes = {{1.5, 1.25}};
+  plate.holes = {{random.uniform(1.1, 1.4), random.uniform(1.5, 1.9)}};  // on no diagonal
   const std::string text = to_text(check(plate, filled, Goal{.min_angle_deg = 0}));
-  EXPECT_NE(text.find("contains the seed of hole 0"), std::string::npos) << text;
+  RC_ASSERT(text.find("contains the seed of hole 0") != std::string::npos);
 }
 
 }  // namespace
