@@ -805,6 +805,7 @@ Certificate full_certificate() {
   certificate.vertices = certificate.triangles = certificate.constrained_edges = 1;
   certificate.min_angle_deg = {12.5, 3, {0.25, 4}};
   certificate.area = 2.25;
+  certificate.decided_exactly = 4;
   certificate.angle_histogram = {1, 0, 100, 200};
   for (Index t = 0; t < 44; ++t)
     certificate.justified.push_back({t, 2 * (t % 22), 60.0 - t, t < 22 ? 9.0 : 8.5 + t / 100.0});
@@ -882,6 +883,7 @@ TEST(Certificate, with_everything_is_this_JSON) {
            "grading": null, "feature_edges": 0.0,
            "conforming": true, "convex_hull": true},
   "mesh": {"vertices": 1, "triangles": 1, "constrained_edges": 1, "area": 2.25},
+  "decided_exactly": 4,
   "extremes": {
     "min_angle_deg": {"value": 12.5, "triangle": 3, "where": [0.25, 4.0]},
     "max_angle_deg": {"value": 0.0, "triangle": null, "where": [0.0, 0.0]},
