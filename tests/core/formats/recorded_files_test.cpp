@@ -212,7 +212,7 @@ TEST(RecordedFiles, of_bytes_with_mistakes_cause_the_same_results) {
 std::string data(const char* name) {
   const auto text = files::read_file(std::filesystem::path(PARDEL_FORMATS_DATA) / name);
   EXPECT_TRUE(text.ok());
-  return text.ok() ? *text : "";
+  return text.ok() ? std::string(std::string_view(*text)) : std::string();
 }
 
 TEST(RecordedFiles, of_other_programs_with_mistakes_cause_the_same_results) {

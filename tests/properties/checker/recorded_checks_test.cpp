@@ -21,6 +21,12 @@
 namespace pardel {
 namespace {
 
+/// A certificate without the number of triangles that exact arithmetic decided: it depends on the filters.
+std::string without_count(std::string json) {
+  const std::size_t begin = json.find("  \"decided_exactly\""), end = json.find('\n', begin) + 1;
+  return json.erase(begin, end - begin);
+}
+
 using generators::Random;
 using pardel::testing::Fingerprint;
 
@@ -53,7 +59,7 @@ void add(Fingerprint& all, const Certificate& c) {
   for (const Extreme& e : {c.min_angle_deg, c.max_angle_deg, c.max_area, c.max_edge, c.min_edge, c.max_circumradius,
                            c.max_radius_edge_ratio})
     all.add_all(to_eight_digits(e.value), e.triangle == no_index);
-  all.add_all(c.digest.high, c.digest.low, words(to_text(c)), words(to_json(c)));
+  all.add_all(c.digest.high, c.digest.low, words(to_text(c)), words(without_count(to_json(c))));
 }
 
 /// Any of the points, triangles and so on. Precondition: there are some.
