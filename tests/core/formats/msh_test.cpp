@@ -448,5 +448,14 @@ TEST(Msh, with_the_largest_number_of_nodes_is_too_short_and_with_one_more_cannot
   EXPECT_NE(failure("4294967292"), "f:5: announces more nodes than a mesh can hold");
 }
 
+TEST(Msh, of_version_4_with_the_largest_number_of_nodes_is_too_short_and_with_one_more_cannot_be_held) {
+  const auto failure = [](const std::string& nodes) {
+    return message_of_invalid(
+        parse_msh("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 " + nodes + " 1 9\n2 1 0 1\n", "f"));
+  };
+  EXPECT_EQ(failure("4294967293"), "f:5: announces more nodes than a mesh can hold");
+  EXPECT_NE(failure("4294967292"), "f:5: announces more nodes than a mesh can hold");
+}
+
 }  // namespace
 }  // namespace pardel

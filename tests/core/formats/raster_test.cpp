@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "../../../core/formats.hpp"
+#include "../../../core/formats/raster_readers.hpp"
 #include "../../temporary_folder.hpp"
 #include "broken_text.hpp"
 
@@ -212,6 +213,27 @@ TEST_F(Npy, may_have_its_type_last_and_few_blanks) {
   const auto raster = read(npy<double>("{'fortran_order':False,'shape':(2, 3),'descr':'<f8'", {5, 6, 7, 1, 2, 4}));
   ASSERT_TRUE(raster) << raster.error().message;
   EXPECT_EQ(raster->values, south_to_north);
+}
+
+/// From version 2 on, the length of the dictionary takes four bytes.
+TEST_F(Npy, has_one_of_three_versions) {
+  std::string text = npy<double>(doubles, {5, 6, 7, 1, 2, 4});
+  text.insert(10, 2, '\0');
+  for (const char version : {'\2', '\3', '\4'}) {
+    text[6] = version;
+    EXPECT_EQ(read(text).ok(), version < 4) << int(version);
+  }
+}
+
+TEST(Asc, has_no_value_where_nan_is_written_in_any_way) {
+  for (const char* nan : {"nan", "NaN", "nan(7)", "NANQ"}) {
+    const auto raster =
+        files::parse_asc("ncols 2\nnrows 1\nxllcenter 0\nyllcenter 0\ncellsize 1\n3 " + std::string(nan) + "\n", "g");
+    ASSERT_TRUE(raster) << raster.error().message;
+    EXPECT_EQ(raster->values[0], 3);
+    EXPECT_TRUE(std::isnan(raster->values[1]));
+  }
+  EXPECT_FALSE(files::parse_asc("ncols 1\nnrows 1\nxllcenter 0\nyllcenter 0\ncellsize 1\nna\n", "g"));
 }
 
 }  // namespace

@@ -346,5 +346,20 @@ TEST(Vtu, has_the_smallest_angle_of_triangles_that_are_turned) {
   }
 }
 
+/// Earlier versions of write_vtu() stored the constrained edges as field data.
+TEST(Vtu, of_earlier_versions_has_constrained_edges_as_field_data) {
+  const std::string data =
+      "<FieldData>\n<DataArray type=\"Int32\" Name=\"constrained_edges\" format=\"ascii\">0 1 1 2 3 0</DataArray>\n"
+      "<DataArray type=\"Int32\" Name=\"constrained_edge_markers\" format=\"ascii\">4 5 6</DataArray>\n</FieldData>\n";
+  std::string text = replaced(ascii_vtu, "  <UnstructuredGrid>\n", "  <UnstructuredGrid>\n" + data);
+  text = replaced(text, "0 1  0 1 2", "0    0 1 2");
+  text = replaced(replaced(text, "2 5 6 9", "1 4 5 8"), "3 5 1 5", "1 5 1 5");
+  const auto mesh = parse_vtu(text, "f");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->constrained_edges,
+            (std::vector<ConstrainedEdge>{{0, 1, no_index, 4}, {1, 2, no_index, 5}, {3, 0, no_index, 6}}));
+  EXPECT_NE(failure_of_vtu(replaced(text, ">4 5 6<", ">4 5<")), "(no error)");
+}
+
 }  // namespace
 }  // namespace pardel
