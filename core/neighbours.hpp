@@ -14,7 +14,8 @@ inline constexpr std::size_t max_mesh_triangles = (no_index - 1) / 3;
 /// than two triangles share an edge, the two triangles with the smallest indices become neighbours; the sides of the
 /// other triangles at this edge are called surplus and get no_index. A triangle is never its own neighbour. Returns the
 /// number of surplus sides, which is 0 if the mesh is a manifold.
-/// Time O(triangles + points); extra memory 12 bytes per triangle and 8 bytes per point.
+/// Time O(triangles + points), on all threads if each edge has at most one triangle on each side. The result does not
+/// depend on the number of threads. Extra memory: 12 bytes per triangle and 8 bytes per point.
 /// Preconditions: every corner < points, and triangles.size() <= max_mesh_triangles.
 std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points);
 

@@ -44,7 +44,7 @@ namespace pardel {
 /// but not trusted: the scan proves that they are right, or they are computed anew.
 ///
 /// O(n log n) time on typical input, on all OpenMP threads; the result does not depend on the number of threads. Memory
-/// in addition to the mesh: 5 bytes per triangle of a valid mesh without regions, 77 bytes if the neighbours have to be
+/// in addition to the mesh: 6 bytes per triangle of a valid mesh without regions, 78 bytes if the neighbours have to be
 /// recomputed.
 [[nodiscard]] Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options = {});
 
