@@ -30,25 +30,32 @@ bool is_allowed(const Violation& violation, const Goal& goal, const Report& repo
          });
 }
 
+/// Meshes the domain and checks the mesh.
+void mesh_and_check(const Pslg& pslg, Goal goal, const Options& options) {
+  const Result<Meshed> meshed = mesh(pslg, goal, options);
+  if (!meshed) fail("a valid Pslg was rejected: " + meshed.error().message);
+  // In this case some constrained edges may be left that a conforming goal would have split.
+  if (ran_out(meshed->report)) goal.conforming = false;
+  const Certificate certificate = check(pslg, meshed->mesh, goal, {.max_violations = 100'000});
+  for (const Violation& violation : certificate.violations)
+    if (!is_allowed(violation, goal, meshed->report)) fail(violation.message());
+  if (certificate.valid != certificate.violations.empty()) fail("the verdict contradicts the list of violations");
+}
+
 }  // namespace
 
 int fuzz_one(std::span<const std::uint8_t> bytes) {
   const MeshCase drawn = decode_mesh_case(bytes);
   const Prepared prepared = prepare(drawn);
   if (!prepared.usable) return -1;
-  const ValidateOptions options{.convex_hull = drawn.goal.convex_hull};
-  if (const auto problems = find_problems(prepared.pslg, options); !problems.empty())
+  const ValidateOptions validation{.convex_hull = drawn.goal.convex_hull};
+  if (const auto problems = find_problems(prepared.pslg, validation); !problems.empty())
     fail("the repaired Pslg is not valid: " + problems.front().message());
-
-  const Result<Meshed> meshed = mesh(prepared.pslg, drawn.goal, drawn.options);
-  if (!meshed) fail("a valid Pslg was rejected: " + meshed.error().message);
-  // In this case some constrained edges may be left that a conforming goal would have split.
-  Goal goal = drawn.goal;
-  if (ran_out(meshed->report)) goal.conforming = false;
-  const Certificate certificate = check(prepared.pslg, meshed->mesh, goal, {.max_violations = 100'000});
-  for (const Violation& violation : certificate.violations)
-    if (!is_allowed(violation, goal, meshed->report)) fail(violation.message());
-  if (certificate.valid != certificate.violations.empty()) fail("the verdict contradicts the list of violations");
+  Options options = drawn.options;
+  for (const Interior interior : {Interior::refine, Interior::fill}) {
+    options.interior = interior;
+    mesh_and_check(prepared.pslg, drawn.goal, options);
+  }
   return 0;
 }
 

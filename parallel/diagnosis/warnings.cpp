@@ -83,7 +83,7 @@ std::string Warning::message(int base) const {
 std::vector<Warning> find_warnings(const ValidPslg& domain) {
   const Pslg& pslg = domain.pslg();
   std::vector<Warning> warnings;
-  if (std::optional<Warning> far = find_far_part(pslg)) warnings.push_back(std::move(*far));
+  if (std::optional<Warning> warning = find_far_part(pslg)) warnings.push_back(std::move(*warning));
   const std::vector<Index> degree = degrees(pslg);
   if (domain.convex_hull() || std::find(degree.begin(), degree.end(), 1U) == degree.end()) return warnings;
   const std::vector<bool> outside = segments_outside(pslg);
