@@ -106,18 +106,20 @@ Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, 
       find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
 }
 
-/// The edges of the patches in each region, and last without a region. Empty if there are no patches.
-std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const Options& options) {
+/// The domain with an interior of equilateral triangles, if the options ask for it and the goal allows it.
+Result<std::optional<Filling>> fill_interior(const Pslg& pslg, bool convex_hull, const DomainTriangulation& domain,
+                                             const Goal& goal, const Options& options, const Threads& threads) {
   const bool is_constant = !goal.size && !is_graded(goal);
-  if (options.interior != Interior::fill || !is_constant || goal.min_angle_deg > largest_filling_angle_deg) return {};
-  std::vector<double> edges;
+  if (options.interior != Interior::fill || !is_constant || goal.min_angle_deg > largest_filling_angle_deg)
+    return std::optional<Filling>();
+  std::vector<double> edges;  // in each region, and last without a region
   for (const Region& region : pslg.regions)
     edges.push_back(
         edge_of_patch(goal.region_caps ? std::min(goal.max_area, region.max_area) : goal.max_area, goal.max_edge));
   edges.push_back(edge_of_patch(goal.max_area, goal.max_edge));
   for (double& edge : edges)
     if (edge < options.min_edge) edge = INFINITY;
-  return edges;
+  return fill_domain(pslg, convex_hull, domain, edges, options, threads);
 }
 
 /// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
@@ -144,16 +146,14 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
       return wanted.error();
     if (goal->size)
       require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
-    if (const std::vector<double> edges = edges_of_patches(pslg, *goal, options); !edges.empty()) {
-      Result<std::optional<Filling>> filled =
-          fill_domain(pslg, convex_hull, *domain, edges, options, progress.threads());
-      if (!filled) return filled.error();
-      if (filled->has_value()) {
-        domain = std::move((*filled)->domain);
-        points = std::move((*filled)->points);
-        input.points.points = points;
-        result.report.laid = (*filled)->triangles;
-      }
+    Result<std::optional<Filling>> filled =
+        fill_interior(pslg, convex_hull, *domain, *goal, options, progress.threads());
+    if (!filled) return filled.error();
+    if (filled->has_value()) {
+      domain = std::move((*filled)->domain);
+      points = std::move((*filled)->points);
+      input.points.points = points;
+      result.report.laid = (*filled)->triangles;
     }
     Goal graded = guarded(*goal);
     if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());

@@ -4,7 +4,7 @@
 // are Delaunay, so they need not be inserted point by point: their corners, and who is whose neighbour, are known in
 // advance. A patch of them keeps a distance of 0.7 edges from everything in the domain: then nothing lies in a
 // circumdisk of the patch, and the triangulation of the domain together with the points on the patch's border contains
-// the border (THEORY.md, Patch). What this triangulation has inside the border is replaced by the patch. What it has
+// the border (THEORY.md, Fill). What this triangulation has inside the border is replaced by the patch. What it has
 // outside is refined afterwards.
 #pragma once
 

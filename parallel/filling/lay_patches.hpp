@@ -17,7 +17,7 @@ namespace pardel::engine {
 /// the result.
 ///
 /// Returns false if an edge of a border is missing in `t`, which is then useless. This does not happen if the patches
-/// are those of find_patches() (THEORY.md, Patch).
+/// are those of find_patches() (THEORY.md, Fill).
 [[nodiscard]] bool lay_patches(Triangulation& t, std::span<const RegionPatch> patches, std::span<const VertexId> border,
                                const Threads& threads);
 

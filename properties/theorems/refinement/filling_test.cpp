@@ -1,4 +1,4 @@
-// Fill: interiors of equilateral triangles. The statements are in properties/THEORY.md, Patch.
+// Fill: interiors of equilateral triangles. The statements are in properties/THEORY.md, Fill.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace pardel::properties {
 namespace {
 
-constexpr const char* patch_source = "properties/THEORY.md, Patch";
+constexpr const char* patch_source = "properties/THEORY.md, Fill";
 constexpr const char* filled_families =
     "lattice domains of every family, random goals up to 29.9 degrees; bounds on areas from a 30th to a 3000th of the "
     "bounding box, bounds on edges, and caps per region";
