@@ -110,20 +110,6 @@ void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");
 }
 
-}  // namespace
-
-void add_mesh_options(CLI::App& app, MeshArguments& arguments) {
-  add_files(app, arguments);
-  add_goal_options(app, arguments.goal, largest_min_angle_deg);
-  add_limits(app, arguments);
-  add_ways_to_work(app, arguments);
-  add_steps(app, arguments);
-  add_forms_of_output(app, arguments);
-  app.footer(footer);
-}
-
-namespace {
-
 /// Refuses --interior fill where no triangle would be laid.
 Status check_interior(const MeshArguments& arguments) {
   const auto refuse = [](const std::string& why) { return Error{ErrorKind::usage, "--interior fill " + why}; };
@@ -141,6 +127,16 @@ Status check_interior(const MeshArguments& arguments) {
 }
 
 }  // namespace
+
+void add_mesh_options(CLI::App& app, MeshArguments& arguments) {
+  add_files(app, arguments);
+  add_goal_options(app, arguments.goal, largest_min_angle_deg);
+  add_limits(app, arguments);
+  add_ways_to_work(app, arguments);
+  add_steps(app, arguments);
+  add_forms_of_output(app, arguments);
+  app.footer(footer);
+}
 
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;

@@ -144,7 +144,7 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
     result.report.gaps = find_gaps(*domain, progress.threads());
     if (Status wanted = announce_least_size(*domain, *goal, options, progress.threads()); !wanted)
       return wanted.error();
-    if (goal->size)
+    if (ends_somewhere(goal->size))
       require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
     Result<std::optional<Filling>> filled =
         fill_interior(pslg, convex_hull, *domain, *goal, options, progress.threads());
@@ -300,7 +300,7 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   }
   result.report.triangulate_seconds = watch.lap();
 
-  if (goal.size) require_coverage(goal.size, coarse.points.span(), progress.threads());
+  require_coverage(goal.size, coarse.points.span(), progress.threads());
   const Criteria criteria(guarded(goal), options.placement, {}, area_cap);
   if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
     return refined.error();

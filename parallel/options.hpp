@@ -39,8 +39,8 @@ enum class Decomposition : std::uint8_t {
 enum class Interior : std::uint8_t {
   refine,  ///< triangles of the refinement, as everywhere
   /// Equilateral triangles just below the bound: the fewest that keep it. Only in mesh(), and where the bounds do not
-  /// depend on the place; not for angles above largest_filling_angle_deg: the refinement would spread into them, because
-  /// a point inside an equilateral triangle makes angles of at most 30 degrees.
+  /// depend on the place; not for angles above largest_filling_angle_deg: the refinement would spread into them,
+  /// because a point inside an equilateral triangle makes angles of at most 30 degrees.
   fill,
 };
 

@@ -17,8 +17,8 @@ class SmallTriangles {
 
   explicit SmallTriangles(const Canvas& canvas);
 
-  /// `corners`: places in the picture. `size`: the longest side in the picture. `edges`: the colour includes that of the
-  /// edges, which shows the density of the mesh; without them it is the colour of the legend.
+  /// `corners`: places in the picture. `size`: the longest side in the picture. `edges`: the colour includes that of
+  /// the edges, which shows the density of the mesh; without them it is the colour of the legend.
   void add(const std::array<Point, 3>& corners, double size, Colour fill, bool edges);
   void paint(Canvas& canvas);
 

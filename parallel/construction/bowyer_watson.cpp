@@ -42,7 +42,8 @@ struct FiniteBoxQuery {
       return InDisks::of(in_circumdisk(t, first, as_point(p)), is_hit(behind));
     return pairs.first_and_behind(first, c, behind);
   }
-  [[nodiscard, gnu::always_inline]] DisksAndCorners both(Corner u, Corner w, Corner v, EdgeRef right, EdgeRef left) const {
+  [[nodiscard, gnu::always_inline]] DisksAndCorners both(Corner u, Corner w, Corner v, EdgeRef right,
+                                                         EdgeRef left) const {
     const VertexId on_right = far_corner(right), on_left = far_corner(left);
     if (on_right == ghost || on_left == ghost) [[unlikely]]
       return {InDisks::of(is_hit(right), is_hit(left)), {corner(on_right), corner(on_left)}};

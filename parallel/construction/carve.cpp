@@ -4,23 +4,11 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../triangulation/locate.hpp"
+#include "flood.hpp"
 #include "remove_triangles.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// Labels all triangles that can be reached from the triangles on the stack without crossing a constrained edge.
-void flood(const Triangulation& t, std::vector<TriangleId>& stack, Array<Index>& label, Index value, SparseAsk& ask) {
-  while (!stack.empty()) {
-    ask();
-    const TriangleId id = stack.back();
-    stack.pop_back();
-    if (label[id] == value) continue;
-    label[id] = value;
-    for (const EdgeRef out : t.slots[id].n)
-      if (!out.constrained() && label[out.triangle()] != value) stack.push_back(out.triangle());
-  }
-}
 
 /// Constrains the edges of the convex hull and returns those that were not constrained before.
 std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const TriangleId> ghosts, SparseAsk& ask) {
@@ -46,7 +34,8 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const 
   if (rules.convex_hull) hull = constrain_hull(t, ghosts.span(), ask);
   if (rules.convex_hull && rules.holes.empty() && rules.region_seeds.empty()) {
     // The constrained hull separates the ghosts from all other triangles.
-    remove_triangles(t, ghosts.span(), [&](TriangleId id) { return t.slots[id].is_ghost(); }, [](auto, auto) {}, ask);
+    remove_triangles(
+        t, ghosts.span(), [&](TriangleId id) { return t.slots[id].is_ghost(); }, [](auto, auto) {}, ask);
     return hull;
   }
 

@@ -185,8 +185,7 @@ class RoundInserter {
       // Check here that each tile's start is still in its box: while tasks run, another task may change the start.
       std::vector<Index> cells;
       for (Index cell = 0; cell < shape.cells(); ++cell)
-        if (shape.colour_of(cell) == colour && starts_inside(tiles[cell], shape.box_of(cell)))
-          cells.push_back(cell);
+        if (shape.colour_of(cell) == colour && starts_inside(tiles[cell], shape.box_of(cell))) cells.push_back(cell);
       std::stable_sort(cells.begin(), cells.end(),
                        [&](Index a, Index b) { return tiles[a].positions.size() > tiles[b].positions.size(); });
       parallel_for(threads_, cells.size(), [&](std::size_t i, int thread) {

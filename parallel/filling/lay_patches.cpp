@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../concurrency/parallel_arrays.hpp"
+#include "../construction/flood.hpp"
 #include "../construction/remove_triangles.hpp"
 
 namespace pardel::engine {
@@ -133,25 +134,6 @@ std::vector<TriangleId> join_borders(Triangulation& t, std::size_t old, std::spa
   return inside;
 }
 
-/// The triangles that can be reached from those on the stack, in ascending order.
-std::vector<TriangleId> reached_from(const Triangulation& t, std::size_t old, std::vector<TriangleId> stack,
-                                     SparseAsk& ask) {
-  std::vector<bool> is_reached(old);
-  std::vector<TriangleId> reached;
-  while (!stack.empty()) {
-    ask();
-    const TriangleId id = stack.back();
-    stack.pop_back();
-    if (is_reached[id]) continue;
-    is_reached[id] = true;
-    reached.push_back(id);
-    for (const EdgeRef out : t.slots[id].n)
-      if (!out.none()) stack.push_back(out.triangle());
-  }
-  std::ranges::sort(reached);
-  return reached;
-}
-
 }  // namespace
 
 bool lay_patches(Triangulation& t, std::span<const RegionPatch> patches, std::span<const VertexId> border,
@@ -184,13 +166,14 @@ bool lay_patches(Triangulation& t, std::span<const RegionPatch> patches, std::sp
   std::ranges::sort(edges, {}, &BorderEdge::ends);
   std::vector<TriangleId> beside_borders = join_borders(t, old, edges, ask);
   if (beside_borders.size() != edges.size()) return false;
-  const std::vector<TriangleId> inside = reached_from(t, old, std::move(beside_borders), ask);
-  std::vector<bool> is_inside(old);
-  for (const TriangleId id : inside) is_inside[id] = true;
+  constexpr Index kept = 0, removed = 1;
+  Array<Index> label(old, kept);
+  flood(t, beside_borders, label, removed, ask);
+  const Array<TriangleId> inside = indices_where(threads, old, [&](std::size_t id) { return label[id] == removed; });
   remove_triangles(
-      t, inside, [&](TriangleId id) { return id < old && is_inside[id]; },
+      t, inside.span(), [&](TriangleId id) { return id < old && label[id] == removed; },
       [&](TriangleId from, TriangleId to) {
-        is_inside[to] = false;
+        label[to] = kept;
         if (!t.region.empty()) t.region[to] = t.region[from];
       },
       ask);

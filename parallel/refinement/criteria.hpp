@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../../core/goal.hpp"
-#include "../options.hpp"
 #include "../interpolation/local_bound.hpp"
+#include "../options.hpp"
 #include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {

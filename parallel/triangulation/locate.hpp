@@ -11,10 +11,8 @@ namespace pardel::engine {
 /// Returns the non-ghost triangle that contains p or, if p lies outside the convex hull, a ghost triangle whose hull
 /// edge separates p from the hull. The visibility walk starts at the non-ghost triangle `start` and tries the sides of
 /// each triangle in pseudo-random order. It terminates with probability one in every constrained Delaunay triangulation
-/// with ghosts (Devillers, Pion and Teillaud 2002). Before the walk enters a triangle, it calls
-/// may_enter(the triangle's corner opposite the common side); if that is false, the walk ends and returns no_index.
-template <class MayEnter>
-[[nodiscard]] TriangleId locate(const Triangulation& t, Point p, TriangleId start, const MayEnter& may_enter) {
+/// with ghosts (Devillers, Pion and Teillaud 2002).
+[[nodiscard]] inline TriangleId locate(const Triangulation& t, Point p, TriangleId start) {
   EdgeRef entered;  // the side of `at` that the walk crossed last
   TriangleId at = start;
   // With a fixed order of the sides the walk could cycle near constrained edges that are not Delaunay.
@@ -33,15 +31,9 @@ template <class MayEnter>
       }
     }
     if (out.none()) return at;
-    if (!may_enter(t.slot(out).v[out.side()])) return no_index;
     entered = out;
     at = out.triangle();
   }
-}
-
-/// The same without a restriction of the walk.
-[[nodiscard]] inline TriangleId locate(const Triangulation& t, Point p, TriangleId start) {
-  return locate(t, p, start, [](VertexId) { return true; });
 }
 
 }  // namespace pardel::engine

@@ -130,10 +130,10 @@ Quadtree quadtree_over(const PlainMesh& mesh) {
   CGAL::Bbox_2 bounds;
   for (const Corners& t : mesh.triangles)
     for (Index v : t) bounds += mesh.points[v].bbox();
-  // The bounds are in the middle of the square, more than a third of its side away from its border. If the square is divided,
-  // its quarters are wide enough: all circumradii are below side / 8, and all circumdisks lie in the square. The side is
-  // a power of two, and the corner lies on the lattice of the deepest level. So the corners of leaves are doubles unless
-  // the coordinates are 2^32 times as large as the extent.
+  // The bounds are in the middle of the square, more than a third of its side away from its border. If the square is
+  // divided, its quarters are wide enough: all circumradii are below side / 8, and all circumdisks lie in the square.
+  // The side is a power of two, and the corner lies on the lattice of the deepest level. So the corners of leaves are
+  // doubles unless the coordinates are 2^32 times as large as the extent.
   const double extent = std::max(bounds.xmax() - bounds.xmin(), bounds.ymax() - bounds.ymin());
   const double side = std::exp2(std::ceil(std::log2(extent)) + 2), unit = std::ldexp(side, -deepest);
   const auto below = [&](double low, double high) { return std::floor((low / 2 + high / 2 - side / 2) / unit) * unit; };

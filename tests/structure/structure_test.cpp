@@ -41,6 +41,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"input/check_faces", {"input/validate_test"}},
     {"input/check_values", {"input/validate_test"}},
     {"input/findings", {"input/validate_test"}},
+    {"construction/flood", {"construction/carve_test"}},
     {"construction/remove_triangles", {"construction/carve_test"}},
     {"filling/find_patches", {"filling/fill_domain_test"}},
     {"filling/lay_patches", {"filling/fill_domain_test"}},

@@ -52,7 +52,7 @@ struct Scan {
   std::uint64_t rays = 0;
   Measures measures;
 
-  /// Calls check(triangle, findings) for the triangles for which one of the tests is open, on all threads.
+  /// The triangles for which one of the tests is open, ascending.
   template <class... Tests>
   [[nodiscard]] std::vector<Index> open_for(Tests... tests) const {
     std::vector<Index> result;

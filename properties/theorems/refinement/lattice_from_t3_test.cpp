@@ -16,7 +16,8 @@ using ref::Number;
 using ref::RadiusTheorem;
 
 constexpr const char* sized_channels =
-    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners; bounds by T3 or T3-sharp "
+    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners; bounds by T3 or "
+    "T3-sharp "
     "from half the width of the channel to a little more than the width";
 
 /// A channel and the theorem that sizes its cells.
@@ -140,7 +141,8 @@ Encroachment side_by_side(Random& random) {
   const int x = random.chance(2) ? random.between(-reach / 8, reach / 8) : random.between(-reach, reach);
   const int along = random.between(1, 512), rise = random.chance(2) ? 0 : random.between(1 - height, height - 1);
   Encroachment e;
-  e.pslg.points = {{-256, 0}, {256, 0}, {1.0 * (x - along), 1.0 * (height - rise)}, {1.0 * (x + along), 1.0 * (height + rise)}};
+  e.pslg.points = {
+      {-256, 0}, {256, 0}, {1.0 * (x - along), 1.0 * (height - rise)}, {1.0 * (x + along), 1.0 * (height + rise)}};
   e.pslg.segments = {{0, 1}, {2, 3}};
   return e;
 }

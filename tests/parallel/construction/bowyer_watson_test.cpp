@@ -61,5 +61,17 @@ TEST(BowyerWatson, changes_nothing_if_the_insertion_leaves_the_box) {
   EXPECT_EQ(samples::fault(insertion.t), "");
 }
 
+TEST(BowyerWatson, ends_its_walk_before_the_first_triangle_that_leaves_the_box) {
+  Insertion insertion;
+  const Box left{-1, -1, 4.5, 9};
+  EXPECT_EQ(insertion.insert({7.25, 3.5}, left), Inserted::leaves_box);
+  EXPECT_EQ(insertion.insert({3.25, 6.5}, left), Inserted::yes);
+  const auto fresh = static_cast<VertexId>(insertion.t.points.size() - 1);
+  for (const Slot& slot : insertion.t.slots) {
+    if (std::ranges::find(slot.v, fresh) == slot.v.end()) continue;
+    for (const VertexId v : slot.v) EXPECT_TRUE(left.contains_half_open(insertion.t.points[v]));
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -36,7 +36,8 @@ TEST(LocalBound, of_values_at_points_interpolates_them) {
 
 TEST(LocalBound, of_values_on_triangles_is_constant_there) {
   const std::vector<double> values{7, 8};
-  const OnBackground<TriangleValues> cap{std::make_shared<const TriangleValues>(TriangleValues{two_triangles(), values})};
+  const OnBackground<TriangleValues> cap{
+      std::make_shared<const TriangleValues>(TriangleValues{two_triangles(), values})};
   EXPECT_EQ(cap({1.5, 0.5}), 7);
   EXPECT_EQ(cap({0.5, 1.5}), 8);
   expect_same(cap);

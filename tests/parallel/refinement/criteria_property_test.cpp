@@ -116,7 +116,8 @@ std::function<double(Point)> some_field(int side) {
       triangles.push_back({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
     }
   auto background = std::make_shared<const Background>(points, std::move(triangles));
-  return OnBackground<PointValues>{std::make_shared<const PointValues>(PointValues{std::move(background), std::move(sizes), false})};
+  return OnBackground<PointValues>{
+      std::make_shared<const PointValues>(PointValues{std::move(background), std::move(sizes), false})};
 }
 
 /// Sizes that grow with the distance from a point, and the promise of their slope.

@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "../../../parallel/triangulation/paired_disk_query.hpp"
 #include "../../../parallel/triangulation/cavity.hpp"
+#include "../../../parallel/triangulation/paired_disk_query.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {

@@ -42,16 +42,5 @@ TEST(Locate, finds_a_triangle_that_contains_the_point_or_the_ghost_beyond_a_hull
   }
 }
 
-TEST(Locate, ends_before_the_first_triangle_that_it_may_not_enter) {
-  const Triangulation t = samples::delaunay_of(samples::lattice_points(9));
-  TriangleId start = 0;
-  while (t.slots[start].is_ghost() || t.points[t.slots[start].v[0]].x > 2) ++start;
-  const auto is_on_the_left = [&](VertexId v) { return v != ghost && t.points[v].x <= 4; };
-  EXPECT_EQ(locate(t, {7.25, 3.5}, start, is_on_the_left), no_index);
-  const TriangleId found = locate(t, {3.25, 6.5}, start, is_on_the_left);
-  ASSERT_NE(found, no_index);
-  for (const VertexId v : t.slots[found].v) EXPECT_TRUE(is_on_the_left(v));
-}
-
 }  // namespace
 }  // namespace pardel::engine
