@@ -169,10 +169,17 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
 Result<Meshed> validate_and_mesh(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
                                  ProgressMonitor& progress) {
   Stopwatch watch;
-  if (Status valid = check_valid(pslg, convex_hull, progress.threads()); !valid) return valid.error();
+  const Threads& threads = progress.threads();
+  // The triangulation of a point set finds duplicate points, but names only two of them. So all of them are searched
+  // for only if it fails.
+  const bool leaves_duplicates = is_point_set(pslg) && find_problems_but_duplicates(pslg, threads).empty();
+  if (!leaves_duplicates)
+    if (Status valid = check_valid(pslg, convex_hull, threads); !valid) return valid.error();
   const double seconds = watch.lap();
   Result<Meshed> result = mesh_valid(pslg, convex_hull, goal, options, progress);
   if (result) result->report.validate_seconds = seconds;
+  if (leaves_duplicates && !result && result.error().kind == ErrorKind::invalid_input)
+    if (Status valid = check_valid(pslg, convex_hull, threads); !valid) return valid.error();
   return result;
 }
 

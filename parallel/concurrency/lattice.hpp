@@ -85,8 +85,7 @@ class Lattice {
 
  private:
   [[nodiscard]] static Index clamped(double offset, Index count) {
-    const double index = std::floor(offset);
-    return !(index > 0) ? 0 : std::min(count - 1, static_cast<Index>(std::min(index, 4e9)));
+    return !(offset > 0) ? 0 : std::min(count - 1, static_cast<Index>(std::min(offset, 4e9)));
   }
 
   Box bounds_;

@@ -127,22 +127,37 @@ Swept check_conflicts(const Pslg& pslg, const SoundSegments& sound, std::span<co
   return swept;
 }
 
+/// Adds all_points_collinear, if the coordinates are usable.
+void check_collinear(const Pslg& pslg, const Threads& threads, Findings& found) {
+  if (found.any(ProblemKind::non_finite_coordinate) || found.any(ProblemKind::coordinate_out_of_range)) return;
+  if (all_collinear(pslg.points, threads))
+    found.add(ProblemKind::all_points_collinear, {}, pslg.points.empty() ? Point{} : pslg.points[0]);
+}
+
 }  // namespace
+
+bool engine::is_point_set(const Pslg& pslg) {
+  return pslg.segments.empty() && pslg.holes.empty() && pslg.regions.empty();
+}
+
+std::vector<Problem> engine::find_problems_but_duplicates(const Pslg& pslg, const Threads& threads) {
+  Findings found(ValidateOptions{}.max_problems);
+  check_values(pslg, threads, found);
+  check_collinear(pslg, threads, found);
+  return std::move(found).sorted();
+}
 
 std::vector<Problem> engine::find_problems(const Pslg& pslg, const ValidateOptions& options, const Threads& threads) {
   Findings found(options.max_problems);
   SparseAsk ask(threads.stop);
   check_values(pslg, threads, found);
-  const bool usable =
-      !found.any(ProblemKind::non_finite_coordinate) && !found.any(ProblemKind::coordinate_out_of_range);
   const std::vector<Duplicate> duplicates = find_duplicates(pslg.points, threads);
   for (const Duplicate& d : duplicates)
     found.add(ProblemKind::duplicate_points, {d.first, d.again}, pslg.points[d.first]);
   SoundSegments sound = check_each_segment(pslg, duplicates, ask, found);
   drop_duplicates(pslg, sound, threads.stop, found);
   const Swept swept = check_conflicts(pslg, sound, duplicates, options.max_problems, threads, found);
-  if (usable && all_collinear(pslg.points, threads))
-    found.add(ProblemKind::all_points_collinear, {}, pslg.points.empty() ? Point{} : pslg.points[0]);
+  check_collinear(pslg, threads, found);
   if (found.empty()) check_faces(pslg, options.convex_hull, swept, threads, found);
   check_region_caps(pslg, found);
   return std::move(found).sorted();

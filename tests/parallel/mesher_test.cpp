@@ -156,6 +156,22 @@ TEST(Mesher, refuses_a_negative_number_of_threads) {
   }
 }
 
+TEST(Mesher, names_every_duplicate_point_of_a_set_of_points) {
+  Pslg points = domains::random_points(1000, 7);
+  for (const Index first : {5, 17, 5}) points.points.push_back(points.points[first]);
+  const auto message = [](const Pslg& pslg, bool refines) {
+    const Result<Meshed> made = refines ? mesh(pslg, {}) : triangulate(pslg, true);
+    return made ? "no error" : made.error().message;
+  };
+  for (const bool refines : {false, true})
+    EXPECT_EQ(message(points, refines), messages(find_problems(points), points.first_id.value)) << refines;
+  EXPECT_NE(message(points, false).find("1001"), std::string::npos);
+  points.points[3].x = NAN;  // then the search for duplicates is not left to the triangulation
+  EXPECT_EQ(message(points, false), messages(find_problems(points), points.first_id.value));
+  points.points = {{1, 2}, {1, 2}, {1, 2}};
+  EXPECT_EQ(message(points, false), messages(find_problems(points), points.first_id.value));
+}
+
 TEST(Mesher, uses_all_threads_by_default) {
   omp_set_num_threads(3);
   std::atomic<int> most{0};
