@@ -155,6 +155,31 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_triangles_and_
   RC_ASSERT(std::ranges::equal(read.constrained_edges, mesh.constrained_edges, {}, ends_and_marker, ends_and_marker));
 }
 
+/// A random byte of those that can make a correct file wrong.
+char any_damage() { return "0123456789-.e <>\n\x00\xff"[below(19)]; }
+
+PARDEL_PROPERTY(Readers, of_domains_give_only_segments_between_points_that_exist,
+                {.statement = "the ends of every segment that is read from a .poly with changed digits are points of it",
+                 .source = "core/formats.hpp",
+                 .families = "files .poly"}) {
+  const TemporaryFolder folder;
+  const Pslg pslg = any_pslg();
+  RC_PRE(!pslg.segments.empty());
+  RC_ASSERT(write_poly(pslg, folder / "p.poly", either() ? 1 : 0).ok());
+  std::string bytes = folder.read("p.poly");
+  for (std::size_t i = 1 + up_to(4); i > 0; --i) {
+    char& byte = bytes[below(bytes.size())];
+    if ('0' <= byte && byte <= '9') byte = static_cast<char>('0' + below(10));
+  }
+  folder.write("p.poly", bytes);
+  const auto read = read_pslg(folder / "p.poly");
+  if (!read.ok()) return;
+  for (const Segment& s : read->segments) {
+    RC_ASSERT(s.a < read->points.size());
+    RC_ASSERT(s.b < read->points.size());
+  }
+}
+
 /// A correct file with a few bytes changed. Reading it must return a value or an error.
 PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
                 {.statement = "a file with some bytes changed reads as a value or gives an error with a message",
@@ -167,7 +192,7 @@ PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
   RC_ASSERT(write_mesh(mesh, {}, folder / name).ok());
   std::string bytes = folder.read(name);
   for (std::size_t i = 1 + up_to(4); i > 0; --i) {
-    bytes[below(bytes.size())] = "0123456789-.e <>\n\x00\xff"[below(19)];
+    bytes[below(bytes.size())] = any_damage();
   }
   folder.write(name, bytes);
   const auto read = read_mesh(folder / name);
