@@ -12,6 +12,9 @@
 
 namespace pardel {
 
+/// The most edges across narrow places that a goal may ask for, and the least limit on gradation.
+inline constexpr double most_feature_edges = 1e6, least_grading = 1e-12;
+
 struct Goal {
   /// The least angle of a triangle, in degrees, from 0 (no bound) to 33, or to 45 if Options::max_vertices is set. The
   /// default is the proven bound of Ruppert's algorithm: arcsin(1 / (2 sqrt 2)) = 20.7 degrees, a ratio of circumradius

@@ -79,36 +79,4 @@ double RasterSize::operator()(Point p) const {
   return size;
 }
 
-Result<std::vector<SizeSource>> size_sources(const Raster& raster, double grading) {
-  if (!(grading > 0 && std::isfinite(grading)))
-    return Error{ErrorKind::usage, "the limit on gradation must be finite and positive, not " + shortest(grading)};
-  const auto value = [&](Index i, Index j) { return raster.values[std::size_t{j} * raster.columns + i]; };
-  const auto change = [&](Index i, Index j, Index k, Index l) { return std::abs(value(k, l) - value(i, j)); };
-  const auto is_steep = [&](Index i, Index j) {
-    if (i >= raster.columns - 1 || j >= raster.rows - 1) return false;  // no cell; before the first one, i or j wraps
-    return squared_slope(raster, i, j) >= 0.998 * grading * grading;
-  };
-  std::vector<SizeSource> sources;
-  const auto add = [&](Index i, Index j, Index k, Index l) {
-    const auto at = [&](Index column, Index row) {
-      return Point{raster.first.x + column * raster.step_x, raster.first.y + row * raster.step_y};
-    };
-    const double from = value(i, j), to = value(k, l);
-    if (std::isfinite(from) && std::isfinite(to)) return sources.push_back({at(i, j), at(k, l), from, to});
-    if (std::isfinite(from)) sources.push_back({at(i, j), at(i, j), from, from});
-    if (std::isfinite(to)) sources.push_back({at(k, l), at(k, l), to, to});
-  };
-  for (Index j = 0; j < raster.rows; ++j)
-    for (Index i = 0; i < raster.columns; ++i) {
-      const bool here = is_steep(i, j);
-      if (i + 1 < raster.columns &&
-          (here || is_steep(i, j - 1) || !(change(i, j, i + 1, j) < 0.999 * grading * raster.step_x)))
-        add(i, j, i + 1, j);
-      if (j + 1 < raster.rows &&
-          (here || is_steep(i - 1, j) || !(change(i, j, i, j + 1) < 0.999 * grading * raster.step_y)))
-        add(i, j, i, j + 1);
-    }
-  return sources;
-}
-
 }  // namespace pardel

@@ -60,8 +60,9 @@ class RasterSize {
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(Raster raster, std::string name = "the raster");
 
 /// The Goal::sources of a raster of lengths, for a limit on gradation: the lines between neighbouring grid points where
-/// the lengths in a cell change by more than `grading` per unit of distance. With these sources, the limit holds from
-/// all grid points and all lines between them. Inside a cell the interpolation itself may be steeper.
+/// the lengths in a cell change by more than `grading` per unit of distance, without most of those where the limit from
+/// another grid point is stricter anyway. With these sources, the limit holds from all grid points and all lines
+/// between them. Inside a cell the interpolation itself may be steeper. O(n).
 ///
 /// Errors: `usage` if the limit is not a finite number greater than 0. Values that are not finite are no sources.
 [[nodiscard]] Result<std::vector<SizeSource>> size_sources(const Raster& raster, double grading);

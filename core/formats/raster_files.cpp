@@ -16,13 +16,14 @@ Status files::check_place(const Raster& raster, const std::string& name) {
 Result<Raster> read_raster(const std::filesystem::path& file) {
   const auto text = files::read_file(file);
   if (!text) return text.error();
-  if (file.extension() != ".npy") return files::parse_asc(*text, file.string());
+  const std::string suffix = file.extension().string();
+  if (suffix != ".npy" && suffix != ".NPY") return files::parse_asc(*text, file.string());
   std::filesystem::path world = file;
   world.replace_extension(".wld");
   const auto place = files::read_file(world);
   if (!place) {
-    return Error{place.error().kind, file.string() + ": the array needs a world file that says where it lies (" +
-                                         place.error().message + ")"};
+    return Error{ErrorKind::invalid_input, file.string() + ": the array needs a world file that says where it lies (" +
+                                               place.error().message + ")"};
   }
   return files::parse_npy(*text, file.string(), *place, world.string());
 }

@@ -4,6 +4,7 @@
 #include "../formats.hpp"
 #include "../support/byte_order_mark.hpp"
 #include "../support/open_file.hpp"
+#include "../support/shortest.hpp"
 #include "mesh_readers.hpp"
 #include "triangle_sections.hpp"
 
@@ -93,7 +94,7 @@ Result<std::vector<double>> read_numbered_values(const fs::path& file, std::stri
       read_number(in, thing, i, base);
     }
     values[i] = in.number("a value");
-    if (positive && !(values[i] > 0)) in.fail("expected a value greater than 0");
+    if (positive && !(values[i] > 0)) in.fail("expected a value greater than 0, found " + shortest(values[i]));
     if (in.failed()) break;
   }
   if (in.failed()) return in.error();

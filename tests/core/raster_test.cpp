@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <utility>
 
 namespace pardel {
 namespace {
@@ -107,16 +110,16 @@ TEST(SizeOfARaster, throws_an_error_that_names_the_point_where_there_is_none) {
   }
 }
 
-TEST(SourcesOfARaster, are_the_lines_around_cells_that_change_fast) {
+TEST(SourcesOfARaster, are_the_lines_from_the_least_lengths_of_cells_that_change_fast) {
   Raster raster{5, 4, {0, 0}, 1, 1, std::vector<double>(20, 1.0)};
   EXPECT_TRUE(size_sources(raster, 0.1)->empty());
   raster.values[0] = 0.5;
   const auto sources = size_sources(raster, 0.1);
   ASSERT_TRUE(sources);
-  ASSERT_EQ(sources->size(), 4U) << "one cell";
+  ASSERT_EQ(sources->size(), 2U) << "from one corner";
   EXPECT_EQ((*sources)[0], (SizeSource{{0, 0}, {1, 0}, 0.5, 1}));
   raster.values[6] = 0.5;
-  EXPECT_EQ(size_sources(raster, 0.1)->size(), 12U) << "four cells";
+  EXPECT_EQ(size_sources(raster, 0.1)->size(), 6U) << "four more from a point inside";
   EXPECT_TRUE(size_sources(raster, 1)->empty());
 }
 
@@ -133,6 +136,81 @@ TEST(SourcesOfARaster, leave_out_values_that_are_not_finite) {
   ASSERT_TRUE(sources);
   ASSERT_EQ(sources->size(), 4U);
   for (const SizeSource& source : *sources) EXPECT_EQ(source.a, source.b);
+}
+
+/// From 0 to 1.
+double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11U) * 0x1p-53; }
+
+/// The least of (length + limit * distance from p) over a line with these lengths at its ends.
+double limit_from(const SizeSource& line, double limit, Point p) {
+  const auto at = [&](double t) {
+    const double x = line.a.x + t * (line.b.x - line.a.x) - p.x, y = line.a.y + t * (line.b.y - line.a.y) - p.y;
+    return line.at_a + t * (line.at_b - line.at_a) + limit * std::sqrt(x * x + y * y);
+  };
+  double low = 0, high = 1;  // the function is convex
+  for (int i = 0; i < 100; ++i) {
+    const double first = (2 * low + high) / 3, second = (low + 2 * high) / 3;
+    (at(first) < at(second) ? high : low) = at(first) < at(second) ? second : first;
+  }
+  return std::min({at(0), at(low), at(1)});
+}
+
+double limit_from(const std::vector<SizeSource>& lines, double limit, Point p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SizeSource& line : lines) least = std::min(least, limit_from(line, limit, p));
+  return least;
+}
+
+/// All lines between neighbouring grid points that have values.
+std::vector<SizeSource> all_lines(const Raster& raster) {
+  std::vector<SizeSource> lines;
+  const auto place = [&](Index i, Index j) {
+    return Point{raster.first.x + i * raster.step_x, raster.first.y + j * raster.step_y};
+  };
+  const auto value = [&](Index i, Index j) { return raster.values[std::size_t{j} * raster.columns + i]; };
+  for (Index j = 0; j < raster.rows; ++j)
+    for (Index i = 0; i < raster.columns; ++i)
+      for (const auto& [k, l] : {std::pair(i + 1, j), std::pair(i, j + 1)})
+        if (k < raster.columns && l < raster.rows && std::isfinite(value(i, j)) && std::isfinite(value(k, l)))
+          lines.push_back({place(i, j), place(k, l), value(i, j), value(k, l)});
+  return lines;
+}
+
+TEST(SourcesOfARaster, give_at_each_grid_point_the_limit_from_all_lines) {
+  std::mt19937_64 random(7);
+  for (const double noise : {0.0, 0.1, 1.0, 30.0})
+    for (const double limit : {0.05, 0.4, 3.0})
+      for (const bool holes : {false, true}) {
+        Raster raster{11, 8, {3, -2}, 0.5, 0.75, {}};
+        for (int k = 0; k < 88; ++k) {
+          const double smooth = 1 + 0.2 * std::sin(0.7 * (k % 11)) + 0.1 * (k / 11);
+          raster.values.push_back(holes && k % 13 == 5 ? NAN : smooth + noise * unit(random));
+        }
+        const std::vector<SizeSource> lines = all_lines(raster), sources = *size_sources(raster, limit);
+        for (Index j = 0; j < raster.rows; ++j)
+          for (Index i = 0; i < raster.columns; ++i) {
+            const Point p{raster.first.x + i * raster.step_x, raster.first.y + j * raster.step_y};
+            const double own = raster.values[std::size_t{j} * 11 + i];
+            if (std::isnan(own)) continue;
+            EXPECT_NEAR(std::min(own, limit_from(sources, limit, p)), std::min(own, limit_from(lines, limit, p)), 1e-9)
+                << i << ", " << j << ", noise " << noise << ", limit " << limit;
+          }
+      }
+}
+
+TEST(SourcesOfARaster, are_few_if_the_lengths_are_noise) {
+  std::mt19937_64 random(8);
+  Raster raster{100, 90, {0, 0}, 1, 1, std::vector<double>(9000)};
+  for (double& value : raster.values) value = 1 + 99 * unit(random);
+  EXPECT_LT(size_sources(raster, 0.1)->size(), 900U) << "of 17,810 lines";
+}
+
+TEST(SourcesOfARaster, of_a_ramp_steeper_than_the_limit_are_at_its_foot) {
+  Raster raster{40, 3, {0, 0}, 1, 1, {}};
+  for (int k = 0; k < 120; ++k) raster.values.push_back(5 + 2.0 * (k % 40));
+  const auto sources = size_sources(raster, 1);
+  ASSERT_FALSE(sources->empty());
+  for (const SizeSource& source : *sources) EXPECT_EQ(std::min(source.a.x, source.b.x), 0);
 }
 
 TEST(SourcesOfARaster, need_a_limit_that_is_positive_and_finite) {

@@ -266,7 +266,7 @@ TEST(Sizes, must_be_greater_than_zero) {
   const TemporaryFolder folder;
   EXPECT_EQ(*read_sizes(folder.write("a", "2\n0 0.5\n1 2\n")), (std::vector<double>{0.5, 2}));
   EXPECT_EQ(message_of(read_sizes(folder.write("a", "2\n0 0.5\n1 0\n")), folder),
-            "a:3: expected a value greater than 0");
+            "a:3: expected a value greater than 0, found 0");
 }
 
 TEST(WritePoly, writes_all_parts_of_a_pslg) {
