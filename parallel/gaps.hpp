@@ -29,7 +29,8 @@ struct Gap {
   Index segment = no_index;   ///< for short_segment and point_near_segment
   double distance = 0;        ///< between the two points, or from the point to the segment or side
   /// The length of the surroundings: the length of the segment, or the longest segment at the point, whichever is
-  /// shorter; of two points the one where it is shorter. Infinity if two points have no segments.
+  /// shorter. At a point without segments beside another point, the median distance to the points around it; of two
+  /// points the one where the surroundings are shorter.
   double surroundings = 0;
   Point where;  ///< the first point
 

@@ -10,24 +10,21 @@
 #include "arithmetic/predicates.hpp"
 #include "concurrency/parallel_for.hpp"
 #include "conversion/domain_triangulation.hpp"
-#include "conversion/export_mesh.hpp"
 #include "conversion/guarded.hpp"
 #include "conversion/import_mesh.hpp"
-#include "conversion/least_min_edge.hpp"
 #include "conversion/locate_regions.hpp"
 #include "diagnosis/find_gaps.hpp"
 #include "diagnosis/find_least_size.hpp"
-#include "filling/fill_domain.hpp"
+#include "filling/refine_domain.hpp"
+#include "filling/refine_filled.hpp"
 #include "input/findings.hpp"
 #include "interpolation/coverage.hpp"
 #include "interpolation/graded_size.hpp"
 #include "interpolation/local_bound.hpp"
 #include "interpolation/steep_edges.hpp"
 #include "refinement/criteria.hpp"
-#include "refinement/exemptions.hpp"
 #include "scheduling/limits.hpp"
 #include "scheduling/progress_monitor.hpp"
-#include "scheduling/refine_by_sweeps.hpp"
 
 namespace pardel {
 
@@ -39,48 +36,6 @@ Status check_valid(const Pslg& pslg, bool convex_hull, const Threads& threads) {
   const std::vector<Problem> problems = find_problems(pslg, {.convex_hull = convex_hull}, threads);
   if (problems.empty()) return Done{};
   return Error{ErrorKind::invalid_input, messages(problems, pslg.first_id.value)};
-}
-
-/// The data of the input that the result contains, too.
-struct InputData {
-  std::vector<double> region_attributes;
-  PointData points;
-  std::vector<std::array<Index, 3>> background;  ///< the triangles on which point attributes are interpolated
-};
-
-Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threads) {
-  return export_mesh(std::move(domain), std::move(input.region_attributes), input.points, std::move(input.background),
-                     threads);
-}
-
-/// A watcher that converts each snapshot to a mesh and calls options.after_sweep with it.
-Watcher watcher(const DomainTriangulation& domain, const InputData& input, const Options& options,
-                const Threads& threads) {
-  if (!options.after_sweep) return {};
-  return [&, threads](Triangulation&& snapshot, const Sweep& sweep) {
-    DomainTriangulation copy{std::move(snapshot), domain.segments, domain.input_of_vertex, domain.input_segment,
-                             domain.segment_marker};
-    return options.after_sweep(to_mesh(std::move(copy), input, threads), sweep);
-  };
-}
-
-Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input, Options options,
-                     ProgressMonitor& progress, Report& report) {
-  Triangulation& t = domain.triangulation;
-  options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
-  Result<RefineCounts> counts =
-      refine_by_sweeps(t, domain.segments, criteria, options, progress, {},
-                       watcher(domain, input, options, progress.threads()), domain.settled_from);
-  if (!counts) return counts.error();
-  report.inserted = counts->inserted;
-  report.segment_splits = counts->segment_splits;
-  report.refused = counts->refused;
-  report.tiling = std::move(counts->tiling);
-  if (counts->left_alone)
-    report.exempt = exemptions(t, domain.segments, criteria, options, counts->budget_reached, progress.threads());
-  for (Exemption& e : report.exempt)
-    if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
-  return Done{};
 }
 
 /// The corners of the triangles.
@@ -106,20 +61,26 @@ Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, 
       find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
 }
 
-/// The domain with an interior of equilateral triangles, if the options ask for it and the goal allows it.
-Result<std::optional<Filling>> fill_interior(const Pslg& pslg, bool convex_hull, const DomainTriangulation& domain,
-                                             const Goal& goal, const Options& options, const Threads& threads) {
-  const bool is_constant = !goal.size && !is_graded(goal);
-  if (options.interior != Interior::fill || !is_constant || goal.min_angle_deg > largest_filling_angle_deg)
-    return std::optional<Filling>();
-  std::vector<double> edges;  // in each region, and last without a region
+/// True if the interior is to be filled, where there is a bound on size.
+bool is_filled(const Goal& goal, const Options& options) {
+  if (goal.size || is_graded(goal)) return false;
+  if (options.interior != Interior::automatic) return options.interior == Interior::fill;
+  constexpr double largest_angle_deg = 30;  // for larger ones, patches often have to give way
+  return goal.min_angle_deg <= largest_angle_deg && !is_of_the_paper(options.decomposition) &&
+         !options.no_boundary_splits && !options.no_segment_splits;
+}
+
+/// The lengths of the edges of patches that keep the goal: in each region, and last in triangles without a region.
+/// Empty if the interior is to be refined.
+std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const Options& options) {
+  std::vector<double> edges;
+  if (!is_filled(goal, options)) return edges;
   for (const Region& region : pslg.regions)
     edges.push_back(
         edge_of_patch(goal.region_caps ? std::min(goal.max_area, region.max_area) : goal.max_area, goal.max_edge));
   edges.push_back(edge_of_patch(goal.max_area, goal.max_edge));
-  for (double& edge : edges)
-    if (edge < options.min_edge) edge = INFINITY;
-  return fill_domain(pslg, convex_hull, domain, edges, options, threads);
+  if (std::ranges::all_of(edges, [](double edge) { return edge == INFINITY; })) edges.clear();
+  return edges;
 }
 
 /// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
@@ -146,20 +107,14 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
       return wanted.error();
     if (ends_somewhere(goal->size))
       require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
-    Result<std::optional<Filling>> filled =
-        fill_interior(pslg, convex_hull, *domain, *goal, options, progress.threads());
-    if (!filled) return filled.error();
-    if (filled->has_value()) {
-      domain = std::move((*filled)->domain);
-      points = std::move((*filled)->points);
-      input.points.points = points;
-      result.report.laid = (*filled)->triangles;
-    }
     Goal graded = guarded(*goal);
     if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
     const Criteria criteria(graded, options.placement, std::move(caps));
-    if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
-      return refined.error();
+    const std::vector<double> edges = edges_of_patches(pslg, *goal, options);
+    Status refined = edges.empty() ? refine_domain(*domain, criteria, input, options, progress, result.report)
+                                   : refine_filled({pslg, convex_hull, edges}, *domain, criteria, input, points,
+                                                   options, progress, result.report);
+    if (!refined) return refined.error();
   }
   result.mesh = to_mesh(std::move(domain).value(), std::move(input), progress.threads());
   result.report.refine_seconds = watch.lap();
@@ -238,9 +193,12 @@ Result<std::vector<std::array<Index, 3>>> triangles_of_background(const Mesh& me
 
 /// The function that interpolates the sizes at the points of a background.
 std::function<double(Point)> size_on(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles,
-                                     std::span<const double> sizes, bool limited, const Threads& threads) {
-  PointValues field{
-      std::make_shared<Background>(points, std::move(triangles), threads), {sizes.begin(), sizes.end()}, limited};
+                                     std::span<const double> sizes, bool limited, std::string name,
+                                     const Threads& threads) {
+  PointValues field{std::make_shared<Background>(points, std::move(triangles), threads),
+                    {sizes.begin(), sizes.end()},
+                    limited,
+                    std::move(name)};
   return OnBackground<PointValues>{std::make_shared<const PointValues>(std::move(field))};
 }
 
@@ -257,7 +215,7 @@ Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::sp
   if (!meshed) return meshed.error();
   std::vector<std::array<Index, 3>> triangles;
   for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
-  return size_on(pslg.points, std::move(triangles), sizes, false, progress.threads());
+  return size_on(pslg.points, std::move(triangles), sizes, false, {}, progress.threads());
 }
 
 /// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
@@ -331,8 +289,8 @@ Status check_goal(const Goal& goal, const Options& options) {
   if (!(goal.max_edge > 0)) return refuse("the longest edge must be positive", goal.max_edge);
   if (!(goal.size_slope >= 0))
     return refuse("the promised slope of the sizes must be zero or positive", goal.size_slope);
-  if (!(goal.grading >= 1e-12)) return refuse("the limit on gradation must be at least 1e-12", goal.grading);
-  if (!(goal.feature_edges >= 0 && goal.feature_edges <= 1e6))
+  if (!(goal.grading >= least_grading)) return refuse("the limit on gradation must be at least 1e-12", goal.grading);
+  if (!(goal.feature_edges >= 0 && goal.feature_edges <= most_feature_edges))
     return refuse("the edges across narrow places must lie between 0 and 1e6", goal.feature_edges);
   if (Status fit = check_sources(goal.sources); !fit) return fit;
   if (!(options.min_edge >= 0 && options.min_edge < INFINITY))
@@ -388,13 +346,13 @@ Result<std::function<double(Point)>> interpolated_size(const ValidPslg& domain, 
 }
 
 Result<std::function<double(Point)>> interpolated_size(const Mesh& background, std::span<const double> sizes,
-                                                       const Options& options) {
+                                                       const Options& options, std::string name) {
   using Size = Result<std::function<double(Point)>>;
   if (Status fit = check_sizes(background, sizes); !fit) return fit.error();
   return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Size {
     Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
     if (!triangles) return triangles.error();
-    return size_on(background.points.span(), std::move(*triangles), sizes, true, progress.threads());
+    return size_on(background.points.span(), std::move(*triangles), sizes, true, std::move(name), progress.threads());
   });
 }
 

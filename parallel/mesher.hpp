@@ -86,9 +86,11 @@ inline constexpr double largest_min_angle_deg = 33;
 ///
 /// Errors: `invalid_input` if a size is not finite and > 0, if there is no triangle, or if an index of a triangle is
 /// out of range or a triangle is flat. Orientations may differ. Where triangles overlap, one of them counts.
+/// `name` names the mesh in the Error of a point that it does not cover.
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Mesh& background,
                                                                      std::span<const double> sizes,
-                                                                     const Options& options = {});
+                                                                     const Options& options = {},
+                                                                     std::string name = "the mesh of the sizes");
 /// The same for a domain, after validation as in mesh().
 [[nodiscard]] Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
                                                                      bool convex_hull = false,

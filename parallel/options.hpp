@@ -33,19 +33,28 @@ enum class Decomposition : std::uint8_t {
   lattice,  ///< the cells of a lattice, of about equal work if triangles are about equally large
   /// The leaves of a quadtree, of about equal work although triangles differ much in size.
   quadtree,
+  /// `paper` for graded meshes: the leaves of a quadtree, with sides of at least 8 circumradii of the triangles around
+  /// them. A task inserts points only in its own leaf (THEORY.md, Quadtree).
+  paper_quadtree,
 };
+
+/// True for the decompositions in which a task inserts points only in its own cell, and the sizes of cells follow from
+/// circumradii.
+[[nodiscard]] constexpr bool is_of_the_paper(Decomposition decomposition) {
+  return decomposition == Decomposition::paper || decomposition == Decomposition::paper_quadtree;
+}
 
 /// What fills the parts of the domain that are far from all segments, where the bound on size is constant.
 enum class Interior : std::uint8_t {
   refine,  ///< triangles of the refinement, as everywhere
   /// Equilateral triangles just below the bound: the fewest that keep it. Only in mesh(), and where the bounds do not
-  /// depend on the place; not for angles above largest_filling_angle_deg: the refinement would spread into them,
-  /// because a point inside an equilateral triangle makes angles of at most 30 degrees.
+  /// depend on the place. If the other triangles cannot keep the bounds beside them, the interior is refined
+  /// (Report::restarts); this is rare for angles up to 30 degrees.
   fill,
+  /// `fill` for angles up to 30 degrees, if segments may be split and the decomposition is not of the paper; else
+  /// `refine`.
+  automatic,
 };
-
-/// With larger bounds on angles, Interior::fill does as Interior::refine.
-inline constexpr double largest_filling_angle_deg = 29.9;
 
 struct Progress {
   /// The current number, approximately: an insertion counts as two; it never decreases. 0 until the refinement starts.

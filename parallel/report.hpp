@@ -64,7 +64,12 @@ struct Tiling {
 };
 
 struct Report {
-  std::uint64_t laid = 0;            ///< number of equilateral triangles before the refinement (Interior::fill)
+  /// Number of equilateral triangles of Interior::fill; 0 if none fits, if the filling was given up, or if refinement
+  /// alone makes fewer triangles.
+  std::uint64_t laid = 0;
+  /// How often the filling stood in the way of the refinement, which then started again with a smaller filling or with
+  /// none.
+  std::uint32_t restarts = 0;
   std::uint64_t inserted = 0;        ///< number of vertices added inside faces
   std::uint64_t segment_splits = 0;  ///< number of vertices added on segments
   /// Number of split points not inserted: they would have made an edge too short, or a triangle without positive area.

@@ -37,6 +37,10 @@ class Tiles {
   [[nodiscard]] double sum_over_box(Index cell, const std::vector<double>& per_cell) const {
     return std::visit([&](const auto& s) { return s.sum_over_box(cell, per_cell); }, shape_);
   }
+  /// The cavity of a point in the cell lies in the box of the cell if no circumradius exceeds this value.
+  [[nodiscard]] double radius_that_fits(Index cell) const {
+    return lattice() != nullptr ? lattice()->radius_that_fits() : quadtree()->radius_that_fits(cell);
+  }
   /// The columns and rows of the lattice; for a quadtree, the number of leaves and 1.
   [[nodiscard]] Index columns() const { return lattice() != nullptr ? lattice()->columns() : cells(); }
   [[nodiscard]] Index rows() const { return lattice() != nullptr ? lattice()->rows() : 1; }

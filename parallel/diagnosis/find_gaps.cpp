@@ -29,6 +29,9 @@ Narrow narrow_in(const Array<Point>& points, const Threads& threads) {
   return {always, std::max(always, 1e-6 * box.extent())};
 }
 
+/// So many edges of a vertex are enough for a median. A vertex may have any number of them.
+constexpr std::size_t most_edges = 64;
+
 class GapSearch {
  public:
   GapSearch(const DomainTriangulation& domain, Narrow narrow)
@@ -75,6 +78,27 @@ class GapSearch {
   [[nodiscard]] double distance(VertexId u, VertexId v) const { return engine::distance(t_.points[u], t_.points[v]); }
   /// The longest segment at a vertex; infinity for an isolated vertex.
   [[nodiscard]] double longest_at(VertexId v) const { return longest_[v] > 0 ? longest_[v] : INFINITY; }
+  /// The longest segment at a corner of the triangle. For an isolated vertex the median length of its edges: where
+  /// points are dense, all distances are small, and none of them is a gap.
+  [[nodiscard]] double surroundings_at(TriangleId id, VertexId v) const {
+    if (longest_[v] > 0) return longest_[v];
+    std::vector<double> lengths;
+    for (const auto* turn : {&next_corner, &previous_corner}) {
+      TriangleId at = id;
+      do {
+        const Slot& slot = t_.slots[at];
+        const unsigned across = (*turn)[slot.corner_of(v)];
+        lengths.push_back(distance(v, slot.v[3 - across - slot.corner_of(v)]));
+        const EdgeRef beyond = slot.n[across];
+        if (beyond.none()) break;  // the boundary of the domain: the other edges lie in the other direction
+        at = beyond.triangle();
+      } while (at != id && lengths.size() < most_edges);
+      if (at == id) break;
+    }
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    return *middle;
+  }
   [[nodiscard]] Index input(VertexId v) const { return domain_.input_of_vertex[v]; }
 
   /// Nobody drew the sides of the convex hull. Among many random points some are near them, which means nothing.
@@ -91,7 +115,7 @@ class GapSearch {
     Index segment = no_index;
     if (slot.n[e.side()].constrained()) segment = domain_.input_segment[domain_.segments.segment_of(t_, u, v)];
     add(segment == no_index ? GapKind::close_points : GapKind::short_segment, {input(u), input(v)}, segment,
-        distance(u, v), std::min(longest_at(u), longest_at(v)), t_.points[u]);
+        distance(u, v), std::min(surroundings_at(e.triangle(), u), surroundings_at(e.triangle(), v)), t_.points[u]);
   }
 
   /// Walks from a corner of a flat triangle straight across the longest side, to a segment if there is one.

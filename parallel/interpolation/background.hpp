@@ -21,10 +21,11 @@ struct Located {
   std::array<double, 3> weight{};  ///< barycentric, >= 0, sum 1
 };
 
-/// The place where the last search in a Background ended, and where the next one starts. It determines only the time
-/// that the search takes. Threads do not share a hint.
+/// The place where the last search ended, and where the next one starts: a leaf of a Background, a source of a
+/// SizeEnvelope. It determines only the time that the search takes. Threads do not share a hint.
 struct LocationHint {
   Index leaf = no_index;
+  Index source = 0;
 };
 
 /// How fast a field changes: its values at two points differ by at most slope * distance + blur. The blur is the

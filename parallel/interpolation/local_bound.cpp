@@ -35,12 +35,12 @@ Steepness steepness(const Raster& raster) {
 double PointValues::at(Point p, LocationHint& hint) const {
   const Located found = background->locate(p, hint);
   if (limited && !background->is_near(found, p))
-    throw Error{ErrorKind::invalid_input, "the mesh of the sizes does not cover " + shortest(p)};
+    throw Error{ErrorKind::invalid_input, name + " does not cover " + shortest(p)};
   return background->value_at(found, values);
 }
 
 double GradedValues::at(Point p, LocationHint& hint) const {
-  const double length = grown.at(p);
+  const double length = grown.at(p, hint.source);
   return size ? std::min(length, size(p, hint)) : length;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct PointValues {
   std::shared_ptr<const Background> background;
   std::vector<double> values;
   bool limited = false;
+  std::string name{};  ///< of a limited function, for messages
   [[nodiscard]] double at(Point p, LocationHint& hint) const;
   /// Of a limited function: where all points are near the background (coverage.hpp).
   [[nodiscard]] Steepness steepness() const { return background->steepness(values); }

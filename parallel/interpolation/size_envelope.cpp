@@ -1,20 +1,16 @@
 #include "size_envelope.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
+#include "../concurrency/hilbert_order.hpp"
 
 namespace pardel::engine {
-namespace {
-
-/// Values that differ by rounding_margin only count as equal when sources are left out.
-constexpr double rounding_margin = 0x1p-40;
-
-}  // namespace
 
 PreparedSize::PreparedSize(const GrowingSize& growing) : slope_(growing.slope) {
   SizeSource source = growing.source;
@@ -43,94 +39,72 @@ PreparedSize::PreparedSize(const GrowingSize& growing) : slope_(growing.slope) {
   offset_ = change / std::sqrt((slope_ - change) * (slope_ + change));
 }
 
-double PreparedSize::at(Point p) const {
-  const double dx = p.x - a_.x, dy = p.y - a_.y;
-  const double along = dx * ux_ + dy * uy_;
-  // From the ends of the source, no difference of large numbers is formed: a point has u = 0, so `beside` is not used.
-  const double beside = std::abs(dy * ux_ - dx * uy_);
-  const double best = std::clamp(along - offset_ * beside, 0.0, extent_);
-  const double x = dx - best * ux_, y = dy - best * uy_;
-  return length_ + change_ * best + slope_ * std::sqrt(x * x + y * y);
+void SizeEnvelope::Node::cover(const Node& other) {
+  box.cover(other.box);
+  least = std::min(least, other.least);
+  slope = std::min(slope, other.slope);
 }
 
-SizeEnvelope::SizeEnvelope(std::span<const GrowingSize> sources, const Box& box, const Threads& threads)
-    : low_{box.min_x, box.min_y}, side_(box.extent()) {
+SizeEnvelope::SizeEnvelope(std::span<const GrowingSize> sources, const Box& box, const Threads& threads) {
   if (sources.empty()) return;
+  std::vector<Point> places;
+  for (const GrowingSize& source : sources) places.push_back(source.source.a);
+  const Array<Index> order = hilbert_order(places, threads);
+  leaves_ = std::bit_ceil((sources.size() + sources_per_leaf - 1) / sources_per_leaf);
+  nodes_.resize(2 * leaves_);
   sources_.reserve(sources.size());
-  std::vector<Candidate> all;
-  all.reserve(sources.size());
-  for (const GrowingSize& source : sources) {
-    all.push_back({0, static_cast<std::uint32_t>(sources_.size())});
-    sources_.emplace_back(source);
-  }
   // No value in the box exceeds the least length by more than the growth over twice the side.
   constexpr double slope_to_spare = 1.001, roundings = 64 * 0x1p-53;
-  double least = INFINITY;
-  for (const GrowingSize& source : sources) {
-    steepness_.slope = std::max(steepness_.slope, slope_to_spare * source.slope);
-    least = std::min({least, source.source.at_a, source.source.at_b});
+  for (const Index i : order) {
+    const auto& [source, slope] = sources[i];
+    const double least = std::min(source.at_a, source.at_b);
+    nodes_[leaves_ + sources_.size() / sources_per_leaf].cover({Box::around(source.a, source.b), least, slope});
+    sources_.emplace_back(sources[i]);
+    steepness_.slope = std::max(steepness_.slope, slope_to_spare * slope);
   }
-  steepness_.blur = roundings * (least + 4 * side_ * steepness_.slope);
-  SparseAsk ask(threads.stop);
-  nodes_.push_back({0, inner});
-  const double half = side_ / 2;
-  build(0, {low_.x + half, low_.y + half}, half, all, 0, ask);
+  for (std::size_t node = leaves_; node-- > 1;) {
+    nodes_[node].cover(nodes_[2 * node]);
+    nodes_[node].cover(nodes_[2 * node + 1]);
+  }
+  steepness_.blur = roundings * (nodes_[1].least + 4 * box.extent() * steepness_.slope);
 }
 
-/// Fills the node, whose square has this centre and half of a side, with the sources of `from` that can be the least.
-void SizeEnvelope::build(std::uint32_t node, Point centre, double half, std::span<const Candidate> from, int depth,
-                         SparseAsk& ask) {
-  constexpr std::size_t few = 4;
-  constexpr int deepest = 48;
-  const double radius = half * std::numbers::sqrt2;
-  std::vector<Candidate> kept;
-  kept.reserve(from.size());
-  double most = INFINITY;  // no least value in the node is more
-  for (const Candidate& candidate : from) {
-    ask();
-    const PreparedSize& source = sources_[candidate.source];
-    const double value = source.at(centre),
-                 reach = source.slope() * radius * (1 + rounding_margin) + value * rounding_margin;
-    most = std::min(most, value + reach);
-    kept.push_back({value - reach, candidate.source});
-  }
-  std::erase_if(kept, [&](const Candidate& candidate) { return candidate.least > most; });
-  // In a square much smaller than the wanted length there is hardly a triangle, so a long list does no harm.
-  if (kept.size() <= few || depth == deepest || 4 * half <= most) {
-    std::ranges::sort(kept, {}, [](const Candidate& candidate) { return candidate.least; });
-    nodes_[node] = {static_cast<std::uint32_t>(candidates_.size()), static_cast<std::uint32_t>(kept.size())};
-    candidates_.insert(candidates_.end(), kept.begin(), kept.end());
-    return;
-  }
-  const auto children = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node] = {children, inner};
-  nodes_.resize(nodes_.size() + 4);
-  const double quarter = half / 2;
-  for (std::uint32_t i = 0; i < 4; ++i)
-    build(children + i, {centre.x + (i % 2 == 0 ? -quarter : quarter), centre.y + (i < 2 ? -quarter : quarter)},
-          quarter, kept, depth + 1, ask);
+void SizeEnvelope::search_leaf(std::size_t leaf, Point p, double& best, Index& found) const {
+  const std::size_t end = std::min(sources_.size(), (leaf + 1) * sources_per_leaf);
+  for (std::size_t i = leaf * sources_per_leaf; i < end; ++i)
+    if (const double length = sources_[i].at(p); length < best) {
+      best = length;
+      found = static_cast<Index>(i);
+    }
 }
 
-double SizeEnvelope::at(Point p) const {
+/// Searches a part of the sources.
+void SizeEnvelope::search(std::size_t node, Point p, double& best, Index& found) const {
+  std::array<std::size_t, 64> waiting;  // each level of the tree leaves one part behind
+  std::size_t count = 0;
+  for (;;) {
+    while (node < leaves_) {
+      waiting[count++] = 2 * node + 1;
+      node = 2 * node;
+      if (!nodes_[node].may_be_less(p, best)) break;
+    }
+    if (node >= leaves_) search_leaf(node - leaves_, p, best, found);
+    do {
+      if (count == 0) return;
+      node = waiting[--count];
+    } while (!nodes_[node].may_be_less(p, best));
+  }
+}
+
+double SizeEnvelope::at(Point p, Index& hint) const {
+  if (sources_.empty()) return INFINITY;
+  if (hint >= sources_.size()) hint = 0;
   double best = INFINITY;
-  if (sources_.empty()) return best;
-  const bool covered = p.x >= low_.x && p.y >= low_.y && p.x <= low_.x + side_ && p.y <= low_.y + side_;
-  if (!covered) {
-    for (const PreparedSize& source : sources_) best = std::min(best, source.at(p));
-    return best;
-  }
-  double half = side_ / 2;
-  Point centre{low_.x + half, low_.y + half};
-  const Node* node = nodes_.data();
-  while (node->count == inner) {
-    half /= 2;
-    const bool right = p.x >= centre.x, top = p.y >= centre.y;
-    node = &nodes_[node->first + (right ? 1 : 0) + (top ? 2 : 0)];
-    centre = {centre.x + (right ? half : -half), centre.y + (top ? half : -half)};
-  }
-  const Candidate* candidate = candidates_.data() + node->first;
-  for (const Candidate* const end = candidate + node->count; candidate < end && candidate->least <= best; ++candidate)
-    best = std::min(best, sources_[candidate->source].at(p));
+  std::size_t node = leaves_ + hint / sources_per_leaf;
+  search_leaf(node - leaves_, p, best, hint);
+  // The other parts, from the nearest ones to the hint to the largest ones.
+  for (; node > 1; node /= 2)
+    if (const std::size_t sibling = node ^ 1U; nodes_[sibling].may_be_less(p, best)) search(sibling, p, best, hint);
   return best;
 }
 

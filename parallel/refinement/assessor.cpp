@@ -5,7 +5,8 @@
 namespace pardel::engine {
 
 bool Assessor::forbidden(EdgeRef e) const {
-  return options_.no_segment_splits || (options_.no_boundary_splits && t_.slot(e).n[e.side()].none());
+  return options_.no_segment_splits || (options_.no_boundary_splits && t_.slot(e).n[e.side()].none()) ||
+         t_.on_border_of_patch(e);
 }
 
 bool Assessor::below_floor(EdgeRef e) const {
@@ -57,7 +58,8 @@ Index Assessor::segment_of(EdgeRef e) const {
 
 Point Assessor::point_on(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
-  return edge_split_point(t_, segments_[segment_of(e)], slot.from(e.side()), slot.to(e.side()));
+  return edge_split_point(t_, segments_[segment_of(e)], slot.from(e.side()), slot.to(e.side()),
+                          criteria_.length_of_pieces(region_of(e.triangle())));
 }
 
 Point Assessor::point_for(TriangleId id, const Assessment& a, LocalHints& hints) const {

@@ -75,7 +75,7 @@ class Assessor {
   }
   /// For a conforming goal: a constrained side that is not Delaunay, or 3 if there is none. For other goals: 3.
   [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
-  /// True if the options do not allow to split the edge.
+  /// True if the options do not allow to split the edge, or if it lies on the border of a patch.
   [[nodiscard]] bool forbidden(EdgeRef e) const;
   /// True if the halves of the edge would be shorter than options.min_edge (the floor).
   [[nodiscard]] bool below_floor(EdgeRef e) const;

@@ -12,6 +12,9 @@ namespace {
 constexpr double stricter = 1 - 0x1p-40;
 constexpr double proven_angle_deg = 20.7;  // the diametral lens is never narrower than for this bound on angles
 
+/// Reduced by far more than the rounding of the points of a patch.
+constexpr double squared_cosine_of_120_degrees = 0.2499;
+
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 double squared(double x) { return x * x; }
 
@@ -43,6 +46,7 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       squared_sine_(squared(sine(radians(goal.min_angle_deg))) / stricter),
       squared_lens_cosine_(conforming_ ? 0
                                        : squared(cosine(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),
+      squared_patch_cosine_(std::min(squared_cosine_of_120_degrees, squared(cosine(2 * radians(goal.min_angle_deg))))),
       twice_max_area_(2 * goal.max_area * stricter),
       squared_max_edge_(squared(goal.max_edge) * stricter),
       triangles_by_shape_(shape_factor(goal.min_angle_deg)),

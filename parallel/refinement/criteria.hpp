@@ -1,9 +1,11 @@
 // The criteria for bad triangles, and the points that split them. All functions are pure functions of coordinates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "../../core/goal.hpp"
@@ -59,6 +61,28 @@ class Criteria {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }
 
+  /// True if a point encroaches on a border edge of a patch. If it sees the edge at 120 degrees or more, it would enter
+  /// the circumdisk of the equilateral triangle that will be laid behind the edge. If it sees the edge at more than 180
+  /// degrees minus twice the bound on angles, it would make a triangle with the edge that breaks the bound and whose
+  /// circumcentre lies behind the edge. Parameters: as for encroaches().
+  [[nodiscard]] bool encroaches_on_patch(double dot, double squared_left, double squared_right) const {
+    return dot <= 0 && dot * dot >= squared_patch_cosine_ * squared_left * squared_right;
+  }
+
+  /// The same criteria for a domain that is filled with patches. `lengths`: the length of the edges in the patch of
+  /// each region, and last in that of the triangles without a region; infinity if there is no patch.
+  [[nodiscard]] Criteria with_patches(std::vector<double> lengths) const {
+    Criteria result = *this;
+    result.length_of_pieces_ = std::move(lengths);
+    return result;
+  }
+  /// The length of the pieces into which segments beside triangles of a region are split (edge_split_point()); infinity
+  /// if they are halved.
+  [[nodiscard]] double length_of_pieces(Index region) const {
+    return length_of_pieces_.empty() ? INFINITY
+                                     : length_of_pieces_[std::min<std::size_t>(region, length_of_pieces_.size() - 1)];
+  }
+
   /// The average number of triangles by which the bound on angles replaces a triangle of a Delaunay triangulation of
   /// random points.
   [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
@@ -100,6 +124,7 @@ class Criteria {
   bool conforming_;
   double squared_sine_;         ///< of the smallest angle allowed
   double squared_lens_cosine_;  ///< infinity if no corner encroaches
+  double squared_patch_cosine_;
   double twice_max_area_;
   double squared_max_edge_;
   double triangles_by_shape_;
@@ -108,6 +133,7 @@ class Criteria {
   bool fills_areas_ = false;             ///< the size point uses bounds on area, too
   double fill_ = 0.62;                   ///< the average area of a triangle, as a fraction of its cap
   std::vector<double> twice_region_cap_;
+  std::vector<double> length_of_pieces_;  ///< empty: segments are halved
   LocalBound size_, area_cap_;
   bool looks_around_;  ///< the size changes slowly, so the size at a corner mostly decides about a triangle
   bool has_local_size_;

@@ -52,6 +52,7 @@ class Deferrals {
     weakest_ = rules_.front();
     for (const Deferral& rule : rules_) {
       weakest_.longest_squared = std::min(weakest_.longest_squared, rule.longest_squared);
+      weakest_.squared_radius = std::min(weakest_.squared_radius, rule.squared_radius);
       weakest_.last_key = std::max(weakest_.last_key, rule.last_key);
     }
   }

@@ -65,12 +65,16 @@ double Insertion::orientation_of(std::size_t edge, Point p) const {
 
 EdgeRef Insertion::longest_encroached() const {
   double longest = 0, longest_wide = 0;
-  EdgeRef found, wide;  // wide: the point lies in the diametral disk, perhaps not in the lens
+  EdgeRef found, border, wide;  // wide: the point lies in the diametral disk, perhaps not in the lens
   for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {
     const CavityEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
     const Measure& m = measures_[i];
     const double dot = m.dot_at(0), length = m.squared[0];
+    if (t_.on_border_of_patch(edge.inner)) {
+      if (m.twice_area <= 0 || criteria_.encroaches_on_patch(dot, m.squared[1], m.squared[2])) border = edge.inner;
+      continue;
+    }
     if ((m.twice_area <= 0 || criteria_.encroaches(dot, m.squared[1], m.squared[2])) && length > longest) {
       longest = length;
       found = edge.inner;
@@ -80,6 +84,7 @@ EdgeRef Insertion::longest_encroached() const {
       wide = edge.inner;
     }
   }
+  if (found.none() && !border.none()) return border;
   // Near a constrained edge that is not Delaunay, the cavity may not be star-shaped. Then `wide` has to be split.
   return found.none() && !is_star_ ? wide : found;
 }

@@ -15,7 +15,7 @@ namespace pardel::engine {
 /// The outcome of an attempt to insert a point.
 enum class Outcome : std::uint8_t {
   inserted,
-  encroaches,  ///< the constrained edge blocker() has to be split instead
+  encroaches,  ///< the constrained edge blocker() has to be split instead, or lies on the border of a patch
   leaves_box,  ///< the insertion needs a larger or another box; if flips are needed, the whole plane
   too_close,   ///< an edge shorter than min_edge would result
   refused,     ///< no valid triangulation would result in double precision
@@ -68,7 +68,8 @@ class Insertion {
   [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
   /// True if an insertion since start() needed flips (see QueuedTriangle).
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
-  /// After `encroaches`: the longest encroached edge, seen from inside the cavity.
+  /// After `encroaches`: the longest encroached part of a segment, seen from inside the cavity. If there is none, an
+  /// edge on the border of a patch.
   [[nodiscard]] EdgeRef blocker() const { return blocker_; }
   /// After insert_in_face() returned `leaves_box`: true if some triangle of p's cavity that does not lie in the box has
   /// at most this circumradius. Precondition: p lies in the box.
@@ -81,7 +82,7 @@ class Insertion {
   /// The exact orientation of a boundary edge and p.
   [[nodiscard]] double orientation_of(std::size_t edge, Point p) const;
   /// The longest constrained edge of the boundary on which the point encroaches or beyond which it lies; none() if
-  /// there is no such edge.
+  /// there is no such edge. Edges on the border of a patch, which cannot be split, come last.
   [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
   Outcome face_by_flips(Point p);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -88,9 +89,16 @@ double widest_apex(double length, double segment_length) {
   return 32 * length < segment_length ? at_104_degrees : at_60_degrees;
 }
 
+/// The fraction at which the edge a-b is split if it consists of `count` equal pieces. If the count is odd, the shorter
+/// part is at the end that comes first, whatever the direction of the edge.
+double fraction_of_pieces(double count, Point a, Point b) {
+  const double first = std::floor(count / 2) / count;
+  return lexicographically_less(a, b) ? first : 1 - first;
+}
+
 }  // namespace
 
-Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b) {
+Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b, double pieces) {
   const Point pa = t.points[a], pb = t.points[b];
   const double length = distance(pa, pb);
   const double widest = widest_apex(length, distance(t.points[segment.a], t.points[segment.b]));
@@ -101,6 +109,8 @@ Point edge_split_point(const Triangulation& t, const DomainSegment& segment, Ver
     if (centre == b) fraction = 1 - fraction;
   } else if (segment.narrow_apex != no_index) {
     fraction = fraction_around(t.points[centre_of_wedge(t, segment, pa, pb)], pa, pb);
+  } else if (length > 1.5 * pieces) {
+    fraction = fraction_of_pieces(std::round(length / pieces), pa, pb);
   }
   const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
   const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);

@@ -2,6 +2,7 @@
 // two exemptions of Miller, Pav and Walkington ("When and why Ruppert's algorithm works", 2003).
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "../options.hpp"
@@ -22,8 +23,11 @@ namespace pardel::engine {
 /// binary digits, between 1/3 and 2/3 of the edge: the vertices of both sides of a narrow wedge then stay side by side
 /// even if their far ends do not. If the other end is an apex, too, this holds around the apex whose wedge is narrower
 /// at the edge.
+/// An edge longer than one and a half `pieces` that would be halved is split into two whole numbers of about equal
+/// pieces of about this length. Halves of halves could be much shorter than the edges of a patch beside the segment.
 /// The point lies on the segment up to the rounding of its coordinates.
-[[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b);
+[[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b,
+                                     double pieces = INFINITY);
 
 /// The small input angle that exempts a triangle.
 struct SmallAngle {

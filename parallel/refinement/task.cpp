@@ -144,7 +144,7 @@ void Task::hand_on(QueuedTriangle triangle, Point p) {
 }
 
 bool Task::violates_t1(Point p) const {
-  const double fits = tiles_->lattice()->radius_that_fits();
+  const double fits = tiles_->radius_that_fits(cell_);
   return box_.contains_half_open(p) && insertion_.left_box_for(p, box_, fits * fits);
 }
 

@@ -5,6 +5,7 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
+#include "../refinement/parts.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -15,18 +16,22 @@ constexpr double triangles_per_input_triangle = 1.7;
 }  // namespace
 
 InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
-                             const Threads& threads, TriangleId settled_from) {
-  const std::size_t count = std::min<std::size_t>(t.slots.size(), settled_from);
+                             const Threads& threads) {
+  const std::size_t count = t.slots.size();
   const std::size_t blocks = block_count(count);
   std::vector<TriangleEstimates> estimates(blocks);
   std::vector<std::vector<Deferred>> bad(blocks);
   std::vector<char> left_alone(blocks, 0);
+  const int divisions = divisions_for(criteria, count);
   parallel_blocks(threads, count, [&](std::size_t first, std::size_t last, std::size_t block) {
     LocalHints hints;
     for (std::size_t id = first; id < last; ++id) {
       const auto triangle = static_cast<TriangleId>(id);
       const Shape shape(t, t.slots[triangle]);
-      const double wanted = criteria.triangles_wanted(shape, assessor.region_of(triangle), hints);
+      double wanted = 0;
+      visit_parts(shape, divisions, [&](const Shape& part) {
+        wanted += criteria.triangles_wanted(part, assessor.region_of(triangle), hints);
+      });
       estimates[block].without_angle_bound += std::max(triangles_per_input_triangle, wanted);
       estimates[block].with_angle_bound += std::max(criteria.triangles_by_shape(), wanted);
       estimates[block].lower_bound += criteria.triangles_needed(shape, assessor.region_of(triangle));
@@ -43,10 +48,6 @@ InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, c
     all.estimates.with_angle_bound += block.with_angle_bound;
     all.estimates.lower_bound += block.lower_bound;
   }
-  const auto settled = static_cast<double>(t.slots.size() - count);
-  all.estimates.without_angle_bound += settled;
-  all.estimates.with_angle_bound += settled;
-  all.estimates.lower_bound += settled;
   return all;
 }
 
@@ -57,15 +58,17 @@ double overload(const Triangulation& t, const Criteria& criteria, const Assessor
   double all = 0, weighted = 0;  // weighted: the sum over all final triangles of the number in their cells
   LocalHints hints;
   SparseAsk ask(threads.stop);
+  const int divisions = divisions_for(criteria, t.slots.size());
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     ask();
-    const Shape shape(t, t.slots[id]);
-    const double wanted = criteria.triangles_wanted(shape, assessor.region_of(id), hints);
-    all += wanted;
-    if (shape.twice_area > twice_cell)
-      weighted += wanted * (wanted * twice_cell / shape.twice_area);
-    else
-      in_cell[lattice.cell_of(shape.centroid())] += wanted;
+    visit_parts(Shape(t, t.slots[id]), divisions, [&](const Shape& part) {
+      const double wanted = criteria.triangles_wanted(part, assessor.region_of(id), hints);
+      all += wanted;
+      if (part.twice_area > twice_cell)
+        weighted += wanted * (wanted * twice_cell / part.twice_area);
+      else
+        in_cell[lattice.cell_of(part.centroid())] += wanted;
+    });
   }
   for (const double wanted : in_cell) weighted += wanted * wanted;
   return all > 0 ? weighted * lattice.cells() / (all * all) : 1;

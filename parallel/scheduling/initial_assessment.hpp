@@ -21,10 +21,9 @@ struct InitialAssessment {
   bool left_alone = false;  ///< a triangle breaks the goal, but it may not or cannot be split
 };
 
-/// Assesses all triangles. Precondition: all their indices are in use. O(n). The triangles from `settled_from` on are
-/// known to be in order, and will stay as they are in most cases.
+/// Assesses all triangles. Precondition: all their indices are in use. O(n).
 [[nodiscard]] InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
-                                           const Threads& threads, TriangleId settled_from = no_index);
+                                           const Threads& threads);
 
 /// The expected number of triangles in the cell of the lattice in which an average triangle of the final mesh will lie,
 /// divided by the average over all cells: 1 if the work is even. Precondition: all indices of triangles are in use.

@@ -1,10 +1,12 @@
 #include "pending_triangles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
+#include "../refinement/parts.hpp"
 #include "take_due.hpp"
 
 namespace pardel::engine {
@@ -56,6 +58,8 @@ std::vector<unsigned> PendingTriangles::median_keys(const Tiles& tiles) const {
 Array<WorkAt> PendingTriangles::work(const Criteria& criteria) const {
   // The least number of triangles by which a bad triangle is replaced.
   constexpr double least = 2;
+  const int divisions = divisions_for(criteria, deferred_.size());
+  const double least_of_part = std::ldexp(least, -2 * divisions);
   std::vector<std::vector<WorkAt>> found(block_count(deferred_.size()));
   parallel_blocks(threads_, deferred_.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
     LocalHints hints;
@@ -63,8 +67,10 @@ Array<WorkAt> PendingTriangles::work(const Criteria& criteria) const {
       const QueuedTriangle triangle = deferred_[i].triangle;
       if (!triangle.is_current(t_)) continue;
       const Shape shape(t_, t_.slots[triangle.id()]);
-      const double wanted = criteria.triangles_wanted(shape, assessor_.region_of(triangle.id()), hints);
-      found[block].push_back({shape.centroid(), std::max(least, wanted)});
+      visit_parts(shape, divisions, [&](const Shape& part) {
+        const double wanted = criteria.triangles_wanted(part, assessor_.region_of(triangle.id()), hints);
+        found[block].push_back({part.centroid(), std::max(least_of_part, wanted)});
+      });
     }
   });
   Array<WorkAt> all;

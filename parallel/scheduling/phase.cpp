@@ -47,7 +47,7 @@ PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Crite
 }
 
 std::unique_ptr<Task> PhaseRunner::new_task() {
-  const bool own_cell_only = options_.decomposition == Decomposition::paper;
+  const bool own_cell_only = is_of_the_paper(options_.decomposition);
   return std::make_unique<Task>(t_, assessor_, criteria_, options_.min_edge, own_cell_only);
 }
 
@@ -113,8 +113,8 @@ void PhaseRunner::run(const Tiles& tiles, std::vector<PlannedTask>& tasks, const
 /// The test of Task::violates_t1 for a triangle that does not lie in the box of its cell. By theorem T1 the triangle
 /// lies in the box if its split point lies in a face and in the cell, and its circumradius is small enough.
 bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Tiles& tiles) const {
-  if (options_.decomposition != Decomposition::paper) return false;
-  const double fits = tiles.lattice()->radius_that_fits();
+  if (!is_of_the_paper(options_.decomposition)) return false;
+  const double fits = tiles.radius_that_fits(cell);
   if (Shape(t_, t_.slots[id]).squared_circumradius() > fits * fits) return false;
   const Assessment a = assessor_.assess(id);
   return a.need == Assessment::Need::split_triangle && tiles.cell_of(assessor_.point_for(id, a)) == cell;

@@ -9,11 +9,16 @@ namespace pardel::engine {
 ProgressMonitor::ProgressMonitor(const Options& options, StopSignal::Clock::duration interval)
     : options_(options), stop_([this] { return ask_caller(); }, interval) {}
 
+void ProgressMonitor::set_aside(std::uint64_t vertices, std::uint64_t triangles) {
+  vertices_aside_ = vertices;
+  triangles_aside_ = triangles;
+}
+
 void ProgressMonitor::start(double estimate, std::uint64_t vertices, std::uint64_t triangles) {
-  estimate_ = estimate;
+  estimate_ = estimate > 0 ? estimate + static_cast<double>(triangles_aside_) : 0;
   if (options_.max_vertices > 0) estimate_ = std::min(estimate_, 2.0 * static_cast<double>(options_.max_vertices));
-  vertices_ = vertices;
-  triangles_ = triangles;
+  vertices_ = vertices_aside_ + vertices;
+  triangles_ = triangles_aside_ + triangles;
 }
 
 void ProgressMonitor::report(std::uint64_t vertices_made) {
@@ -25,8 +30,8 @@ void ProgressMonitor::report(std::uint64_t vertices_made) {
 }
 
 void ProgressMonitor::phase_ended(std::uint64_t vertices, std::uint64_t triangles) {
-  vertices_ = vertices;
-  triangles_ = triangles;
+  vertices_ = vertices_aside_ + vertices;
+  triangles_ = triangles_aside_ + triangles;
   made_ = 0;
   stop_.ask_now();
 }

@@ -19,6 +19,9 @@ class ProgressMonitor {
   /// The threads of the run. Their loops call options.progress; only the thread that made the monitor calls it.
   [[nodiscard]] Threads threads() { return {options_.threads, &stop_}; }
 
+  /// Counts vertices and triangles that will be added to the mesh after the refinement, until the next call.
+  void set_aside(std::uint64_t vertices, std::uint64_t triangles);
+  [[nodiscard]] std::uint64_t triangles_aside() const { return triangles_aside_; }
   /// Starts the refinement. `estimate`: the expected number of triangles of the final mesh, 0 if unknown.
   void start(double estimate, std::uint64_t vertices, std::uint64_t triangles);
   /// Tasks call this: they have inserted `vertices_made` vertices since the last call. Throws Stopped if the run has to
@@ -28,7 +31,7 @@ class ProgressMonitor {
   /// Stopped if the run has to end.
   void phase_ended(std::uint64_t vertices, std::uint64_t triangles);
 
-  /// The number of vertices when the last phase ended.
+  /// The number of vertices when the last phase ended, with those set aside.
   [[nodiscard]] std::uint64_t vertices() const { return vertices_; }
 
  private:
@@ -37,7 +40,8 @@ class ProgressMonitor {
   const Options& options_;
   StopSignal stop_;
   double estimate_ = 0;
-  std::uint64_t vertices_ = 0, triangles_ = 0;  ///< when the last phase ended
+  std::uint64_t vertices_aside_ = 0, triangles_aside_ = 0;
+  std::uint64_t vertices_ = 0, triangles_ = 0;  ///< when the last phase ended, with those set aside
   std::atomic<std::uint64_t> made_{0};          ///< triangles made since then, as far as tasks have reported them
   std::uint64_t shown_ = 0;                     ///< the number last shown to the caller
 };

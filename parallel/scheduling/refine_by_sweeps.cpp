@@ -28,8 +28,9 @@ constexpr double long_in_finer_cells = 0.25;
 /// box of 2.25 leaves, and of four cells in a lattice.) Larger leaves hand fewer triangles on.
 constexpr double share_of_leaf = 1.0 / 128, least_per_leaf = 2.5, most_per_leaf = 11;
 
-/// The decomposition is a quadtree if the work in a cell of a lattice exceeds the average by more than this factor.
-constexpr double most_overload = 4;
+/// The decomposition is a quadtree if the work in a cell of a lattice exceeds the average by more than this factor. If
+/// all work lies around a point where four cells of sixteen meet, the factor is 4.
+constexpr double most_overload = 3;
 
 std::vector<double> per_leaf(const Array<WorkAt>& work, const Quadtree& tree) {
   std::vector<double> sum(tree.cells(), 0);
@@ -38,11 +39,10 @@ std::vector<double> per_leaf(const Array<WorkAt>& work, const Quadtree& tree) {
 }
 
 Error t1_violated(const Sweep& sweep) {
-  return {ErrorKind::internal, "a self-check of the refinement failed: on a lattice of " +
-                                   std::to_string(sweep.columns) + " x " + std::to_string(sweep.rows) + " cells, " +
-                                   std::to_string(sweep.against_promise) +
-                                   " points did not fit the boxes of their cells, although no circumradius there "
-                                   "exceeds a quarter of a cell's side"};
+  return {ErrorKind::internal, "a self-check of the refinement failed: on " + std::to_string(sweep.columns) + " x " +
+                                   std::to_string(sweep.rows) + " cells, " + std::to_string(sweep.against_promise) +
+                                   " points did not fit the boxes of their cells, although all circumradii there are "
+                                   "small enough (a quarter of the side of a cell, an eighth of that of a leaf)"};
 }
 
 class Refinement {
@@ -59,11 +59,12 @@ class Refinement {
         pending_(t, assessor_, threads_),
         progress_(progress) {}
 
-  Status run(TriangleId settled_from) {
-    InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_, settled_from);
+  Status run() {
+    InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_);
     counts_.left_alone = initial.left_alone;
     pending_.defer(std::move(initial.bad));
-    if (Status fits = check_size(initial.estimates.lower_bound, options_); !fits) return fits;
+    const double needed = initial.estimates.lower_bound + static_cast<double>(progress_.triangles_aside());
+    if (Status fits = check_size(needed, options_); !fits) return fits;
     const Box bounds = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, options_);
     progress_.start(initial.estimates.with_angle_bound, runner_.vertices().in_use(), runner_.triangles().in_use());
@@ -86,7 +87,8 @@ class Refinement {
   using Levels = std::deque<Tiles>;
 
   [[nodiscard]] bool prefers_quadtree(const Lattice& finest) const {
-    if (options_.decomposition == Decomposition::quadtree) return true;
+    if (options_.decomposition == Decomposition::quadtree || options_.decomposition == Decomposition::paper_quadtree)
+      return true;
     const bool may = options_.decomposition == Decomposition::automatic && options_.cells[0] == 0;
     return may && criteria_.depends_on_place() && finest.cells() > 1 &&
            overload(t_, criteria_, assessor_, finest, threads_) > most_overload;
@@ -132,13 +134,25 @@ class Refinement {
     return std::clamp(share_of_leaf * all, least_per_leaf * tile, most_per_leaf * tile);
   }
 
-  /// For each leaf: the rule that leaves triangles to the finer leaves in it.
-  [[nodiscard]] static Deferrals short_enough_for(const Quadtree& tree, const Quadtree& finer) {
-    std::vector<Deferral> rules(tree.cells(), {.longest_squared = INFINITY});
+  /// For each leaf: the rule that leaves triangles to the finer leaves in it. With the paper's quadtree, the leaves
+  /// around it count, too: in the buffer zone of a finer leaf, all circumradii have to fit.
+  [[nodiscard]] Deferrals short_enough_for(const Quadtree& tree, const Quadtree& finer) const {
+    const bool by_radius = is_of_the_paper(options_.decomposition);
+    std::vector<double> bounds(tree.cells(), INFINITY);
     for (Index cell = 0; cell < finer.cells(); ++cell) {
-      const double longest = long_in_finer_cells * finer.side_of(cell);
-      double& bound = rules[tree.cell_of(finer.centre_of(cell))].longest_squared;
-      bound = std::min(bound, longest * longest);
+      const double most = by_radius ? finer.radius_that_fits(cell) : long_in_finer_cells * finer.side_of(cell);
+      double& bound = bounds[tree.cell_of(finer.centre_of(cell))];
+      bound = std::min(bound, most * most);
+    }
+    std::vector<Deferral> rules;
+    for (Index cell = 0; cell < tree.cells(); ++cell) {
+      if (!by_radius) {
+        rules.push_back({.longest_squared = bounds[cell]});
+        continue;
+      }
+      double around = bounds[cell];
+      for (const Index other : tree.touching(cell)) around = std::min(around, bounds[other]);
+      rules.push_back({.squared_radius = around});
     }
     return Deferrals(std::move(rules));
   }
@@ -270,9 +284,9 @@ class Refinement {
 
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, ProgressMonitor& progress, const Schedule& schedule,
-                                      const Watcher& watcher, TriangleId settled_from) try {
+                                      const Watcher& watcher) try {
   Refinement refinement(t, segments, criteria, options, progress, schedule, watcher);
-  if (Status done = refinement.run(settled_from); !done) return done.error();
+  if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 } catch (const Stopped& stopped) {
   return stopped.error;

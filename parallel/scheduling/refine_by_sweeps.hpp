@@ -44,13 +44,13 @@ struct RefineCounts {
 using Watcher = std::function<Status(Triangulation&& copy, const Sweep&)>;
 
 /// Refines the triangulation in place. Precondition: it is a constrained Delaunay triangulation without ghosts, and all
-/// its boundary edges are constrained. The triangles from `settled_from` on keep the goal and lie beside no constrained
-/// edge, so they need not be examined at the start. The result depends neither on options.threads nor on the schedule.
-/// Fails with `cancelled`, `resources` or `internal`, or with the error that the watcher returned; the triangulation is
-/// then not usable.
+/// its boundary edges are constrained. Boundary edges on the border of a patch stay
+/// (Triangulation::on_border_of_patch). The result depends neither on options.threads nor on the schedule. Fails with
+/// `cancelled`, `resources` or `internal`, or with the error that the watcher returned; the triangulation is then not
+/// usable.
 [[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
                                                     const Criteria& criteria, const Options& options,
                                                     ProgressMonitor& progress, const Schedule& schedule = {},
-                                                    const Watcher& watcher = {}, TriangleId settled_from = no_index);
+                                                    const Watcher& watcher = {});
 
 }  // namespace pardel::engine

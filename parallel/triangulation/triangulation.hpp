@@ -19,6 +19,10 @@ using TriangleId = Index;
 /// two triangles. Carving removes the ghost triangles (carve.hpp).
 inline constexpr VertexId ghost = no_index;
 
+/// A value of Triangulation::origin beside those of Mesh::origin: a vertex on the border of a patch that will be laid
+/// after the refinement (filling/filling.hpp). No finished mesh has one.
+inline constexpr Index border_vertex = no_index - 3;
+
 inline constexpr std::array<unsigned, 3> next_corner{1, 2, 0};
 inline constexpr std::array<unsigned, 3> previous_corner{2, 0, 1};
 
@@ -68,11 +72,18 @@ static_assert(sizeof(Slot) == sizeof(Triangle), "the result reuses the engine's 
 struct Triangulation {
   Array<Point> points;
   WatchedArray<Slot> slots;
-  Array<Index> origin;  ///< per vertex: input_vertex, interior_vertex, or the index of the segment on which it lies
+  /// Per vertex: input_vertex, interior_vertex, border_vertex, or the index of the segment on which it lies.
+  Array<Index> origin;
   Array<Index> region;  ///< per triangle; empty if there is only one region
 
   [[nodiscard]] const Slot& slot(EdgeRef e) const { return slots[e.triangle()]; }
   [[nodiscard]] const Point& point(VertexId v) const { return points[v]; }
+
+  /// True if a patch will be laid beyond the edge. Such an edge is never split.
+  [[nodiscard]] bool on_border_of_patch(EdgeRef e) const {
+    const Slot& s = slot(e);
+    return s.n[e.side()].none() && origin[s.from(e.side())] == border_vertex && origin[s.to(e.side())] == border_vertex;
+  }
 
   /// Makes two sides neighbours of each other. `outer`, which may be none(), determines whether the edge is
   /// constrained.

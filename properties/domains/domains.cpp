@@ -290,6 +290,13 @@ Result<Pslg> generate(std::string_view name, std::uint64_t n, std::uint64_t seed
   return Error{ErrorKind::usage, "There is no domain named '" + std::string(name) + "'. Known are: " + known + "."};
 }
 
+std::vector<SizeRange> size_ranges() {
+  std::vector<SizeRange> all;
+  for (const Entry& entry : entries())
+    if (entry.max_n > 0) all.push_back({std::string(entry.name), entry.min_n, entry.max_n, entry.default_n});
+  return all;
+}
+
 std::vector<std::string> names() {
   std::vector<std::string> all;
   for (const Entry& entry : entries()) all.emplace_back(entry.name);

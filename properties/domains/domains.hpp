@@ -85,6 +85,14 @@ namespace pardel::domains {
 /// message lists the names or the range.
 [[nodiscard]] Result<Pslg> generate(std::string_view name, std::uint64_t n, std::uint64_t seed);
 
+/// The sizes that a domain of generate() can have.
+struct SizeRange {
+  std::string name;
+  std::uint64_t least, most, usual;
+};
+/// Of the domains that have a size.
+[[nodiscard]] std::vector<SizeRange> size_ranges();
+
 /// The names that generate() accepts.
 [[nodiscard]] std::vector<std::string> names();
 

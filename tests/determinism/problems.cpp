@@ -70,10 +70,11 @@ Problem graded_problem(std::uint64_t number) {
   p.what.goal.size = [=](Point q) {
     return least + slope * std::sqrt((q.x - centre.x) * (q.x - centre.x) + (q.y - centre.y) * (q.y - centre.y));
   };
-  p.options.decomposition = Decomposition::quadtree;
+  p.options.decomposition = number % 4 == 3 ? Decomposition::paper_quadtree : Decomposition::quadtree;
   const std::string paper = ", the paper's";
   if (const auto at = p.what.name.find(paper); at != std::string::npos) p.what.name.erase(at, paper.size());
-  p.what.name = "graded " + std::to_string(number) + " of " + p.what.name;
+  p.what.name =
+      "graded " + std::to_string(number) + (number % 4 == 3 ? ", paper's leaves," : "") + " of " + p.what.name;
   return p;
 }
 

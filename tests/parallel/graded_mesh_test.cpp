@@ -191,5 +191,35 @@ TEST(GradedMesh, cannot_be_refined_from_a_mesh) {
   }
 }
 
+TEST(GradedMesh, of_a_domain_with_few_points_is_made_by_many_tasks) {
+  // The size is small in the left quarter, far from the centroids of the two triangles of the domain.
+  Raster raster{16, 16, {1.0 / 32, 1.0 / 32}, 1.0 / 16, 1.0 / 16, {}};
+  for (int k = 0; k < 256; ++k) raster.values.push_back(k % 16 < 4 ? 0.004 : 0.5);
+  Goal goal;
+  goal.size = *interpolated_size(raster);
+  const Result<Meshed> meshed = mesh(rectangle(1, 1), goal, {.triangles_per_tile = 200});
+  ASSERT_TRUE(meshed);
+  const auto& tiling = meshed->report.tiling;
+  EXPECT_GT(meshed->mesh.triangles.size(), 30'000U);
+  EXPECT_GT(tiling.leaves.size(), 50U);
+  std::uint64_t inserted = 0, largest = 0;
+  for (const Sweep& sweep : tiling.sweeps) {
+    inserted += sweep.inserted;
+    largest = std::max(largest, sweep.largest_task);
+  }
+  EXPECT_LT(10 * largest, inserted);
+}
+
+TEST(GradedMesh, around_a_point_where_the_cells_of_a_lattice_meet_is_made_on_a_quadtree) {
+  for (const int decades : {5, 6}) {
+    const Pslg pslg = domains::radial(decades);
+    Goal goal{.min_angle_deg = 25};
+    goal.size = *interpolated_size(pslg, domains::radial_sizes(pslg, 0.05));
+    const Result<Meshed> meshed = mesh(pslg, goal);
+    ASSERT_TRUE(meshed);
+    EXPECT_FALSE(meshed->report.tiling.leaves.empty()) << decades << " decades";
+  }
+}
+
 }  // namespace
 }  // namespace pardel

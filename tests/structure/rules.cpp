@@ -69,6 +69,7 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/triangulation", 3, "pardel::engine"},
       {"parallel", "parallel/construction", 4, "pardel::engine"},
       {"parallel", "parallel/refinement", 5, "pardel::engine"},
+      {"parallel", "parallel/patches", 5, "pardel::engine"},
       {"parallel", "parallel/scheduling", 6, "pardel::engine"},
       {"parallel", "parallel/conversion", 7, "pardel::engine"},
       {"parallel", "parallel/diagnosis", 8, "pardel::engine"},

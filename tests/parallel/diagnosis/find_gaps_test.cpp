@@ -103,6 +103,28 @@ TEST(Gaps, are_not_random_points_that_happen_to_lie_near_a_side_of_the_convex_hu
   EXPECT_TRUE(gaps_of(domains::random_points(300'000, 1)).empty());
 }
 
+TEST(Gaps, are_not_the_distances_between_points_that_are_dense_in_a_place) {
+  EXPECT_TRUE(gaps_of(domains::radial(6)).empty());
+  std::vector<Point> points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (int i = 0; i < 400; ++i) points.push_back({1e-8 * (i % 20), 1e-8 * (i / 20 + 0.1 * (i % 2))});
+  EXPECT_TRUE(gaps_of(points_only(points)).empty());
+}
+
+TEST(Gaps, are_two_points_that_nearly_touch_where_points_are_dense) {
+  std::vector<Point> points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (int i = 0; i < 400; ++i) points.push_back({1e-5 * (i % 20), 1e-5 * (i / 20 + 0.1 * (i % 2))});
+  points.push_back({1e-5 * 7, 1e-5 * 5.1 + 1e-9});  // beside point 4 + 107
+  const std::vector<Gap> gaps = gaps_of(points_only(points));
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].points, (std::vector<Index>{111, 404}));
+}
+
+TEST(Gaps, are_two_points_that_nearly_touch_on_the_convex_hull) {
+  const std::vector<Gap> gaps = gaps_of(points_only({{0, 0}, {1, 0}, {1 + 1e-9, 1e-9}, {0.5, 1}, {0.5, 0.5}}));
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].points, (std::vector<Index>{1, 2}));
+}
+
 TEST(Gaps, are_not_small_shapes_nor_places_outside_the_domain) {
   Pslg island = square(1);
   add_square(island, 1e-8, {0.5, 0.5});

@@ -13,7 +13,7 @@ namespace {
 std::function<double(Point)> on_a_triangle(bool limited) {
   auto background = std::make_shared<const Background>(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}},
                                                        std::vector<std::array<Index, 3>>{{0, 1, 2}});
-  const PointValues values{std::move(background), {1, 2, 3}, limited};
+  const PointValues values{std::move(background), {1, 2, 3}, limited, "the field"};
   return OnBackground<PointValues>{std::make_shared<const PointValues>(values)};
 }
 
@@ -30,7 +30,7 @@ std::string uncovered(const std::function<double(Point)>& size, std::span<const 
 TEST(Coverage, of_a_limited_field_ends_a_side_beyond_its_mesh) {
   const std::vector<Point> near{{0, 0}, {0.2, 0.2}, {2, -1}}, far{{0, 0}, {3, 0}, {4, 0}};
   EXPECT_EQ(uncovered(on_a_triangle(true), near), "");
-  EXPECT_EQ(uncovered(on_a_triangle(true), far), "the mesh of the sizes does not cover (3, 0)");
+  EXPECT_EQ(uncovered(on_a_triangle(true), far), "the field does not cover (3, 0)");
   EXPECT_EQ(uncovered(on_a_triangle(false), far), "");
 }
 
@@ -48,7 +48,7 @@ TEST(Coverage, names_the_first_point_on_any_number_of_threads) {
   points[399'999] = {9, 9};
   points[250'000] = {8, 8};
   for (const int threads : {1, 2, 4})
-    EXPECT_EQ(uncovered(on_a_triangle(true), points, threads), "the mesh of the sizes does not cover (8, 8)");
+    EXPECT_EQ(uncovered(on_a_triangle(true), points, threads), "the field does not cover (8, 8)");
 }
 
 TEST(Coverage, is_not_asked_of_a_function_of_the_caller) {

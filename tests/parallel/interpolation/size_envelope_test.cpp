@@ -1,4 +1,4 @@
-// The lower envelope of growing lengths is the least of them, wherever the quadtree has its leaves.
+// The lower envelope of growing lengths is the least of them, wherever the search begins.
 #include "../../../parallel/interpolation/size_envelope.hpp"
 
 #include <gtest/gtest.h>
@@ -72,6 +72,24 @@ TEST(SizeEnvelope, is_the_least_of_thousands_of_sources) {
     double least = INFINITY;
     for (const GrowingSize& source : sources) least = std::min(least, PreparedSize(source).at(p));
     EXPECT_EQ(envelope.at(p), least);
+    Index hint = static_cast<Index>(random.below(4000));  // also beyond the sources
+    EXPECT_EQ(envelope.at(p, hint), least);
+    EXPECT_EQ(envelope.at(p, hint), least) << "from the source that was found";
+  }
+}
+
+TEST(SizeEnvelope, is_the_least_of_any_number_of_sources) {
+  samples::Random random(6);
+  std::vector<GrowingSize> sources;
+  for (int n = 1; n <= 40; ++n) {
+    sources.push_back(at_point({random.uniform(), random.uniform()}, random.uniform(0.01, 0.2), 0.5));
+    const SizeEnvelope envelope(sources, unit_box);
+    for (int i = 0; i < 50; ++i) {
+      const Point p{random.uniform(-1, 2), random.uniform(-1, 2)};
+      double least = INFINITY;
+      for (const GrowingSize& source : sources) least = std::min(least, PreparedSize(source).at(p));
+      EXPECT_EQ(envelope.at(p), least) << n << " sources";
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "../../../core/support/shortest.hpp"
@@ -13,7 +14,8 @@
 #include "../../../parallel/diagnosis/find_gaps.hpp"
 #include "../../../parallel/diagnosis/find_least_size.hpp"
 #include "../../../parallel/diagnosis/narrowest_part.hpp"
-#include "../../../parallel/filling/fill_domain.hpp"
+#include "../../../parallel/filling/filling.hpp"
+#include "../../../parallel/filling/hemmed_in.hpp"
 #include "../../../parallel/input/convex_hull.hpp"
 #include "../../../parallel/input/findings.hpp"
 #include "../../../parallel/input/repair_once.hpp"
@@ -178,9 +180,8 @@ void record_refinement(Record& record, DomainTriangulation& domain, const Criter
     snapshots.add_all(copy, sweep.inserted);
     return Done{};
   };
-  const Result<RefineCounts> counts =
-      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, record.monitor(), tasks.schedule(),
-                       watcher, domain.settled_from);
+  const Result<RefineCounts> counts = refine_by_sweeps(domain.triangulation, domain.segments, criteria, options,
+                                                       record.monitor(), tasks.schedule(), watcher);
   record.add_progress();
   record.add("snapshots", snapshots.text());
   tasks.end(record);
@@ -257,19 +258,38 @@ std::string domain_text(const DomainTriangulation& domain) {
   return all.text();
 }
 
-/// Replaces the domain, and the points to which it refers, if triangles can be laid.
-void record_filling(Record& record, const Run& run, DomainTriangulation& domain, std::vector<Point>& points) {
+/// The edges of patches that keep the goal of a run.
+std::vector<double> edges_of_patches(const Run& run) {
   std::vector<double> edges;
   for (const Region& region : run.pslg.regions)
     edges.push_back(edge_of_patch(std::min(region.max_area, run.goal.max_area), run.goal.max_edge));
   edges.push_back(edge_of_patch(run.goal.max_area, run.goal.max_edge));
+  return edges;
+}
+
+/// Cuts patches out of the domain, and replaces the points to which it refers, if there is a patch.
+std::optional<Filling> record_filling(Record& record, const Run& run, DomainTriangulation& domain,
+                                      std::vector<Point>& points) {
+  const std::vector<double> edges = edges_of_patches(run);
+  const std::vector<Clearing> clearings{{run.pslg.points.front(), 3 * edges.back()}};
   Result<std::optional<Filling>> filled =
-      fill_domain(run.pslg, run.goal.convex_hull, domain, edges, record.options(), record.threads());
-  if (!filled) return record.end_of_stage("filling", filled.error().message);
-  if (!*filled) return record.end_of_stage("filling", "nothing fits");
-  domain = std::move((*filled)->domain);
-  points = std::move((*filled)->points);
-  record.end_of_stage("filling", fingerprint(edges), (*filled)->triangles, points.size(), domain_text(domain));
+      Filling::make(run.pslg, run.goal.convex_hull, domain, edges, clearings, record.options(), record.threads());
+  if (!filled || !*filled) {
+    record.end_of_stage("filling", filled ? "nothing fits" : filled.error().message);
+    return {};
+  }
+  domain = (*filled)->take_domain();
+  points = (*filled)->points();
+  record.end_of_stage("filling", fingerprint(edges), (*filled)->triangles(), points.size(), domain_text(domain));
+  return std::move(*filled);
+}
+
+void record_laying(Record& record, const Filling& filling, DomainTriangulation& domain, const Criteria& criteria) {
+  const std::vector<TriangleId> stuck =
+      hemmed_in(domain.triangulation, domain.segments, criteria, record.options(), record.threads());
+  record.end_of_stage("hemmed in", stuck.size(), fingerprint(stuck));
+  const Status laid = filling.lay(domain.triangulation, record.threads());
+  record.end_of_stage("laying", laid ? fingerprint(domain.triangulation) : laid.error().message);
 }
 
 /// The run as one function of the interface.
@@ -306,7 +326,8 @@ std::vector<std::string> record(const Run& run) {
   record_least_size(record, *domain, run.goal, run.options);
 
   std::vector<Point> points = run.pslg.points;
-  if (run.options.interior == Interior::fill) record_filling(record, run, *domain, points);
+  std::optional<Filling> filling;
+  if (run.options.interior == Interior::fill) filling = record_filling(record, run, *domain, points);
   Goal goal = run.goal;
   if (is_graded(goal)) {
     record_features(record, run.pslg);
@@ -318,7 +339,10 @@ std::vector<std::string> record(const Run& run) {
     attributes.push_back(region.attribute);
     caps.push_back(region.max_area);
   }
-  record_refinement(record, *domain, Criteria(goal, run.options.placement, caps));
+  Criteria criteria(goal, run.options.placement, caps);
+  if (filling) criteria = criteria.with_patches(edges_of_patches(run));
+  record_refinement(record, *domain, criteria);
+  if (filling) record_laying(record, *filling, *domain, criteria);
   const PointData data{points, run.pslg.attributes_per_point, run.pslg.point_attributes, run.pslg.point_markers};
   const Mesh mesh = export_mesh(std::move(*domain), attributes, data, background, record.threads());
   record.end_of_stage("mesh", mesh.points.size(), mesh.triangles.size(), fingerprint(mesh));

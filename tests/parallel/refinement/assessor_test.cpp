@@ -35,6 +35,19 @@ TEST(Assessor, splits_an_encroached_edge_before_the_triangle) {
   EXPECT_NE(inside.side, scene.base()) << "the shortest side is another one";
 }
 
+TEST(Assessor, splits_no_edge_on_the_border_of_a_patch) {
+  AssessorScene scene({4, 1}, {.min_angle_deg = 30, .max_area = 0.1});
+  const EdgeRef base(0, scene.base());
+  EXPECT_FALSE(scene.assessor.forbidden(base));
+  Array<Index>& origin = scene.sample.triangulation.origin;
+  origin[0] = border_vertex;
+  EXPECT_FALSE(scene.assessor.forbidden(base)) << "only one end is on a border";
+  origin[1] = border_vertex;
+  EXPECT_TRUE(scene.assessor.forbidden(base));
+  const Assessment a = scene.assessor.assess(0);
+  EXPECT_TRUE(a.need != Need::split_edge || a.side != scene.base());
+}
+
 TEST(Assessor, does_nothing_where_the_triangle_keeps_the_goal) {
   const AssessorScene scene({4, 7}, {.min_angle_deg = 30});
   EXPECT_EQ(scene.assessor.assess(0).need, Need::nothing);

@@ -74,6 +74,40 @@ struct InsertionScene {
 
 const std::vector<Point> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
+/// Makes the lower side of the square the border of a patch.
+void lay_patch_below_square(InsertionScene& scene) {
+  for (VertexId v = 0; v < 4; ++v)
+    if (scene.t().points[v].y == 0) scene.t().origin[v] = border_vertex;
+}
+
+TEST(InsertInFace, refuses_a_point_in_the_circumdisk_of_a_patch) {
+  for (const double angle : {20.7, 30.0}) {
+    InsertionScene scene(square, {}, {.min_angle_deg = angle});
+    lay_patch_below_square(scene);
+    const double height = 4 / std::sqrt(3.0);  // sees the lower side at 120 degrees
+    ASSERT_EQ(scene.insertion.try_in_face({4, height * 0.999}, scene.around({4, 2}), everywhere), Outcome::encroaches);
+    EXPECT_TRUE(scene.t().on_border_of_patch(scene.insertion.blocker()));
+    EXPECT_EQ(scene.insertion.try_in_face({4, height * 1.001}, scene.around({4, 2.5}), everywhere), Outcome::inserted);
+  }
+}
+
+TEST(InsertInFace, refuses_a_point_that_makes_a_narrow_triangle_beside_a_patch) {
+  InsertionScene scene(square, {}, {.min_angle_deg = 33});
+  lay_patch_below_square(scene);
+  const double height = 4 * std::tan(33 * std::acos(-1) / 180);
+  EXPECT_EQ(scene.insertion.try_in_face({4, height * 0.999}, scene.around({4, 2}), everywhere), Outcome::encroaches);
+  EXPECT_EQ(scene.insertion.try_in_face({4, height * 1.001}, scene.around({4, 2.7}), everywhere), Outcome::inserted);
+}
+
+TEST(InsertInFace, rather_splits_a_segment_than_it_is_stopped_by_a_patch) {
+  InsertionScene scene({{0, 0}, {8, 0}, {8, 2}, {0, 2}}, {}, {.min_angle_deg = 25});
+  lay_patch_below_square(scene);
+  ASSERT_EQ(scene.insertion.try_in_face({4, 1}, scene.around({4, 1}), everywhere), Outcome::encroaches);
+  const EdgeRef blocker = scene.insertion.blocker();
+  EXPECT_FALSE(scene.t().on_border_of_patch(blocker));
+  EXPECT_EQ(scene.t().points[scene.t().slot(blocker).from(blocker.side())].y, 2);
+}
+
 TEST(InsertInFace, inserts_a_point_that_encroaches_on_nothing) {
   InsertionScene scene(square);
   ASSERT_EQ(scene.insert({4, 4}, 0), Outcome::inserted);

@@ -56,6 +56,24 @@ TEST(EdgeSplitPoint, of_a_segment_without_an_angle_below_60_degrees_is_its_midpo
   EXPECT_EQ(edge_split_point(sixty_one.t, sixty_one.segments[0], 0, 1), (Point{2.5, 0}));
 }
 
+TEST(EdgeSplitPoint, divides_a_segment_beside_a_patch_into_whole_pieces) {
+  Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
+  const auto split_at = [&](double pieces) {
+    const double x = edge_split_point(blunt.t, blunt.segments[0], 0, 1, pieces).x;
+    EXPECT_EQ(edge_split_point(blunt.t, blunt.segments[0], 1, 0, pieces).x, x) << "the direction has no influence";
+    return x;
+  };
+  EXPECT_EQ(split_at(1), 2) << "two of five pieces";
+  EXPECT_EQ(split_at(1.05), 2);
+  EXPECT_EQ(split_at(1.25), 2.5) << "two of four pieces";
+  EXPECT_EQ(split_at(3.3), 2.5) << "two pieces";
+  EXPECT_EQ(split_at(4), 2.5) << "a short segment is halved";
+  EXPECT_EQ(split_at(INFINITY), 2.5) << "there is no patch";
+  Corner apex({0, 0}, {5, 0}, {1, 0.5}, {5, 5});
+  EXPECT_EQ(edge_split_point(apex.t, apex.segments[0], 0, 1, 1), edge_split_point(apex.t, apex.segments[0], 0, 1))
+      << "a small angle decides alone";
+}
+
 TEST(EdgeSplitPoint, of_a_short_piece_at_a_right_angle_lies_on_a_shell) {
   Corner right({0, 0}, {5, 0}, {0, 3}, {9, 1});
   right.t.points.push_back({5.0 / 32, 0});

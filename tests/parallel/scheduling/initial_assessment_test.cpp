@@ -15,8 +15,8 @@ namespace {
 struct AssessmentScene : samples::AssessedSample {
   AssessmentScene(const std::vector<Point>& points, const Goal& goal)
       : AssessedSample(points, goal, Placement::off_centre) {}
-  [[nodiscard]] InitialAssessment assessment(int threads, TriangleId settled_from = no_index) const {
-    return assess_all(sample.triangulation, criteria, assessor, threads, settled_from);
+  [[nodiscard]] InitialAssessment assessment(int threads) const {
+    return assess_all(sample.triangulation, criteria, assessor, threads);
   }
 };
 
@@ -44,22 +44,6 @@ TEST(InitialAssessment, estimates_the_number_of_triangles_from_the_bounds) {
   const TriangleEstimates by_angle = AssessmentScene(square, {.min_angle_deg = 33}).assessment(1).estimates;
   EXPECT_EQ(by_angle.lower_bound, 0);
   EXPECT_GT(by_angle.with_angle_bound, by_angle.without_angle_bound);
-}
-
-TEST(InitialAssessment, counts_settled_triangles_and_does_not_examine_them) {
-  const AssessmentScene scene(samples::uniform_points(20'000, 9), {.min_angle_deg = 30});
-  const InitialAssessment all = scene.assessment(1);
-  const auto triangles = scene.sample.triangulation.slots.size();
-  for (const TriangleId settled_from : {TriangleId{0}, TriangleId{20'001}}) {
-    const InitialAssessment some = scene.assessment(2, settled_from);
-    std::size_t before = 0;
-    while (before < all.bad.size() && all.bad[before].triangle.id() < settled_from) ++before;
-    EXPECT_EQ(some.bad.size(), before);
-    const auto settled = static_cast<double>(triangles - settled_from);
-    EXPECT_EQ(some.estimates.lower_bound, settled);
-    EXPECT_GE(some.estimates.with_angle_bound, settled);
-    EXPECT_LT(some.estimates.with_angle_bound, all.estimates.with_angle_bound);
-  }
 }
 
 TEST(InitialAssessment, tells_whether_a_triangle_is_left_alone) {

@@ -78,8 +78,9 @@ inline Case graded(Case c) {
   };
   return c;
 }
-inline Options options_for_leaves(const Case& c, int threads = 1) {
-  Options options = options_for(c, Decomposition::quadtree, threads);
+inline Options options_for_leaves(const Case& c, int threads = 1,
+                                  Decomposition decomposition = Decomposition::quadtree) {
+  Options options = options_for(c, decomposition, threads);
   options.triangles_per_tile = 40;
   return options;
 }

@@ -28,6 +28,24 @@ TEST(ProgressMonitor, shows_two_triangles_per_vertex_and_the_exact_number_after_
   EXPECT_EQ(monitor.vertices(), 80U);
 }
 
+TEST(ProgressMonitor, counts_what_is_set_aside_for_later) {
+  std::vector<std::uint64_t> shown;
+  Options options;
+  options.progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.estimate, 1500);
+    shown.push_back(progress.triangles);
+    return true;
+  };
+  ProgressMonitor monitor(options, 0s);
+  monitor.set_aside(600, 1000);
+  EXPECT_EQ(monitor.triangles_aside(), 1000U);
+  monitor.start(500, 60, 100);
+  monitor.report(10);
+  monitor.phase_ended(80, 140);
+  EXPECT_EQ(shown, (std::vector<std::uint64_t>{1120, 1140}));
+  EXPECT_EQ(monitor.vertices(), 680U);
+}
+
 TEST(ProgressMonitor, never_shows_fewer_triangles_than_before) {
   std::uint64_t last = 0;
   Options options;

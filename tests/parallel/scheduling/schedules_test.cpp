@@ -80,6 +80,7 @@ TEST_P(Interleavings, of_single_insertions_on_the_leaves_of_a_quadtree_give_one_
   const Options options = samples::options_for_leaves(graded);
   EXPECT_GE(handed_on(refined(graded, options, {}).counts), 20U);
   expect_one_mesh(graded, options, 10);
+  expect_one_mesh(graded, samples::options_for_leaves(graded, 1, Decomposition::paper_quadtree), 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Interleavings,

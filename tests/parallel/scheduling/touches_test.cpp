@@ -60,13 +60,16 @@ TEST_P(Touches, of_the_tasks_of_a_phase_are_disjoint) {
 }
 
 TEST_P(Touches, of_tasks_on_the_leaves_of_a_quadtree_are_disjoint) {
-  Watch watch;
-  const Schedule schedule = watch.schedule();
-  const auto done = samples::refined(samples::graded(case_), samples::options_for_leaves(case_), schedule);
-  EXPECT_GT(done.counts.tiling.leaves.size(), 20U);
-  EXPECT_GT(watch.touched(), done.counts.inserted);
-  EXPECT_GT(watch.most_tasks(), 3U);
-  EXPECT_EQ(watch.common(), 0U);
+  for (const Decomposition decomposition : {Decomposition::quadtree, Decomposition::paper_quadtree}) {
+    Watch watch;
+    const Schedule schedule = watch.schedule();
+    const Options options = samples::options_for_leaves(case_, 1, decomposition);
+    const auto done = samples::refined(samples::graded(case_), options, schedule);
+    EXPECT_GT(done.counts.tiling.leaves.size(), 15U);
+    EXPECT_GT(watch.touched(), done.counts.inserted);
+    EXPECT_GT(watch.most_tasks(), decomposition == Decomposition::quadtree ? 3U : 2U);
+    EXPECT_EQ(watch.common(), 0U);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Touches, testing::Range(std::size_t{0}, samples::cases().size()),

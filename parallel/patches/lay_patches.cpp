@@ -5,18 +5,9 @@
 #include <utility>
 
 #include "../concurrency/parallel_arrays.hpp"
-#include "../construction/flood.hpp"
-#include "../construction/remove_triangles.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// An edge on the border of a patch, which lies on its left: a side of a triangle of the patch.
-struct BorderEdge {
-  VertexId from, to;
-  EdgeRef side;
-  [[nodiscard]] std::pair<VertexId, VertexId> ends() const { return {from, to}; }
-};
 
 /// Finds the vertices at places of a row. The places that are asked for ascend.
 class RowCursor {
@@ -69,13 +60,9 @@ struct PlacedPatch {
     });
   }
 
-  /// Writes the triangles, and returns the edges of the border. They have no neighbours yet.
-  [[nodiscard]] std::vector<BorderEdge> write_triangles(Triangulation& t, const Threads& threads) const {
-    std::vector<std::vector<BorderEdge>> of_strip(patch.strips().size());
-    parallel_for(threads, of_strip.size(), [&](std::size_t s, int) { write_strip(t, patch.strips()[s], of_strip[s]); });
-    std::vector<BorderEdge> all;
-    for (const auto& edges : of_strip) all.insert(all.end(), edges.begin(), edges.end());
-    return all;
+  /// Writes the triangles. Sides on the border get no neighbours.
+  void write_triangles(Triangulation& t, const Threads& threads) const {
+    parallel_for(threads, patch.strips().size(), [&](std::size_t s, int) { write_strip(t, patch.strips()[s]); });
   }
 
  private:
@@ -83,7 +70,7 @@ struct PlacedPatch {
     return {first_triangle + static_cast<TriangleId>(number), side};
   }
 
-  void write_strip(Triangulation& t, const Strip& strip, std::vector<BorderEdge>& open) const {
+  void write_strip(Triangulation& t, const Strip& strip) const {
     const int row = strip.row;
     RowCursor lower(patch.pieces_of(row), border, first_inner), upper(patch.pieces_of(row + 1), border, first_inner);
     StripCursor below(patch.strips_above(row - 1)), above(patch.strips_above(row + 1));
@@ -104,40 +91,33 @@ struct PlacedPatch {
         slot = {{middle, right, left}, {across ? ref(*across, 2) : EdgeRef(), before, after}};
       }
       t.slots[first_triangle + number] = slot;
-      for (unsigned side = 0; side < 3; ++side)
-        if (slot.n[side].none()) open.push_back({slot.from(side), slot.to(side), ref(number, side)});
       left = middle;
       middle = right;
     }
   }
 };
 
-/// Joins each edge of a border to the triangle beyond it. Returns the triangles inside the borders that it loses as
-/// neighbours: one for each edge that was found. `old`: the number of triangles without those of the patches.
-std::vector<TriangleId> join_borders(Triangulation& t, std::size_t old, std::span<const BorderEdge> edges,
-                                     SparseAsk& ask) {
-  std::vector<bool> is_border(t.points.size());
-  for (const BorderEdge& e : edges) is_border[e.from] = true;
-  std::vector<TriangleId> inside;
+/// Joins the triangles before `old`, those around the patches, to the patches. Returns the number of edges joined.
+std::size_t join_borders(Triangulation& t, std::size_t old, std::span<const BorderEdge> edges, SparseAsk& ask) {
+  std::size_t joined = 0;
   for (TriangleId id = 0; id < old; ++id) {
     ask();
     for (unsigned side = 0; side < 3; ++side) {
-      const VertexId from = t.slots[id].from(side), to = t.slots[id].to(side);
-      if (!is_border[from]) continue;
-      const auto edge = std::ranges::lower_bound(edges, std::pair(from, to), {}, &BorderEdge::ends);
-      if (edge == edges.end() || edge->ends() != std::pair(from, to)) continue;
-      t.link(edge->side, t.slots[id].n[side]);
-      t.slots[id].n[side] = EdgeRef();
-      inside.push_back(id);
+      if (!t.on_border_of_patch(EdgeRef(id, side))) continue;
+      const std::pair seen_from_patch{t.slots[id].to(side), t.slots[id].from(side)};
+      const auto edge = std::ranges::lower_bound(edges, seen_from_patch, {}, &BorderEdge::ends);
+      if (edge == edges.end() || edge->ends() != seen_from_patch) continue;
+      t.link(EdgeRef(id, side), EdgeRef(static_cast<TriangleId>(old + edge->triangle), edge->side));
+      ++joined;
     }
   }
-  return inside;
+  return joined;
 }
 
 }  // namespace
 
 bool lay_patches(Triangulation& t, std::span<const RegionPatch> patches, std::span<const VertexId> border,
-                 const Threads& threads) {
+                 std::span<const BorderEdge> edges, const Threads& threads) {
   const std::size_t old = t.slots.size();
   std::vector<PlacedPatch> placed;
   std::size_t borders = 0, points = t.points.size(), triangles = old;
@@ -151,34 +131,18 @@ bool lay_patches(Triangulation& t, std::span<const RegionPatch> patches, std::sp
   t.points.resize_uninitialised(points);
   t.origin.resize_uninitialised(points);
   t.slots.resize_uninitialised(triangles);
-  std::vector<BorderEdge> edges;
   for (const PlacedPatch& patch : placed) {
     patch.write_points(t, threads);
-    const std::vector<BorderEdge> open = patch.write_triangles(t, threads);
-    edges.insert(edges.end(), open.begin(), open.end());
+    patch.write_triangles(t, threads);
   }
   if (!t.region.empty()) {
     t.region.reserve(triangles);
     for (const auto& [region, patch] : patches) t.region.resize(t.region.size() + patch.triangles(), region);
   }
-
   SparseAsk ask(threads.stop);
-  std::ranges::sort(edges, {}, &BorderEdge::ends);
-  std::vector<TriangleId> beside_borders = join_borders(t, old, edges, ask);
-  if (beside_borders.size() != edges.size()) return false;
-  constexpr Index kept = 0, removed = 1;
-  Array<Index> label(old, kept);
-  flood(t, beside_borders, label, removed, ask);
-  const Array<TriangleId> inside = indices_where(threads, old, [&](std::size_t id) { return label[id] == removed; });
-  remove_triangles(
-      t, inside.span(), [&](TriangleId id) { return id < old && label[id] == removed; },
-      [&](TriangleId from, TriangleId to) {
-        label[to] = kept;
-        if (!t.region.empty()) t.region[to] = t.region[from];
-      },
-      ask);
-  if (!t.region.empty()) t.region.resize(t.slots.size());
-  return true;
+  const bool all_joined = join_borders(t, old, edges, ask) == edges.size();
+  for (const VertexId v : border) t.origin[v] = interior_vertex;
+  return all_joined;
 }
 
 }  // namespace pardel::engine

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/parallel_arrays.hpp"
@@ -42,7 +43,8 @@ std::vector<Span> spans_of(std::size_t n, const Threads& threads, const Add& add
   return all;
 }
 
-Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, double edge, const Threads& threads) {
+Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, double edge,
+               std::span<const Clearing> clearings, const Threads& threads) {
   const auto corner = [&](std::size_t i, unsigned k) { return t.points[t.slots[triangles[i]].v[k]]; };
   const Box box = bounding_box(threads, 3 * triangles.size(),
                                [&](std::size_t i) { return corner(i / 3, static_cast<unsigned>(i % 3)); });
@@ -55,7 +57,7 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
     lattice.add_inside(corner(i, 0), corner(i, 1), corner(i, 2), spans);
   });
   const double distance = clearance * edge;
-  const std::vector<Span> near = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
+  std::vector<Span> near = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
     const Slot& slot = t.slots[triangles[i]];
     for (unsigned side = 0; side < 3; ++side) {
       const Point from = t.points[slot.from(side)], to = t.points[slot.to(side)];
@@ -63,19 +65,21 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
       lattice.add_near(from, slot.n[side].constrained() ? to : from, distance, spans);
     }
   });
-  return Patch(lattice, without(merged(inside), merged(near)));
+  for (const Clearing& c : clearings) lattice.add_near(c.centre, c.centre, c.radius, near);
+  return Patch(lattice, without(merged(inside), merged(std::move(near))));
 }
 
 }  // namespace
 
-std::vector<RegionPatch> find_patches(const Triangulation& t, std::span<const double> edges, const Threads& threads) {
+std::vector<RegionPatch> find_patches(const Triangulation& t, std::span<const double> edges,
+                                      std::span<const Clearing> clearings, const Threads& threads) {
   SparseAsk ask(threads.stop);
   const std::size_t regions = edges.size() - 1;
   const std::vector<std::vector<TriangleId>> triangles = by_region(t, regions, ask);
   std::vector<RegionPatch> result;
   for (std::size_t r = 0; r <= regions; ++r) {
     if (triangles[r].empty() || !(edges[r] < INFINITY)) continue;
-    Patch patch = patch_of(t, triangles[r], edges[r], threads);
+    Patch patch = patch_of(t, triangles[r], edges[r], clearings, threads);
     if (patch.triangles() == 0) continue;
     result.push_back({r < regions ? static_cast<Index>(r) : no_index, std::move(patch)});
   }

@@ -1,12 +1,14 @@
 // The triangles and points of patches, compared with the definition triangle by triangle.
-#include "../../../parallel/filling/patch.hpp"
+#include "../../../parallel/patches/patch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "../samples.hpp"
 
@@ -36,6 +38,36 @@ std::vector<Span> some_places(samples::Random& random) {
     holes.push_back({row, low, low + 2 * static_cast<int>(random.below(3))});
   }
   return without(merged(all), merged(holes));
+}
+
+/// Expects that the border of the patch consists of the sides that belong to one of the triangles.
+void expect_border(const Patch& patch, const std::set<Place>& triangles) {
+  std::vector<Place> point(patch.border_points());
+  for (const Piece& piece : patch.pieces())
+    for (int x = piece.low; piece.on_border && x <= piece.high; x += 2)
+      point[piece.first + static_cast<std::size_t>(x - piece.low) / 2] = {piece.row, x};
+  std::vector<Place> number;
+  for (const Strip& strip : patch.strips())
+    for (int x = strip.low; x <= strip.high; ++x) number.emplace_back(strip.row, x);
+
+  using Side = std::tuple<Place, Place, Place>;  ///< from, to, and the triangle
+  std::set<std::pair<Place, Place>> sides;
+  std::set<Side> expected, found;
+  // The corners of a hanging triangle are listed clockwise.
+  const auto sides_of = [&](Place triangle) {
+    auto c = corners(triangle.second, triangle.first);
+    if (!stands(triangle.second, triangle.first)) std::swap(c[0], c[1]);
+    return std::array{std::pair{c[0], c[1]}, std::pair{c[1], c[2]}, std::pair{c[2], c[0]}};
+  };
+  for (const Place& triangle : triangles)
+    for (const auto& side : sides_of(triangle)) sides.insert(side);
+  for (const Place& triangle : triangles)
+    for (const auto& [from, to] : sides_of(triangle))
+      if (!sides.contains({to, from})) expected.emplace(from, to, triangle);
+  const std::vector<BorderSide> border = patch.border();
+  for (const BorderSide& side : border) found.emplace(point[side.from], point[side.to], number[side.triangle]);
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(border.size(), expected.size());
 }
 
 TEST(Patch, has_all_triangles_whose_corners_are_given) {
@@ -79,6 +111,7 @@ TEST(Patch, has_all_triangles_whose_corners_are_given) {
       }
     }
     EXPECT_EQ(points, used);
+    expect_border(patch, expected);
     EXPECT_EQ(patch.border_points(), border);
     EXPECT_EQ(patch.inner_points(), inner);
   }

@@ -27,6 +27,13 @@ struct Piece {
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(high - low) / 2 + 1; }
 };
 
+/// A side of a triangle of a patch that belongs to no other triangle of the patch. The triangle lies on its left.
+struct BorderSide {
+  std::size_t from = 0, to = 0;  ///< the numbers of its ends, among the points on the border
+  std::size_t triangle = 0;      ///< the number of the triangle
+  unsigned side = 0;             ///< the side of the triangle as lay_patches() writes it
+};
+
 /// The strips and pieces of all rows from `first_row` on.
 class Patch {
  public:
@@ -39,6 +46,8 @@ class Patch {
   [[nodiscard]] std::size_t inner_points() const { return inner_points_; }
   [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
+  /// All sides on the border, strip by strip. Nearly linear in their number.
+  [[nodiscard]] std::vector<BorderSide> border() const;
   /// The strips between row and row + 1, from left to right; the pieces of a row.
   [[nodiscard]] std::span<const Strip> strips_above(int row) const { return of_row(strips_, strip_start_, row); }
   [[nodiscard]] std::span<const Piece> pieces_of(int row) const { return of_row(pieces_, piece_start_, row); }
@@ -46,6 +55,7 @@ class Patch {
  private:
   void find_strips(const std::vector<Span>& places);
   void find_pieces();
+  [[nodiscard]] std::size_t border_point(int x, int row) const;
   template <class T>
   [[nodiscard]] std::span<const T> of_row(const std::vector<T>& all, const std::vector<std::size_t>& start,
                                           int row) const {

@@ -10,6 +10,12 @@
 
 namespace pardel::engine {
 
+/// A disk in which patches have no points.
+struct Clearing {
+  Point centre;
+  double radius = 0;
+};
+
 /// The patch of a region.
 struct RegionPatch {
   Index region = no_index;
@@ -17,9 +23,10 @@ struct RegionPatch {
 };
 
 /// One patch for each region in which a triangle fits, in the order of the regions; it can consist of several parts.
-/// Its points have a distance of at least 0.7 edges from the segments and the vertices of the region. The lattice has a
-/// point at the lower left corner of the region's bounding box. `edges`: as for fill_domain().
+/// Its points have a distance of at least 0.7 edges from the segments and the vertices of the region, and lie outside
+/// all clearings. The lattice has a
+/// point at the lower left corner of the region's bounding box. `edges`: as for Filling::make().
 [[nodiscard]] std::vector<RegionPatch> find_patches(const Triangulation& t, std::span<const double> edges,
-                                                    const Threads& threads);
+                                                    std::span<const Clearing> clearings, const Threads& threads);
 
 }  // namespace pardel::engine

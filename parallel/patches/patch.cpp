@@ -29,6 +29,19 @@ std::vector<Span> inner_places(std::span<const Strip> below, std::span<const Str
   return result;
 }
 
+/// Calls visit(x) for the places from `low` to `high`, two apart, at which none of the strips has a triangle.
+template <class Visit>
+void for_each_gap(std::span<const Strip> strips, int low, int high, const Visit& visit) {
+  auto next = std::ranges::lower_bound(strips, low, {}, &Strip::high);
+  for (int x = low; x <= high; x += 2) {
+    while (next != strips.end() && next->high < x) ++next;
+    if (next != strips.end() && next->low <= x)
+      x = place_to(next->high, x);  // places of one row are even or odd together
+    else
+      visit(x);
+  }
+}
+
 /// The bounds of each row in a list that is sorted by rows.
 template <class T>
 std::vector<std::size_t> starts_of_rows(const std::vector<T>& all, int first_row) {
@@ -100,6 +113,30 @@ void Patch::find_pieces() {
     }
   }
   piece_start_ = starts_of_rows(pieces_, first_row_);
+}
+
+std::size_t Patch::border_point(int x, int row) const {
+  const Piece& piece = *std::ranges::lower_bound(pieces_of(row), x, {}, &Piece::high);
+  return piece.first + static_cast<std::size_t>(x - piece.low) / 2;
+}
+
+std::vector<BorderSide> Patch::border() const {
+  std::vector<BorderSide> all;
+  for (const Strip& strip : strips_) {
+    const int row = strip.row, low = strip.low, high = strip.high;
+    const auto stands = [&](int x) { return ((x ^ row) & 1) == 0; };
+    // The corners of the strip's triangles go up and down between the two rows.
+    const auto corner = [&](int x) { return border_point(x, stands(x) ? row : row + 1); };
+    const auto number = [&](int x) { return strip.first + static_cast<std::size_t>(x - low); };
+    const auto add = [&](int from, int to, int triangle, unsigned side) {
+      all.push_back({corner(from), corner(to), number(triangle), side});
+    };
+    stands(low) ? add(low + 1, low, low, 1) : add(low, low + 1, low, 1);
+    stands(high) ? add(high + 2, high + 1, high, 0) : add(high + 1, high + 2, high, 2);
+    for_each_gap(strips_above(row - 1), place_from(low, row), high, [&](int x) { add(x, x + 2, x, 2); });
+    for_each_gap(strips_above(row + 1), place_from(low, row + 1), high, [&](int x) { add(x + 2, x, x, 0); });
+  }
+  return all;
 }
 
 }  // namespace pardel::engine

@@ -1,5 +1,5 @@
 // Which places of the lattice lie in a triangle or near a segment, compared with the definition place by place.
-#include "../../../parallel/filling/triangular_lattice.hpp"
+#include "../../../parallel/patches/triangular_lattice.hpp"
 
 #include <gtest/gtest.h>
 

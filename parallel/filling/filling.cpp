@@ -1,0 +1,75 @@
+#include "filling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "../patches/cut_out.hpp"
+#include "../patches/find_patches.hpp"
+#include "../patches/lay_patches.hpp"
+#include "../scheduling/limits.hpp"
+
+namespace pardel::engine {
+namespace {
+
+void append_border_points(const Patch& patch, std::vector<Point>& points) {
+  for (const Piece& piece : patch.pieces())
+    if (piece.on_border)
+      for (int x = piece.low; x <= piece.high; x += 2) points.push_back(patch.lattice().at(x, piece.row));
+}
+
+Error border_missing() { return {ErrorKind::internal, "the border of a patch is not in the triangulation"}; }
+
+}  // namespace
+
+double edge_of_patch(double max_area, double max_edge) {
+  constexpr double to_spare = 0.9995;  // far more than the rounding of a point
+  return to_spare * std::min(2 * std::sqrt(max_area / std::numbers::sqrt3), max_edge);
+}
+
+Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull, const DomainTriangulation& coarse,
+                                             std::span<const double> edges, std::span<const Clearing> clearings,
+                                             const Options& options, const Threads& threads) {
+  std::vector<double> allowed(edges.begin(), edges.end());
+  for (double& edge : allowed)
+    if (edge < options.min_edge) edge = INFINITY;
+  Filling filling;
+  filling.patches_ = find_patches(coarse.triangulation, allowed, clearings, threads);
+  if (filling.patches_.empty()) return std::optional<Filling>();
+
+  const std::size_t inputs = pslg.points.size();
+  Pslg with_borders;
+  with_borders.points = pslg.points;
+  with_borders.segments = pslg.segments;
+  with_borders.holes = pslg.holes;
+  with_borders.regions = pslg.regions;
+  for (const auto& [region, patch] : filling.patches_) {
+    append_border_points(patch, with_borders.points);
+    filling.inner_points_ += patch.inner_points();
+    filling.triangles_ += patch.triangles();
+  }
+  const std::uint64_t vertices = with_borders.points.size() + filling.inner_points_;
+  if (options.max_vertices > 0 && vertices > options.max_vertices) return std::optional<Filling>();
+  if (Status fits = check_size(static_cast<double>(filling.triangles_), options); !fits) return fits.error();
+  if (outgrows_memory(vertices, options)) return too_much_memory(options);
+
+  Result<DomainTriangulation> domain = triangulate_domain(with_borders, convex_hull, threads);
+  if (!domain) return domain.error();
+  filling.border_.resize(with_borders.points.size() - inputs);
+  for (VertexId v = 0; v < domain->input_of_vertex.size(); ++v)
+    if (const Index input = domain->input_of_vertex[v]; input >= inputs) filling.border_[input - inputs] = v;
+  filling.edges_ = border_edges(filling.patches_, filling.border_);
+  if (!cut_out(domain->triangulation, filling.border_, filling.edges_, threads)) return border_missing();
+  filling.domain_ = std::move(*domain);
+  filling.points_ = std::move(with_borders.points);
+  return std::optional(std::move(filling));
+}
+
+Status Filling::lay(Triangulation& t, const Threads& threads) const {
+  if (t.slots.size() + triangles_ > max_engine_triangles) return too_many_triangles();
+  if (!lay_patches(t, patches_, border_, edges_, threads)) return border_missing();
+  return Done{};
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,56 @@
+#include "refine_domain.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "../conversion/least_min_edge.hpp"
+#include "../refinement/exemptions.hpp"
+
+namespace pardel::engine {
+
+Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threads) {
+  return export_mesh(std::move(domain), std::move(input.region_attributes), input.points, std::move(input.background),
+                     threads);
+}
+
+Watcher watcher(const DomainTriangulation& domain, const InputData& input, const Options& options,
+                const Threads& threads, Complete complete) {
+  if (!options.after_sweep) return {};
+  return [&, threads, complete = std::move(complete)](Triangulation&& snapshot, const Sweep& sweep) -> Status {
+    if (complete)
+      if (Status completed = complete(snapshot); !completed) return completed;
+    DomainTriangulation copy{std::move(snapshot), domain.segments, domain.input_of_vertex, domain.input_segment,
+                             domain.segment_marker};
+    return options.after_sweep(to_mesh(std::move(copy), input, threads), sweep);
+  };
+}
+
+Options resolvable(Options options, const Triangulation& t) {
+  options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
+  return options;
+}
+
+void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
+                  const Threads& threads, Report& report) {
+  report.inserted = counts.inserted;
+  report.segment_splits = counts.segment_splits;
+  report.refused = counts.refused;
+  report.tiling = std::move(counts.tiling);
+  if (counts.left_alone)
+    report.exempt =
+        exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads);
+  for (Exemption& e : report.exempt)
+    if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
+}
+
+Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input,
+                     const Options& options, ProgressMonitor& progress, Report& report) {
+  const Options resolved = resolvable(options, domain.triangulation);
+  Result<RefineCounts> counts = refine_by_sweeps(domain.triangulation, domain.segments, criteria, resolved, progress,
+                                                 {}, watcher(domain, input, options, progress.threads()));
+  if (!counts) return counts.error();
+  write_report(domain, criteria, resolved, std::move(*counts), progress.threads(), report);
+  return Done{};
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,47 @@
+// Refines a domain, and keeps the data with which the result becomes a mesh.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "../../core/mesh.hpp"
+#include "../../core/result.hpp"
+#include "../conversion/domain_triangulation.hpp"
+#include "../conversion/export_mesh.hpp"
+#include "../options.hpp"
+#include "../refinement/criteria.hpp"
+#include "../report.hpp"
+#include "../scheduling/progress_monitor.hpp"
+#include "../scheduling/refine_by_sweeps.hpp"
+
+namespace pardel::engine {
+
+/// The data of the input that the mesh contains, too.
+struct InputData {
+  std::vector<double> region_attributes;
+  PointData points;
+  std::vector<std::array<Index, 3>> background;  ///< the triangles on which point attributes are interpolated
+};
+
+[[nodiscard]] Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threads);
+
+/// Adds to a snapshot what is missing.
+using Complete = std::function<Status(Triangulation& snapshot)>;
+/// A watcher that completes each snapshot, converts it to a mesh and calls options.after_sweep with it. Empty if there
+/// is no such function. All references have to outlive it.
+[[nodiscard]] Watcher watcher(const DomainTriangulation& domain, const InputData& input, const Options& options,
+                              const Threads& threads, Complete complete = {});
+
+/// The options with the least length of an edge that double precision can resolve.
+[[nodiscard]] Options resolvable(Options options, const Triangulation& t);
+
+/// Writes to the report what a refinement has done, and which triangles it left. `options`: those of the refinement.
+void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
+                  const Threads& threads, Report& report);
+
+/// Refines the domain.
+[[nodiscard]] Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input,
+                                   const Options& options, ProgressMonitor& progress, Report& report);
+
+}  // namespace pardel::engine

@@ -1,0 +1,108 @@
+// Filled meshes: they are valid and small, the same on any number of threads, and every run ends.
+#include "../../../parallel/filling/refine_filled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../patches/domains_to_fill.hpp"
+
+namespace pardel::engine {
+namespace {
+
+double area_of(const Pslg& pslg) {
+  const Result<Meshed> coarse = triangulate(pslg);
+  double twice = 0;
+  for (const Triangle& triangle : coarse->mesh.triangles) {
+    const Point a = coarse->mesh.points[triangle.v[0]], b = coarse->mesh.points[triangle.v[1]],
+                c = coarse->mesh.points[triangle.v[2]];
+    twice += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  }
+  return twice / 2;
+}
+
+TEST(RefineFilled, gives_valid_meshes_that_never_have_more_triangles_than_without_patches) {
+  for (const Pslg& pslg : domains_to_fill())
+    for (const double bounds : {100.0, 1'000.0, 20'000.0})
+      for (const double angle : {20.7, 30.0, 33.0}) {
+        const Goal goal{.min_angle_deg = angle, .max_area = area_of(pslg) / bounds};
+        Options options{.interior = Interior::fill, .threads = 1};
+        const Result<Meshed> filled = mesh(pslg, goal, options);
+        options.interior = Interior::refine;
+        const Result<Meshed> refined = mesh(pslg, goal, options);
+        ASSERT_TRUE(filled && refined);
+        EXPECT_EQ(filled->report.goal_met(), refined->report.goal_met());
+        EXPECT_LE(filled->mesh.triangles.size(), refined->mesh.triangles.size()) << bounds << " " << angle;
+        const Certificate certificate = check(pslg, filled->mesh, goal);
+        EXPECT_TRUE(certificate.valid) << to_text(certificate);
+        if (angle <= 30 && filled->report.laid > 0) {
+          EXPECT_LE(filled->report.restarts, 4U);
+        }
+      }
+}
+
+TEST(RefineFilled, comes_near_the_least_number_of_triangles) {
+  const Pslg pslg = domains::square();
+  for (const double angle : {20.7, 30.0}) {
+    const Result<Meshed> filled =
+        mesh(pslg, {.min_angle_deg = angle, .max_area = 1e-5}, {.interior = Interior::fill, .threads = 1});
+    ASSERT_TRUE(filled);
+    EXPECT_LT(filled->mesh.triangles.size(), 101'200U) << "an area bound fits 100,000 times";
+    EXPECT_EQ(filled->report.restarts, 0U);
+  }
+}
+
+TEST(RefineFilled, restarts_to_the_same_mesh_on_any_number_of_threads) {
+  const Pslg pslg = domains::square();
+  const Goal goal{.min_angle_deg = 33, .max_area = 1e-4};
+  Options options{.interior = Interior::fill, .threads = 1, .triangles_per_tile = 200};
+  const Result<Meshed> one = mesh(pslg, goal, options);
+  ASSERT_TRUE(one);
+  EXPECT_GT(one->report.restarts, 0U);
+  EXPECT_GT(one->report.laid, 5'000U);
+  for (const int threads : {2, 5}) {
+    options.threads = threads;
+    const Result<Meshed> many = mesh(pslg, goal, options);
+    ASSERT_TRUE(many);
+    EXPECT_EQ(many->mesh, one->mesh);
+    EXPECT_EQ(many->report.restarts, one->report.restarts);
+  }
+}
+
+TEST(RefineFilled, shows_complete_meshes_after_each_sweep) {
+  const Pslg pslg = domains::square();
+  std::size_t sweeps = 0;
+  Options options{.interior = Interior::fill, .threads = 1, .triangles_per_tile = 100};
+  options.after_sweep = [&](const Mesh& mesh, const Sweep&) -> Status {
+    ++sweeps;
+    const Certificate certificate = check(pslg, mesh, {.min_angle_deg = 0});
+    EXPECT_TRUE(certificate.valid) << to_text(certificate);
+    EXPECT_GT(mesh.triangles.size(), 700U) << "the patches are in it";
+    return Done{};
+  };
+  ASSERT_TRUE(mesh(pslg, {.min_angle_deg = 25, .max_area = 1e-3}, options));
+  EXPECT_GT(sweeps, 1U);
+}
+
+TEST(RefineFilled, keeps_the_limit_on_vertices) {
+  const Pslg pslg = domains::square();
+  const Goal goal{.min_angle_deg = 30, .max_area = 1e-3};
+  const Result<Meshed> whole = mesh(pslg, goal, {.interior = Interior::fill, .threads = 1});
+  ASSERT_TRUE(whole);
+  const std::size_t vertices = whole->mesh.points.size();
+  for (const std::size_t most : {vertices - 1, vertices - 20, vertices / 2}) {
+    const Result<Meshed> limited = mesh(pslg, goal, {.interior = Interior::fill, .threads = 1, .max_vertices = most});
+    ASSERT_TRUE(limited);
+    EXPECT_LE(limited->mesh.points.size(), most);
+    EXPECT_FALSE(limited->report.goal_met());
+    EXPECT_TRUE(std::ranges::all_of(limited->report.exempt,
+                                    [](const Exemption& e) { return e.reason == ExemptReason::budget; }));
+    const Certificate certificate = check(pslg, limited->mesh, {.min_angle_deg = 0});
+    EXPECT_TRUE(certificate.valid) << to_text(certificate);
+  }
+}
+
+}  // namespace
+}  // namespace pardel::engine
