@@ -34,9 +34,7 @@ Run mesh_once(const Task& task, const Criteria& criteria) {
   run.seconds = watch.seconds();
   run.peak_rss_bytes = peak_rss_bytes();
   const Mesh mesh = plain(cdt, [](auto face) { return face->is_in_domain(); });
-  run.vertices = mesh.points.size();
-  run.triangles = mesh.triangles.size();
-  run.set_verdict(verdict(task, mesh, true));
+  judge(task, mesh, true, run);
   return run;
 }
 
@@ -50,9 +48,7 @@ Run triangulate_once(const Task& task) {
   run.seconds = watch.seconds();
   run.peak_rss_bytes = peak_rss_bytes();
   const Mesh mesh = plain(triangulation, [](auto) { return true; });
-  run.vertices = mesh.points.size();
-  run.triangles = mesh.triangles.size();
-  run.set_verdict(verdict(task, mesh, true));
+  judge(task, mesh, true, run);
   return run;
 }
 

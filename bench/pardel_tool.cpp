@@ -21,9 +21,7 @@ Run mesh_once(const Task& task, Interior interior) {
     run.set_verdict(meshed.error().message);
     return run;
   }
-  run.vertices = meshed->mesh.points.size();
-  run.triangles = meshed->mesh.triangles.size();
-  run.set_verdict(verdict(task, meshed->mesh, false));
+  judge(task, meshed->mesh, false, run);
   return run;
 }
 

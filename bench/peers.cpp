@@ -32,6 +32,7 @@ struct Row {
   double seconds = 0;
   std::uint64_t triangles = 0;
   double bytes_per_triangle = 0;
+  Shapes shapes{};
   std::string verdict;
   std::vector<double> all_seconds;
 
@@ -47,7 +48,7 @@ T median(std::vector<T> values) {
 }
 
 Row summarise(const std::string& tool, const std::vector<Run>& runs) {
-  Row row{.tool = tool, .verdict = runs.front().verdict.data(), .all_seconds = {}};
+  Row row{.tool = tool, .shapes = runs.front().shapes, .verdict = runs.front().verdict.data(), .all_seconds = {}};
   std::vector<std::uint64_t> triangles;
   std::vector<double> bytes;
   for (const Run& run : runs) {
@@ -101,15 +102,15 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
   fmt::print("; one thread; {} rounds, in each of which every tool runs for at least a second; medians of all runs\n\n",
              settings.runs);
   const auto print_row = [](const auto&... cells) {
-    fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>7} | {:>8} | {:>5} | {} |\n", cells...);
+    fmt::print("| {:13} | {:>8} | {:>9} | {:>10} | {:>7} | {:>8} | {:>5} | {:>5} | {:>5} | {:>5} | {} |\n", cells...);
   };
-  print_row("tool", "time, s", "time / pardel's time", "triangles", "per cap", "M tri/s", "B/tri",
-            "the checker's verdict");
-  fmt::print("|---|---|---|---|---|---|---|---|\n");
+  print_row("tool", "time, s", "time / pardel's time", "triangles", "per cap", "M tri/s", "B/tri", "mean", "least",
+            "> 0.9", "the checker's verdict");
+  fmt::print("|---|---|---|---|---|---|---|---|---|---|---|\n");
   const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.tool == "pardel"; });
   for (const Row& row : rows) {
     if (row.failed()) {
-      print_row(row.tool, "–", "–", "–", "–", "–", "–", row.verdict);
+      print_row(row.tool, "–", "–", "–", "–", "–", "–", "–", "–", "–", row.verdict);
       continue;
     }
     const auto n = static_cast<double>(row.triangles);
@@ -117,8 +118,11 @@ void print(const std::vector<Row>& rows, const Settings& settings) {
         row.tool, fmt::format("{:.3f}", row.seconds),
         own == rows.end() || own->failed() ? "–" : fmt::format("{:.2f}", row.seconds / own->seconds), row.triangles,
         std::isfinite(task.goal.max_area) ? fmt::format("{:.3f}", n * task.goal.max_area / domain_area(task)) : "–",
-        fmt::format("{:.2f}", row.rate() / 1e6), fmt::format("{:.0f}", row.bytes_per_triangle), row.verdict);
+        fmt::format("{:.2f}", row.rate() / 1e6), fmt::format("{:.0f}", row.bytes_per_triangle),
+        fmt::format("{:.3f}", row.shapes.mean), fmt::format("{:.3f}", row.shapes.least),
+        fmt::format("{:.0f} %", 100 * row.shapes.good), row.verdict);
   }
+  fmt::print("\nmean, least, > 0.9: the shapes of the triangles, 4 √3 area / (sum of the squares of the sides)\n");
 }
 
 bool write_json(const std::vector<Row>& rows, const Settings& settings) {
@@ -137,6 +141,9 @@ bool write_json(const std::vector<Row>& rows, const Settings& settings) {
                                  {"median_seconds", row.seconds},
                                  {"triangles", row.triangles},
                                  {"bytes_per_triangle", row.bytes_per_triangle},
+                                 {"mean_shape", row.shapes.mean},
+                                 {"least_shape", row.shapes.least},
+                                 {"share_of_shapes_above_0.9", row.shapes.good},
                                  {"verdict", row.verdict}};
   }
   std::ofstream out(settings.json_file);

@@ -42,9 +42,7 @@ Run read_and_judge(const Task& task, const fs::path& file, Run run) {
             judged.set_verdict(mesh.error().message);
             return judged;
           }
-          judged.vertices = mesh->points.size();
-          judged.triangles = mesh->triangles.size();
-          judged.set_verdict(verdict(task, *mesh, true));
+          judge(task, *mesh, true, judged);
           return judged;
         }).value_or(Run{});
   run.seconds = seconds;

@@ -54,10 +54,8 @@ Row make_and_check(const Task& task, int threads) {
     row.mesh.set_verdict(meshed.error().message);
     return row;
   }
-  row.mesh.vertices = meshed->mesh.points.size();
-  row.mesh.triangles = meshed->mesh.triangles.size();
   const Stopwatch check_watch;
-  row.mesh.set_verdict(verdict(task, meshed->mesh, false));
+  judge(task, meshed->mesh, false, row.mesh);
   row.check_seconds = check_watch.seconds();
   row.peak_with_check = peak_rss_bytes();
   return row;

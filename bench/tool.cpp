@@ -67,6 +67,25 @@ void set_size(Task& task) {
     task.goal.max_area = triangles_per_cap * domain_area(task) / static_cast<double>(task.triangles);
 }
 
+Shapes shapes(const Mesh& mesh) {
+  Shapes all{.least = 1};
+  const auto squared = [](Point p, Point q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); };
+  for (const Triangle& t : mesh.triangles) {
+    const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
+    const double twice_area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    const double shape = 2 * std::numbers::sqrt3 * twice_area / (squared(a, b) + squared(b, c) + squared(c, a));
+    all.mean += shape;
+    all.least = std::min(all.least, shape);
+    all.good += shape > 0.9 ? 1 : 0;
+  }
+  const double n = std::max<double>(1, static_cast<double>(mesh.triangles.size()));
+  all.mean /= n;
+  all.good /= n;
+  return all;
+}
+
+namespace {
+
 std::string verdict(const Task& task, const Mesh& mesh, bool foreign) {
   if (!task.check) return "not checked";
   Goal goal = task.goal;
@@ -83,6 +102,15 @@ std::string verdict(const Task& task, const Mesh& mesh, bool foreign) {
     text += fmt::format("{} {}", certificate.violation_counts[kind], name(static_cast<ViolationKind>(kind)));
   }
   return text;
+}
+
+}  // namespace
+
+void judge(const Task& task, const Mesh& mesh, bool foreign, Run& run) {
+  run.vertices = mesh.points.size();
+  run.triangles = mesh.triangles.size();
+  run.shapes = shapes(mesh);
+  run.set_verdict(verdict(task, mesh, foreign));
 }
 
 }  // namespace pardel::bench

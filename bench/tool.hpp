@@ -51,13 +51,22 @@ struct Grading {
 /// Sets the bound of the goal that gives about task.triangles triangles: on areas, or on edges if the task is graded.
 void set_size(Task& task);
 
+/// The shapes of the triangles of a mesh. The shape of a triangle is 4 √3 area / (sum of the squares of its sides): 1
+/// if it is equilateral, 0 if it is flat.
+struct Shapes {
+  double mean = 0, least = 0;
+  double good = 0;  ///< the share of triangles with a shape above 0.9
+};
+[[nodiscard]] Shapes shapes(const Mesh& mesh);
+
 /// The result of one run. Trivially copyable, because a child process sends it through a pipe.
 struct Run {
   double seconds = 0;  ///< time of meshing, without files
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
   std::uint64_t peak_rss_bytes = 0;  ///< until the end of meshing; with the domain, without the checker
-  std::array<char, 80> verdict{};    ///< the checker's verdict, or the reason why there is none
+  Shapes shapes;
+  std::array<char, 80> verdict{};  ///< the checker's verdict, or the reason why there is none
 
   void set_verdict(std::string_view text) {
     const std::size_t n = std::min(text.size(), verdict.size() - 1);
@@ -66,9 +75,9 @@ struct Run {
   }
 };
 
-/// Returns "valid", or the kinds of violations with their numbers. `foreign`: another program made the mesh, which has
-/// only points and triangles.
-[[nodiscard]] std::string verdict(const Task& task, const Mesh& mesh, bool foreign);
+/// Describes the mesh in the result: its numbers, its shapes, and the verdict, which is "valid" or the kinds of
+/// violations with their numbers. `foreign`: another program made the mesh, which has only points and triangles.
+void judge(const Task& task, const Mesh& mesh, bool foreign, Run& run);
 
 struct Tool {
   std::string name;

@@ -13,6 +13,7 @@
 #include "../core/formats.hpp"
 #include "../core/support/open_file.hpp"
 #include "../properties/checker/check.hpp"
+#include "centroid.hpp"
 #include "command.hpp"
 #include "distinct_files.hpp"
 #include "findings_text.hpp"
@@ -61,6 +62,18 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   return CheckInput{std::move(*domain), std::move(*mesh), std::move(*goal)};
 }
 
+/// The Error of a field of sizes that has no value at the centroid of a triangle: of the first such triangle. Without
+/// sizes there is no verdict. The checker counts these triangles as too large, so they are looked for only if it found
+/// large ones.
+Status require_sizes(const CheckInput& input, const Certificate& certificate) try {
+  const bool too_large = certificate.violation_counts[static_cast<std::size_t>(ViolationKind::size_exceeded)] > 0;
+  if (!too_large || !input.goal.size) return Done{};
+  for (const Triangle& triangle : input.mesh.triangles) (void)input.goal.size(centroid(input.mesh, triangle));
+  return Done{};
+} catch (const Error& no_size) {
+  return no_size;
+}
+
 void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate& certificate) {
   const std::string all_in = arguments.json.empty() ? "the file of --json" : arguments.json.string();
   fmt::print("{}", summary_text(certificate));
@@ -96,6 +109,7 @@ Result<ExitCode> run(const CheckArguments& arguments) {
   bar.begin("checking");
   const Certificate certificate = check(input->domain.pslg(), input->mesh, input->goal, options);
   bar.finish();
+  if (Status sized = require_sizes(*input, certificate); !sized) return sized.error();
   if (!arguments.quiet && !is_standard_output(arguments.json)) print(arguments, input->mesh, certificate);
   if (!arguments.json.empty()) {
     if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();

@@ -133,7 +133,7 @@ Command add_draw(CLI::App& program) {
       ->type_name("FORMAT");
   app->add_option("--by", arguments->by,
                   "Colour triangles by quality (smallest angle), size (longest edge), region (the default), or by the "
-                  "tile,\nphase or thread that made them; a tile is a cell of the lattice")
+                  "tile,\nphase or thread that made them; a tile is a cell of the lattice or a leaf of the quadtree")
       ->transform(choice(colour_names))
       ->type_name("WHAT");
   app->add_option("--report", arguments->report,

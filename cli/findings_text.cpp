@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <new>
 #include <numbers>
+#include <optional>
 
 #include "length.hpp"
 #include "verdict.hpp"
@@ -47,6 +49,17 @@ std::string above(const std::string& what, const char* quantity, double value, d
 /// The text up to `mark`, where a proof with exact numbers begins; all of it if there is no such mark.
 std::string before(const std::string& text, std::string_view mark) { return text.substr(0, text.find(mark)); }
 
+/// The size at a point; nothing if the function throws.
+std::optional<double> size_at(const Goal& goal, Point p) {
+  try {
+    return goal.size(p);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+    return std::nullopt;
+  }
+}
+
 std::string sentence(const Violation& violation, const Goal& goal, double max_circumradius) {
   const std::vector<Index>& ids = violation.ids;
   const std::vector<Point>& p = violation.where;
@@ -69,9 +82,10 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
       if (goal.grading < INFINITY || goal.feature_edges > 0)
         return fmt::format("{}: longest edge {:.4g} is above the size at its centroid", triangle(), longest_edge(p));
       const Point centroid{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
-      const double size = goal.size(centroid);
+      const std::optional<double> size = size_at(goal, centroid);
+      if (!size) return fmt::format("{}: the sizes have no value at its centroid", triangle());
       return fmt::format("{}: longest edge {} is above {:.4g}, the size at its centroid", triangle(),
-                         shown(longest_edge(p), size), size);
+                         shown(longest_edge(p), *size), *size);
     }
     case ViolationKind::large_circumradius:
       return above(triangle(), "circumradius", circumradius(p), max_circumradius);

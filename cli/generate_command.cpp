@@ -1,15 +1,19 @@
 // pardel generate: writes one of the named domains that examples, tests and benchmarks share.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "../core/formats.hpp"
 #include "../properties/domains/domains.hpp"
 #include "command.hpp"
+#include "distinct_files.hpp"
+#include "goal_options.hpp"
 #include "output.hpp"
 
 namespace pardel::cli {
@@ -20,21 +24,36 @@ struct GenerateArguments {
   std::uint64_t n = 0;
   std::uint64_t seed = 1;
   std::filesystem::path output, sizes;
-  double ratio = 0.02;
+  std::optional<double> ratio;
 };
 
-Result<ExitCode> run(const GenerateArguments& arguments) {
-  if (Status fine = check_poly_output(arguments.output); !fine) return fine.error();
+constexpr double default_ratio = 0.02;
+
+Error usage(const char* message) { return {ErrorKind::usage, message}; }
+
+Status check_arguments(const GenerateArguments& arguments) {
   if (!arguments.sizes.empty() && arguments.name != "radial")
-    return Error{ErrorKind::usage, "--sizes can be used with the domain 'radial' only"};
+    return usage("--sizes can be used with the domain 'radial' only");
+  if (arguments.ratio && arguments.sizes.empty()) return usage("--ratio needs --sizes FILE");
+  const std::array outputs = {arguments.output, arguments.sizes};
+  if (Status fine = check_standard_output(outputs); !fine) return fine;
+  if (Status fine = check_poly_output(arguments.output); !fine) return fine;
+  if (Status fine = check_folder(arguments.sizes); !fine) return fine;
+  return check_distinct(
+      std::array{NamedFile{"-o", arguments.output, false}, NamedFile{"--sizes", arguments.sizes, false}}, {});
+}
+
+Result<ExitCode> run(const GenerateArguments& arguments) {
+  if (Status fine = check_arguments(arguments); !fine) return fine.error();
   const Result<Pslg> pslg = domains::generate(arguments.name, arguments.n, arguments.seed);
   if (!pslg) return pslg.error();
   const Status written = write_poly(*pslg, arguments.output);
   if (!written) return written.error();
   if (arguments.sizes.empty()) return ExitCode::done;
   // The file of --sizes has the format of a .area file.
-  const Status sizes = write_area(arguments.sizes, domains::radial_sizes(*pslg, arguments.ratio),
-                                  static_cast<int>(pslg->first_id.value));
+  const Status sizes =
+      write_area(arguments.sizes, domains::radial_sizes(*pslg, arguments.ratio.value_or(default_ratio)),
+                 static_cast<int>(pslg->first_id.value));
   if (!sizes) return sizes.error();
   return ExitCode::done;
 }
@@ -42,6 +61,13 @@ Result<ExitCode> run(const GenerateArguments& arguments) {
 std::string list_of_names() {
   std::string list = "Names:";
   for (const std::string& name : domains::names()) list += ' ' + name;
+  return list;
+}
+
+std::string list_of_sizes() {
+  std::string list = "Numbers that -n takes, and the default:";
+  for (const domains::SizeRange& range : domains::size_ranges())
+    list += fmt::format("\n  {:12} {} to {} ({})", range.name, range.least, range.most, range.usual);
   return list;
 }
 
@@ -63,9 +89,10 @@ Command add_generate(CLI::App& program) {
                   "For radial: also write edge lengths that grow with the distance from the centre")
       ->type_name("FILE");
   app->add_option("--ratio", arguments->ratio, "For --sizes: edge length divided by distance (default 0.02)")
-      ->check(CLI::PositiveNumber.description(""))
+      ->check(positive_number("a ratio"))
       ->type_name("R");
-  app->footer(list_of_names() + "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");
+  app->footer(list_of_names() + "\n" + list_of_sizes() +
+              "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");
   return {app, [arguments] { return run(*arguments); }};
 }
 

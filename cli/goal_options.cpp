@@ -49,6 +49,16 @@ CLI::Validator ratio_bound(double largest_angle) {
           ""};
 }
 
+CLI::Validator within(double low, double high) {
+  return {[low, high](std::string& text) -> std::string {
+            const double value = number(text);
+            if (value >= low && value <= high) return {};
+            return value < low ? fmt::format("'{}' is less than {}", text, low)
+                               : fmt::format("'{}' is more than {}", text, high);
+          },
+          ""};
+}
+
 }  // namespace
 
 CLI::Validator positive_number(std::string what) {
@@ -90,11 +100,13 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
   app.add_option("--feature-size", options.feature_size,
                  "About K edges across narrow places, and in the radius of a polyline's turn")
       ->check(positive_number("a number of edges"))
+      ->check(within(0, most_feature_edges))
       ->type_name("K")
       ->group(group);
   app.add_option("--grading", options.grading,
                  "Edge lengths grow by at most G per unit of distance, from sizes, segments and narrow places")
       ->check(positive_number("a limit on gradation"))
+      ->check(within(least_grading, INFINITY))
       ->type_name("G")
       ->group(group);
   app.add_flag("--conforming", options.conforming, "Make the mesh Delaunay, not only constrained Delaunay")

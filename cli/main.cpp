@@ -18,6 +18,7 @@
 #include "exit_code.hpp"
 #include "help.hpp"
 #include "interrupt_watch.hpp"
+#include "processors.hpp"
 #include "usage_message.hpp"
 
 namespace pardel::cli {
@@ -97,8 +98,11 @@ ExitCode flushed(ExitCode code) {
 ExitCode guarded(int argc, char** argv) {
   try {
     const InterruptWatch interrupt_watch;
+    keep_to_processor_quota();
     const Result<ExitCode> result = run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     return flushed(result ? *result : report(result.error()));
+  } catch (const Error& thrown) {  // by a function of sizes
+    return report(thrown);
   } catch (const std::bad_alloc&) {
     return report({ErrorKind::resources, "out of memory"});
   } catch (const std::exception& unexpected) {

@@ -72,16 +72,21 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
       ->transform(choice(placement_names))
       ->type_name("WHERE");
   app.add_option("--interior", options.interior,
-                 "What fills the interior where areas and edges have constant bounds: refine\n"
-                 "(default), or fill: equilateral triangles, the fewest that keep them")
+                 "What fills the interior where areas and edges have constant bounds: refine; fill: equilateral\n"
+                 "triangles, the fewest that keep them; auto (default): fill for angles up to 30 degrees")
       ->transform(choice(interior_names))
       ->type_name("WHAT");
   app.add_option("--decomposition", options.decomposition,
                  "How the plane is cut into cells: auto (the default), lattice (by work),\nquadtree (by work, for "
                  "graded meshes), "
-                 "paper (sides of four circumradii)\nor none")
+                 "paper (sides of four circumradii),\npaper-quadtree (leaves with sides of eight circumradii) or none")
       ->transform(choice(decomposition_names))
       ->type_name("HOW");
+  app.add_option("--triangles-per-tile", options.triangles_per_tile,
+                 "About this number of triangles in a cell of the lattice or a leaf of the quadtree\n"
+                 "(default 8000: for the cache); another number gives a slightly different mesh")
+      ->check(positive_number("a number of triangles"))
+      ->type_name("N");
   app.add_option(
          "--cells", arguments.cells,
          "Number of columns and rows of cells (default: by work); another number gives a slightly different mesh")
@@ -121,8 +126,6 @@ Status check_interior(const MeshArguments& arguments) {
         std::pair{"--feature-size", goal.feature_size.has_value()}})
     if (given) return refuse(std::string("needs bounds that are the same everywhere and cannot be used with ") + name);
   if (!goal.max_area && !goal.max_edge && !goal.regions) return refuse("needs --max-area, --max-edge or --regions");
-  if (const double angle = goal_without_sizes(goal).min_angle_deg; angle > largest_filling_angle_deg)
-    return refuse("works for angles up to " + shortest(largest_filling_angle_deg) + " degrees, not " + shortest(angle));
   return Done{};
 }
 
@@ -150,7 +153,8 @@ Status complete_options(MeshArguments& arguments) {
   options.max_memory =
       arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
   if (arguments.cells.empty()) return Done{};
-  if (options.decomposition == Decomposition::none || options.decomposition == Decomposition::quadtree)
+  if (options.decomposition == Decomposition::none || options.decomposition == Decomposition::quadtree ||
+      options.decomposition == Decomposition::paper_quadtree)
     return Error{ErrorKind::usage, std::string("--cells cannot be used with --decomposition ") +
                                        decomposition_names[options.decomposition]};
   options.cells = {arguments.cells[0], arguments.cells[1]};

@@ -15,6 +15,7 @@ inline constexpr auto placement_names = enum_names<Placement>({
 inline constexpr auto interior_names = enum_names<Interior>({
     {Interior::refine, "refine"},
     {Interior::fill, "fill"},
+    {Interior::automatic, "auto"},
 });
 inline constexpr auto decomposition_names = enum_names<Decomposition>({
     {Decomposition::automatic, "auto"},
@@ -22,6 +23,7 @@ inline constexpr auto decomposition_names = enum_names<Decomposition>({
     {Decomposition::none, "none"},
     {Decomposition::lattice, "lattice"},
     {Decomposition::quadtree, "quadtree"},
+    {Decomposition::paper_quadtree, "paper-quadtree"},
 });
 inline constexpr auto show_progress_names = enum_names<ShowProgress>({
     {ShowProgress::automatic, "auto"},

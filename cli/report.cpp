@@ -73,6 +73,12 @@ nlohmann::ordered_json leaves_json(const Tiling& tiling) {
   return leaves;
 }
 
+/// The decomposition that was used: `automatic` has chosen one of the two others.
+Decomposition decomposition_of(const MeshRun& run) {
+  if (run.options.decomposition != Decomposition::automatic) return run.options.decomposition;
+  return run.report.tiling.leaves.empty() ? Decomposition::lattice : Decomposition::quadtree;
+}
+
 /// The tiles, their bounds on circumradii from the theory, and the number of triangles handed on (passed to
 /// another cell).
 nlohmann::ordered_json decomposition_json(const MeshRun& run) {
@@ -85,7 +91,7 @@ nlohmann::ordered_json decomposition_json(const MeshRun& run) {
     sum.against_promise += sweep.against_promise;
   }
   const double side = std::min(tiling.cell_width, tiling.cell_height);
-  return {{"kind", decomposition_names[run.options.decomposition]},
+  return {{"kind", decomposition_names[decomposition_of(run)]},
           {"columns", tiling.columns},
           {"rows", tiling.rows},
           {"cells", std::uint64_t{tiling.columns} * tiling.rows},
@@ -130,6 +136,7 @@ nlohmann::ordered_json refine_json(const MeshRun& run) {
   for (const Exemption& exemption : report.exempt) exemptions.push_back(exemption_json(exemption));
   return {
       {"laid", report.laid},
+      {"restarts", report.restarts},
       {"inserted", report.inserted},
       {"segment_splits", report.segment_splits},
       {"refused", report.refused},
@@ -137,6 +144,15 @@ nlohmann::ordered_json refine_json(const MeshRun& run) {
       {"sweeps_checked", run.sweeps_checked ? nlohmann::ordered_json(*run.sweeps_checked) : nlohmann::ordered_json()},
       {"exempt", exempt},
       {"exemptions", exemptions}};
+}
+
+/// `asked_for`: the user wants equilateral triangles, not only a good mesh.
+std::string filling_text(const Report& report, bool asked_for) {
+  if (report.laid == 0 && asked_for)
+    return "note    the interior is refined: equilateral triangles do not fit, or do not make the mesh smaller\n";
+  if (report.laid == 0) return {};
+  return fmt::format("laid    {}{}\n", plural(report.laid, "equilateral triangle"),
+                     report.restarts > 0 ? fmt::format(", after {}", plural(report.restarts, "restart")) : "");
 }
 
 }  // namespace
@@ -192,6 +208,7 @@ std::string to_text(const MeshRun& run) {
   text += fmt::format("mesh    {}, {}, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
                       plural(mesh.vertices, "vertex", "vertices"), plural(mesh.triangles, "triangle"),
                       mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
+  text += filling_text(run.report, run.options.interior == Interior::fill);
   if (const std::string list = reasons(run.report, true); !list.empty()) {
     text += fmt::format("exempt  {}, each at a small input angle\n", list);
   }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "../core/formats.hpp"
 #include "../core/support/shortest.hpp"
 #include "../parallel/mesher.hpp"
@@ -48,7 +51,7 @@ Size function_of(const Mesh& background, const std::string& name, const ValidPsl
                              "array 'size' or 'attributes', in a .msh $NodeData, in a .node the first attribute)",
                              name)};
   }
-  Size size = interpolated_size(background, sizes_at_points(background));
+  Size size = interpolated_size(background, sizes_at_points(background), {}, name);
   if (!size) return Error{size.error().kind, name + ": " + size.error().message};
   return size;
 }
@@ -72,7 +75,9 @@ Result<SizeField> read_size_field(const std::filesystem::path& file) {
     if (!read) return read.error();
     return SizeField(std::move(*read));
   };
-  if (file.extension() == ".asc" || file.extension() == ".npy") return field(read_raster(file));
+  std::string suffix = file.extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (suffix == ".asc" || suffix == ".npy") return field(read_raster(file));
   if (const auto format = mesh_format(file); format && format != MeshFormat::svg) return field(read_mesh(file));
   return field(read_sizes(file));
 }

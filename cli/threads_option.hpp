@@ -16,7 +16,8 @@ inline CLI::Option* add_threads_option(CLI::App& app, int& threads, const std::s
   };
   return app
       .add_option("--threads", threads,
-                  "Number of threads; 0 or all (default): one per core; " + result + " does not depend on it")
+                  "Number of threads; 0 or all (default): one per core, or the quota of a container;\n" + result +
+                      " does not depend on it")
       ->type_name("N|all")
       ->transform(CLI::Validator(read, ""));
 }

@@ -49,6 +49,8 @@ Without p, r, q or a: the Delaunay triangulation of FILE.node.
   i F l s X   accepted, without effect: they choose among Triangle's own algorithms; predicates are always exact
   u v w W     refused: user test, Voronoi diagram, weighted points
 
+Where -a sets a bound and q is at most 30, interiors are filled with equilateral triangles: meshes have about a third
+fewer triangles than Triangle's ('pardel mesh --interior refine' makes meshes by refinement alone).
 Writes FILE.1.node and so on, or FILE.2.* from FILE.1.*. Input vertices come first, in their order. Like Triangle, it
 repairs duplicate points and segments that cross, overlap or contain points; each repair is a line on standard error.
 docs/formats.md lists the differences from Triangle.
@@ -70,7 +72,7 @@ Goal goal_of(const TriangleSwitches& switches) {
 }
 
 Options options_of(const TriangleSwitches& switches, const TriangleInput& input) {
-  Options options;
+  Options options{.interior = Interior::automatic};
   options.no_boundary_splits = switches.no_splits == 1;
   options.no_segment_splits = switches.no_splits > 1;
   if (switches.max_steiner_points) {

@@ -28,7 +28,17 @@ double size_of(const Canvas& canvas, const Corners& c) {
 int class_of(double size) { return static_cast<int>(std::floor(4 * std::log2(size))); }
 double size_of_class(int k) { return std::exp2(0.25 * k); }
 
-/// The triangles that are drawn one by one, by colour and by class of size.
+/// The corners of the triangles that are large enough to be drawn one by one.
+std::vector<bool> corners_of_large(const Canvas& canvas, const Mesh& mesh) {
+  std::vector<bool> is_corner(mesh.points.size());
+  for (Index t = 0; t < mesh.triangles.size(); ++t)
+    if (size_of(canvas, corners_of(mesh, t)) >= SmallTriangles::largest)
+      for (const Index v : mesh.triangles[t].v) is_corner[v] = true;
+  return is_corner;
+}
+
+/// The triangles that are drawn one by one, by colour and by class of size. Small triangles that touch large ones are
+/// drawn in both ways: otherwise pixels that are partly covered in each way would be too light.
 struct Sorted {
   std::vector<std::vector<Index>> by_colour;
   std::map<int, std::vector<Index>> by_size;
@@ -38,14 +48,15 @@ Sorted sorted(const Canvas& canvas, const Mesh& mesh, const Colouring& colouring
   const bool edges = !colouring.legend.is_scale();
   Sorted large;
   large.by_colour.resize(colouring.palette.size());
+  const std::vector<bool> touches_large = corners_of_large(canvas, mesh);
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
     const Corners corners = corners_of(mesh, t);
     const double size = size_of(canvas, corners);
     const std::uint16_t colour = colouring.colour_of[t];
-    if (size < SmallTriangles::largest) {
+    if (size < SmallTriangles::largest)
       small.add({canvas.at(corners[0]), canvas.at(corners[1]), canvas.at(corners[2])}, size, colouring.palette[colour],
                 edges);
-    } else {
+    if (std::ranges::any_of(mesh.triangles[t].v, [&](Index v) { return touches_large[v]; })) {
       large.by_colour[colour].push_back(t);
       large.by_size[class_of(size)].push_back(t);
     }

@@ -241,6 +241,17 @@ TEST_F(BadInput, useless_limits_on_gradation_and_numbers_of_edges_are_refused) {
   }
 }
 
+TEST_F(BadInput, the_checker_has_the_limits_of_the_mesher_for_gradation_and_numbers_of_edges) {
+  for (const std::string command : {"mesh", "check"})
+    for (const auto& [option, wrong, message] : {std::tuple("--grading", "1e-13", "'1e-13' is less than 1e-12"),
+                                                 std::tuple("--feature-size", "1e7", "'1e7' is more than 1000000")}) {
+      const Ran ran = command == "mesh" ? pardel({"mesh", "square.poly", "-o", "m.vtu", option, wrong})
+                                        : pardel({"check", "square.poly", "m.vtu", option, wrong});
+      EXPECT_EQ(ran.exit_code, 2) << ran;
+      EXPECT_TRUE(holds(ran.err, {option, message}));
+    }
+}
+
 TEST_F(BadInput, sizes_that_do_not_fit_the_points_are_refused) {
   write("few.sizes", "2\n1 0.1\n2 0.1\n");
   const Ran ran =
@@ -254,7 +265,7 @@ TEST_F(BadInput, a_size_that_is_not_positive_is_refused_with_its_line) {
   write("zero.sizes", "4\n1 0.1\n2 0\n3 0.1\n4 0.1\n");
   const Ran ran = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "zero.sizes"});
   EXPECT_EQ(ran.exit_code, 3) << ran;
-  EXPECT_TRUE(holds(ran.err, {"zero.sizes:3:"}));
+  EXPECT_TRUE(holds(ran.err, {"zero.sizes:3: expected a value greater than 0, found 0"}));
 }
 
 TEST_F(BadInput, a_raster_that_does_not_cover_the_domain_is_refused_with_the_point) {
@@ -280,11 +291,37 @@ TEST_F(BadInput, a_mesh_of_sizes_without_values_or_too_small_is_refused) {
   write("small.ele", "1 3 0\n1 1 2 3\n");
   const Ran small = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "small.node"});
   EXPECT_EQ(small.exit_code, 3) << small;
-  EXPECT_TRUE(holds(small.err, {"the mesh of the sizes does not cover ("}));
+  EXPECT_TRUE(holds(small.err, {"small.node does not cover ("}));
   write("plain.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Ran plain = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "plain.off"});
   EXPECT_EQ(plain.exit_code, 3) << plain;
   EXPECT_TRUE(holds(plain.err, {"plain.off: the mesh has no values at its points", "$NodeData"}));
+}
+
+TEST_F(BadInput, the_checker_refuses_a_field_of_sizes_that_ends_inside_the_mesh) {
+  write("square.poly", square_poly);
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.vtu", "--max-area", "0.01", "-q"}).exit_code, 0);
+  write("hole.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0.5\n1 -9999\n1 1\n");
+  write("small.node", "3 2 1 0\n1 0 0 1\n2 0.1 0 1\n3 0 0.1 1\n");
+  write("small.ele", "1 3 0\n1 1 2 3\n");
+  for (const std::vector<std::string>& more : {std::vector<std::string>(), {"--grading", "0.5"}})
+    for (const auto& [field, message] :
+         {std::pair("hole.asc", "hole.asc has no size at ("), std::pair("small.node", "small.node does not cover (")}) {
+      std::vector<std::string> arguments = {"check", "square.poly", "m.vtu", "--sizes", field, "--json", "c.json"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Ran ran = pardel(arguments);
+      EXPECT_EQ(ran.exit_code, 3) << ran;
+      EXPECT_TRUE(holds(ran.err, {message}));
+      EXPECT_EQ(ran.out, "");
+    }
+}
+
+TEST_F(BadInput, an_array_of_sizes_without_a_world_file_is_refused) {
+  write("square.poly", square_poly);
+  write("a.npy", "whatever");
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "o.vtu", "--sizes", "a.npy"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"a.npy: the array needs a world file", "a.wld"}));
 }
 
 TEST_F(BadInput, problems_are_numbered_as_the_file_numbers_its_points) {

@@ -41,6 +41,30 @@ TEST_F(DrawAndGenerate, an_unknown_name_is_a_usage_error_that_lists_the_names) {
   EXPECT_EQ(files(), Files{});
 }
 
+TEST_F(DrawAndGenerate, useless_options_of_generate_are_refused_before_a_file_is_written) {
+  for (const auto& [more, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"-o", "r.poly", "--sizes", "r.poly"}, "would replace files of -o r.poly"},
+           {{"-o", "-", "--sizes", "-"}, "only one output can go to standard output"},
+           {{"-o", "r.poly", "--ratio", "0.1"}, "--ratio needs --sizes"},
+           {{"-o", "r.poly", "--sizes", "r.area", "--ratio", "nan"}, "'nan' is not a ratio"},
+           {{"-o", "r.poly", "--sizes", "r.area", "--ratio", "0"}, "'0' is not a ratio"},
+           {{"-o", "r.poly", "-n", "7"}, "must be from 1 to 6"}}) {
+    std::vector<std::string> arguments = {"generate", "radial"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {message}));
+    EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(files(), Files{});
+  }
+  EXPECT_EQ(pardel({"generate", "radial", "-n", "1", "-o", "r.poly", "--sizes", "r.area"}).exit_code, 0);
+  EXPECT_EQ(files(), (Files{"r.area", "r.poly"}));
+}
+
+TEST_F(DrawAndGenerate, the_help_lists_the_numbers_that_n_takes) {
+  EXPECT_TRUE(holds(pardel({"generate", "--help"}).out, {"radial       1 to 6 (2)", "comb         1 to 100000 (16)"}));
+}
+
 TEST_F(DrawAndGenerate, domains_are_written_as_poly_only) {
   EXPECT_EQ(pardel({"generate", "square", "-o", "x.node"}).exit_code, 2);
   const Ran ran = pardel({"generate", "square", "-o", "/dev/stdout"});

@@ -108,13 +108,27 @@ TEST_F(DrawPicture, triangles_below_a_pixel_have_their_colour_and_are_darker_whe
     for (int x = 10; x < 95; ++x) ASSERT_NE(drawn.at(x, y), white) << x << ", " << y;
 }
 
+TEST_F(DrawPicture, no_pixel_is_lighter_than_its_triangles_where_small_and_large_ones_meet) {
+  write("square.poly", square_poly);
+  write("coarse.node", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n");
+  write("coarse.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
+  write("square.sizes", "4\n1 0.003\n2 0.03\n3 0.03\n4 0.003\n");
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "g.vtu", "--sizes", "square.sizes", "-q"}).exit_code, 0);
+  const std::uint32_t fill = picture("coarse.ele", {"--pixels", "200"}).at(140, 130);
+  const Picture drawn = picture("g.vtu", {"--pixels", "200"});
+  for (int y = 10; y < 190; ++y)
+    for (int x = 10; x < 190; ++x)
+      for (const int shift : {0, 8, 16})
+        ASSERT_LE(drawn.at(x, y) >> shift & 0xFF, (fill >> shift & 0xFF) + 1) << x << ", " << y;
+}
+
 TEST_F(DrawPicture, small_triangles_have_the_colour_of_the_scale) {
   std::string node = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n", ele = "2 3 0\n1 1 2 3\n2 1 3 4\n";
   write("large.node", node);
   write("large.ele", ele);
-  // The same triangles next to a third one that is a hundred times as large, so that they are below three pixels.
-  write("small.node", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 100 1\n");
-  write("small.ele", "3 3 0\n1 1 2 3\n2 1 3 4\n3 2 5 3\n");
+  // The same triangles beside a third one that is a hundred times as large, so that they are below three pixels.
+  write("small.node", "7 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 2 0\n6 100 0\n7 100 1\n");
+  write("small.ele", "3 3 0\n1 1 2 3\n2 1 3 4\n3 5 6 7\n");
   const std::uint32_t large = picture("large.ele", {"--by", "quality", "--pixels", "100"}).at(22, 70);
   const Picture small = picture("small.ele", {"--by", "quality", "--pixels", "200", "--window", "0,0,100,100"});
   EXPECT_EQ(small.at(4, 4 + 198), large);
@@ -124,7 +138,8 @@ TEST_F(DrawPicture, an_svg_of_small_triangles_does_not_grow_with_their_number) {
   write("square.poly", square_poly);
   std::vector<std::size_t> meshes, pictures;
   for (const std::string area : {"2e-5", "4e-6"}) {
-    ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "b.vtu", "--max-area", area, "-q"}).exit_code, 0);
+    ASSERT_EQ(
+        pardel({"mesh", "square.poly", "-o", "b.vtu", "--max-area", area, "-q", "--interior", "refine"}).exit_code, 0);
     ASSERT_EQ(pardel({"draw", "b.vtu", "b.svg", "--pixels", "200"}).exit_code, 0);
     meshes.push_back(read("b.vtu").size());
     pictures.push_back(read("b.svg").size());

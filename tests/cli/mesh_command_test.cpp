@@ -170,6 +170,31 @@ TEST_F(MeshCommand, the_summary_names_every_file_that_was_written) {
                     {"wrote   m.node, m.ele, m.poly\n", "wrote   m.vtu\n"}));
 }
 
+TEST_F(MeshCommand, the_report_names_the_decomposition_that_was_chosen) {
+  const auto kind_of = [&](std::vector<std::string> arguments) {
+    return report(std::move(arguments))["decomposition"]["kind"].get<std::string>();
+  };
+  EXPECT_EQ(kind_of({"square.poly", "-o", "m.node"}), "lattice");
+  EXPECT_EQ(kind_of({"square.poly", "-o", "m.node", "--decomposition", "quadtree"}), "quadtree");
+  ASSERT_EQ(pardel({"generate", "radial", "-n", "3", "-o", "r.poly", "--sizes", "r.area"}).exit_code, 0);
+  EXPECT_EQ(kind_of({"r.poly", "-o", "m.node", "--sizes", "r.area"}), "quadtree");
+}
+
+TEST_F(MeshCommand, tiles_of_fewer_triangles_are_more_tiles) {
+  for (const std::string kind : {"lattice", "quadtree"}) {
+    const auto cells = [&](const char* triangles) {
+      const json r = report({"square.poly", "-o", "m.node", "--max-area", "2e-4", "--interior", "refine",
+                             "--decomposition", kind, "--triangles-per-tile", triangles, "--check"});
+      EXPECT_TRUE(r["certificate"]["valid"]);
+      return r["decomposition"]["cells"].get<int>();
+    };
+    EXPECT_EQ(cells("100000"), 1) << kind;
+    EXPECT_GE(cells("100"), 16) << kind;
+  }
+  for (const char* wrong : {"0", "-1", "nan"})
+    EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "m.node", "--triangles-per-tile", wrong}).exit_code, 2) << wrong;
+}
+
 TEST_F(MeshCommand, sizes_at_the_points_grade_the_mesh) {
   write("fine.sizes", "4\n1 0.02\n2 0.5\n3 0.5\n4 0.5\n");
   const json r = report({"square.poly", "-o", "m.node", "--sizes", "fine.sizes", "--check"});
@@ -339,7 +364,6 @@ TEST_F(MeshCommand, one_tile_gives_a_mesh_as_good_as_many_tiles) {
   const json none = report({"key.poly", "-o", "m.node", "--decomposition", "none", "--max-area", "0.0005", "--check"});
   EXPECT_EQ(none["decomposition"]["kind"], "none");
   EXPECT_TRUE(none["certificate"]["valid"]);
-  EXPECT_EQ(report({"key.poly", "-o", "m.node"})["decomposition"]["kind"], "auto");
   EXPECT_EQ(pardel({"mesh", "key.poly", "-o", "m.node", "--decomposition", "some"}).exit_code, 2);
 }
 
@@ -547,7 +571,7 @@ TEST_F(MeshCommand, uses_the_tiles_that_the_options_describe_and_reports_them) {
     const json r = report({"square.poly", "-o", "out.vtu", "--max-area", "1e-4", "--cells", "3,2", "--decomposition",
                            kind, "--check", "-q"});
     const json& cut = r["decomposition"];
-    EXPECT_EQ(cut["kind"], kind);
+    EXPECT_EQ(cut["kind"], kind == "auto" ? "lattice" : kind);
     EXPECT_EQ(cut["columns"], 3);
     EXPECT_EQ(cut["rows"], 2);
     EXPECT_LT(cut["circumradius"]["measured"], cut["circumradius"]["by_t3_sharp"]);
@@ -566,20 +590,47 @@ TEST_F(MeshCommand, uses_the_tiles_that_the_options_describe_and_reports_them) {
 }
 
 TEST_F(MeshCommand, fills_the_interior_with_fewer_triangles) {
-  const json refined = report({"square.poly", "-o", "m.node", "--max-area", "1e-3"});
+  const json refined = report({"square.poly", "-o", "m.node", "--max-area", "1e-3", "--interior", "refine"});
   const json filled = report({"square.poly", "-o", "m.node", "--max-area", "1e-3", "--interior", "fill", "--check"});
   EXPECT_EQ(refined["refine"]["laid"], 0);
   EXPECT_GT(filled["refine"]["laid"], 500);
+  EXPECT_EQ(filled["refine"]["restarts"], 0);
   EXPECT_LT(filled["mesh"]["triangles"].get<int>(), 0.9 * refined["mesh"]["triangles"].get<int>());
   EXPECT_EQ(filled["goal"]["interior"], "fill");
   EXPECT_TRUE(certified("square.poly", "m.node", {"--max-area", "1e-3"}));
+}
+
+TEST_F(MeshCommand, fills_the_interior_by_default_for_angles_up_to_30_degrees_and_constant_bounds) {
+  const auto laid = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"square.poly", "-o", "m.node", "--max-area", "1e-3"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return report(arguments)["refine"]["laid"].get<int>();
+  };
+  EXPECT_GT(laid({}), 500);
+  EXPECT_GT(laid({"--min-angle", "30"}), 500);
+  EXPECT_EQ(laid({}), laid({"--interior", "fill"}));
+  EXPECT_EQ(laid({"--min-angle", "30.5"}), 0);
+  EXPECT_EQ(laid({"--grading", "0.3"}), 0);
+  EXPECT_EQ(laid({"--decomposition", "paper"}), 0) << "the paper's algorithm refines";
+  EXPECT_EQ(laid({"--interior", "refine"}), 0);
+  EXPECT_EQ(report({"square.poly", "-o", "m.node"})["refine"]["laid"], 0) << "without a bound on size";
+}
+
+TEST_F(MeshCommand, says_how_many_equilateral_triangles_it_has_laid) {
+  const auto said = [&](const char* area, const char* angle) {
+    return pardel(
+               {"mesh", "square.poly", "-o", "m.node", "--max-area", area, "--min-angle", angle, "--interior", "fill"})
+        .out;
+  };
+  EXPECT_TRUE(holds(said("1e-3", "30"), {"laid ", " equilateral triangles\n"}));
+  EXPECT_TRUE(holds(said("1e-4", "33"), {"laid ", " equilateral triangles, after ", " restarts\n"}));
+  EXPECT_TRUE(holds(said("1", "20"), {"note ", "the interior is refined"}));
 }
 
 TEST_F(MeshCommand, refuses_to_fill_the_interior_where_nothing_would_be_laid) {
   using Arguments = std::vector<std::string>;
   const std::pair<Arguments, std::string> cases[] = {
       {{}, "needs --max-area, --max-edge or --regions"},
-      {{"--max-area", "0.1", "--min-angle", "30"}, "works for angles up to 29.9 degrees, not 30"},
       {{"--max-area", "0.1", "--grading", "0.2"}, "cannot be used with --grading"},
       {{"--max-area", "0.1", "--feature-size", "2"}, "cannot be used with --feature-size"},
       {{"--max-area", "0.1", "--sizes", "sizes.txt"}, "cannot be used with --sizes"},

@@ -45,7 +45,8 @@ TEST_F(Stopping, interrupts_mesh_while_it_reads) {
 }
 
 TEST_F(Stopping, interrupts_mesh_while_it_refines) {
-  expect_stop({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "5e-8", "--progress", "always"},
+  expect_stop({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "5e-8", "--interior", "refine",
+               "--progress", "always"},
               {.interrupt_when = "triangles"});
 }
 
@@ -76,15 +77,17 @@ TEST_F(Stopping, is_the_same_for_SIGHUP) {
 
 TEST_F(Stopping, does_not_happen_by_a_signal_that_the_program_was_told_to_ignore) {
   for (const int signal : {SIGINT, SIGHUP, SIGTERM}) {
-    const Ran ran = pardel({"mesh", "square.poly", "-o", "out.off", "--max-area", "2e-6", "--progress", "always"},
-                           {.interrupt_when = "triangles", .signal = signal, .ignored_signal = signal});
+    const Ran ran = pardel(
+        {"mesh", "square.poly", "-o", "out.off", "--max-area", "2e-6", "--interior", "refine", "--progress", "always"},
+        {.interrupt_when = "triangles", .signal = signal, .ignored_signal = signal});
     EXPECT_EQ(ran.exit_code, 0) << ran;
     EXPECT_TRUE(exists("out.off"));
   }
 }
 
 TEST_F(Stopping, at_the_limit_on_processor_time_leaves_no_partial_file) {
-  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-8"}, {.processor_time = 1});
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-8", "--interior", "refine"},
+                         {.processor_time = 1});
   EXPECT_EQ(ran.exit_code, 5) << ran;
   EXPECT_TRUE(holds(ran.err, {"pardel: the process has reached the limit on its processor time\n"}));
   EXPECT_EQ(files(), start_);
@@ -128,7 +131,8 @@ TEST_F(Stopping, interrupts_draw) {
 }
 
 TEST_F(Stopping, interrupts_triangle_and_erases_its_progress_line) {
-  expect_stop_on_terminal({"triangle", "-pqa0.00000005", "square"}, "triangles");
+  // Above 30 degrees the interior is refined, which takes long enough to be interrupted.
+  expect_stop_on_terminal({"triangle", "-pq31a0.00000005", "square"}, "triangles");
 }
 
 }  // namespace
