@@ -164,6 +164,7 @@ std::string summary_text(const Certificate& certificate) {
   append_extreme(text, "largest circumradius", certificate.max_circumradius);
   append_extreme(text, "largest radius / edge", certificate.max_radius_edge_ratio);
   text += "  " + padded("area", 26) + to_text(certificate.area) + '\n';
+  text += "  " + padded("equilateral triangles", 26) + to_text(certificate.equilateral) + '\n';
   append_histogram(text, certificate.angle_histogram);
   append_justified(text, certificate.justified);
   text += "digest " + to_string(certificate.digest) + '\n';
@@ -197,7 +198,8 @@ std::string to_json(const Certificate& certificate) {
              {{"vertices", certificate.vertices},
               {"triangles", certificate.triangles},
               {"constrained_edges", certificate.constrained_edges},
-              {"area", certificate.area}}},
+              {"area", certificate.area},
+              {"equilateral", certificate.equilateral}}},
             {"decided_exactly", certificate.decided_exactly},
             {"extremes",
              {{"min_angle_deg", to_json(certificate.min_angle_deg)},

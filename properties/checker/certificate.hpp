@@ -44,6 +44,9 @@ struct Certificate {
   std::uint64_t vertices = 0, triangles = 0, constrained_edges = 0;
   Extreme min_angle_deg, max_angle_deg, max_area, max_edge, min_edge, max_circumradius, max_radius_edge_ratio;
   double area = 0;
+  /// Triangles whose longest edge is longer than the shortest by at most one part in a million. A mesh with a filled
+  /// interior consists mostly of these, and a refined mesh has nearly none.
+  std::uint64_t equilateral = 0;
   /// Triangles for which floating-point filters left a test open, so that it was decided in exact arithmetic.
   std::uint64_t decided_exactly = 0;
   std::vector<std::uint64_t> angle_histogram;  ///< 18 bins of 10 degrees over all angles

@@ -72,6 +72,11 @@ void Measures::add_angles(const std::array<Point, 3>& p) {
   }
 }
 
+bool Measures::is_equilateral(const std::array<Point, 3>& p) {
+  const auto [shortest, longest] = std::minmax({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+  return shortest > 0 && longest <= shortest * (1 + equilateral_tolerance);
+}
+
 void Measures::set_bounds() {
   // The angles of a tame triangle are more than 10^-5 degrees away from 0 and 180.
   constexpr double flat = 1e-5;
@@ -97,6 +102,7 @@ void Measures::append(const Measures& later) {
     if ((later.*extreme).value > (this->*extreme).value) this->*extreme = later.*extreme;
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t bin = 0; bin < bins; ++bin) histogram_[k][bin] += later.histogram_[k][bin];
+  equilateral_ += later.equilateral_;
   set_bounds();
 }
 
@@ -108,6 +114,7 @@ void Measures::report(Certificate& certificate) const {
   certificate.min_edge = found(min_edge_);
   certificate.max_circumradius = found(max_circumradius_);
   certificate.max_radius_edge_ratio = found(max_ratio_);
+  certificate.equilateral = equilateral_;
   certificate.angle_histogram.resize(bins);
   for (std::size_t bin = 0; bin < bins; ++bin)
     certificate.angle_histogram[bin] = histogram_[0][bin] + histogram_[1][bin] + histogram_[2][bin];

@@ -1,4 +1,5 @@
-// Measures: the extremes of angles, edges, areas and circumradii over a range of triangles, and a histogram of angles.
+// Measures: the extremes of angles, edges, areas and circumradii over a range of triangles, a histogram of angles, and
+// the number of equilateral triangles.
 #pragma once
 
 #include <array>
@@ -21,19 +22,22 @@ class Measures {
     if (!shape.is_tame()) {
       add_extremes(t, p);
       add_angles(p);
+      if (is_equilateral(p)) ++equilateral_;
       return;
     }
     if (may_be_extreme(shape)) add_extremes(t, p);
     if (!add_clear_angles(shape)) add_angles(p);
+    if (shape.longest <= shape.shortest * (1 + 2 * equilateral_tolerance)) ++equilateral_;
   }
 
   /// Adds the measures of a later range of triangles.
   void append(const Measures& later);
 
-  /// Sets the extremes and the histogram of a certificate.
+  /// Sets the extremes, the histogram and the number of equilateral triangles of a certificate.
   void report(Certificate& certificate) const;
 
  private:
+  static constexpr double equilateral_tolerance = 1e-6;  ///< see Certificate::equilateral
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   /// The angles whose cotangent lies in a cell of width 1/16: they are in bin `above` if their cotangent is greater
@@ -75,6 +79,7 @@ class Measures {
     return true;
   }
 
+  [[nodiscard]] static bool is_equilateral(const std::array<Point, 3>& p);
   void add_extremes(Index t, const std::array<Point, 3>& p);
   void add_angles(const std::array<Point, 3>& p);
   void set_bounds();
@@ -91,6 +96,7 @@ class Measures {
   } bounds_;
   const std::array<Cell, cells>* cells_ = &table();
   std::array<std::array<std::uint64_t, bins>, 3> histogram_{};  ///< one for each corner; the sum counts
+  std::uint64_t equilateral_ = 0;
 };
 
 }  // namespace pardel::checker

@@ -50,7 +50,8 @@ Options filling_options() {
 
 PARDEL_PROPERTY(Fill, gives_a_mesh_that_the_checker_certifies,
                 {.statement = "A mesh whose interior is filled with equilateral triangles conforms to the domain, is "
-                              "(constrained) Delaunay and satisfies all bounds.",
+                              "(constrained) Delaunay and satisfies all bounds. The checker counts at least as many "
+                              "equilateral triangles as were laid.",
                  .source = patch_source,
                  .families = filled_families}) {
   const Problem problem = some_problem_to_fill(exhibit);
@@ -58,7 +59,9 @@ PARDEL_PROPERTY(Fill, gives_a_mesh_that_the_checker_certifies,
   classify(result.report.laid > 0, "with equilateral triangles", 60);
   classify(result.report.laid > 500, "with more than 500 of them", 20);
   RC_ASSERT(result.report.goal_met());
-  require_valid(check(problem.pslg, result.mesh, problem.goal));
+  const Certificate certificate = check(problem.pslg, result.mesh, problem.goal);
+  require_valid(certificate);
+  RC_ASSERT(certificate.equilateral >= result.report.laid);
 }
 
 PARDEL_PROPERTY(Fill, does_not_depend_on_threads,

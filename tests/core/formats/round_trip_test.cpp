@@ -158,10 +158,11 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_triangles_and_
 /// A random byte of those that can make a correct file wrong.
 char any_damage() { return "0123456789-.e <>\n\x00\xff"[below(19)]; }
 
-PARDEL_PROPERTY(Readers, of_domains_give_only_segments_between_points_that_exist,
-                {.statement = "the ends of every segment that is read from a .poly with changed digits are points of it",
-                 .source = "core/formats.hpp",
-                 .families = "files .poly"}) {
+PARDEL_PROPERTY(
+    Readers, of_domains_give_only_segments_between_points_that_exist,
+    {.statement = "the ends of every segment that is read from a .poly with changed digits are points of it",
+     .source = "core/formats.hpp",
+     .families = "files .poly"}) {
   const TemporaryFolder folder;
   const Pslg pslg = any_pslg();
   RC_PRE(!pslg.segments.empty());

@@ -730,6 +730,31 @@ TEST(Certificate, has_the_measures_of_triangles_far_from_the_origin) {
   EXPECT_NEAR(certificate.max_area.where.y, 201 + 1.0 / 3, 1e-12);
 }
 
+/// The number of equilateral triangles of a mesh that is one triangle of this height over a base of length 1, `scale`
+/// times as large. At the height sqrt(3) / 2 it is equilateral.
+std::uint64_t equilateral(double height, double scale) {
+  Case c;
+  c.pslg.points = {{0, 0}, {scale, 0}, {scale / 2, scale * height}};
+  c.pslg.segments = {{0, 1}, {1, 2}, {2, 0}};
+  c.mesh = testing::mesh_of(c.pslg.points, {{0, 1, 2}});
+  c.mesh.constrained_edges = {{0, 1, 0, 1}, {1, 2, 1, 1}, {2, 0, 2, 1}};
+  const Certificate certificate = check(c);
+  EXPECT_TRUE(is_valid(certificate));
+  return certificate.equilateral;
+}
+
+TEST(Certificate, counts_triangles_whose_edges_differ_by_one_part_in_a_million) {
+  // The legs are sqrt(1/4 + h^2). If h grows by d, they grow by 0.866 d.
+  const double height = std::sqrt(0.75), million = 1e-6 / height;
+  for (const double scale : {1.0, 3e-150, 2e120}) {
+    EXPECT_EQ(equilateral(height, scale), 1) << scale;
+    for (const double side : {-1.0, 1.0}) {
+      EXPECT_EQ(equilateral(height + side * 0.99 * million, scale), 1) << scale;
+      EXPECT_EQ(equilateral(height + side * 1.01 * million, scale), 0) << scale;
+    }
+  }
+}
+
 TEST(Certificate, is_valid_JSON) {
   Case c = testing::square_in_eight();
   c.mesh.region[2] = 0;
@@ -771,6 +796,7 @@ goal: angles of at least 18 degrees, areas up to 3.5, constrained Delaunay
   largest circumradius      1.66667       triangle 1 at (1, 1)
   largest radius / edge     1.58114       triangle 0 at (2, 0.333333)
   area                      4.5
+  equilateral triangles     0
 angles, in degrees
     0 - 10            0
    10 - 20            1  ################
@@ -805,6 +831,7 @@ Certificate full_certificate() {
   certificate.vertices = certificate.triangles = certificate.constrained_edges = 1;
   certificate.min_angle_deg = {12.5, 3, {0.25, 4}};
   certificate.area = 2.25;
+  certificate.equilateral = 1;
   certificate.decided_exactly = 4;
   certificate.angle_histogram = {1, 0, 100, 200};
   for (Index t = 0; t < 44; ++t)
@@ -838,6 +865,7 @@ TEST(Certificate, with_everything_is_this_text) {
             "  largest circumradius      0             \n"
             "  largest radius / edge     0             \n"
             "  area                      2.25\n"
+            "  equilateral triangles     1\n"
             "angles, in degrees\n"
             "    0 - 10            1  #\n"
             "   10 - 20            0\n"
@@ -882,7 +910,7 @@ TEST(Certificate, with_everything_is_this_JSON) {
   "goal": {"min_angle_deg": 20.0, "max_area": 0.5, "max_edge": 2.0, "region_caps": true, "sizing": true,
            "grading": null, "feature_edges": 0.0,
            "conforming": true, "convex_hull": true},
-  "mesh": {"vertices": 1, "triangles": 1, "constrained_edges": 1, "area": 2.25},
+  "mesh": {"vertices": 1, "triangles": 1, "constrained_edges": 1, "area": 2.25, "equilateral": 1},
   "decided_exactly": 4,
   "extremes": {
     "min_angle_deg": {"value": 12.5, "triangle": 3, "where": [0.25, 4.0]},

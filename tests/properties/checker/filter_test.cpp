@@ -149,6 +149,8 @@ Certificate measured_directly(const std::vector<Triangle3>& triangles) {
       keep(result.min_edge, length[k] < result.min_edge.value, length[k], t, midpoint(p, q));
       keep(result.max_edge, length[k] > result.max_edge.value, length[k], t, midpoint(p, q));
     }
+    const auto [shortest, longest] = std::ranges::minmax(length);
+    if (longest <= shortest * (1 + 1e-6)) ++result.equilateral;
     const double area2 = doubled_area(a, b, c);
     const Point centroid{a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3};
     const double radius = length[0] / (2 * area2) * length[1] * length[2];
@@ -170,8 +172,8 @@ Triangle3 repeated_triangle(generators::Random& random, int tens) {
 
 PARDEL_PROPERTY(
     Measures, are_those_of_the_formulas,
-    {.statement = "the extremes and the histogram of angles have the values, triangles and places that the "
-                  "formulas give, in one range of triangles and in two",
+    {.statement = "the extremes, the histogram of angles and the number of equilateral triangles have the values, "
+                  "triangles and places that the formulas give, in one range of triangles and in two",
      .source = "properties/checker/model/measures.hpp",
      .families = "counter-clockwise triangles of all shapes and magnitudes; triangles that tie, or differ by "
                  "a few units in the last place; angles at multiples of 10 degrees"}) {
@@ -198,6 +200,7 @@ PARDEL_PROPERTY(
   first.report(found);
   const Certificate expected = measured_directly(triangles);
   RC_ASSERT(found.angle_histogram == expected.angle_histogram);
+  RC_ASSERT(found.equilateral == expected.equilateral);
   for (const auto extreme :
        {&Certificate::min_angle_deg, &Certificate::max_angle_deg, &Certificate::max_area, &Certificate::max_edge,
         &Certificate::min_edge, &Certificate::max_circumradius, &Certificate::max_radius_edge_ratio}) {
