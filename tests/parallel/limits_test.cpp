@@ -86,6 +86,7 @@ TEST(Memory, that_is_needed_at_least_is_that_of_twice_as_many_triangles_as_verti
   EXPECT_TRUE(fits(1e9, 1000, memory));
   EXPECT_FALSE(fits(1e9, 1000, memory - 1));
   EXPECT_TRUE(fits(2000, 1'000'000, memory));
+  EXPECT_EQ(memory, 72'000U) << "36 bytes each, and not one byte more";
   EXPECT_FALSE(fits(1e9, 0, 0)) << "more triangles than can be numbered";
   EXPECT_TRUE(outgrows_memory(1, {.max_memory = 1}));
   EXPECT_FALSE(outgrows_memory(1, {.max_memory = 1000}));

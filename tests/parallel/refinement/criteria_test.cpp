@@ -69,6 +69,20 @@ TEST(TooLarge, is_every_triangle_above_a_cap_and_no_other) {
   }
 }
 
+/// The bounds are stricter by a relative 2^-40. Of these numbers, doubles represent the stricter bound exactly.
+TEST(TooLarge, is_nothing_that_is_as_large_as_the_stricter_bound) {
+  const Criteria criteria({.max_area = 0x1p40, .max_edge = 0x1p20}, Placement::circumcentre, {});
+  const double twice_area = 0x1p41 - 2, square = 0x1p40 - 1;
+  EXPECT_FALSE(criteria.too_large(Measure{{1, 1, 1}, twice_area}));
+  EXPECT_TRUE(criteria.too_large(Measure{{1, 1, 1}, std::nextafter(twice_area, 0x1p50)}));
+  LocalHints none;
+  const auto too_long = [&](double squared) {
+    return criteria.too_large_locally({{1, squared, 1}, 1}, {0, 0}, {1, 0}, {0, 1}, no_index, none);
+  };
+  EXPECT_FALSE(too_long(square));
+  EXPECT_TRUE(too_long(std::nextafter(square, 0x1p50)));
+}
+
 TEST(TooLarge, depends_on_the_place_where_the_goal_does) {
   Goal goal{.max_edge = 2, .region_caps = true};
   goal.size = [](Point p) { return p.x < 0 ? 0.5 : 10.0; };

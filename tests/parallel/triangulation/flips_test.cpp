@@ -44,6 +44,20 @@ TEST(Flip, of_a_delaunay_diagonal_makes_an_edge_that_is_locally_delaunay_only_if
   EXPECT_TRUE(locally_delaunay(t, flipped)) << "a constrained edge";
 }
 
+TEST(RestoreDelaunay, lists_the_triangle_of_the_suspect_edge_before_the_one_across) {
+  for (const bool other_side : {false, true}) {
+    Triangulation t = samples::triangulated(kite).triangulation;
+    const EdgeRef diagonal = samples::find_edge(t, 1, 3);
+    const EdgeRef across = t.slot(diagonal).n[diagonal.side()];
+    flip(t, diagonal);
+    const EdgeRef suspect(other_side ? across.triangle() : diagonal.triangle(), 1);
+    std::vector<TriangleId> changed;
+    restore_delaunay(t, {suspect}, changed);
+    const TriangleId beyond = other_side ? diagonal.triangle() : across.triangle();
+    EXPECT_EQ(changed, (std::vector{suspect.triangle(), beyond}));
+  }
+}
+
 /// Disturbs a Delaunay triangulation by random flips, then restores it.
 TEST(RestoreDelaunay, undoes_random_flips) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
