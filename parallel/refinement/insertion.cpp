@@ -99,14 +99,15 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   blocker_ = cavity_.touches_constraint() ? longest_encroached() : EdgeRef();
   if (!blocker_.none()) return Outcome::encroaches;
   if (too_close()) return Outcome::too_close;
-  return walk == Walk::tangled ? Outcome::refused : Outcome::inserted;
+  // A complete cavity without a blocker is star-shaped. Let x lie inside one of its triangles. The segment from x to p
+  // crosses triangles of the cavity only (THEORY, Lemma 1), as long as it crosses no constrained edge. If it does, this
+  // edge belongs to the boundary of the cavity, and p lies on the line of the edge or beyond, so it is a blocker.
+  return is_star_ ? Outcome::inserted : Outcome::refused;
 }
 
 Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
   const Outcome outcome = try_in_face(p, first, box);
-  if (outcome != Outcome::inserted) return outcome;
-  if (!is_star_) return box.is_whole_plane() ? face_by_flips(p) : Outcome::leaves_box;
-  commit(p, interior_vertex);
+  if (outcome == Outcome::inserted) commit(p, interior_vertex);
   return outcome;
 }
 
@@ -158,30 +159,7 @@ void Insertion::commit(Point p, Index origin) {
   is_measured_ = true;
 }
 
-/// Used if the cavity is not star-shaped. Splits the triangle that contains p, then flips edges.
-Outcome Insertion::face_by_flips(Point p) {
-  const std::vector<TriangleId> candidates(cavity_.triangles().begin(), cavity_.triangles().end());
-  for (const TriangleId id : candidates) {
-    const Slot& slot = t_.slots[id];
-    EdgeRef on;
-    bool inside = true;
-    for (unsigned side = 0; side < 3 && inside; ++side) {
-      const double o = orient2d(t_.points[slot.from(side)], t_.points[slot.to(side)], p);
-      inside = o >= 0;
-      if (o == 0) on = slot.n[side];
-    }
-    if (!inside) continue;
-    const auto across_only = [&](EdgeRef across) { return !on.none() && across.triangle() == on.triangle(); };
-    const auto corners = corners_around(t_, p);
-    const Walk walk = cavity_.find(t_, id, SingleTriangleQuery(t_, across_only, corners, any_vertex));
-    if (walk != Walk::complete || !measure_fan(p)) return Outcome::refused;
-    commit(p, interior_vertex);
-    finish_by_flips();
-    return Outcome::inserted;
-  }
-  return Outcome::refused;
-}
-
+/// Used if rounding has moved p so far that its cavity is not star-shaped.
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
   const auto corners = corners_around(t_, p);
   const Walk walk = cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners, any_vertex));

@@ -85,7 +85,6 @@ class Insertion {
   /// there is no such edge. Edges on the border of a patch, which cannot be split, come last.
   [[nodiscard]] EdgeRef longest_encroached() const;
   [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
-  Outcome face_by_flips(Point p);
   Outcome edge_by_flips(Point p, EdgeRef e, Index segment);
   void commit(Point p, Index origin);
   void finish_by_flips();
