@@ -60,7 +60,7 @@ class ConstraintInserter {
     } while (id != start);
   }
 
-  /// The edge u-v as the side of a triangle in which u is `to`; none() if there is no such edge.
+  /// The edge from u to v as a side of the triangle on its left; none() if there is no such edge.
   EdgeRef edge(VertexId u, VertexId v) const {
     EdgeRef found;
     around(u, [&](TriangleId id, unsigned corner) {
@@ -146,7 +146,7 @@ class ConstraintInserter {
       const VertexId p = t_.slot(e).apex(e.side()), q = t_.slot(across).apex(across.side());
       const Point pp = t_.points[p], qq = t_.points[q], uu = t_.points[u], vv = t_.points[v];
       const double side_u = orient2d(pp, qq, uu), side_v = orient2d(pp, qq, vv);
-      if (!((side_u > 0 && side_v < 0) || (side_u < 0 && side_v > 0))) {
+      if (!(side_u < 0 && side_v > 0)) {
         crossing_.push_back({u, v});
         continue;
       }

@@ -64,8 +64,8 @@ double Insertion::orientation_of(std::size_t edge, Point p) const {
 }
 
 EdgeRef Insertion::longest_encroached() const {
-  double longest = 0, longest_wide = 0;
-  EdgeRef found, border, wide;  // wide: the point lies in the diametral disk, perhaps not in the lens
+  double longest = 0;
+  EdgeRef found, border;
   for (std::size_t i = 0; i < cavity_.boundary().size(); ++i) {
     const CavityEdge& edge = cavity_.boundary()[i];
     if (!edge.outer.constrained()) continue;
@@ -79,14 +79,8 @@ EdgeRef Insertion::longest_encroached() const {
       longest = length;
       found = edge.inner;
     }
-    if (dot <= 0 && length > longest_wide) {
-      longest_wide = length;
-      wide = edge.inner;
-    }
   }
-  if (found.none() && !border.none()) return border;
-  // Near a constrained edge that is not Delaunay, the cavity may not be star-shaped. Then `wide` has to be split.
-  return found.none() && !is_star_ ? wide : found;
+  return found.none() ? border : found;
 }
 
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {

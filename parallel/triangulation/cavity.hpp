@@ -45,7 +45,7 @@ enum class Walk : std::uint8_t {
   complete,
   elsewhere,  ///< the point does not lie in the disk of the first triangle
   foreign,    ///< a triangle of the cavity may not be changed
-  tangled,    ///< the walk met itself: it can run around the ends of a constrained edge that is not Delaunay
+  tangled,    ///< the walk met itself; the triangulation is not constrained Delaunay, or the point not on its edge
 };
 
 /// The cavity of a point. An object can be used for many points, one after the other; it keeps its memory.

@@ -244,6 +244,16 @@ TEST(Usage, is_the_error_for_a_goal_out_of_range) {
   }
 }
 
+TEST(Usage, ends_exactly_at_the_limits_of_a_goal) {
+  constexpr double most = 1e6, least = 1e-12;
+  EXPECT_TRUE(mesh(domains::square(), {.grading = least}));
+  EXPECT_FALSE(mesh(domains::square(), {.grading = std::nextafter(least, 0)}));
+  EXPECT_FALSE(mesh(domains::square(), {.feature_edges = std::nextafter(most, 2e6)}));
+  EXPECT_FALSE(mesh(domains::square(), {.size_slope = -0x1p-1074}));
+  EXPECT_TRUE(mesh(domains::square(), {.min_angle_deg = 33}));
+  EXPECT_FALSE(mesh(domains::square(), {.min_angle_deg = std::nextafter(33, 34)}));
+}
+
 TEST(Usage, of_angles_from_33_to_45_degrees_requires_a_limit_on_vertices) {
   const Goal goal{.min_angle_deg = 34};
   EXPECT_FALSE(mesh(domains::square(), goal));

@@ -208,6 +208,14 @@ TEST(RefineMesh, refuses_an_invalid_mesh) {
   }
 }
 
+TEST(RefineMesh, refuses_the_number_after_the_last_triangle_as_a_neighbour) {
+  Mesh mesh = coarse_square();
+  mesh.triangles[0].n[0] = static_cast<Index>(mesh.triangles.size());
+  const Result<Meshed> fine = refine(mesh, {});
+  ASSERT_FALSE(fine);
+  EXPECT_NE(fine.error().message.find("names a neighbour that does not exist"), std::string::npos);
+}
+
 TEST(RefineMesh, refuses_caps_that_do_not_fit) {
   const Mesh coarse = coarse_square();
   std::vector<double> caps(coarse.triangles.size() + 1, 1.0);

@@ -49,6 +49,22 @@ TEST(BowyerWatson, reports_a_point_that_is_a_vertex_already) {
   EXPECT_EQ(insertion.insert({0, 0}, Box{}), Inserted::duplicate);
 }
 
+/// A vertex is an end of two hull edges. It lies on their lines, and so on the border of their outer half-planes.
+TEST(BowyerWatson, reports_a_point_that_is_a_vertex_of_the_hull_whatever_the_directions_of_its_edges) {
+  const std::vector<Point> hull{{4, 0}, {7, 2}, {8, 5}, {5, 8}, {2, 7}, {0, 3}};
+  for (const Point p : hull) {
+    Triangulation t = samples::delaunay_of(hull);
+    const auto fresh = static_cast<TriangleId>(t.slots.size());
+    t.points.push_back(p);
+    t.slots.resize(fresh + 2U);
+    for (TriangleId start = 0; start < fresh; ++start) {
+      BowyerWatson worker(t);
+      worker.start(Box{}, start);
+      EXPECT_EQ(worker.insert(static_cast<VertexId>(hull.size()), fresh), Inserted::duplicate) << p.x << ' ' << p.y;
+    }
+  }
+}
+
 TEST(BowyerWatson, changes_nothing_if_the_insertion_leaves_the_box) {
   Insertion insertion;
   const Box box{0, 0, 4.5, 4.5};

@@ -181,7 +181,7 @@ PARDEL_PROPERTY(EngineInsertion, next_to_a_segment_that_is_not_delaunay_leaves_a
 PARDEL_PROPERTY(
     EngineInsertion, splitting_a_segment_far_from_the_origin_leaves_a_valid_triangulation,
     {.statement = "splitting a segment at points that rounding moved off it leaves the triangulation "
-                  "positively oriented and constrained Delaunay",
+                  "positively oriented and constrained Delaunay, and the insertion tells whether it needed flips",
      .source = "parallel/refinement/insertion.hpp",
      .families = "a slanted segment and four points, one of them almost on it or not, far from the origin"}) {
   std::vector<Point> points;
@@ -203,6 +203,7 @@ PARDEL_PROPERTY(
     const Point p{(t.points[a].x + t.points[b].x) / 2, (t.points[a].y + t.points[b].y) / 2};
     if (with_room(t, insertion, [&] { return insertion.split_edge(p, e, 0, everywhere); }) != Outcome::inserted) return;
     RC_ASSERT(is_valid(t));
+    RC_ASSERT(insertion.has_flipped() == insertion.measures().empty());
     (*rc::gen::arbitrary<bool>() ? a : b) = static_cast<VertexId>(t.points.size() - 1);
   }
 }
