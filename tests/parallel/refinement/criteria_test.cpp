@@ -256,5 +256,16 @@ TEST(SplitPoint, above_thirty_one_degrees_fills_lengths_but_no_areas) {
   EXPECT_NE(point(32, INFINITY, 0.9), point(32, INFINITY, INFINITY));
 }
 
+TEST(TrianglesWanted, are_more_for_bounds_on_angles_above_twenty_degrees) {
+  const auto wanted = [](double angle) {
+    LocalHints none;
+    const Criteria criteria({.min_angle_deg = angle, .max_area = 0.5}, Placement::off_centre, {});
+    return criteria.triangles_wanted(Shape({0, 0}, {1, 0}, {0, 71}), no_index, none);
+  };
+  EXPECT_NEAR(wanted(20), 100, 1e-9) << "the average triangle has 0.71 times the largest area";
+  EXPECT_EQ(wanted(0), wanted(20));
+  EXPECT_NEAR(wanted(20.5), 100 * 0.71 / 0.7075, 1e-9);
+}
+
 }  // namespace
 }  // namespace pardel::engine

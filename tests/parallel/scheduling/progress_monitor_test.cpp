@@ -46,6 +46,22 @@ TEST(ProgressMonitor, counts_what_is_set_aside_for_later) {
   EXPECT_EQ(monitor.vertices(), 680U);
 }
 
+TEST(ProgressMonitor, passes_any_positive_estimate_on_and_nothing_aside_without_one) {
+  double shown = -1;
+  Options options;
+  options.progress = [&](const Progress& progress) {
+    shown = progress.estimate;
+    return true;
+  };
+  ProgressMonitor monitor(options, 0s);
+  monitor.set_aside(600, 1000);
+  for (const double estimate : {0.0, 0.5, 1.0}) {
+    monitor.start(estimate, 3, 1);
+    monitor.phase_ended(3, 1);
+    EXPECT_EQ(shown, estimate > 0 ? estimate + 1000 : 0);
+  }
+}
+
 TEST(ProgressMonitor, never_shows_fewer_triangles_than_before) {
   std::uint64_t last = 0;
   Options options;

@@ -51,6 +51,22 @@ TEST(Triangulation, constrains_an_edge_on_both_sides) {
   EXPECT_EQ(samples::fault(t), "");
 }
 
+TEST(Triangulation, has_borders_of_patches_only_where_no_triangle_lies_beyond) {
+  samples::Sample sample = samples::triangulated({{0, 0}, {2, 0}, {2, 2}, {0, 3}});
+  Triangulation& t = sample.triangulation;
+  const auto borders = [&] {
+    int found = 0;
+    for (TriangleId id = 0; id < t.slots.size(); ++id)
+      for (unsigned side = 0; side < 3; ++side) found += t.on_border_of_patch(EdgeRef(id, side)) ? 1 : 0;
+    return found;
+  };
+  EXPECT_EQ(borders(), 0);
+  for (const VertexId v : {0, 1, 2}) t.origin[v] = border_vertex;
+  EXPECT_EQ(borders(), 2) << "an edge needs two such ends";
+  t.origin[3] = border_vertex;
+  EXPECT_EQ(borders(), 4) << "not the diagonal";
+}
+
 TEST(Triangulation, moves_a_triangle_and_updates_its_neighbours) {
   samples::Sample sample = samples::triangulated(samples::lattice_points(4));
   Triangulation& t = sample.triangulation;
