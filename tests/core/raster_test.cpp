@@ -8,6 +8,8 @@
 #include <random>
 #include <utility>
 
+#include "../fingerprint.hpp"
+
 namespace pardel {
 namespace {
 
@@ -48,6 +50,12 @@ TEST(Raster, covers_half_a_step_around_the_grid_points) {
   EXPECT_FALSE(sample().covers({8.999, 20}));
   EXPECT_FALSE(sample().covers({10, 26.001}));
   EXPECT_FALSE(sample().covers({NAN, 20}));
+}
+
+TEST(Raster, is_infinite_beside_an_infinite_value) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const auto& [west, east] : {std::pair(infinite, 1.0), std::pair(1.0, infinite), std::pair(infinite, infinite)})
+    EXPECT_EQ(interpolate(Raster{2, 1, {0, 0}, 1, 1, {west, east}}, {0.25, 0}), infinite);
 }
 
 TEST(Raster, of_one_value_is_constant) {
@@ -211,6 +219,70 @@ TEST(SourcesOfARaster, of_a_ramp_steeper_than_the_limit_are_at_its_foot) {
   const auto sources = size_sources(raster, 1);
   ASSERT_FALSE(sources->empty());
   for (const SizeSource& source : *sources) EXPECT_EQ(std::min(source.a.x, source.b.x), 0);
+}
+
+/// A raster whose lengths are 1, 9/8, ..., up to `values` of them, and of which `percent` have no length.
+Raster random_raster(std::mt19937_64& random, Index columns, Index rows, std::uint64_t values, std::uint64_t percent) {
+  Raster raster{columns, rows, {1, -2}, 0.5, 0.75, {}};
+  for (Index i = 0; i < columns * rows; ++i)
+    raster.values.push_back(random() % 100 < percent ? NAN : 1 + static_cast<double>(random() % values) / 8);
+  return raster;
+}
+
+/// The number of sources and a fingerprint. After a change that is meant to change them, take over the values that the
+/// test shows.
+TEST(SourcesOfARaster, of_many_rasters_are_those_that_were_recorded) {
+  std::mt19937_64 random(9);
+  std::size_t sources = 0;
+  testing::Fingerprint all;
+  const auto add = [&](const Raster& raster, double limit) {
+    const std::vector<SizeSource> found = *size_sources(raster, limit);
+    sources += found.size();
+    all.add(found);
+  };
+  for (Index columns = 1; columns <= 8; ++columns)
+    for (Index rows = 1; rows <= 8; ++rows)
+      for (int k = 0; k < 20; ++k) {
+        const Raster raster = random_raster(random, columns, rows, 2 + random() % 40, random() % 40);
+        for (const double limit : {0.25, 1.0, 2.5}) add(raster, limit);
+      }
+  // Mazes: what a point knows takes several turns to reach another one.
+  for (int k = 0; k < 20; ++k) add(random_raster(random, 40, 30, 400, 38), 0.25);
+  EXPECT_EQ(sources, 104'894U);
+  EXPECT_EQ(all.text(), "e9dc852f95210280");
+}
+
+/// A spiral of n columns and rows that is one point wide, with a length of 1 at its inner end, and of 100 and 101 in
+/// turn everywhere else. Between its turns there are no lengths.
+Raster spiral(int n) {
+  Raster raster{static_cast<Index>(n), static_cast<Index>(n), {0, 0}, 1, 1, {}};
+  raster.values.assign(std::size_t(n) * std::size_t(n), NAN);
+  int x = 0, y = 0, dx = 1, dy = 0, steps = 0;
+  const auto at = [&]() -> double& { return raster.values[std::size_t(y) * std::size_t(n) + std::size_t(x)]; };
+  at() = 100;
+  for (int side = 0, left = n - 1; left > 0; ++side) {
+    for (int k = 0; k < left; ++k) {
+      x += dx;
+      y += dy;
+      at() = 100 + ++steps % 2;
+    }
+    std::swap(dx, dy);
+    dx = -dx;
+    if (side >= 2 && side % 2 == 0) left -= 2;
+    if (side == 0) left = n - 1;
+  }
+  at() = 1;
+  return raster;
+}
+
+/// The inner end decides about all of the spiral. Each round carries this knowledge through one turn.
+TEST(SourcesOfARaster, are_looked_for_in_two_rounds) {
+  const auto lines = [](int n) {
+    const std::vector<SizeSource> sources = *size_sources(spiral(n), 0.25);
+    return std::ranges::count_if(sources, [](const SizeSource& s) { return s.a != s.b; });
+  };
+  for (const int n : {3, 5, 7, 9}) EXPECT_EQ(lines(n), 1) << "the line at the inner end";
+  EXPECT_EQ(lines(11), 38) << "lines that a third round would leave out";
 }
 
 TEST(SourcesOfARaster, need_a_limit_that_is_positive_and_finite) {
