@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "../../../parallel/gaps.hpp"
 #include "../../../parallel/mesher.hpp"
@@ -162,6 +163,38 @@ TEST(Gaps, at_the_convex_hull_are_described_by_three_points) {
   EXPECT_EQ(gap.message(),
             "The distance of point 4 at (0.25, 0.5) from the side of the convex hull between points 7 "
             "and 9 is only 1e-05.");
+}
+
+TEST(Gaps, are_narrower_than_a_millionth_of_the_extent) {
+  const auto with_pair = [](double distance) { return square_with({{0.5, 0.5}, {0.5, 0.5 + distance}}); };
+  EXPECT_EQ(gaps_of(with_pair(0.99e-6)).size(), 1);
+  EXPECT_TRUE(gaps_of(with_pair(1.01e-6)).empty());
+}
+
+/// Without the second segment, the first one and the corner behind it would be a gap, too.
+TEST(Gaps, of_two_short_segments_in_a_row_are_the_shorter_one) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, 1}, {0x1.8p-33, 1}, {0x1p-34, 1}, {0, 1}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}};
+  for (const bool reversed : {false, true}) {
+    if (reversed) {
+      std::swap(pslg.points[3], pslg.points[5]);
+      pslg.segments = {{0, 1}, {1, 2}, {2, 5}, {5, 4}, {4, 3}, {3, 0}};
+    }
+    const std::vector<Gap> gaps = gaps_of(pslg);
+    ASSERT_EQ(gaps.size(), 1);
+    EXPECT_EQ(gaps[0].kind, GapKind::short_segment);
+    EXPECT_EQ(gaps[0].distance, 0x1p-34);
+  }
+}
+
+TEST(Gaps, beside_a_segment_have_the_longest_segment_at_the_point_as_surroundings) {
+  Pslg pslg = square_with({{0.5, 0x1p-25}, {0.5, 0.25 + 0x1p-25}});
+  pslg.segments.push_back({4, 5});
+  const std::vector<Gap> gaps = gaps_of(pslg);
+  ASSERT_EQ(gaps.size(), 1);
+  EXPECT_EQ(gaps[0].kind, GapKind::point_near_segment);
+  EXPECT_EQ(gaps[0].surroundings, 0.25);
 }
 
 }  // namespace

@@ -116,5 +116,11 @@ TEST(LeastSize, is_announced_before_the_refinement_which_an_error_prevents) {
             "Options::before_refinement threw an exception: no");
 }
 
+TEST(LeastSize, counts_the_parts_that_are_as_wide_as_the_shortest_edge_and_none_that_are_narrower) {
+  constexpr double width = 0x1p-20;
+  EXPECT_GT(least_size(*validate(plate(width)), bound, width)->triangles, 100'000);
+  EXPECT_LT(least_size(*validate(plate(width)), bound, std::nextafter(width, 1.0))->triangles, 10);
+}
+
 }  // namespace
 }  // namespace pardel

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "../shapes.hpp"
 
 namespace pardel {
@@ -126,6 +129,33 @@ TEST(Warnings, name_a_far_point_in_any_direction) {
       EXPECT_EQ(warnings[0].points, (std::vector<Index>{first ? 0U : 4U}));
       EXPECT_EQ(warnings[0].extent_without, 4);
     }
+}
+
+TEST(Warnings, name_the_first_end_of_a_far_segment_whose_ends_are_equally_far) {
+  for (const auto& [first, second] : {std::pair(Point{-1e4, 1}, Point{-1e4, 2}),
+                                      {Point{1e4, 2}, Point{1e4, 1}},
+                                      {Point{1, -1e4}, Point{2, -1e4}},
+                                      {Point{2, 1e4}, Point{1, 1e4}}})
+    for (const bool turned : {false, true}) {
+      Pslg pslg = square(4);
+      pslg.points.insert(pslg.points.end(), {first, second});
+      pslg.segments.push_back(turned ? Segment{5, 4} : Segment{4, 5});
+      const Warning warning = find_warnings(*validate(pslg)).at(0);
+      EXPECT_EQ(warning.kind, WarningKind::far_part);
+      EXPECT_EQ(warning.where, first);
+      EXPECT_EQ(warning.points, turned ? (std::vector<Index>{5, 4}) : (std::vector<Index>{4, 5}));
+      EXPECT_EQ(warning.segments, (std::vector<Index>{4}));
+    }
+}
+
+TEST(Warnings, are_none_for_a_far_end_of_a_segment_that_is_joined_to_the_rest) {
+  for (const bool turned : {false, true}) {
+    Pslg pslg = square(4);
+    add_square(pslg, 1, {1, 1});
+    pslg.points.push_back({-1e4, 0});
+    pslg.segments.push_back(turned ? Segment{8, 0} : Segment{0, 8});
+    for (const Warning& warning : find_warnings(*validate(pslg))) EXPECT_NE(warning.kind, WarningKind::far_part);
+  }
 }
 
 }  // namespace

@@ -104,5 +104,28 @@ TEST(RefineFilled, keeps_the_limit_on_vertices) {
   }
 }
 
+TEST(RefineFilled, shows_the_patches_in_its_progress) {
+  std::uint64_t last = 0;
+  Options options{.interior = Interior::fill, .threads = 1};
+  options.progress = [&](const Progress& progress) {
+    EXPECT_TRUE(progress.triangles == 0 || progress.triangles > 700) << "the patches are counted from the start";
+    last = progress.triangles;
+    return true;
+  };
+  const Result<Meshed> filled = mesh(domains::square(), {.min_angle_deg = 25, .max_area = 1e-3}, options);
+  ASSERT_TRUE(filled);
+  EXPECT_GT(filled->report.laid, 700U);
+  EXPECT_EQ(last, filled->mesh.triangles.size());
+}
+
+TEST(RefineFilled, keeps_the_patches_if_both_meshes_have_the_same_number_of_triangles) {
+  const Goal goal{.min_angle_deg = 30, .max_area = 1 / 38.7};
+  const Result<Meshed> refined = mesh(domains::square(), goal, {.interior = Interior::refine, .threads = 1});
+  const Result<Meshed> filled = mesh(domains::square(), goal, {.interior = Interior::fill, .threads = 1});
+  ASSERT_TRUE(refined && filled);
+  ASSERT_EQ(filled->mesh.triangles.size(), refined->mesh.triangles.size());
+  EXPECT_GT(filled->report.laid, 0U);
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -34,12 +34,18 @@ TEST(Rounds, clear_a_disk_around_each_stuck_triangle) {
 TEST(Rounds, shorten_the_edges_if_clearing_does_not_help) {
   Rounds rounds({0.25, 0.5});
   const Triangulation t = coarse(domains::square()).triangulation;
-  int failed = 0;
-  for (; rounds.edges()[0] == 0.25; ++failed) ASSERT_TRUE(rounds.go_on(t, std::array<TriangleId, 1>{0}, 1000));
-  EXPECT_GE(failed, 3);
+  const auto failures_until = [&](double edge, std::size_t stuck) {
+    const std::vector<TriangleId> same(stuck, 0);
+    int failures = 0;
+    for (; rounds.edges()[0] > edge; ++failures) EXPECT_TRUE(rounds.go_on(t, same, 1000));
+    return failures;
+  };
+  EXPECT_EQ(failures_until(0.2499, 17), 5) << "four without progress";
   EXPECT_TRUE(rounds.clearings().empty()) << "the old clearings do not belong to the new lattice";
-  EXPECT_GT(rounds.edges()[0], 0.24);
+  EXPECT_DOUBLE_EQ(rounds.edges()[0], 0.25 * 0.995);
   EXPECT_EQ(rounds.edges()[1], 2 * rounds.edges()[0]);
+  EXPECT_EQ(failures_until(0.2487, 16), 7) << "a few stuck triangles come and go";
+  EXPECT_DOUBLE_EQ(rounds.edges()[0], 0.25 * 0.995 * 0.995 * 0.995);
 }
 
 TEST(Rounds, end_soon_if_they_cost_more_than_they_can_save) {

@@ -36,5 +36,16 @@ TEST(Duplicates, of_segments_are_found_in_the_order_of_all_ends) {
                        {0, 1, 2}, {0, 2, 1}, {0, 3, 0}, {1, 2, 3}, {1, 2, 5}, {1, 3, 4}, {2, 3, 6}}));
 }
 
+TEST(Duplicates, among_many_points_are_in_ascending_order) {
+  std::vector<Point> points;
+  for (int i = 0; i < 4096; ++i) points.push_back({0.5 * (i % 64), 0.25 * (i / 64)});
+  std::vector<Duplicate> expected;
+  for (Index i = 0; i < 100; ++i) {
+    expected.push_back({40 * i, static_cast<Index>(points.size())});
+    points.push_back(points[40 * i]);
+  }
+  EXPECT_EQ(find_duplicates(points), expected);
+}
+
 }  // namespace
 }  // namespace pardel::engine

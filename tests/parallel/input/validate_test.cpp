@@ -394,5 +394,22 @@ TEST(Validate, does_not_compare_segments_that_end_at_an_unusable_point) {
     }
 }
 
+TEST(Validate, reports_the_first_point_inside_a_segment) {
+  Pslg pslg = points_only({{2, 0}});
+  add_square(pslg, 4, {0, 0});
+  expect_only(ProblemKind::point_on_segment, {0, 0}, {2, 0}, pslg);
+}
+
+TEST(Validate, names_no_segment_if_a_seed_lies_on_a_side_of_the_hull) {
+  for (const Point on_side : {Point{1, 0}, Point{4, 1}, Point{3, 4}, Point{0, 3}}) {
+    Pslg corners = points_only({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    corners.regions = {{on_side}};
+    expect_only(ProblemKind::region_on_segment, {0}, on_side, corners);
+    corners.points.insert(corners.points.end(), {{1, 2}, {3, 2}});
+    corners.segments = {{4, 5}};
+    expect_only(ProblemKind::region_on_segment, {0}, on_side, corners, {.convex_hull = true});
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

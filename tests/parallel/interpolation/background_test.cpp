@@ -193,5 +193,26 @@ TEST(Background, does_not_know_how_fast_a_field_changes_in_a_triangle_that_is_ju
   EXPECT_EQ(Background(std::vector<Point>{{0, 0}, {1, 0}, {0.5, 1.01e-10}}, triangle).steepness(values).slope, 0);
 }
 
+/// Twice the area is positive, but rounded to 0, by which no weight may be divided.
+TEST(Background, interpolates_in_a_triangle_whose_area_is_rounded_to_zero) {
+  const std::vector<Point> points{{0, 0}, {1.5, 2}, {4.1999999999999993, 5.5999999999999996}};
+  const Point inside{1.5029999999999999, 2.004};
+  const Background background(points, {{0, 1, 2}});
+  const Located at = background.locate(inside);
+  EXPECT_EQ(at.triangle, 0U);
+  for (const double weight : at.weight) EXPECT_TRUE(weight >= 0 && weight <= 1) << weight;
+  EXPECT_NEAR(background.interpolate(inside, std::vector<double>{0, 1.5, 4.1999999999999993}), inside.x, 1e-12);
+}
+
+TEST(Background, begins_a_search_beside_the_point_if_the_hint_is_beyond_a_gap) {
+  const Background background(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {5, 0}, {6, 0}, {5, 1}},
+                              {{0, 1, 2}, {3, 4, 5}});
+  for (const Point p : {Point{0.25, 0.25}, Point{5.25, 0.25}}) {
+    LocationHint first{0}, second{1};
+    EXPECT_TRUE(same_place(background.locate(p, first), background.locate(p, second)));
+    EXPECT_EQ(first.leaf, second.leaf) << "the hint is then the triangle of the point";
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -101,5 +101,14 @@ TEST(SizeEnvelope, is_the_least_at_the_centre_of_a_circle_of_equal_sources) {
   EXPECT_NEAR(envelope.at({0.5, 0.5}), 0.11, 1e-12);
 }
 
+TEST(SizeEnvelope, does_not_need_a_hint_that_is_a_source) {
+  const std::vector<GrowingSize> two{at_point({0.25, 0.5}, 0.1, 0.5), at_point({0.75, 0.5}, 0.1, 0.5)};
+  const SizeEnvelope envelope(two, unit_box);
+  for (Index hint : {Index{0}, Index{1}, Index{2}, Index{1} << 30U, no_index}) {
+    EXPECT_EQ(envelope.at({0.75, 0.5}, hint), 0.1);
+    EXPECT_LT(hint, 2U);
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

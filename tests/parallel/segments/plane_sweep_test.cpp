@@ -72,6 +72,20 @@ TEST(PlaneSweep, finds_crossings_at_one_place_whether_or_not_a_point_lies_there)
   }
 }
 
+/// The places are 0.95 times the reach away from a segment at 45 degrees.
+TEST(PlaneSweep, finds_the_places_near_a_segment_in_any_unit_of_length) {
+  for (const double unit : {0x1p-30, 0.01, 1.0, 100.0, 0x1p40}) {
+    Pslg pslg;
+    pslg.points = {{-8 * unit, -8 * unit}, {8 * unit, 8 * unit}};
+    pslg.segments = {{0, 1}};
+    const double reach = std::sqrt(2.0) * unit;
+    const std::vector<Point> places{
+        {-0.95 * unit, 0.95 * unit}, {0.95 * unit, -0.95 * unit}, {-1.05 * unit, 1.05 * unit}};
+    const SweepInput input{.points = pslg.points, .segments = pslg.segments, .queries = places, .reach = reach};
+    EXPECT_EQ(sweep_plane(input).near, (std::vector<NearPoint>{{2, 0}, {3, 0}})) << unit;
+  }
+}
+
 Point on_circle(double radius, double turns) {
   const double angle = 2 * std::numbers::pi * turns;
   return {radius * std::cos(angle), radius * std::sin(angle)};
