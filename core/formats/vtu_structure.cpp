@@ -25,7 +25,7 @@ struct VtuFile::Tag {
   [[nodiscard]] std::string_view operator[](std::string_view key) const {
     for (std::size_t at = attributes.find(key); at != std::string_view::npos; at = attributes.find(key, at + 1)) {
       const std::string_view rest = attributes.substr(at + key.size());
-      if (at == 0 || blanks.find(attributes[at - 1]) == std::string_view::npos) continue;
+      if (blanks.find(attributes[at - 1]) == std::string_view::npos) continue;  // attributes begin with a blank
       if (rest.size() < 2 || rest[0] != '=' || (rest[1] != '"' && rest[1] != '\'')) continue;
       return rest.substr(2, rest.find(rest[1], 2) - 2);
     }

@@ -195,6 +195,14 @@ TEST(Msh, of_another_program_gives_vertices_in_the_order_of_tags_and_groups_by_n
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 2, no_index, 20}}));
 }
 
+TEST(Msh, may_end_with_the_last_letter_of_an_unknown_section) {
+  const std::string end = ascii + std::string("$Comments\nnone\n$EndComments");
+  const auto mesh = parse_msh(end, "f");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(*mesh, *parse_msh(ascii, "f"));
+  EXPECT_EQ(message_of_invalid(parse_msh(end + "\nrest", "f")), message_of_invalid(parse_msh(end + "\nrest\n", "f")));
+}
+
 TEST(Msh, of_version_2_is_read_as_ascii) {
   const auto mesh = parse_msh(R"($MeshFormat
 2.2 0 8

@@ -65,6 +65,9 @@ TEST(Off, errors_name_the_line_and_the_fault) {
             "m.off:4: announces 9 constrained edges, but the rest of the file is too short for that");
   EXPECT_EQ(failure("OFF\n4000000000 0 0\n0 0 0\n"),
             "m.off:2: announces 4000000000 vertices, but the rest of the file is too short for that");
+  EXPECT_EQ(failure("OFF\n0 1431655764 0\n"),
+            "m.off:2: announces 1431655764 faces, but the rest of the file is too short for that");
+  EXPECT_EQ(failure("OFF\n0 1431655765 0\n"), "m.off:2: announces more than a mesh can hold");
 }
 
 }  // namespace

@@ -151,6 +151,7 @@ TEST_F(Npy, errors_name_the_file_and_the_fault) {
   EXPECT_NE(failure(replaced(good, "'<f8',", "'<f80'")).find("the type of numbers is \"<f80\""), std::string::npos);
   EXPECT_NE(failure(replaced(good, "<f8", "<i3")).find("the type of numbers is \"<i3\""), std::string::npos);
   EXPECT_NE(failure(replaced(good, "descr", "typed")).find("the header has no type of numbers"), std::string::npos);
+  EXPECT_NE(failure(replaced(good, "'<f8'", "(<f8)")).find("the header has no type of numbers"), std::string::npos);
   EXPECT_NE(failure(good + "12345678").find("expected 6 numbers, found 7"), std::string::npos);
   EXPECT_NE(failure(replaced(good, "\1", "\11")).find("this is not an array of NumPy"), std::string::npos);
   for (const char* shape : {"(23)  ", "[2, 3]", "()    ", "(2, 0)", "(2, x)", "2, 3)) ", "(-2,3)"})

@@ -151,6 +151,14 @@ TEST(Svg, of_a_mesh_has_a_hue_for_each_region) {
                 "</svg>\n");
 }
 
+TEST(Svg, of_one_point_has_this_point_in_its_middle) {
+  const TemporaryFolder folder;
+  Pslg pslg;
+  pslg.points = {{7, -3}};
+  EXPECT_TRUE(write_svg(pslg, folder / "p.svg").ok());
+  EXPECT_NE(folder.read("p.svg").find("viewBox=\"0 0 40.000 40.000\""), std::string::npos) << folder.read("p.svg");
+}
+
 TEST(Svg, of_nothing_is_still_a_drawing) {
   const TemporaryFolder folder;
   EXPECT_TRUE(write_svg(Mesh{}, folder / "m.svg").ok());

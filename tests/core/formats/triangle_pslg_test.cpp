@@ -237,9 +237,10 @@ TEST(Node, without_points_is_an_empty_pslg) {
 
 TEST(Area, reads_one_cap_per_triangle_and_infinity_for_none) {
   const TemporaryFolder folder;
-  const auto areas = read_area(folder.write("a.area", "3\n1 0.5\n2 -1\n3 1e-9\n"));
+  const auto areas = read_area(folder.write("a.area", "4\n1 0.5\n2 -1\n3 1e-9\n4 0\n"));
   ASSERT_TRUE(areas.ok());
-  EXPECT_EQ(*areas, (std::vector<double>{0.5, std::numeric_limits<double>::infinity(), 1e-9}));
+  const double no_bound = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(*areas, (std::vector<double>{0.5, no_bound, 1e-9, no_bound}));
 }
 
 TEST(Area, reads_back_as_it_was_written) {
