@@ -127,5 +127,17 @@ TEST(RefineFilled, keeps_the_patches_if_both_meshes_have_the_same_number_of_tria
   EXPECT_GT(filled->report.laid, 0U);
 }
 
+TEST(RefineFilled, shows_no_patches_any_more_in_the_progress_of_a_refinement_without_them) {
+  std::uint64_t last = 0;
+  Options options{.interior = Interior::fill, .threads = 1};
+  options.progress = [&](const Progress& progress) {
+    last = progress.triangles;
+    return true;
+  };
+  const Result<Meshed> filled = mesh(domains::square(), {.min_angle_deg = 30, .max_area = 1 / 38.7}, options);
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(last, filled->mesh.triangles.size()) << "both meshes have this number";
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -62,5 +62,16 @@ TEST(Rounds, end_soon_if_they_cost_more_than_they_can_save) {
   EXPECT_EQ(rounds_until_end(10, 1'000'000), 1U);
 }
 
+TEST(Rounds, may_make_one_and_a_half_vertices_for_each_laid_triangle_and_some_thousands_more) {
+  Triangulation t = coarse(domains::square()).triangulation;
+  t.points.resize(900'000);
+  Rounds exact({0.25}), too_many({0.25});
+  EXPECT_TRUE(exact.go_on(t, std::array<TriangleId, 1>{0}, 1'000'000));
+  EXPECT_TRUE(exact.go_on(t, std::array<TriangleId, 1>{0}, 1'000'000)) << "1,800,000 vertices in all rounds";
+  EXPECT_TRUE(too_many.go_on(t, std::array<TriangleId, 1>{0}, 1'000'000));
+  t.points.resize(900'001);
+  EXPECT_FALSE(too_many.go_on(t, std::array<TriangleId, 1>{0}, 1'000'000));
+}
+
 }  // namespace
 }  // namespace pardel::engine

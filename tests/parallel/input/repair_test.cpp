@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <random>
 
 #include "../../../parallel/gaps.hpp"
 #include "../../../parallel/mesher.hpp"
@@ -398,6 +399,53 @@ TEST(KeepsAllParts, is_true_for_a_distance_that_closes_a_gap_inside_the_domain) 
   sliver.points.insert(sliver.points.end(), {{0.25, 1e-8}, {0.75, 1e-8}});
   sliver.segments.push_back({4, 5, 0});
   EXPECT_TRUE(*keeps_all_parts(*validate(sliver), 2e-8));
+}
+
+/// Segments through nearly one point, whose slopes differ by about 2^-bits: each round of the repair can cause new
+/// conflicts.
+Pslg bundle(int segments, unsigned seed, int bits) {
+  std::mt19937 random(seed);
+  const auto within = [&](double most) { return most * (static_cast<double>(random()) * 0x1p-31 - 1); };
+  Pslg pslg;
+  for (int i = 0; i < segments; ++i) {
+    double t = within(1);
+    Point centre{100.3, 1000.7};
+    if (bits > 0) {
+      t = std::ldexp(t, -bits);
+      centre.x = 1000.3 + within(0x1p-42);
+      centre.y = 1000.7 + within(0x1p-42);
+    }
+    const double x = (1 - t * t) / (1 + t * t), y = 2 * t / (1 + t * t);
+    const double ahead = 1 + within(0.5), behind = 1 + within(0.5);
+    const auto first = static_cast<Index>(pslg.points.size());
+    pslg.points.push_back({centre.x + ahead * x, centre.y + ahead * y});
+    pslg.points.push_back({centre.x - behind * x, centre.y - behind * y});
+    pslg.segments.push_back({first, first + 1});
+  }
+  return pslg;
+}
+
+/// How often conflicts may fail to halve, and how far their number may grow, before the repair tries a coarser lattice.
+TEST(Repair, of_bundles_of_segments_makes_the_attempts_that_are_recorded) {
+  struct Bundle {
+    int segments;
+    unsigned seed;
+    int bits;
+    std::size_t points, pieces;
+  };
+  for (const auto& [segments, seed, bits, points, pieces] : {Bundle{16, 3, 0, 59, 74},
+                                                             {32, 9, 0, 121, 151},
+                                                             {32, 18, 0, 195, 297},
+                                                             {8, 5, 10, 29, 28},
+                                                             {8, 31, 10, 67, 88},
+                                                             {8, 41, 10, 81, 112}}) {
+    const Result<Repaired> result = repair(bundle(segments, seed, bits), {.snap = 0, .convex_hull = true});
+    ASSERT_TRUE(result) << seed;
+    EXPECT_EQ(result->domain.pslg().points.size(), points) << seed;
+    EXPECT_EQ(result->domain.pslg().segments.size(), pieces) << seed;
+  }
+  EXPECT_FALSE(repair(bundle(8, 9, 10), {.snap = 0, .convex_hull = true}));
+  EXPECT_FALSE(repair(bundle(12, 1, 21), {.snap = 0, .convex_hull = true}));
 }
 
 }  // namespace

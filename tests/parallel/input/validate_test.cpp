@@ -411,5 +411,14 @@ TEST(Validate, names_no_segment_if_a_seed_lies_on_a_side_of_the_hull) {
   }
 }
 
+TEST(Validate, does_not_compare_segments_that_end_out_of_range) {
+  for (const bool turned : {false, true}) {
+    Pslg pslg = square(4);
+    pslg.points.insert(pslg.points.end(), {{1, 1}, {0x1p201, 1}});
+    pslg.segments.push_back(turned ? Segment{5, 4} : Segment{4, 5});
+    expect_only(ProblemKind::coordinate_out_of_range, {5}, {0x1p201, 1}, pslg);
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

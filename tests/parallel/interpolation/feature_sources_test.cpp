@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "../../../parallel/arithmetic/distance.hpp"
 #include "../../../parallel/interpolation/polylines.hpp"
 #include "../shapes.hpp"
 
@@ -83,6 +85,34 @@ TEST(FeatureSources, of_a_long_channel_are_few) {
   add_polygon(pslg, {{0, 0}, {1000, 0}, {1000, 1}, {0, 1}});
   const auto sources = feature_sources(pslg, find_polylines(pslg, {}), 2, 0.5, {});
   EXPECT_LT(sources.size(), 500U) << "pieces of equal width are one source";
+}
+
+/// A hairpin. Seen from its first leg, the part that begins after a quarter turn is apart.
+TEST(FeatureSources, see_the_own_polyline_from_where_it_has_turned_by_a_right_angle) {
+  for (int pieces = 1; pieces <= 17; ++pieces)
+    for (const bool mirrored : {false, true}) {
+      Pslg pslg;
+      for (int k = pieces; k >= 0; --k) pslg.points.push_back({-10.0 * k, 0});
+      pslg.points.insert(pslg.points.end(), {{1, 1}, {1, 3}, {0, 4}, {-10, 4}});
+      for (Index k = 0; k + 1 < pslg.points.size(); ++k) pslg.segments.push_back({k, k + 1});
+      for (Point& p : pslg.points) p.x *= mirrored ? -1 : 1;
+      EXPECT_NEAR(length_at(pslg, 1, {0, 0}), std::sqrt(2.0), 1e-12) << pieces;
+    }
+}
+
+TEST(FeatureSources, of_points_are_their_distances_to_the_nearest_other_point) {
+  Pslg pslg;
+  for (int n = 1; n <= 33; ++n) {
+    pslg.points.push_back({std::fmod(0.7548776662466927 * n, 1), std::fmod(0.5698402909980532 * n, 1)});
+    const auto sources = feature_sources(pslg, find_polylines(pslg, {}), 2, 0.5, {});
+    ASSERT_EQ(sources.size(), n == 1 ? 0U : pslg.points.size());
+    for (const GrowingSize& source : sources) {
+      double nearest = INFINITY;
+      for (const Point p : pslg.points)
+        if (!(p == source.source.a)) nearest = std::min(nearest, distance(p, source.source.a));
+      EXPECT_NEAR(source.source.at_a, nearest / 2, 1e-15) << n;
+    }
+  }
 }
 
 TEST(SegmentSources, have_the_lengths_of_the_segments) {

@@ -86,6 +86,16 @@ TEST(PlaneSweep, finds_the_places_near_a_segment_in_any_unit_of_length) {
   }
 }
 
+TEST(PlaneSweep, locates_a_place_straight_above_a_crossing_on_an_axis) {
+  Pslg pslg;
+  pslg.points = {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}};
+  pslg.segments = {{0, 1}, {2, 3}};
+  const Swept found = swept(pslg, {{0, 0.5}, {0, -0.5}});
+  EXPECT_EQ(found.below[4], 0U) << "the segment that is higher on the right of the crossing";
+  EXPECT_EQ(found.below[5], no_index);
+  EXPECT_EQ(found.conflicts.size(), 1U);
+}
+
 Point on_circle(double radius, double turns) {
   const double angle = 2 * std::numbers::pi * turns;
   return {radius * std::cos(angle), radius * std::sin(angle)};
