@@ -150,6 +150,13 @@ TEST(Delaunay, rejects_points_that_span_no_triangle) {
   }
 }
 
+TEST(Delaunay, rejects_more_points_than_it_can_number_before_it_looks_at_them) {
+  const Point only{};
+  const Result<engine::Delaunay> result = delaunay(std::span(&only, max_engine_triangles / 2 - 1), 1);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().kind, ErrorKind::resources);
+}
+
 TEST(Delaunay, rejects_equal_points) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<Point> points = samples::uniform_points(50, seed);

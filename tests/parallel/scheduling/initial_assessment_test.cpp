@@ -86,6 +86,9 @@ TEST(InitialAssessment, compares_the_work_of_cells_exactly) {
   EXPECT_DOUBLE_EQ(overload_with(0.1, 0.01, four), uneven) << "the order does not matter";
   EXPECT_GT(uneven, 1.5);
   EXPECT_DOUBLE_EQ(overload_with(0.01, 0.1, one), 1) << "in one cell, all work is even";
+  t.slots.resize(0);
+  EXPECT_EQ(overload_with(0.01, 0.1, four), 1) << "without triangles, all work is even, too";
+  t = samples::triangulated({{0, 0}, {1, 0}, {1, 1}, {0, 1}}).triangulation;
   const Lattice halves({-0.25, 0, 1.25, 1}, 3, 1);
   EXPECT_DOUBLE_EQ(overload_with(0.01, 0.01, halves), 3)
       << "triangles as large as a cell count in the cells of their centroids, here one of three";
