@@ -152,6 +152,8 @@ class Finder:
     def visit(self, cursor, parent):
         if cursor.kind in NOT_AT_RUN_TIME or self.is_constant(cursor) or self.is_template_argument(cursor):
             return
+        if self.is_only_typed(cursor):
+            return
         children = list(cursor.get_children())
         self.statements(cursor, children)
         self.condition(cursor, children)
@@ -171,8 +173,14 @@ class Finder:
 
     def is_template_argument(self, cursor):
         """True for an argument of a template. The style has no space before the bracket, unlike before <."""
-        before = self.text[:extent(cursor)[0]].rpartition(b"\n")[2]
-        return re.search(rb"\w<([^<>(){};=]*,\s*)?$", before) is not None
+        return re.search(rb"\w<([^<>(){};=]*,\s*)?$", self.line_before(extent(cursor)[0])) is not None
+
+    def line_before(self, position):
+        return self.text[:position].rpartition(b"\n")[2]
+
+    def is_only_typed(self, cursor):
+        """True inside decltype, which needs no value."""
+        return re.search(rb"\bdecltype\([^;]*$", self.line_before(extent(cursor)[0])) is not None
 
     def statements(self, cursor, children):
         """Statements that are left out."""
@@ -240,12 +248,17 @@ class Finder:
                     self.wrap(side, function, [f"the {which} operand of {text} is left out"], depth=-1)
             return
         kind = cursor.type.get_canonical()
-        if kind.kind == TypeKind.VECTOR or "basic_string" in kind.spelling:
+        if kind.kind == TypeKind.VECTOR or "basic_string" in kind.spelling or self.has_text(cursor):
             return
         text, function, mutants = (COMPARISONS | OPERATORS)[name]
         operator = self.operator_position(cursor, children, text)
         if operator:
             self.wrap(cursor, function, mutants, operator)
+
+    @staticmethod
+    def has_text(cursor):
+        """True for an expression with a text, which has no other operator."""
+        return any(part.kind == Kind.STRING_LITERAL for part in cursor.walk_preorder())
 
     def unary(self, cursor):
         text = self.snippet(cursor)
@@ -264,6 +277,8 @@ class Finder:
 
     def arguments(self, arguments):
         """Two neighbouring arguments of one type that are swapped. Arguments are names, so that nothing runs twice."""
+        if arguments and self.is_symmetric(arguments[0]):
+            return
         for a, b in zip(arguments, arguments[1:]):
             if not (self.is_name(a) and self.is_name(b)) or self.snippet(a) == self.snippet(b):
                 continue
@@ -273,6 +288,10 @@ class Finder:
             self.add(a.extent.start.line, [f"{first} and {second} are swapped"],
                      Edit(*extent(a), f"{NAMESPACE}pick<NUMBER>(", f", {second})", depth=1),
                      Edit(*extent(b), f"{NAMESPACE}pick<NUMBER>(", f", {first})", depth=1))
+
+    def is_symmetric(self, first):
+        """True for the first argument of a function of which the order of the arguments does not matter."""
+        return re.search(rb"\b(min|max|minmax)\(\{?$", self.line_before(extent(first)[0])) is not None
 
     def is_name(self, cursor):
         inner = bare(cursor)

@@ -1,4 +1,5 @@
 // A program with one place of each kind that scripts/mutate changes. It prints the result of every function.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -42,6 +43,12 @@ struct Multiple {
 [[maybe_unused]] std::size_t two_names(const std::string& a) {
   const std::array<std::string, 2> names = {a, a + "b"};
   return names.size();
+}
+template <class Text>
+[[maybe_unused]] Text longer(const Text& a) { return a + "b"; }
+[[maybe_unused]] int of_a_type(int a, int b) {
+  decltype(a + 1) sum = 0;
+  return sum + std::min(a, b);
 }
 
 // Nested expressions, each with mutants of its own.

@@ -73,7 +73,12 @@ class Schemata(unittest.TestCase):
         self.assertFalse([m for m in self.mutants if m[0] == "two_names" and m[1] == "2"])
 
     def test_texts_have_no_minus(self):
-        self.assertFalse([m for m in self.mutants if m[0] == "two_names" and "+" in m[2]])
+        self.assertFalse([m for m in self.mutants if m[0] in ("two_names", "longer") and "+" in m[2]])
+
+    def test_nothing_that_is_never_evaluated_or_has_no_order_has_a_mutant(self):
+        found = [m[1:] for m in self.mutants if m[0] == "of_a_type"]
+        self.assertIn(("sum + std::min(a, b)", "+ becomes -"), found)
+        self.assertFalse([m for m in found if m[0] in ("a + 1", "1", "a")])
 
     def test_a_trace_contains_the_evaluated_mutants(self):
         with tempfile.TemporaryDirectory() as folder:
