@@ -139,5 +139,24 @@ TEST(RefineFilled, shows_no_patches_any_more_in_the_progress_of_a_refinement_wit
   EXPECT_EQ(last, filled->mesh.triangles.size()) << "both meshes have this number";
 }
 
+/// The patches of this domain are given up after a round. A vertex is reckoned to need 80 bytes.
+TEST(RefineFilled, needs_no_memory_for_patches_that_were_given_up) {
+  const Pslg pslg = domains::key();
+  const Goal goal{.min_angle_deg = 30, .max_area = 0.02162};
+  Options options{.interior = Interior::refine, .threads = 1};
+  const Result<Meshed> refined = mesh(pslg, goal, options);
+  ASSERT_TRUE(refined);
+  options.max_memory = 80 * refined->mesh.points.size();
+  EXPECT_TRUE(mesh(pslg, goal, options));
+  options.interior = Interior::fill;
+  const Result<Meshed> filled = mesh(pslg, goal, options);
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->report.laid, 0U);
+  EXPECT_EQ(filled->report.restarts, 1U);
+  EXPECT_EQ(filled->mesh, refined->mesh);
+  --options.max_memory;
+  EXPECT_FALSE(mesh(pslg, goal, options));
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -434,6 +435,7 @@ TEST(Repair, of_bundles_of_segments_makes_the_attempts_that_are_recorded) {
     std::size_t points, pieces;
   };
   for (const auto& [segments, seed, bits, points, pieces] : {Bundle{16, 3, 0, 59, 74},
+                                                             {6, 8, 21, 32, 40},
                                                              {32, 9, 0, 121, 151},
                                                              {32, 18, 0, 195, 297},
                                                              {8, 5, 10, 29, 28},
@@ -444,8 +446,9 @@ TEST(Repair, of_bundles_of_segments_makes_the_attempts_that_are_recorded) {
     EXPECT_EQ(result->domain.pslg().points.size(), points) << seed;
     EXPECT_EQ(result->domain.pslg().segments.size(), pieces) << seed;
   }
-  EXPECT_FALSE(repair(bundle(8, 9, 10), {.snap = 0, .convex_hull = true}));
-  EXPECT_FALSE(repair(bundle(12, 1, 21), {.snap = 0, .convex_hull = true}));
+  for (const auto& [segments, seed, bits] : {std::array{8, 9, 10}, {12, 1, 21}, {8, 5, 27}}) {
+    EXPECT_FALSE(repair(bundle(segments, static_cast<unsigned>(seed), bits), {.snap = 0, .convex_hull = true})) << seed;
+  }
 }
 
 }  // namespace

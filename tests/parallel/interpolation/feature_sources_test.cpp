@@ -87,17 +87,18 @@ TEST(FeatureSources, of_a_long_channel_are_few) {
   EXPECT_LT(sources.size(), 500U) << "pieces of equal width are one source";
 }
 
-/// A hairpin. Seen from its first leg, the part that begins after a quarter turn is apart.
+/// A hairpin and a step. Seen from the first leg, the part that begins after a quarter turn is apart.
 TEST(FeatureSources, see_the_own_polyline_from_where_it_has_turned_by_a_right_angle) {
   for (int pieces = 1; pieces <= 17; ++pieces)
-    for (const bool mirrored : {false, true}) {
-      Pslg pslg;
-      for (int k = pieces; k >= 0; --k) pslg.points.push_back({-10.0 * k, 0});
-      pslg.points.insert(pslg.points.end(), {{1, 1}, {1, 3}, {0, 4}, {-10, 4}});
-      for (Index k = 0; k + 1 < pslg.points.size(); ++k) pslg.segments.push_back({k, k + 1});
-      for (Point& p : pslg.points) p.x *= mirrored ? -1 : 1;
-      EXPECT_NEAR(length_at(pslg, 1, {0, 0}), std::sqrt(2.0), 1e-12) << pieces;
-    }
+    for (const bool mirrored : {false, true})
+      for (const bool back : {false, true}) {
+        Pslg pslg;
+        for (int k = pieces; k >= 0; --k) pslg.points.push_back({-10.0 * k, 0});
+        pslg.points.insert(pslg.points.end(), {{1, 1}, {1, 3}, {back ? 0.0 : 2.0, 4}, {back ? -10.0 : 12.0, 4}});
+        for (Index k = 0; k + 1 < pslg.points.size(); ++k) pslg.segments.push_back({k, k + 1});
+        for (Point& p : pslg.points) p.x *= mirrored ? -1 : 1;
+        EXPECT_NEAR(length_at(pslg, 1, {0, 0}), std::sqrt(2.0), 1e-12) << pieces;
+      }
 }
 
 TEST(FeatureSources, of_points_are_their_distances_to_the_nearest_other_point) {
