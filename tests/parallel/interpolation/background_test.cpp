@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../../../parallel/arithmetic/distance.hpp"
 #include "../samples.hpp"
@@ -205,12 +206,44 @@ TEST(Background, interpolates_in_a_triangle_whose_area_is_rounded_to_zero) {
 }
 
 TEST(Background, begins_a_search_beside_the_point_if_the_hint_is_beyond_a_gap) {
-  const Background background(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {5, 0}, {6, 0}, {5, 1}},
-                              {{0, 1, 2}, {3, 4, 5}});
-  for (const Point p : {Point{0.25, 0.25}, Point{5.25, 0.25}}) {
-    LocationHint first{0}, second{1};
-    EXPECT_TRUE(same_place(background.locate(p, first), background.locate(p, second)));
-    EXPECT_EQ(first.leaf, second.leaf) << "the hint is then the triangle of the point";
+  for (const Point to : {Point{5, 0}, Point{0, 5}, Point{5, -5}}) {
+    const std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}, to, {to.x + 1, to.y}, {to.x, to.y + 1}};
+    const Background background(points, {{0, 1, 2}, {3, 4, 5}});
+    for (const Point p : {Point{0.25, 0.25}, Point{to.x + 0.25, to.y + 0.25}}) {
+      LocationHint first{0}, second{1};
+      EXPECT_TRUE(same_place(background.locate(p, first), background.locate(p, second)));
+      EXPECT_EQ(first.leaf, second.leaf) << "the hint is then the triangle of the point";
+    }
+  }
+}
+
+TEST(Background, prefers_the_first_of_two_triangles_at_the_same_distance) {
+  const std::vector<Point> points{{-2, 0}, {-1, -1}, {-1, 1}, {2, 0}, {1, 1}, {1, -1}};
+  const Located left = Background(points, {{0, 1, 2}, {3, 4, 5}}).locate({0, 0});
+  EXPECT_EQ(left.v, (std::array<Index, 3>{0, 1, 2})) << "the curve begins at the left";
+  EXPECT_EQ(left.weight, (std::array<double, 3>{0, 0.5, 0.5}));
+  EXPECT_EQ(Background(points, {{3, 4, 5}, {0, 1, 2}}).locate({0, 0}).v, left.v);
+}
+
+TEST(Background, interpolates_in_flat_triangles_along_the_first_of_the_nearest_sides) {
+  const std::array<double, 3> weight =
+      Background(std::vector<Point>{{0, 0}, {2, 0}, {1, 0}}, {{0, 1, 2}}).locate({0.5, 1}).weight;
+  EXPECT_EQ(weight, (std::array{0.75, 0.25, 0.0}));
+  const Background doubled(std::vector<Point>{{0, 0}, {0, 0}, {2, 0}}, {{0, 1, 2}});
+  EXPECT_EQ(doubled.interpolate({0.5, 1}, std::vector<double>{0, 0, 2}), 0.5);
+}
+
+/// The sides have the lengths 3, 4 and 5.
+TEST(Background, knows_if_a_point_is_near) {
+  const Background background(std::vector<Point>{{0, 0}, {3, 0}, {0, 4}}, {{0, 1, 2}});
+  const auto is_near = [&](Point p) { return background.is_near(background.locate(p), p); };
+  EXPECT_TRUE(is_near({1, 1}));
+  for (const auto& [near, far] : {std::pair(Point{-5, 2}, Point{std::nextafter(-5.0, -6.0), 2}),
+                                  {Point{1, -5}, Point{1, std::nextafter(-5.0, -6.0)}},
+                                  {Point{-3, -4}, Point{-3.001, -4}},
+                                  {Point{5.49, 4.99}, Point{5.51, 5.01}}}) {
+    EXPECT_TRUE(is_near(near)) << near.x << ' ' << near.y;
+    EXPECT_FALSE(is_near(far)) << far.x << ' ' << far.y;
   }
 }
 
