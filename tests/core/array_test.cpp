@@ -145,6 +145,15 @@ TEST(Array, hands_its_bytes_to_an_array_of_another_type) {
   EXPECT_EQ(static_cast<const void*>(bits.data()), place);
 }
 
+TEST(Array, that_handed_its_bytes_on_is_empty_and_can_grow_again) {
+  Array<std::int64_t> array(3, -1);
+  const auto bits = Array<std::uint64_t>::recast(std::move(array));
+  EXPECT_TRUE(array.empty());  // NOLINT(bugprone-use-after-move): recast() leaves an empty array
+  array.push_back(5);
+  EXPECT_EQ(array, Array<std::int64_t>(1, 5));
+  EXPECT_EQ(bits.size(), 3U);
+}
+
 TEST(Array, equals_arrays_of_the_same_elements_only) {
   const Array<int> one(2, 1);
   EXPECT_TRUE(one == Array<int>(2, 1));

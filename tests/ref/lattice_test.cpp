@@ -64,5 +64,17 @@ TEST(CellRefiner, refuses_what_ruppert_does) {
   }
 }
 
+/// A subsegment waits from the phase in which a cell finds it to the phase of the cell that splits it. Other cells that
+/// find it in between hand nothing on.
+TEST(CellRefiner, hands_each_subsegment_on_once) {
+  const auto refined = refine_on_lattice(domains::touching_holes(), {.max_area = 0.025}, {.max_area = 0.1});
+  ASSERT_TRUE(refined.ok()) << refined.error().message;
+  std::set<ExactPoint> midpoints;
+  for (const Sweep<Lattice>& sweep : refined->sweeps)
+    for (const Phase& phase : sweep.phases)
+      for (const HandedOn& handed_on : phase.handed_on) EXPECT_TRUE(midpoints.insert(handed_on.point).second);
+  EXPECT_EQ(midpoints.size(), 2U);
+}
+
 }  // namespace
 }  // namespace pardel::ref

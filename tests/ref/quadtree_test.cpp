@@ -49,6 +49,25 @@ TEST(TheQuadtree, compares_only_circumdisks_that_meet_the_leaf) {
   EXPECT_TRUE(allows(uniform_quadtree({0, 0}, 16, 0), mesh));
 }
 
+/// Touching is decided exactly, in all directions: the disk around (3, 4) with the radius 5 reaches from -2 to 8 and
+/// from -1 to 9.
+TEST(TheQuadtree, has_a_leaf_that_is_wide_enough_if_a_large_open_disk_only_touches_it) {
+  PlainMesh mesh;
+  mesh.points = {{0, 0}, {6, 0}, {6, 8}};
+  mesh.triangles = {{0, 1, 2}};
+  constexpr double inwards = 0x1p-33;
+  struct Touching {
+    Point corner, step;
+  };
+  for (const auto& [corner, step] : {Touching{{8, 0}, {-inwards, 0}}, Touching{{-10, 0}, {inwards, 0}},
+                                     Touching{{0, 9}, {0, -inwards}}, Touching{{0, -9}, {0, inwards}}}) {
+    const Cell leaf{0, 0, 0};
+    EXPECT_TRUE(is_wide_enough(uniform_quadtree(corner, 8, 0), leaf, mesh));
+    const Point nearer{corner.x + step.x, corner.y + step.y};
+    EXPECT_FALSE(is_wide_enough(uniform_quadtree(nearer, 8, 0), leaf, mesh));
+  }
+}
+
 TEST(CellRefiner, works_in_several_leaves_of_the_square_at_once) {
   Goal coarse, fine;
   coarse.max_area = 0.002;

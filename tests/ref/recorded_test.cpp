@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "../../properties/domains/domains.hpp"
 #include "../../properties/domains/generators/random.hpp"
@@ -269,6 +270,30 @@ TEST(Reference, lets_lengths_grow_from_the_best_place_of_a_piece) {
     }
     EXPECT_NEAR(wanted.at(p), least, 1e-6);
   }
+}
+
+/// A polygon with corners on a circle, which turns by 22.5 degrees at each: no point is a corner, and the opposite side
+/// is far away.
+TEST(Reference, takes_the_radius_of_the_turn_as_the_width_at_every_point_of_a_round_outline) {
+  Pslg pslg;
+  for (Index v = 0; v < 16; ++v) {
+    const double angle = v * std::numbers::pi / 8;
+    pslg.points.push_back({10 * std::cos(angle), 10 * std::sin(angle)});
+    pslg.segments.push_back({v, (v + 1) % 16});
+  }
+  const WantedLength wanted(pslg, {.feature_edges = 2});
+  for (const Point p : pslg.points) EXPECT_NEAR(wanted.at(p), 10 * std::cos(std::numbers::pi / 16) / 2, 1e-9);
+}
+
+TEST(Reference, lets_lengths_of_features_grow_by_one_edge_per_edge_if_the_gradation_has_no_limit) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {8, 0}, {8, 2}, {0, 2}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const WantedLength wanted(pslg, {.feature_edges = 2}, 4);
+  EXPECT_EQ(wanted.slope(), 0.5);
+  EXPECT_EQ(wanted.at({4, 0}), 1) << "half of the distance to the opposite side";
+  EXPECT_EQ(wanted.at({4, -2}), 2);
+  EXPECT_EQ(wanted.error(), 1) << "half of the distance of two places, where width and length change by a half each";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "../../ref/decomposition/cell_refiner.hpp"
 #include "../../ref/definitions.hpp"
 
 namespace pardel::ref {
@@ -74,12 +75,46 @@ TEST(Ruppert, refuses_what_its_proof_does_not_cover) {
   }
 }
 
+TEST(Ruppert, accepts_angles_up_to_what_its_proof_covers) {
+  EXPECT_FALSE(unsupported(domains::square(), {.min_angle_deg = 20.704}).has_value());
+  EXPECT_TRUE(unsupported(domains::square(), {.min_angle_deg = 20.706}).has_value());
+}
+
+TEST(Ruppert, refuses_a_sharp_angle_whatever_the_directions_of_its_segments) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {4, 0}, {4, 1}};
+  for (const auto& [a, b] : {std::pair<Index, Index>{0, 1}, {1, 0}})
+    for (const auto& [c, d] : {std::pair<Index, Index>{0, 2}, {2, 0}}) {
+      pslg.segments = {{a, b}, {c, d}};
+      EXPECT_TRUE(unsupported(pslg, {}).has_value()) << a << b << c << d;
+    }
+}
+
 TEST(Ruppert, refuses_to_move_a_segment_by_rounding_its_midpoint) {
   Pslg pslg = domains::square();
   pslg.points[2] = {1 + 0x1p-52, 1};  // the midpoints to (0, 1) and to (1, 0) are not representable
   const auto mesh = ruppert(pslg, goal_of(0.01));
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().kind, ErrorKind::invalid_input);
+  EXPECT_EQ(mesh.error().message, "The midpoint of a subsegment is not representable.");
+}
+
+/// A square of which each side has two units in the last place, so that its centre has no coordinates in doubles.
+TEST(Ruppert, refuses_to_move_a_circumcentre_to_a_vertex_by_rounding_it) {
+  constexpr double far = 0x1p53;
+  Pslg pslg;
+  pslg.points = {{far, far}, {far + 2, far}, {far + 2, far + 2}, {far, far + 2}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const Goal coarse, fine{.max_area = 1};
+  ASSERT_TRUE(ruppert(pslg, coarse).ok());
+  const auto sequentially = ruppert(pslg, fine);
+  const auto on_a_lattice = refine_on_lattice(pslg, fine, coarse);
+  const auto on_a_quadtree = refine_on_quadtree(pslg, fine, coarse);
+  ASSERT_FALSE(sequentially.ok());
+  ASSERT_FALSE(on_a_lattice.ok());
+  ASSERT_FALSE(on_a_quadtree.ok());
+  for (const Error& error : {sequentially.error(), on_a_lattice.error(), on_a_quadtree.error()})
+    EXPECT_EQ(error.message, "A circumcentre is not representable inside the domain.");
 }
 
 }  // namespace

@@ -130,6 +130,38 @@ TEST(OutputFile, replaces_the_target_of_a_symbolic_link) {
   EXPECT_EQ(folder.read("file"), "new");
 }
 
+TEST(OutputFile, is_written_beside_the_target_of_a_symbolic_link) {
+  const TemporaryFolder folder;
+  folder.write("elsewhere/file", "old");
+  fs::create_symlink("elsewhere/file", folder / "link");
+  const std::string suffix = partial_suffix();
+  const OutputFile out(folder / "link");
+  EXPECT_TRUE(fs::exists(folder / ("elsewhere/file." + suffix)));
+  EXPECT_EQ(folder.names(), "elsewhere link ");
+}
+
+TEST(OutputFile, that_cannot_get_its_name_is_an_io_error_with_its_name) {
+  const TemporaryFolder folder;
+  OutputFile out(folder / "a.txt");
+  fs::create_directory(folder / "a.txt");
+  const Status status = out.commit();
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().kind, ErrorKind::io);
+  EXPECT_EQ(message_of(status, folder), "a.txt: cannot be put in place: Is a directory");
+  EXPECT_FALSE(out.ok());
+}
+
+TEST(OutputFile, that_has_its_name_removes_no_later_file_with_the_name_of_its_partial_file) {
+  const TemporaryFolder folder;
+  const std::string partial = "a.txt." + partial_suffix();
+  {
+    OutputFile out(folder / "a.txt");
+    ASSERT_TRUE(out.commit().ok());
+    folder.write(partial, "of the user");
+  }
+  EXPECT_EQ(folder.names(), "a.txt " + partial + " ");
+}
+
 TEST(OutputFile, that_cannot_be_opened_is_an_io_error_with_its_name) {
   OutputFile out("/nowhere/a.txt");
   EXPECT_FALSE(out.ok());
