@@ -592,6 +592,34 @@ TEST(Check, reports_the_triangles_for_which_the_size_function_has_no_answer) {
   EXPECT_NE(certificate.violations.at(0).witness.find("threw an exception"), std::string::npos);
 }
 
+TEST(Check, allows_edges_that_are_longer_than_the_length_limited_by_grading_by_64_units_in_the_last_place) {
+  // The size source lies at the centroid of a triangle whose longest edge is 4. Elsewhere longer edges are allowed.
+  const double far = 0x1p40, unit = 0x1p-12;
+  Case c;
+  c.pslg.points = {{far, 0}, {far + 4, 0}, {far + 4, 4}, {far, 4}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
+  std::vector<Point> points = c.pslg.points;
+  points.push_back({far + 2, 2});
+  c.mesh = testing::mesh_of(points, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  const Point centroid{(points[0].x + points[1].x + points[4].x) / 3, (points[0].y + points[1].y + points[4].y) / 3};
+  const auto too_large = [&](double size) {
+    Goal goal = no_angle_bound();
+    goal.grading = 100;
+    goal.sources = {{centroid, centroid, size, size}};
+    return count(check(c, goal), Kind::size_exceeded);
+  };
+  EXPECT_EQ(too_large(4 - 63 * unit), 0u);
+  EXPECT_EQ(too_large(4 - 65 * unit), 1u);
+}
+
+TEST(Check, takes_a_bound_on_edges_that_is_infinite_as_no_bound) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bound : {infinity, -infinity}) {
+    const Certificate certificate = check(testing::square_in_two(), Goal{.min_angle_deg = 50, .max_edge = bound});
+    EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
+  }
+}
+
 // Tests of meshes that other programs made.
 
 TEST(Check, matches_the_vertices_of_a_foreign_mesh_by_coordinates) {
@@ -1005,6 +1033,17 @@ TEST(Check, takes_the_first_vertices_of_a_foreign_mesh_as_input_points_if_they_a
 }
 
 /// Two vertices of one segment are so close that their distances from its ends are nearly equal.
+TEST(Check, takes_all_vertices_of_a_foreign_mesh_as_input_points_if_they_are_the_same) {
+  // A point outside the domain stands twice in the input.
+  Case c = testing::square_in_two();
+  c.pslg.points.insert(c.pslg.points.end(), {{5, 5}, {5, 5}});
+  c.mesh = testing::mesh_of(c.pslg.points, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true})));
+  c.mesh.points.pop_back();
+  c.mesh.origin.pop_back();
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true}))) << "by its coordinates";
+}
+
 TEST(Check, does_not_justify_a_small_angle_by_two_vertices_of_one_segment) {
   Case c;
   c.pslg.points = {{0, 0}, {1, 0}, {0.5, 0.5}};

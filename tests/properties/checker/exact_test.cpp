@@ -134,6 +134,18 @@ TEST(ExactSum, holds_products_of_the_smallest_and_the_largest_doubles_together) 
   EXPECT_EQ(sum.sign(), 0);
 }
 
+TEST(ExactSum, loses_no_product_of_the_smallest_doubles_when_another_sum_is_added_or_subtracted) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  ExactSum one, two;
+  one.add_product(tiny, tiny);
+  two.add_product(tiny, 2 * tiny);
+  ExactSum sum = one;
+  sum -= two;
+  EXPECT_EQ(sum.sign(), -1);
+  sum += one;
+  EXPECT_EQ(sum.sign(), 0);
+}
+
 TEST(ExactSum, of_partial_sums_is_the_whole_sum) {
   ExactSum whole, part;
   for (int i = 1; i <= 100; ++i) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <limits>
@@ -189,6 +190,50 @@ TEST(Checker, asks_at_the_begin_of_each_loop) {
   EXPECT_EQ(questions_of_stages(domains::cracks(), {.convex_hull = true}, true),
             (Counts{3, 1, 14, 5, 2, 17, 11, 1, 2, 0, 0}));
   EXPECT_EQ(questions_of_stages(domains::touching_holes(), {}, false), (Counts{3, 2, 6, 2, 2, 21, 11, 1, 5, 0, 0}));
+}
+
+TEST(Checker, asks_once_in_1024_steps_of_each_stage) {
+  using Counts = std::vector<std::size_t>;
+  EXPECT_EQ(questions_of_stages(domains::comb(1100, 1e-4), {.min_angle_deg = 0}, false),
+            (Counts{72, 14, 38, 80, 10, 4480, 607, 5, 523, 2, 0}));
+}
+
+/// A square with a hole that has these corners, counter-clockwise, and that contains (5, 5.5).
+Pslg square_with_hole(const std::vector<Point>& hole, bool hole_first) {
+  Pslg pslg;
+  const auto add_loop = [&](const std::vector<Point>& corners) {
+    const auto first = static_cast<Index>(pslg.points.size()), n = static_cast<Index>(corners.size());
+    for (Index i = 0; i < n; ++i) {
+      pslg.points.push_back(corners[i]);
+      pslg.segments.push_back({first + i, first + (i + 1) % n, 0});
+    }
+  };
+  if (hole_first) add_loop(hole);
+  add_loop({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+  if (!hole_first) add_loop(hole);
+  pslg.holes = {{5, 5.5}};
+  return pslg;
+}
+
+// A walk down from a hole finds that the loops of the hole and of the square belong to one component. Without it, the
+// checker visits all triangles, and asks once more.
+TEST(Checker, joins_a_hole_to_the_outline_wherever_the_vertices_of_its_loop_begin) {
+  const std::vector<std::vector<Point>> holes{
+      {{4, 4}, {6, 6}, {4, 6}},
+      {{6, 4}, {6, 6}, {4, 6}},
+      {{5, 4}, {6, 6}, {4, 6}},
+      {{6, 4}, {5, 6}, {4, 5}},
+      {{4, 4}, {6, 4}, {6, 6}, {4, 6}},
+      {{6, 4}, {5, 6}, {9, 6}, {9, 8}, {3, 8}, {3, 5}},  // a part of the hole lies above its lowest vertex
+  };
+  for (std::vector<Point> hole : holes)
+    for (std::size_t turn = 0; turn < hole.size(); ++turn) {
+      std::rotate(hole.begin(), hole.begin() + 1, hole.end());
+      for (const bool hole_first : {false, true}) {
+        const auto counts = questions_of_stages(square_with_hole(hole, hole_first), {.min_angle_deg = 0}, false);
+        EXPECT_EQ(counts[2], 6U) << "from (" << hole[0].x << ", " << hole[0].y << ")";
+      }
+    }
 }
 
 TEST(Checker, examines_no_triangle_after_the_word) {

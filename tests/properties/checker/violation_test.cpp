@@ -802,6 +802,22 @@ TEST(Violations, of_bounds) {
   EXPECT_EQ(said_about(c, goal), "");
 }
 
+TEST(Violations, of_sizes_name_the_longest_edge_wherever_it_stands) {
+  for (const std::array<Index, 3>& corners :
+       {std::array<Index, 3>{0, 1, 2}, std::array<Index, 3>{1, 2, 0}, std::array<Index, 3>{2, 0, 1}}) {
+    Case c;
+    c.pslg.points = {{0, 0}, {4, 0}, {0, 3}};
+    c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
+    c.mesh = testing::mesh_of(c.pslg.points, {corners});
+    c.mesh.constrained_edges = {{0, 1, 0, 1}, {1, 2, 1, 1}, {2, 0, 2, 1}};
+    Goal goal = no_angle_bound();
+    goal.size = [](Point) { return 1.0; };
+    const Certificate certificate = check(c, goal);
+    ASSERT_EQ(certificate.violations.size(), 1u);
+    EXPECT_EQ(certificate.violations[0].witness, "triangle 0 has an edge of length 5 > 1, the size at its centroid");
+  }
+}
+
 TEST(Violations, of_surfaces_that_are_no_disks_with_holes) {
   // Two toruses of nine vertices: three by three squares each, joined at opposite sides.
   Case c;
