@@ -197,5 +197,15 @@ TEST(Gaps, beside_a_segment_have_the_longest_segment_at_the_point_as_surrounding
   EXPECT_EQ(gaps[0].surroundings, 0.25);
 }
 
+/// The point is beside the segment, or only beside its end.
+TEST(Gaps, are_between_a_point_and_a_segment_if_its_end_is_more_than_twice_as_far_away) {
+  constexpr double height = 1e-8;
+  for (const double times : {1.99, 2.01, 2.5, 3.5}) {
+    const std::vector<Gap> gaps = gaps_of(square_with({{std::sqrt(times * times - 1) * height, height}}));
+    ASSERT_EQ(gaps.size(), 1) << times;
+    EXPECT_EQ(gaps[0].kind, times > 2 ? GapKind::point_near_segment : GapKind::close_points) << times;
+  }
+}
+
 }  // namespace
 }  // namespace pardel

@@ -122,5 +122,11 @@ TEST(LeastSize, counts_the_parts_that_are_as_wide_as_the_shortest_edge_and_none_
   EXPECT_LT(least_size(*validate(plate(width)), bound, std::nextafter(width, 1.0))->triangles, 10);
 }
 
+TEST(LeastSize, counts_parts_that_are_narrower_than_a_thousandth_of_their_length) {
+  const auto strip = [](double width) { return polygon({{0, 0}, {1000, 0}, {1000, width}, {0, width}}); };
+  EXPECT_EQ(least_of(strip(1)).triangles, 0);
+  EXPECT_GT(least_of(strip(std::nextafter(1.0, 0.0))).triangles, 300);
+}
+
 }  // namespace
 }  // namespace pardel

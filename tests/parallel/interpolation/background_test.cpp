@@ -229,8 +229,10 @@ TEST(Background, interpolates_in_flat_triangles_along_the_first_of_the_nearest_s
   const std::array<double, 3> weight =
       Background(std::vector<Point>{{0, 0}, {2, 0}, {1, 0}}, {{0, 1, 2}}).locate({0.5, 1}).weight;
   EXPECT_EQ(weight, (std::array{0.75, 0.25, 0.0}));
-  const Background doubled(std::vector<Point>{{0, 0}, {0, 0}, {2, 0}}, {{0, 1, 2}});
-  EXPECT_EQ(doubled.interpolate({0.5, 1}, std::vector<double>{0, 0, 2}), 0.5);
+  for (const std::array<Index, 3> corners : {std::array<Index, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
+    const Background doubled(std::vector<Point>{{0, 0}, {0, 0}, {2, 0}}, {corners});
+    EXPECT_EQ(doubled.interpolate({0.5, 1}, std::vector<double>{0, 0, 2}), 0.5);
+  }
 }
 
 /// The sides have the lengths 3, 4 and 5.
