@@ -143,6 +143,9 @@ TEST(Array, hands_its_bytes_to_an_array_of_another_type) {
   const auto bits = Array<std::uint64_t>::recast(std::move(negative));
   EXPECT_EQ(bits, Array<std::uint64_t>(3, ~std::uint64_t{0}));
   EXPECT_EQ(static_cast<const void*>(bits.data()), place);
+  EXPECT_TRUE(negative.empty());
+  negative.push_back(7);
+  EXPECT_EQ(negative, Array<std::int64_t>(1, 7)) << "the other array can be used again";
 }
 
 TEST(Array, that_handed_its_bytes_on_is_empty_and_can_grow_again) {

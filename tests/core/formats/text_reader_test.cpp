@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <limits>
 
@@ -205,6 +206,34 @@ TEST(ReadFile, returns_all_bytes_of_a_large_file) {
     EXPECT_TRUE(std::string_view(*read_file(file)) == std::string_view(bytes).substr(3)) << n;
   }
   omp_set_num_threads(threads);
+}
+
+/// Then the other threads cannot open the file.
+TEST(ReadFile, returns_all_bytes_of_a_large_file_if_no_second_file_can_be_open) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("large", "text");
+  std::filesystem::resize_file(file, std::size_t{1} << 24);
+  rlimit old{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &old), 0);
+  const int next = dup(0);
+  close(next);
+  const rlimit one_more{static_cast<rlim_t>(next) + 1, old.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &one_more), 0);
+  const auto text = read_file(file);
+  setrlimit(RLIMIT_NOFILE, &old);
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(std::string_view(*text).size(), std::size_t{1} << 24);
+  EXPECT_TRUE(std::string_view(*text).starts_with("text"));
+}
+
+TEST(TextReader, reads_no_digit_after_the_end_of_its_text) {
+  TextReader in(std::string_view("12345").substr(0, 3), "f");
+  ASSERT_TRUE(in.next_line());
+  EXPECT_EQ(in.integer("a number", low, high), 123);
+  EXPECT_FALSE(in.failed());
+  TextReader again(std::string_view("12345").substr(0, 3), "f");
+  ASSERT_TRUE(again.next_line());
+  EXPECT_EQ(again.number("a number"), 123);
 }
 
 TEST(TextReader, gives_nothing_after_a_failure) {
