@@ -131,6 +131,8 @@ TEST(SourcesOfARaster, of_one_row_are_where_it_changes_fast) {
   ASSERT_EQ(size_sources(row, 0.4)->size(), 1U);
   EXPECT_EQ((*size_sources(row, 0.4))[0], (SizeSource{{2, 0}, {4, 0}, 1, 2}));
   EXPECT_TRUE(size_sources(row, 0.6)->empty());
+  EXPECT_EQ(size_sources(row, 0.5 * (1 + 0.00100098))->size(), 1U) << "changes by 0.9990000 of the limit";
+  EXPECT_EQ(size_sources(row, 0.5 * (1 + 0.0010012))->size(), 0U) << "changes by 0.9989998 of the limit";
 }
 
 TEST(SourcesOfARaster, leave_out_values_that_are_not_finite) {

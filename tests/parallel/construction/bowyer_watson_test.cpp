@@ -58,6 +58,7 @@ TEST(BowyerWatson, reports_a_point_that_is_a_vertex_of_the_hull_whatever_the_dir
     t.points.push_back(p);
     t.slots.resize(fresh + 2U);
     for (TriangleId start = 0; start < fresh; ++start) {
+      if (t.slots[start].is_ghost()) continue;
       BowyerWatson worker(t);
       worker.start(Box{}, start);
       EXPECT_EQ(worker.insert(static_cast<VertexId>(hull.size()), fresh), Inserted::duplicate) << p.x << ' ' << p.y;

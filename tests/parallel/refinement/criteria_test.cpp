@@ -176,7 +176,7 @@ TEST(SplitPoint, is_the_circumcentre) {
 /// The off-centre and the shortest side make a triangle that just meets the bound. It never lies beyond the
 /// circumcentre.
 TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bound) {
-  for (const double bound : {10.0, 20.7, 30.0, 33.0}) {
+  for (const double bound : {0.5, 10.0, 20.7, 30.0, 33.0}) {
     const Criteria off({.min_angle_deg = bound}, Placement::off_centre, {});
     const Criteria centre({.min_angle_deg = bound}, Placement::circumcentre, {});
     for (double top = 0.1; top < bound; top *= 1.3) {
@@ -188,7 +188,8 @@ TEST(SplitPoint, of_an_off_centre_makes_a_triangle_that_just_meets_the_angle_bou
       EXPECT_TRUE(p.y == c.y || sharper_than(made, bound * 1.01))
           << "it is no nearer to the side than the bound demands";
     }
-    const Shape fat = isosceles(50, 1);
+    const Shape needle = isosceles(0.1, 1), fat = isosceles(50, 1);
+    EXPECT_LT(off.split_point(needle, no_index).y, centre.split_point(needle, no_index).y);
     EXPECT_EQ(off.split_point(fat, no_index), centre.split_point(fat, no_index)) << "a triangle that is only too large";
   }
 }
