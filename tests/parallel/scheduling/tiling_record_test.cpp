@@ -15,6 +15,10 @@
 namespace pardel::engine {
 namespace {
 
+TEST(Sweep, hands_on_what_it_leaves_to_later_tasks_for_any_reason) {
+  EXPECT_EQ((Sweep{.to_other_cells = 100, .beyond_box = 20, .out_of_numbers = 3}).handed_on(), 123U);
+}
+
 TEST(TilingRecord, holds_the_finest_lattice_and_the_bounds_on_circumradii) {
   const Box bounds{-1, 2, 5, 4};
   const Tiles finest(Lattice(bounds, 3, 2));
