@@ -31,7 +31,7 @@ struct Run {
 /// The killers run with few cases and without shrinking, because one failing case is enough. A property must find a
 /// mistake within these limits.
 constexpr const char* parameters = "max_success=1000 noshrink=1";
-constexpr int time_limit_seconds = 60;
+constexpr int time_limit_seconds = 200;
 
 /// Runs the killer with this mutant on. An empty name switches no mutant on.
 Run run(const Killer& killer, const std::string& mutant) {

@@ -216,6 +216,16 @@ TEST(RefineMesh, refuses_the_number_after_the_last_triangle_as_a_neighbour) {
   EXPECT_NE(fine.error().message.find("names a neighbour that does not exist"), std::string::npos);
 }
 
+TEST(RefineMesh, refuses_the_number_after_the_last_vertex_as_an_end_of_a_constrained_edge) {
+  for (const auto end : {&ConstrainedEdge::a, &ConstrainedEdge::b}) {
+    Mesh mesh = coarse_square();
+    mesh.constrained_edges[0].*end = static_cast<Index>(mesh.points.size());
+    const Result<Meshed> fine = refine(mesh, {});
+    ASSERT_FALSE(fine);
+    EXPECT_NE(fine.error().message.find("names a vertex that does not exist"), std::string::npos);
+  }
+}
+
 TEST(RefineMesh, refuses_caps_that_do_not_fit) {
   const Mesh coarse = coarse_square();
   std::vector<double> caps(coarse.triangles.size() + 1, 1.0);

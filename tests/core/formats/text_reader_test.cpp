@@ -226,6 +226,14 @@ TEST(ReadFile, returns_all_bytes_of_a_large_file_if_no_second_file_can_be_open) 
   EXPECT_TRUE(std::string_view(*text).starts_with("text"));
 }
 
+TEST(TextReader, tells_whether_there_is_the_line_that_it_expects) {
+  TextReader in("# comment\n\n7\n", "f");
+  EXPECT_TRUE(in.expect_line("a number"));
+  EXPECT_EQ(in.integer("a number", 0, 9), 7);
+  EXPECT_FALSE(in.expect_line("another number"));
+  EXPECT_TRUE(in.failed());
+}
+
 TEST(TextReader, reads_no_digit_after_the_end_of_its_text) {
   TextReader in(std::string_view("12345").substr(0, 3), "f");
   ASSERT_TRUE(in.next_line());

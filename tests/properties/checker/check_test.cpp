@@ -612,11 +612,13 @@ TEST(Check, allows_edges_that_are_longer_than_the_length_limited_by_grading_by_6
   EXPECT_EQ(too_large(4 - 65 * unit), 1u);
 }
 
-TEST(Check, takes_a_bound_on_edges_that_is_infinite_as_no_bound) {
+TEST(Check, takes_bounds_on_edges_and_areas_that_are_infinite_as_no_bounds) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bound : {infinity, -infinity}) {
     const Certificate certificate = check(testing::square_in_two(), Goal{.min_angle_deg = 50, .max_edge = bound});
     EXPECT_TRUE(reports_only(certificate, Kind::small_angle));
+    EXPECT_TRUE(
+        reports_only(check(testing::square_in_two(), Goal{.min_angle_deg = 50, .max_area = bound}), Kind::small_angle));
   }
 }
 
