@@ -87,7 +87,8 @@ TEST(Memory, that_is_needed_at_least_is_that_of_twice_as_many_triangles_as_verti
   EXPECT_FALSE(fits(1e9, 1000, memory - 1));
   EXPECT_TRUE(fits(2000, 1'000'000, memory));
   EXPECT_EQ(memory, 72'000U) << "36 bytes each, and not one byte more";
-  EXPECT_FALSE(fits(1e9, 0, 0)) << "more triangles than can be numbered";
+  EXPECT_TRUE(fits(max_engine_triangles, 0, 0)) << "as many triangles as can be numbered";
+  EXPECT_FALSE(fits(max_engine_triangles + 1.0, 0, 0)) << "one more";
   EXPECT_TRUE(outgrows_memory(1, {.max_memory = 1}));
   EXPECT_FALSE(outgrows_memory(1, {.max_memory = 1000}));
   EXPECT_FALSE(outgrows_memory(1'000'000, {.max_memory = 0})) << "no limit";
