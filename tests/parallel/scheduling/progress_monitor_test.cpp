@@ -11,54 +11,60 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(ProgressMonitor, shows_two_triangles_per_vertex_and_the_exact_number_after_a_phase) {
-  std::vector<std::uint64_t> shown;
+/// Options that keep every progress that is shown.
+Options recorded_in(std::vector<Progress>& shown) {
   Options options;
-  options.progress = [&](const Progress& progress) {
-    EXPECT_EQ(progress.estimate, 500);
-    shown.push_back(progress.triangles);
+  options.progress = [&shown](const Progress& progress) {
+    shown.push_back(progress);
     return true;
   };
+  return options;
+}
+
+/// Expects these numbers of triangles, all with this estimate.
+void expect_shown(const std::vector<Progress>& shown, double estimate, const std::vector<std::uint64_t>& triangles) {
+  std::vector<std::uint64_t> found;
+  for (const Progress& progress : shown) {
+    EXPECT_EQ(progress.estimate, estimate);
+    found.push_back(progress.triangles);
+  }
+  EXPECT_EQ(found, triangles);
+}
+
+TEST(ProgressMonitor, shows_two_triangles_per_vertex_and_the_exact_number_after_a_phase) {
+  std::vector<Progress> shown;
+  const Options options = recorded_in(shown);
   ProgressMonitor monitor(options, 0s);
   monitor.start(500, 60, 100);
   monitor.report(10);
   monitor.report(5);
   monitor.phase_ended(80, 140);
-  EXPECT_EQ(shown, (std::vector<std::uint64_t>{120, 130, 140}));
+  expect_shown(shown, 500, {120, 130, 140});
   EXPECT_EQ(monitor.vertices(), 80U);
 }
 
 TEST(ProgressMonitor, counts_what_is_set_aside_for_later) {
-  std::vector<std::uint64_t> shown;
-  Options options;
-  options.progress = [&](const Progress& progress) {
-    EXPECT_EQ(progress.estimate, 1500);
-    shown.push_back(progress.triangles);
-    return true;
-  };
+  std::vector<Progress> shown;
+  const Options options = recorded_in(shown);
   ProgressMonitor monitor(options, 0s);
   monitor.set_aside(600, 1000);
   EXPECT_EQ(monitor.triangles_aside(), 1000U);
   monitor.start(500, 60, 100);
   monitor.report(10);
   monitor.phase_ended(80, 140);
-  EXPECT_EQ(shown, (std::vector<std::uint64_t>{1120, 1140}));
+  expect_shown(shown, 1500, {1120, 1140});
   EXPECT_EQ(monitor.vertices(), 680U);
 }
 
 TEST(ProgressMonitor, passes_any_positive_estimate_on_and_nothing_aside_without_one) {
-  double shown = -1;
-  Options options;
-  options.progress = [&](const Progress& progress) {
-    shown = progress.estimate;
-    return true;
-  };
+  std::vector<Progress> shown;
+  const Options options = recorded_in(shown);
   ProgressMonitor monitor(options, 0s);
   monitor.set_aside(600, 1000);
   for (const double estimate : {0.0, 0.5, 1.0}) {
     monitor.start(estimate, 3, 1);
     monitor.phase_ended(3, 1);
-    EXPECT_EQ(shown, estimate > 0 ? estimate + 1000 : 0);
+    EXPECT_EQ(shown.back().estimate, estimate > 0 ? estimate + 1000 : 0);
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <vector>
 
@@ -161,16 +160,15 @@ TEST(Fans, are_visited_until_the_visitor_answers_no) {
 }
 
 TEST(Fans, of_two_vertices_are_compared_in_the_time_of_the_smaller_one) {
-  // These comparisons take milliseconds. If each walked around the whole hub, they would take minutes.
-  constexpr Index spokes = 100'000;
+  // These comparisons take milliseconds. If each walked around the whole hub, they would exceed the time limit of
+  // tests.
+  constexpr Index spokes = 400'000;
   std::vector<std::array<Index, 3>> wheel;
   for (Index i = 0; i < spokes; ++i) wheel.push_back({0, 1 + i, 1 + (i + 1) % spokes});
   const Adjacency adjacency = adjacency_of(wheel, spokes + 1);
-  const std::clock_t begin = std::clock();
   for (Index i = 1; i <= spokes; ++i) {
     ASSERT_FALSE(adjacency.has_fewer_triangles(0, i));
     ASSERT_TRUE(adjacency.has_fewer_triangles(i, 0));
-    ASSERT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
   }
 }
 
