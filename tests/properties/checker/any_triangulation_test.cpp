@@ -1,5 +1,7 @@
 // The checker returns a verdict for every input.
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "../../../properties/checker/check.hpp"
 #include "../../../properties/domains/generators/random.hpp"
@@ -35,7 +37,8 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(Check, does_not_crash_on_arbitrary_numbers,
-                {.statement = "any bits as coordinates, caps and goals give a certificate, valid or not",
+                {.statement = "any bits as coordinates, caps and goals give a certificate, and none is valid if a "
+                              "coordinate is not finite",
                  .source = "properties/checker/check.hpp",
                  .families = "a square in eight triangles, spoiled"}) {
   generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
@@ -53,7 +56,12 @@ PARDEL_PROPERTY(Check, does_not_crash_on_arbitrary_numbers,
   goal.max_edge = number();
   CheckOptions options;
   options.max_circumradius = number();
-  RC_ASSERT(!to_json(check(c.pslg, c.mesh, goal, options)).empty());
+  const Certificate certificate = check(c.pslg, c.mesh, goal, options);
+  RC_ASSERT(!to_json(certificate).empty());
+  const auto is_finite = [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+  RC_ASSERT(!certificate.valid ||
+            (std::ranges::all_of(c.mesh.points, is_finite) && std::ranges::all_of(c.pslg.points, is_finite) &&
+             std::ranges::all_of(c.pslg.holes, is_finite)));
 }
 
 }  // namespace
