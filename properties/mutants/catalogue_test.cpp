@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "../checker/check.hpp"
+#include "registry.hpp"
 #include "text_file.hpp"
 
 namespace pardel::mutants {
@@ -97,6 +98,15 @@ TEST(Catalogue, has_a_row_for_every_property_and_no_other) {
   const std::set<std::string> properties = properties_in_the_sources();
   for (const std::string& property : properties) EXPECT_TRUE(rows.contains(property)) << property << " has no row";
   for (const std::string& row : rows) EXPECT_TRUE(properties.contains(row)) << row << " is not a property";
+}
+
+/// A property that notices no known mistake may test nothing.
+TEST(Catalogue, has_a_property_only_if_a_mutant_names_it) {
+  std::set<std::string> killers;
+  for (const Mutant& mutant : read_registry(fs::path(PARDEL_SOURCE) / "properties/mutants/registry"))
+    killers.insert(mutant.killer.property);
+  for (const std::string& property : properties_in_the_sources())
+    EXPECT_TRUE(killers.contains(property)) << "no line of properties/mutants/registry names " << property;
 }
 
 }  // namespace
