@@ -43,6 +43,8 @@ void* grow_block(void* block, std::size_t old_bytes, std::size_t new_bytes) {
   return grown;
 }
 
+void* zero_block(std::size_t bytes) { return bytes >= large ? map(bytes) : std::calloc(bytes, 1); }
+
 void free_block(void* block, std::size_t bytes) {
   if (bytes >= large)
     munmap(block, whole_pages(bytes));
@@ -53,6 +55,7 @@ void free_block(void* block, std::size_t bytes) {
 #else
 
 void* grow_block(void* block, std::size_t, std::size_t new_bytes) { return std::realloc(block, new_bytes); }
+void* zero_block(std::size_t bytes) { return std::calloc(bytes, 1); }
 void free_block(void* block, std::size_t) { std::free(block); }
 
 #endif

@@ -16,6 +16,9 @@ namespace detail {
 /// Like realloc, for blocks of any size. Returns nullptr if memory is short; the old block then remains valid. A large
 /// block has its own memory mapping: it grows without copying, and uses huge pages if the system has them.
 [[nodiscard]] void* grow_block(void* block, std::size_t old_bytes, std::size_t new_bytes);
+/// A block of zero bytes for free_block(), or nullptr. The pages of a large block take no memory before they are
+/// written.
+[[nodiscard]] void* zero_block(std::size_t bytes);
 void free_block(void* block, std::size_t bytes);
 }  // namespace detail
 
@@ -36,6 +39,18 @@ class Array {
     return *this;
   }
   ~Array() { detail::free_block(data_, capacity_ * sizeof(T)); }
+
+  /// n values whose bytes are all zero. If they are many, those that are never written take neither time nor memory.
+  /// Throws std::bad_alloc.
+  [[nodiscard]] static Array zeroes(std::size_t n) {
+    Array result;
+    if (n == 0) return result;
+    if (n > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
+    result.data_ = static_cast<T*>(detail::zero_block(n * sizeof(T)));
+    if (result.data_ == nullptr) throw std::bad_alloc();
+    result.size_ = result.capacity_ = n;
+    return result;
+  }
 
   /// Takes over the storage of an array whose elements have another type of the same size. The bytes do not change.
   template <class U>

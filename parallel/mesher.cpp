@@ -95,7 +95,6 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   if (pslg.attributes_per_point > 0) input.background = input_corners(*domain, progress.threads());
   result.report.triangulate_seconds = watch.lap();
 
-  std::vector<Point> points;  // replace those of the Pslg if the interior is filled
   std::vector<double> caps;
   for (const Region& region : pslg.regions) {
     input.region_attributes.push_back(region.attribute);
@@ -110,11 +109,16 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
     Goal graded = guarded(*goal);
     if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
     const Criteria criteria(graded, options.placement, std::move(caps));
-    const std::vector<double> edges = edges_of_patches(pslg, *goal, options);
-    Status refined = edges.empty() ? refine_domain(*domain, criteria, input, options, progress, result.report)
-                                   : refine_filled({pslg, convex_hull, edges}, *domain, criteria, input, points,
-                                                   options, progress, result.report);
-    if (!refined) return refined.error();
+    if (std::vector<double> edges = edges_of_patches(pslg, *goal, options); !edges.empty()) {
+      Result<Mesh> filled = refine_filled({pslg, convex_hull, std::move(edges)}, std::move(*domain), criteria, input,
+                                          options, progress, result.report);
+      if (!filled) return filled.error();
+      result.mesh = std::move(*filled);
+      result.report.refine_seconds = watch.lap();
+      return result;
+    }
+    if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
+      return refined.error();
   }
   result.mesh = to_mesh(std::move(domain).value(), std::move(input), progress.threads());
   result.report.refine_seconds = watch.lap();

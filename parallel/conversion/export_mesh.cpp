@@ -36,7 +36,8 @@ void export_triangles(DomainTriangulation& domain, Mesh& mesh, const Threads& th
       if (slot.any_constrained())
         for (unsigned side = 0; side < 3; ++side) {
           const EdgeRef across = slot.n[side];
-          if (across.constrained() && (across.none() || across.triangle() > id))
+          if (across.constrained() && (across.none() || across.triangle() > id) &&
+              !domain.triangulation.on_border_of_patch(slot, side))
             edges[block].push_back(constrained_edge(domain, slot, side));
         }
       triangles[id] = {{vertex(slot.v[0]), vertex(slot.v[1]), vertex(slot.v[2])},
@@ -100,7 +101,7 @@ std::vector<const ConstrainedEdge*> edges_with_own_marker(const DomainTriangulat
 /// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of the first segment
 /// with a marker on which the vertex lies. If there is none, it is 1 on the boundary and 0 elsewhere.
 void mark_vertices(Mesh& mesh, const DomainTriangulation& domain, const PointData& data, const Threads& threads) {
-  mesh.point_markers = make_array(threads, mesh.points.size(), [](std::size_t) { return 0; });
+  mesh.point_markers = Array<int>::zeroes(mesh.points.size());
   const auto mark = [&](const ConstrainedEdge& e) {
     for (const Index v : {e.a, e.b})
       if (mesh.point_markers[v] == 0) mesh.point_markers[v] = e.marker;
@@ -142,17 +143,28 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
 
 }  // namespace
 
-Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes, const PointData& data,
-                 std::vector<std::array<Index, 3>> background, const Threads& threads) {
+Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,
+                          std::span<const Point> input_points, const Threads& threads) {
   Mesh mesh;
   export_triangles(domain, mesh, threads);  // first, because it reads the origins of the vertices
   export_origins(domain, mesh, threads);
-  restore_order(data.points, domain.triangulation.points, threads);
+  restore_order(input_points, domain.triangulation.points, threads);
   mesh.points = std::move(domain.triangulation.points);
   mesh.region = std::move(domain.triangulation.region);
   mesh.region_attributes = std::move(region_attributes);
+  return mesh;
+}
+
+void add_point_data(Mesh& mesh, const DomainTriangulation& domain, const PointData& data,
+                    std::vector<std::array<Index, 3>> background, const Threads& threads) {
   mark_vertices(mesh, domain, data, threads);
   interpolate_attributes(mesh, data, std::move(background), threads);
+}
+
+Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes, const PointData& data,
+                 std::vector<std::array<Index, 3>> background, const Threads& threads) {
+  Mesh mesh = export_triangulation(domain, std::move(region_attributes), data.points, threads);
+  add_point_data(mesh, domain, data, std::move(background), threads);
   return mesh;
 }
 

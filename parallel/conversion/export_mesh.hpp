@@ -20,8 +20,19 @@ struct PointData {
 };
 
 /// Converts a triangulation in place, without a second copy of its triangles. The input points come first, in the
-/// order of the input; the new vertices follow in the order of their insertion. Attributes are interpolated on the
-/// triangles `background` (corners as indices of input points); it may be empty if there are no attributes.
+/// order of the input; the new vertices follow in the order of their insertion. The mesh has no markers and attributes
+/// of points yet. On the border of a patch that is cut out (Triangulation::on_border_of_patch), triangles have no
+/// neighbour; the edges there are not listed as constrained. Of `domain`, the data of the segments are left.
+[[nodiscard]] Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,
+                                        std::span<const Point> input_points, const Threads& threads);
+
+/// Gives the points of a mesh their markers and attributes. Attributes are interpolated on the triangles `background`
+/// (corners as indices of input points); it may be empty if there are no attributes. `domain`: the one that was
+/// exported.
+void add_point_data(Mesh& mesh, const DomainTriangulation& domain, const PointData& data,
+                    std::vector<std::array<Index, 3>> background, const Threads& threads);
+
+/// Both in turn.
 [[nodiscard]] Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes,
                                const PointData& data, std::vector<std::array<Index, 3>> background,
                                const Threads& threads = {});

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "../patches/border_edges.hpp"
 #include "../patches/cut_out.hpp"
 #include "../patches/find_patches.hpp"
 #include "../patches/lay_patches.hpp"
@@ -56,19 +57,19 @@ Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull,
 
   Result<DomainTriangulation> domain = triangulate_domain(with_borders, convex_hull, threads);
   if (!domain) return domain.error();
-  filling.border_.resize(with_borders.points.size() - inputs);
+  std::vector<VertexId> border(with_borders.points.size() - inputs);
   for (VertexId v = 0; v < domain->input_of_vertex.size(); ++v)
-    if (const Index input = domain->input_of_vertex[v]; input >= inputs) filling.border_[input - inputs] = v;
-  filling.edges_ = border_edges(filling.patches_, filling.border_);
-  if (!cut_out(domain->triangulation, filling.border_, filling.edges_, threads)) return border_missing();
+    if (const Index input = domain->input_of_vertex[v]; input >= inputs) border[input - inputs] = v;
+  if (!cut_out(domain->triangulation, border, border_edges(filling.patches_, border), threads)) return border_missing();
   filling.domain_ = std::move(*domain);
   filling.points_ = std::move(with_borders.points);
+  filling.first_border_ = static_cast<Index>(inputs);
   return std::optional(std::move(filling));
 }
 
-Status Filling::lay(Triangulation& t, const Threads& threads) const {
-  if (t.slots.size() + triangles_ > max_engine_triangles) return too_many_triangles();
-  if (!lay_patches(t, patches_, border_, edges_, threads)) return border_missing();
+Status Filling::lay(Mesh& mesh, const Threads& threads) const {
+  if (mesh.triangles.size() + triangles_ > max_engine_triangles) return too_many_triangles();
+  if (!lay_patches(mesh, patches_, first_border_, threads)) return border_missing();
   return Done{};
 }
 

@@ -2,10 +2,11 @@
 //
 // Where a bound on size is constant, equilateral triangles just below the bound are the fewest that satisfy it. They
 // are Delaunay, so they need not be inserted point by point: their corners, and who is whose neighbour, are known in
-// advance. A patch of them is cut out of the domain before the refinement and laid after it. In between, its border is
-// a boundary that is never split. A patch keeps a distance of 0.7 edges from everything in the domain: then its border
-// consists of edges of the domain's triangulation, and nothing lies in its circumdisks. The refinement inserts no point
-// into them either (Criteria::encroaches_on_patch), so the patch fits when it is laid (THEORY.md, Fill).
+// advance. A patch of them is cut out of the domain before the refinement, and laid into the mesh after it. In between,
+// its border is a boundary that is never split. A patch keeps a distance of 0.7 edges from everything in the domain:
+// then its border consists of edges of the domain's triangulation, and nothing lies in its circumdisks. The refinement
+// inserts no point into them either (Criteria::encroaches_on_patch), so the patch fits when it is laid (THEORY.md,
+// Fill).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 #include "../conversion/domain_triangulation.hpp"
 #include "../options.hpp"
-#include "../patches/border_edges.hpp"
+#include "../patches/find_patches.hpp"
 
 namespace pardel::engine {
 
@@ -47,8 +48,8 @@ class Filling {
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
   [[nodiscard]] std::uint64_t inner_points() const { return inner_points_; }
 
-  /// Lays the patches into the refined domain. Fails if there are too many triangles for the engine.
-  [[nodiscard]] Status lay(Triangulation& t, const Threads& threads) const;
+  /// Lays the patches into the mesh of the refined domain (lay_patches.hpp). Fails if it gets too many triangles.
+  [[nodiscard]] Status lay(Mesh& mesh, const Threads& threads) const;
 
  private:
   Filling() = default;
@@ -56,8 +57,7 @@ class Filling {
   std::vector<RegionPatch> patches_;
   DomainTriangulation domain_;
   std::vector<Point> points_;
-  std::vector<VertexId> border_;  ///< the vertices on the borders
-  std::vector<BorderEdge> edges_;
+  Index first_border_ = 0;  ///< the first of these points that lies on a border
   std::uint64_t triangles_ = 0, inner_points_ = 0;
 };
 

@@ -13,15 +13,13 @@ Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threa
                      threads);
 }
 
-Watcher watcher(const DomainTriangulation& domain, const InputData& input, const Options& options,
-                const Threads& threads, Complete complete) {
+Watcher watcher(const DomainTriangulation& domain, const Options& options, ToMesh to_mesh) {
   if (!options.after_sweep) return {};
-  return [&, threads, complete = std::move(complete)](Triangulation&& snapshot, const Sweep& sweep) -> Status {
-    if (complete)
-      if (Status completed = complete(snapshot); !completed) return completed;
-    DomainTriangulation copy{std::move(snapshot), domain.segments, domain.input_of_vertex, domain.input_segment,
-                             domain.segment_marker};
-    return options.after_sweep(to_mesh(std::move(copy), input, threads), sweep);
+  return [&, to_mesh = std::move(to_mesh)](Triangulation&& snapshot, const Sweep& sweep) -> Status {
+    const Result<Mesh> mesh = to_mesh(
+        {std::move(snapshot), domain.segments, domain.input_of_vertex, domain.input_segment, domain.segment_marker});
+    if (!mesh) return mesh.error();
+    return options.after_sweep(*mesh, sweep);
   };
 }
 
@@ -46,8 +44,11 @@ void write_report(DomainTriangulation& domain, const Criteria& criteria, const O
 Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input,
                      const Options& options, ProgressMonitor& progress, Report& report) {
   const Options resolved = resolvable(options, domain.triangulation);
+  const auto convert = [&](DomainTriangulation&& snapshot) -> Result<Mesh> {
+    return to_mesh(std::move(snapshot), input, progress.threads());
+  };
   Result<RefineCounts> counts = refine_by_sweeps(domain.triangulation, domain.segments, criteria, resolved, progress,
-                                                 {}, watcher(domain, input, options, progress.threads()));
+                                                 {}, watcher(domain, options, convert));
   if (!counts) return counts.error();
   write_report(domain, criteria, resolved, std::move(*counts), progress.threads(), report);
   return Done{};

@@ -26,12 +26,11 @@ struct InputData {
 
 [[nodiscard]] Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threads);
 
-/// Adds to a snapshot what is missing.
-using Complete = std::function<Status(Triangulation& snapshot)>;
-/// A watcher that completes each snapshot, converts it to a mesh and calls options.after_sweep with it. Empty if there
-/// is no such function. All references have to outlive it.
-[[nodiscard]] Watcher watcher(const DomainTriangulation& domain, const InputData& input, const Options& options,
-                              const Threads& threads, Complete complete = {});
+/// Makes a mesh of a domain that has been refined.
+using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
+/// A watcher that converts each snapshot to a mesh and calls options.after_sweep with it. Empty if there is no such
+/// function. All references have to outlive it.
+[[nodiscard]] Watcher watcher(const DomainTriangulation& domain, const Options& options, ToMesh to_mesh);
 
 /// The options with the least length of an edge that double precision can resolve.
 [[nodiscard]] Options resolvable(Options options, const Triangulation& t);

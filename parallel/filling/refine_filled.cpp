@@ -31,14 +31,10 @@ class Round {
 
   [[nodiscard]] Status refine(const InputData& input, ProgressMonitor& progress) {
     const Threads threads = progress.threads();
-    InputData with_borders;  // for the watcher
-    if (options_.after_sweep) with_borders = input;
-    with_borders.points.points = filling_.points();
     progress.set_aside(filling_.inner_points(), filling_.triangles());
-    const auto complete = [&](Triangulation& snapshot) { return filling_.lay(snapshot, threads); };
-    Result<RefineCounts> counts =
-        refine_by_sweeps(domain_.triangulation, domain_.segments, criteria_, options_, progress, {},
-                         watcher(domain_, with_borders, options_, threads, complete));
+    const auto convert = [&](DomainTriangulation&& snapshot) { return laid_into(std::move(snapshot), input, threads); };
+    Result<RefineCounts> counts = refine_by_sweeps(domain_.triangulation, domain_.segments, criteria_, options_,
+                                                   progress, {}, watcher(domain_, options_, convert));
     progress.set_aside(0, 0);
     if (!counts) return counts.error();
     counts_ = std::move(*counts);
@@ -57,14 +53,20 @@ class Round {
     engine::write_report(domain_, criteria_, options_, std::move(counts_), threads, report);
     report.laid = filling_.triangles();
   }
-  /// Lays the patches. The results replace those that exist.
-  [[nodiscard]] Status finish(DomainTriangulation& domain, std::vector<Point>& points, const Threads& threads) && {
-    points = filling_.points();
-    domain = std::move(domain_);
-    return filling_.lay(domain.triangulation, threads);
+  /// The mesh with the patches; only once.
+  [[nodiscard]] Result<Mesh> take_mesh(const InputData& input, const Threads& threads) {
+    return laid_into(std::move(domain_), input, threads);
   }
 
  private:
+  [[nodiscard]] Result<Mesh> laid_into(DomainTriangulation&& domain, const InputData& input,
+                                       const Threads& threads) const {
+    Mesh mesh = export_triangulation(domain, input.region_attributes, filling_.points(), threads);
+    if (Status laid = filling_.lay(mesh, threads); !laid) return laid.error();
+    add_point_data(mesh, domain, input.points, input.background, threads);
+    return mesh;
+  }
+
   Filling filling_;
   DomainTriangulation domain_;
   Criteria criteria_;
@@ -95,11 +97,16 @@ Result<std::optional<Round>> successful_round(const ToFill& what, const DomainTr
 
 }  // namespace
 
-Status refine_filled(const ToFill& what, DomainTriangulation& domain, const Criteria& criteria, InputData& input,
-                     std::vector<Point>& points, const Options& options, ProgressMonitor& progress, Report& report) {
+Result<Mesh> refine_filled(const ToFill& what, DomainTriangulation domain, const Criteria& criteria,
+                           const InputData& input, const Options& options, ProgressMonitor& progress, Report& report) {
   Result<std::optional<Round>> filled = successful_round(what, domain, criteria, input, options, progress, report);
   if (!filled) return filled.error();
-  if (!filled->has_value()) return refine_domain(domain, criteria, input, options, progress, report);
+  const auto without = [&](Report& its_report) -> Result<Mesh> {
+    if (Status refined = refine_domain(domain, criteria, input, options, progress, its_report); !refined)
+      return refined.error();
+    return to_mesh(std::move(domain), input, progress.threads());
+  };
+  if (!filled->has_value()) return without(report);
   Report without_patches = report;
   Round& round = **filled;
   const std::uint64_t triangles = round.triangles();
@@ -108,19 +115,16 @@ Status refine_filled(const ToFill& what, DomainTriangulation& domain, const Crit
   const bool may_be_worse = 2 * round.laid() < triangles || !report.goal_met();
   const std::uint64_t twice_the_vertices = triangles;
   if (may_be_worse && !outgrows_memory(twice_the_vertices, options)) {
-    if (Status refined = refine_domain(domain, criteria, input, options, progress, without_patches); !refined)
-      return refined;
-    const bool is_better = without_patches.goal_met() != report.goal_met()
-                               ? without_patches.goal_met()
-                               : domain.triangulation.slots.size() < triangles;
+    Result<Mesh> refined = without(without_patches);
+    if (!refined) return refined;
+    const bool is_better = without_patches.goal_met() != report.goal_met() ? without_patches.goal_met()
+                                                                           : refined->triangles.size() < triangles;
     if (is_better) {
       report = std::move(without_patches);
-      return Done{};
+      return refined;
     }
   }
-  Status laid = std::move(round).finish(domain, points, progress.threads());
-  input.points.points = points;
-  return laid;
+  return round.take_mesh(input, progress.threads());
 }
 
 }  // namespace pardel::engine

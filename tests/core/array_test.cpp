@@ -35,6 +35,29 @@ std::size_t address_space() {
   return pages * 4096;
 }
 
+/// The memory that this process occupies, in bytes.
+std::size_t resident_memory() {
+  std::size_t pages = 0;
+  std::ifstream file("/proc/self/statm");
+  file >> pages >> pages;
+  return pages * 4096;
+}
+
+TEST(Array, of_zeroes_contains_zeroes_that_take_no_memory_before_they_are_written) {
+  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{1000}, megabyte / 8 - 1, megabyte}) {
+    auto array = Array<std::uint64_t>::zeroes(n);
+    ASSERT_EQ(array.size(), n);
+    for (const std::uint64_t value : array) ASSERT_EQ(value, 0U);
+    array.push_back(5);
+    EXPECT_EQ(array.back(), 5U);
+  }
+  const std::size_t before = resident_memory();
+  auto array = Array<std::uint64_t>::zeroes(32 * megabyte);
+  array[0] = 1;
+  EXPECT_LT(resident_memory(), before + 16 * megabyte) << "of 256 MB";
+  EXPECT_THROW((void)Array<std::uint64_t>::zeroes(SIZE_MAX / 4), std::bad_alloc);
+}
+
 TEST(Array, keeps_its_elements_while_it_grows_element_by_element) {
   Array<std::uint64_t> array;
   for (std::uint64_t i = 0; i < megabyte; ++i) {

@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "../../../parallel/conversion/export_mesh.hpp"
+#include "../../../parallel/patches/border_edges.hpp"
 #include "../../../parallel/patches/cut_out.hpp"
-#include "../../../parallel/patches/lay_patches.hpp"
+#include "../../../properties/checker/check.hpp"
 #include "../patches/distance_to.hpp"
 #include "../patches/domains_to_fill.hpp"
 #include "../samples.hpp"
@@ -21,16 +23,12 @@ Result<std::optional<Filling>> filled(const Pslg& pslg, std::span<const double> 
   return Filling::make(pslg, false, coarse(pslg), edges, {}, options, Threads(threads));
 }
 
-/// Twice the area of each region, and last of the triangles without a region.
-std::vector<double> areas(const Triangulation& t, std::size_t regions) {
-  std::vector<double> area(regions + 1, 0);
-  for (TriangleId id = 0; id < t.slots.size(); ++id) {
-    const Slot& slot = t.slots[id];
-    const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
-    area[std::min<std::size_t>(t.region.empty() ? no_index : t.region[id], regions)] +=
-        (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-  return area;
+/// The mesh of the domain without its patches, as it is before patches are laid.
+Mesh mesh_around_patches(Filling& filling, const Pslg& pslg, const Threads& threads = {}) {
+  DomainTriangulation domain = filling.take_domain();
+  std::vector<double> attributes;
+  for (const Region& region : pslg.regions) attributes.push_back(region.attribute);
+  return export_triangulation(domain, attributes, filling.points(), threads);
 }
 
 std::size_t edges_on_border(const Triangulation& t) {
@@ -46,7 +44,8 @@ TEST(Filling, cuts_patches_out_of_the_domain_and_lays_them_again) {
     for (const int threads : {1, 3}) {
       auto filling = filled(pslg, std::array{edge}, {}, threads);
       ASSERT_TRUE(filling && *filling);
-      Triangulation t = (*filling)->take_domain().triangulation;
+      DomainTriangulation domain = (*filling)->take_domain();
+      const Triangulation& t = domain.triangulation;
       const double laid = std::sqrt(3.0) / 2 * edge * edge * static_cast<double>((*filling)->triangles());
       EXPECT_GT((*filling)->triangles(), 20U);
       EXPECT_EQ(samples::fault(t), "");
@@ -55,20 +54,20 @@ TEST(Filling, cuts_patches_out_of_the_domain_and_lays_them_again) {
       EXPECT_EQ(t.points.size(), (*filling)->points().size());
 
       const std::size_t triangles = t.slots.size(), points = t.points.size();
-      ASSERT_TRUE((*filling)->lay(t, Threads(threads)));
-      EXPECT_EQ(samples::fault(t), "") << "patches and domain together are a constrained Delaunay triangulation";
-      EXPECT_NEAR(samples::twice_area(t), area, 1e-12 * area);
-      EXPECT_EQ(edges_on_border(t), 0U);
-      EXPECT_EQ(t.slots.size(), triangles + (*filling)->triangles());
-      EXPECT_EQ(t.points.size(), points + (*filling)->inner_points());
-      EXPECT_EQ(t.origin.size(), t.points.size());
-      EXPECT_EQ(std::count(t.origin.begin(), t.origin.end(), border_vertex), 0);
-      const auto is_laid = [&](const Slot& slot) {
-        const Point a = t.points[slot.v[0]], b = t.points[slot.v[1]], c = t.points[slot.v[2]];
+      Mesh mesh = export_triangulation(domain, {}, (*filling)->points(), Threads(threads));
+      ASSERT_TRUE((*filling)->lay(mesh, Threads(threads)));
+      const Certificate certificate = check(pslg, mesh, {.min_angle_deg = 0});
+      EXPECT_TRUE(certificate.valid) << "patches and domain together are a constrained Delaunay triangulation\n"
+                                     << to_text(certificate);
+      EXPECT_EQ(mesh.triangles.size(), triangles + (*filling)->triangles());
+      EXPECT_EQ(mesh.points.size(), points + (*filling)->inner_points());
+      EXPECT_EQ(mesh.origin.size(), mesh.points.size());
+      const auto is_laid = [&](const Triangle& triangle) {
+        const Point a = mesh.points[triangle.v[0]], b = mesh.points[triangle.v[1]], c = mesh.points[triangle.v[2]];
         const auto is_edge = [&](Point p, Point q) { return std::abs(distance_to(p, p, q) - edge) < 1e-9 * edge; };
         return is_edge(a, b) && is_edge(b, c) && is_edge(c, a);
       };
-      EXPECT_TRUE(std::all_of(t.slots.begin() + static_cast<std::ptrdiff_t>(triangles), t.slots.end(), is_laid));
+      EXPECT_TRUE(std::all_of(mesh.triangles.begin() + triangles, mesh.triangles.end(), is_laid));
     }
   }
 }
@@ -80,13 +79,11 @@ TEST(Filling, gives_each_region_its_own_lattice) {
   for (std::size_t r = 0; r < pslg->regions.size(); ++r) edges[r] = extent(*pslg) / (20 + 9 * static_cast<double>(r));
   auto filling = filled(*pslg, edges);
   ASSERT_TRUE(filling && *filling);
-  Triangulation t = (*filling)->take_domain().triangulation;
-  EXPECT_EQ(samples::fault(t), "");
-  ASSERT_TRUE((*filling)->lay(t, {}));
-  EXPECT_EQ(samples::fault(t), "");
-  ASSERT_EQ(t.region.size(), t.slots.size());
-  const auto before = areas(coarse(*pslg).triangulation, pslg->regions.size()), after = areas(t, pslg->regions.size());
-  for (std::size_t r = 0; r < before.size(); ++r) EXPECT_NEAR(before[r], after[r], 1e-12 * (1 + before[r]));
+  Mesh mesh = mesh_around_patches(**filling, *pslg);
+  ASSERT_TRUE((*filling)->lay(mesh, {}));
+  ASSERT_EQ(mesh.region.size(), mesh.triangles.size());
+  const Certificate certificate = check(*pslg, mesh, {.min_angle_deg = 0});
+  EXPECT_TRUE(certificate.valid) << "each triangle belongs to its region\n" << to_text(certificate);
 }
 
 TEST(Filling, keeps_the_limits_on_vertices_and_memory) {
@@ -143,9 +140,14 @@ TEST(LayPatches, notices_that_a_border_edge_has_been_split) {
   const Pslg pslg = domains::square();
   auto filling = filled(pslg, std::array{0.1});
   ASSERT_TRUE(filling && *filling);
-  Triangulation t = (*filling)->take_domain().triangulation;
-  *std::find(t.origin.begin(), t.origin.end(), border_vertex) = interior_vertex;
-  const Status laid = (*filling)->lay(t, {});
+  Mesh mesh = mesh_around_patches(**filling, pslg);
+  // Points on the border follow those of the domain.
+  const auto split = std::ranges::find_if(mesh.triangles.span(), [&](const Triangle& triangle) {
+    return triangle.n[0] == no_index && std::min(triangle.v[1], triangle.v[2]) >= pslg.points.size();
+  });
+  ASSERT_TRUE(split != mesh.triangles.span().end());
+  split->v[1] = split->v[0];
+  const Status laid = (*filling)->lay(mesh, {});
   ASSERT_FALSE(laid);
   EXPECT_EQ(laid.error().kind, ErrorKind::internal);
 }

@@ -284,12 +284,15 @@ std::optional<Filling> record_filling(Record& record, const Run& run, DomainTria
   return std::move(*filled);
 }
 
-void record_laying(Record& record, const Filling& filling, DomainTriangulation& domain, const Criteria& criteria) {
+void record_hemmed_in(Record& record, DomainTriangulation& domain, const Criteria& criteria) {
   const std::vector<TriangleId> stuck =
       hemmed_in(domain.triangulation, domain.segments, criteria, record.options(), record.threads());
   record.end_of_stage("hemmed in", stuck.size(), fingerprint(stuck));
-  const Status laid = filling.lay(domain.triangulation, record.threads());
-  record.end_of_stage("laying", laid ? fingerprint(domain.triangulation) : laid.error().message);
+}
+
+void record_laying(Record& record, const Filling& filling, Mesh& mesh) {
+  const Status laid = filling.lay(mesh, record.threads());
+  record.end_of_stage("laying", laid ? fingerprint(mesh) : laid.error().message);
 }
 
 /// The run as one function of the interface.
@@ -342,9 +345,11 @@ std::vector<std::string> record(const Run& run) {
   Criteria criteria(goal, run.options.placement, caps);
   if (filling) criteria = criteria.with_patches(edges_of_patches(run));
   record_refinement(record, *domain, criteria);
-  if (filling) record_laying(record, *filling, *domain, criteria);
+  if (filling) record_hemmed_in(record, *domain, criteria);
   const PointData data{points, run.pslg.attributes_per_point, run.pslg.point_attributes, run.pslg.point_markers};
-  const Mesh mesh = export_mesh(std::move(*domain), attributes, data, background, record.threads());
+  Mesh mesh = export_triangulation(*domain, attributes, points, record.threads());
+  if (filling) record_laying(record, *filling, mesh);
+  add_point_data(mesh, *domain, data, background, record.threads());
   record.end_of_stage("mesh", mesh.points.size(), mesh.triangles.size(), fingerprint(mesh));
   record_refinement_of_mesh(record, mesh);
   record_whole(record, run);
