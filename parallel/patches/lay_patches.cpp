@@ -21,6 +21,8 @@ class RowCursor {
     const std::size_t number = piece_->first + static_cast<std::size_t>(x - piece_->low) / 2;
     return (piece_->on_border ? first_border_ : first_inner_) + static_cast<Index>(number);
   }
+  /// Up to this place, the points have consecutive numbers.
+  [[nodiscard]] int last() const { return piece_->high; }
 
  private:
   std::span<const Piece>::iterator piece_, end_;
@@ -39,59 +41,103 @@ class StripCursor {
     if (strip_ == end_ || x < strip_->low) return no_index;
     return first_triangle_ + static_cast<Index>(strip_->first) + static_cast<Index>(x - strip_->low);
   }
+  /// Up to this place, the triangles have consecutive numbers. Precondition: at() has found a triangle.
+  [[nodiscard]] int last() const { return strip_->high; }
 
  private:
   std::span<const Strip>::iterator strip_, end_;
   Index first_triangle_;
 };
 
-/// A patch, and where its points and triangles are in the mesh.
-struct PlacedPatch {
-  const Patch& patch;
+/// Where the points and triangles of a patch are in the mesh.
+struct Places {
   Index first_border;
   Index first_inner;
   Index first_triangle;
+};
 
-  void write_points(Mesh& mesh, const Threads& threads) const {
-    parallel_for(threads, patch.pieces().size(), [&](std::size_t i, int) {
-      const Piece& piece = patch.pieces()[i];
-      if (piece.on_border) return;
-      const std::size_t first = first_inner + piece.first;
-      for (std::size_t k = 0; k < piece.count(); ++k) {
-        mesh.points[first + k] = patch.lattice().at(piece.low + 2 * static_cast<int>(k), piece.row);
-        mesh.origin[first + k] = interior_vertex;
-      }
-    });
-  }
+/// Writes the triangles of a strip, from left to right. Sides on the border of the patch get no neighbours.
+class StripWriter {
+ public:
+  StripWriter(const Patch& patch, const Places& places, const Strip& strip, Mesh& mesh)
+      : strip_(strip),
+        first_(places.first_triangle + static_cast<Index>(strip.first)),
+        lower_(patch.pieces_of(strip.row), places.first_border, places.first_inner),
+        upper_(patch.pieces_of(strip.row + 1), places.first_border, places.first_inner),
+        below_(patch.strips_above(strip.row - 1), places.first_triangle),
+        above_(patch.strips_above(strip.row + 1), places.first_triangle),
+        mesh_(mesh) {}
 
-  /// Writes the triangles. Sides on the border get no neighbours.
-  void write_triangles(Mesh& mesh, const Threads& threads) const {
-    parallel_for(threads, patch.strips().size(), [&](std::size_t s, int) { write_strip(mesh, patch.strips()[s]); });
+  void write() {
+    for (int x = strip_.low; x <= strip_.high;) {
+      const int pairs = stands(x) && x > strip_.low ? even_pairs(x) : 0;
+      if (pairs > 0)
+        write_pairs(x, pairs);
+      else
+        write_one(x);
+      x += std::max(2 * pairs, 1);
+    }
   }
 
  private:
-  void write_strip(Mesh& mesh, const Strip& strip) const {
-    const int row = strip.row;
-    RowCursor lower(patch.pieces_of(row), first_border, first_inner);
-    RowCursor upper(patch.pieces_of(row + 1), first_border, first_inner);
-    StripCursor below(patch.strips_above(row - 1), first_triangle), above(patch.strips_above(row + 1), first_triangle);
-    const auto stands = [&](int x) { return ((x ^ row) & 1) == 0; };
-    const auto point = [&](int x) { return stands(x) ? lower.at(x) : upper.at(x); };
-    Index left = point(strip.low), middle = point(strip.low + 1);
-    Index id = first_triangle + static_cast<Index>(strip.first);
-    for (int x = strip.low; x <= strip.high; ++x, ++id) {
-      const Index right = point(x + 2);
-      const Index before = x > strip.low ? id - 1 : no_index;
-      const Index after = x < strip.high ? id + 1 : no_index;
-      if (stands(x))
-        mesh.triangles[id] = {{left, right, middle}, {after, before, below.at(x)}};
-      else
-        mesh.triangles[id] = {{middle, right, left}, {above.at(x), before, after}};
-      left = middle;
-      middle = right;
+  [[nodiscard]] bool stands(int x) const { return ((x ^ strip_.row) & 1) == 0; }
+  [[nodiscard]] Index id(int x) const { return first_ + static_cast<Index>(x - strip_.low); }
+  [[nodiscard]] Index point(int x) { return stands(x) ? lower_.at(x) : upper_.at(x); }
+
+  /// From x on, so many pairs of a standing and a hanging triangle have neighbours on all sides, and corners and
+  /// neighbours whose numbers go up evenly. Nearly all triangles of a large patch belong to such pairs.
+  [[nodiscard]] int even_pairs(int x) {
+    (void)lower_.at(x);
+    (void)upper_.at(x + 1);
+    if (below_.at(x) == no_index || above_.at(x + 1) == no_index) return 0;
+    return std::min({lower_.last() - x, upper_.last() - x - 1, below_.last() - x + 2, above_.last() - x + 1,
+                     strip_.high - x}) /
+           2;
+  }
+
+  void write_pairs(int x, int pairs) {
+    Index lower = lower_.at(x), upper = upper_.at(x + 1), below = below_.at(x), above = above_.at(x + 1);
+    Triangle* to = &mesh_.triangles[id(x)];
+    for (Index here = id(x), end = here + 2 * static_cast<Index>(pairs); here != end; here += 2) {
+      *to++ = {{lower, lower + 1, upper}, {here + 1, here - 1, below}};
+      *to++ = {{lower + 1, upper + 1, upper}, {above, here, here + 2}};
+      ++lower, ++upper, below += 2, above += 2;
     }
   }
+
+  void write_one(int x) {
+    const Index left = point(x), middle = point(x + 1), right = point(x + 2);
+    const Index before = x > strip_.low ? id(x) - 1 : no_index;
+    const Index after = x < strip_.high ? id(x) + 1 : no_index;
+    if (stands(x))
+      mesh_.triangles[id(x)] = {{left, right, middle}, {after, before, below_.at(x)}};
+    else
+      mesh_.triangles[id(x)] = {{middle, right, left}, {above_.at(x), before, after}};
+  }
+
+  const Strip& strip_;
+  Index first_;  ///< the first triangle of the strip
+  RowCursor lower_, upper_;
+  StripCursor below_, above_;
+  Mesh& mesh_;
 };
+
+void write_points(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
+  parallel_for(threads, patch.pieces().size(), [&](std::size_t i, int) {
+    const Piece& piece = patch.pieces()[i];
+    if (piece.on_border) return;
+    const std::size_t first = places.first_inner + piece.first;
+    for (std::size_t k = 0; k < piece.count(); ++k) {
+      mesh.points[first + k] = patch.lattice().at(piece.low + 2 * static_cast<int>(k), piece.row);
+      mesh.origin[first + k] = interior_vertex;
+    }
+  });
+}
+
+void write_triangles(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
+  parallel_for(threads, patch.strips().size(),
+               [&](std::size_t s, int) { StripWriter(patch, places, patch.strips()[s], mesh).write(); });
+}
 
 /// Joins the triangles before `old`, those around the patches, to the patches. Returns the number of edges joined.
 std::size_t join_borders(Mesh& mesh, std::size_t old, std::span<const BorderEdge> edges, SparseAsk& ask) {
@@ -117,11 +163,10 @@ std::size_t join_borders(Mesh& mesh, std::size_t old, std::span<const BorderEdge
 
 bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_border, const Threads& threads) {
   const std::size_t old = mesh.triangles.size();
-  std::vector<PlacedPatch> placed;
+  std::vector<Places> places;
   std::size_t border_end = first_border, points = mesh.points.size(), triangles = old;
   for (const auto& [region, patch] : patches) {
-    placed.push_back(
-        {patch, static_cast<Index>(border_end), static_cast<Index>(points), static_cast<Index>(triangles)});
+    places.push_back({static_cast<Index>(border_end), static_cast<Index>(points), static_cast<Index>(triangles)});
     border_end += patch.border_points();
     points += patch.inner_points();
     triangles += patch.triangles();
@@ -129,9 +174,9 @@ bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_b
   mesh.points.resize_uninitialised(points);
   mesh.origin.resize_uninitialised(points);
   mesh.triangles.resize_uninitialised(triangles);
-  for (const PlacedPatch& patch : placed) {
-    patch.write_points(mesh, threads);
-    patch.write_triangles(mesh, threads);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    write_points(patches[i].patch, places[i], mesh, threads);
+    write_triangles(patches[i].patch, places[i], mesh, threads);
   }
   if (!mesh.region.empty()) {
     mesh.region.reserve(triangles);
