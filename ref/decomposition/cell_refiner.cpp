@@ -25,19 +25,6 @@ bool is_at_work(const Cells& cells, const Cell& cell, const Phase& phase) {
   return colour_of(cells, cell) == phase.colour;
 }
 
-/// Records the triangles and vertices that inserting p uses; returns the cavity of p.
-std::vector<Index> touch(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
-  const std::vector<Index> hole = cavity(mesh, p);
-  for (const Index v : closure(mesh, hole)) touched.vertices.insert(mesh.points[v]);
-  std::set<Edge> rim;
-  for (const Edge& e : boundary(mesh, hole)) rim.insert(edge(e[0], e[1]));
-  for (Index t : hole) touched.triangles.insert(mesh.triangles[t]);
-  for (const Corners& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i)
-      if (rim.contains(edge_of(t, i))) touched.triangles.insert(t);
-  return hole;
-}
-
 /// Requests a split of the subsegment e, because the cell `from` found that e must be split. The cell that contains the
 /// midpoint inserts it. If this is another cell, the subsegment is handed on to that cell.
 template <class Cells>
@@ -86,7 +73,7 @@ std::optional<ExactPoint> next_point(const Work<Cells>& work, Phase& phase, cons
     const std::vector<Edge> upon = encroached_by(mesh, centre);
     if (upon.empty()) return centre;
     const auto waits = [&](const Edge& e) { return work.state.waiting.contains(e); };
-    if (!std::ranges::all_of(upon, waits)) touch(phase.touched[cell], mesh, centre);
+    if (!std::ranges::all_of(upon, waits)) record_touched(phase.touched[cell], mesh, centre);
     for (const Edge& e : upon) hand_on(work, phase, cell, e);
     for (const Edge& e : upon)
       if (waits(e) && cell_of(work.cells, work.state.waiting.at(e)) == cell)
@@ -107,7 +94,7 @@ void insert_at_once(const Work<Cells>& work, Phase& phase, const std::map<Cell, 
     points.push_back(p);
     splits.push_back(constraint_through(state.mesh, p));
     phase.insertions.push_back({cell, p});
-    for (Index t : touch(phase.touched[cell], state.mesh, p))
+    for (Index t : record_touched(phase.touched[cell], state.mesh, p))
       if (!deleted.insert(t).second) state.failure = Error{ErrorKind::internal, "Two cells met in one triangle."};
   }
   if (state.failure) return;  // the result would not be a mesh
@@ -187,6 +174,18 @@ Result<CellRefinement<Cells>> refine_on(const std::function<Cells(const PlainMes
 }
 
 }  // namespace
+
+std::vector<Index> record_touched(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
+  const std::vector<Index> hole = cavity(mesh, p);
+  for (const Index v : closure(mesh, hole)) touched.vertices.insert(mesh.points[v]);
+  std::set<Edge> rim;
+  for (const Edge& e : boundary(mesh, hole)) rim.insert(edge(e[0], e[1]));
+  for (Index t : hole) touched.triangles.insert(mesh.triangles[t]);
+  for (const Corners& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      if (rim.contains(edge_of(t, i))) touched.triangles.insert(t);
+  return hole;
+}
 
 Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse,
                                             const Turns& turns) {

@@ -28,12 +28,15 @@
 
 namespace pardel::ref {
 
-/// The vertices and triangles that one cell used, over all points that it inserted and all circumcentres that it
-/// rejected because they encroached upon a subsegment.
+/// The vertices and triangles that insertions use.
 struct Touched {
   std::set<ExactPoint> vertices;  ///< the vertices of the closures of the cavities
   std::set<Corners> triangles;    ///< read or written: the cavities and the triangles across their boundaries
 };
+
+/// Adds to `touched` what inserting p into the mesh uses. Returns the cavity of p. Preconditions: p lies in the mesh
+/// and is not a vertex.
+std::vector<Index> record_touched(Touched& touched, const PlainMesh& mesh, const ExactPoint& p);
 
 struct Insertion {
   Cell cell;
@@ -55,6 +58,8 @@ struct Phase {
   int colour = 0;
   std::vector<Insertion> insertions;  ///< in the order of the steps
   std::set<HandedOn> handed_on;
+  /// For each cell: what it used, over all points that it inserted and all circumcentres that it rejected because they
+  /// encroached upon a subsegment.
   std::map<Cell, Touched> touched;
   PlainMesh after;
 };

@@ -72,12 +72,47 @@ LatticeDomain small_domain(Exhibit& exhibit) {
   return domain;
 }
 
+std::vector<Pslg> with_fewer_points(const Pslg& pslg) {
+  std::vector<Pslg> simpler;
+  Index first_free = 0;
+  for (const Segment& s : pslg.segments) first_free = std::max({first_free, s.a + 1, s.b + 1});
+  for (Index i = first_free; i < pslg.points.size(); ++i) {
+    simpler.push_back(pslg);
+    simpler.back().points.erase(simpler.back().points.begin() + i);
+  }
+  return simpler;
+}
+
+/// A wide rectangle with a free segment from left to right and isolated points on both sides of it. The segment crosses
+/// many edges of the Delaunay triangulation of the points. Making it an edge leaves thin triangles along it, so that
+/// many flips follow, and flips make further flips necessary.
+Pslg crossed_domain(Random& random, int size) {
+  constexpr int width = 128, height = 24;
+  Pslg pslg;
+  pslg.points = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  pslg.points.push_back({double(random.between(1, 4)), double(random.between(9, 15))});
+  pslg.points.push_back({double(width - random.between(1, 4)), double(random.between(9, 15))});
+  pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}, {4, 5, 0}};
+  const Point left = pslg.points[4], right = pslg.points[5];
+  for (int i = 8 + size / 8; i > 0; --i) {
+    const Point p{double(random.between(5, width - 5)), double(random.between(1, height - 1))};
+    const bool on_segment = (right.x - left.x) * (p.y - left.y) == (right.y - left.y) * (p.x - left.x);
+    if (!on_segment && std::ranges::count(pslg.points, p) == 0) pslg.points.push_back(p);
+  }
+  return pslg;
+}
+
 PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_the_same_where_only_one_is_delaunay,
                 {.statement = "The engine and the reference make the same constrained Delaunay triangulation of a "
                               "domain. If cocircular triangles allow several, both have the same number of triangles.",
                  .source = "ref/constrained.hpp",
-                 .families = "small lattice domains of every family"}) {
-  const Pslg pslg = to_pslg(small_domain(exhibit));
+                 .families = "small lattice domains of every family; a segment that crosses many edges of the Delaunay "
+                             "triangulation of the points"}) {
+  const bool is_crossed = *rc::gen::weightedElement<bool>({{3, false}, {1, true}});
+  const Pslg pslg =
+      is_crossed ? *generators::generator(crossed_domain, with_fewer_points) : to_pslg(small_domain(exhibit));
+  exhibit.show(pslg);
+  classify(is_crossed, "a segment crosses many edges", 15);
   const Mesh found = value_of(triangulate(pslg)).mesh;
   const ref::PlainMesh expected = triangulation_by_definition(pslg);
   RC_ASSERT(found.triangles.size() == expected.triangles.size());
@@ -138,17 +173,6 @@ Pslg right_angled_domain(Random& random, int size) {
     if (free && used.insert({x, y}).second) pslg.points.push_back({double(x), double(y)});
   }
   return pslg;
-}
-
-std::vector<Pslg> with_fewer_points(const Pslg& pslg) {
-  std::vector<Pslg> simpler;
-  Index first_free = 0;
-  for (const Segment& s : pslg.segments) first_free = std::max({first_free, s.a + 1, s.b + 1});
-  for (Index i = first_free; i < pslg.points.size(); ++i) {
-    simpler.push_back(pslg);
-    simpler.back().points.erase(simpler.back().points.begin() + i);
-  }
-  return simpler;
 }
 
 PARDEL_PROPERTY(

@@ -10,10 +10,12 @@
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
+#include "../../../properties/theorems/framework/shares.hpp"
 
 namespace pardel::engine {
 namespace {
 
+using properties::classify;
 using properties::Exhibit;
 
 constexpr const char* families = "lattice domains of every family";
@@ -157,10 +159,31 @@ DomainTriangulation hull_of(const std::vector<Point>& points, Segment segment, E
 
 double some_number(double low, double high) { return low + (high - low) * 1e-6 * *rc::gen::inRange(0, 1000001); }
 
+/// The edge from a to b, as a side of the triangle on its left; none() if the triangulation has no such edge.
+EdgeRef edge_between(const Triangulation& t, VertexId a, VertexId b) {
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side)
+      if (t.slots[id].from(side) == a && t.slots[id].to(side) == b) return {id, side};
+  return {};
+}
+
+/// True if every two consecutive vertices of the chain are the ends of an edge with a triangle on each side, and both
+/// triangles know that the edge is constrained.
+bool has_walls(const Triangulation& t, const std::vector<VertexId>& chain) {
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+    const EdgeRef left = edge_between(t, chain[k], chain[k + 1]), right = edge_between(t, chain[k + 1], chain[k]);
+    if (left.none() || right.none()) return false;
+    if (t.slot(left).n[left.side()] != right.with_constraint(true)) return false;
+    if (t.slot(right).n[right.side()] != left.with_constraint(true)) return false;
+  }
+  return true;
+}
+
 /// The disks of the triangles next to such a segment reach through it and around its ends.
 PARDEL_PROPERTY(EngineInsertion, next_to_a_segment_that_is_not_delaunay_leaves_a_valid_triangulation,
-                {.statement = "points inserted next to a segment with vertices in its diametral circle on both sides "
-                              "leave the triangulation positively oriented and constrained Delaunay",
+                {.statement = "points inserted next to a segment with vertices in its diametral circle on both sides, "
+                              "and midpoints that split its pieces, leave the triangulation positively oriented and "
+                              "constrained Delaunay; the pieces of the segment remain constrained edges",
                  .source = "parallel/refinement/insertion.hpp",
                  .families = "a free segment in a square, six points close to it"}) {
   std::vector<Point> points{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-1, 0}, {1, 0}};
@@ -170,11 +193,24 @@ PARDEL_PROPERTY(EngineInsertion, next_to_a_segment_that_is_not_delaunay_leaves_a
   Triangulation& t = domain.triangulation;
   const Criteria criteria({}, Placement::circumcentre, {});
   Insertion insertion(t, criteria, 0);
+  std::vector<VertexId> chain{domain.segments[0].a, domain.segments[0].b};  // the vertices on the segment, in order
+  RC_ASSERT(has_walls(t, chain));
   for (int i = 0; i < 10; ++i) {
-    const Point p{some_number(-1.6, 1.6), some_number(-0.8, 0.8)};
-    with_room(t, insertion, [&] { return insertion.insert_in_face(p, locate(t, p, 0), everywhere); });
+    const std::size_t piece = *rc::gen::inRange<std::size_t>(0, 4 * chain.size());
+    if (piece + 1 < chain.size()) {
+      const VertexId a = chain[piece], b = chain[piece + 1];
+      const Point middle{(t.points[a].x + t.points[b].x) / 2, 0};
+      const auto split = [&] { return insertion.split_edge(middle, edge_between(t, a, b), 0, everywhere); };
+      RC_ASSERT(with_room(t, insertion, split) == Outcome::inserted);
+      chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(piece) + 1, static_cast<VertexId>(t.points.size() - 1));
+    } else {
+      const Point p{some_number(-1.6, 1.6), some_number(-0.8, 0.8)};
+      with_room(t, insertion, [&] { return insertion.insert_in_face(p, locate(t, p, 0), everywhere); });
+    }
     RC_ASSERT(is_valid(t));
+    RC_ASSERT(has_walls(t, chain));
   }
+  classify(chain.size() > 2, "the segment is split", 50);
 }
 
 /// A corner far away sees a piece of a slanted segment at an angle that is smaller than the bend caused by rounding.
@@ -194,10 +230,7 @@ PARDEL_PROPERTY(
   Insertion insertion(t, criteria, 0);
   VertexId a = domain.segments[0].a, b = domain.segments[0].b;
   for (int i = 0; i < 16; ++i) {
-    EdgeRef e;
-    for (TriangleId id = 0; id < t.slots.size(); ++id)
-      for (unsigned side = 0; side < 3; ++side)
-        if (t.slots[id].from(side) == a && t.slots[id].to(side) == b) e = EdgeRef(id, side);
+    const EdgeRef e = edge_between(t, a, b);
     if (e.none()) std::swap(a, b);
     if (e.none()) continue;
     const Point p{(t.points[a].x + t.points[b].x) / 2, (t.points[a].y + t.points[b].y) / 2};
