@@ -9,6 +9,7 @@ import pathlib
 import re
 import resource
 import signal
+import stat
 import subprocess
 import tempfile
 import threading
@@ -77,6 +78,16 @@ def kill_group(leader):
         os.killpg(leader, 9)
 
 
+def restore_devices():
+    """If root runs the tests, a mutant can put a regular file in the place of a device. Later tests would then fail."""
+    for name, minor in (("full", 7), ("null", 3), ("zero", 5)):
+        device = pathlib.Path("/dev", name)
+        if not device.is_char_device():
+            device.unlink(missing_ok=True)
+            os.mknod(device, stat.S_IFCHR, os.makedev(1, minor))
+            device.chmod(0o666)
+
+
 def run(tests, seconds, variables):
     """Runs tests of one program, for at most so many seconds of processor time: (exit code, output, seconds).
 
@@ -95,6 +106,7 @@ def run(tests, seconds, variables):
         _, status, usage = os.wait4(process.pid, 0)
         timer.cancel()
         kill_group(process.pid)
+        restore_devices()
         process.returncode = os.waitstatus_to_exitcode(status)
         output.seek(0)
         return process.returncode, output.read().decode(errors="replace"), usage.ru_utime + usage.ru_stime
