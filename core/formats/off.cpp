@@ -49,18 +49,17 @@ Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
   if (!in.room_for(triangles, text_bytes(4), "faces")) return in.error();
 
   mesh.points.resize(points);
-  for (std::size_t i = 0; i < points && in.expect_record("vertex", i, points); ++i) {
-    const double x = in.number("an x coordinate");
-    const double y = in.number("a y coordinate");
+  read_records(in, "vertex", 0, points, [&](TextReader& line, std::size_t i) {
+    const double x = line.number("an x coordinate");
+    const double y = line.number("a y coordinate");
     mesh.points[i] = {x, y};
-    if (in.failed()) return in.error();
-  }
+  });
   mesh.triangles.resize(triangles);
-  for (std::size_t t = 0; t < triangles && in.expect_record("face", t, triangles); ++t) {
-    in.integer("the number of corners", 3, 3);
-    for (Index& corner : mesh.triangles[t].v) corner = read_point_index(in, "a corner of a face", points, 0);
-    if (in.failed()) return in.error();
-  }
+  read_records(in, "face", 0, triangles, [&](TextReader& line, std::size_t t) {
+    line.integer("the number of corners", 3, 3);
+    for (Index& corner : mesh.triangles[t].v) corner = read_point_index(line, "a corner of a face", points, 0);
+  });
+  if (in.failed()) return in.error();
   read_constrained_edges(in, mesh);
   if (in.failed()) return in.error();
   rebuild_neighbours(mesh.triangles, mesh.points.size());
