@@ -55,7 +55,8 @@ void prefetch_points(const Mesh& mesh, std::size_t t) {
 
 constexpr std::size_t words_per_triangle = 7;
 
-std::array<double, words_per_triangle> words_of_triangle(const Mesh& mesh, std::size_t t) {
+/// The corners, from the least on, and the attribute.
+inline std::array<double, words_per_triangle> words_of_triangle(const Mesh& mesh, std::size_t t) {
   constexpr std::size_t soon = 16;
   prefetch_points(mesh, t + soon);
   const auto& v = mesh.triangles[t].v;
@@ -64,15 +65,10 @@ std::array<double, words_per_triangle> words_of_triangle(const Mesh& mesh, std::
   // The least corner is anywhere, so a processor would guess wrong branches. This has none.
   const std::size_t b_first = is_less(b, a), c_before_a = is_less(c, a), c_before_b = is_less(c, b);
   const std::size_t first = b_first * (1 + c_before_b) + (1 - b_first) * 2 * c_before_a;
-  const Point &least = p[first], &second = p[first + 1], &third = p[first + 2];
+  const Point &d = p[first], &e = p[first + 1], &f = p[first + 2];
   const Index region = mesh.region.empty() ? no_index : mesh.region[t];
-  return {least.x,
-          least.y,
-          second.x,
-          second.y,
-          third.x,
-          third.y,
-          region == no_index ? 0.0 : mesh.region_attributes[region]};
+  const double attribute = region == no_index ? 0.0 : mesh.region_attributes[region];
+  return {d.x, d.y, e.x, e.y, f.x, f.y, attribute};
 }
 
 /// The sum of the hashes of n triangles from t on. Each multiplication of a hash waits for the one before, so a

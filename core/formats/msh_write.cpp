@@ -171,9 +171,7 @@ class MshWriter {
     if (binary_) {
       (to.raw(numbers), ...);
     } else {
-      std::string_view separator;
-      ((to << separator << numbers, separator = " "), ...);
-      to << '\n';
+      to.numbers(numbers...) << '\n';
     }
   }
   template <class... Numbers>

@@ -72,10 +72,10 @@ Status write_off(const Mesh& mesh, const std::filesystem::path& file) {
   header << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
   out.write(header.view());
   write_records(out, mesh.points.size(),
-                [&](Bytes& to, std::size_t i) { to << mesh.points[i].x << ' ' << mesh.points[i].y << " 0\n"; });
+                [&](Bytes& to, std::size_t i) { to.numbers(mesh.points[i].x, mesh.points[i].y) << " 0\n"; });
   write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
     const auto& v = mesh.triangles[t].v;
-    to << "3 " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n';
+    to.numbers(3, v[0], v[1], v[2]) << '\n';
   });
   if (!mesh.constrained_edges.empty()) {
     Bytes comment;
@@ -83,7 +83,7 @@ Status write_off(const Mesh& mesh, const std::filesystem::path& file) {
   }
   write_records(out, mesh.constrained_edges.size(), [&](Bytes& to, std::size_t i) {
     const ConstrainedEdge& edge = mesh.constrained_edges[i];
-    to << "# " << edge.a << ' ' << edge.b << ' ' << edge.marker << '\n';
+    (to << "# ").numbers(edge.a, edge.b, edge.marker) << '\n';
   });
   return out.commit();
 }

@@ -15,7 +15,7 @@ void Bytes::grow(std::size_t size) {
 }
 
 void write_blocks(OutputFile& out, std::size_t blocks, const std::function<void(Bytes&, std::size_t)>& format) {
-  constexpr std::size_t few = 12;
+  constexpr std::size_t few = 4;
   const int threads = blocks <= few ? 1 : omp_get_max_threads();
   std::exception_ptr failure;  // of the first block that has one
   std::atomic<bool> stopped = !out.ok();

@@ -11,7 +11,7 @@ namespace {
 
 /// A grid of squares with two triangles each, in two regions, with attributes. The constrained edges are the left side.
 Mesh squares_in_triangles() {
-  constexpr Index n = 200;
+  constexpr Index n = 300;
   Mesh mesh;
   mesh.attributes_per_point = 1;
   mesh.region_attributes = {-1.5, 7};
@@ -92,10 +92,10 @@ TEST(LargeFiles, have_the_first_mistake_on_any_number_of_threads) {
   };
   EXPECT_EQ(failure("m.node", "30000 ", "30001 "),
             "m.node:30001: expected point 30000 (numbers are consecutive), found 30001");
-  EXPECT_EQ(failure("m.ele", "70000 ", "70000 40402 "),
-            "m.ele:70001: expected a corner of a triangle, a whole number from 1 to 40401, found \"40402\"");
+  EXPECT_EQ(failure("m.ele", "70000 ", "70000 90602 "),
+            "m.ele:70001: expected a corner of a triangle, a whole number from 1 to 90601, found \"90602\"");
   EXPECT_EQ(failure("m.neigh", "70000 ", "70000 1 "),
-            "m.neigh:70001: expected neighbour -1, as the triangles have it, found 1");
+            "m.neigh:70001: expected neighbour 70001, as the triangles have it, found 1");
   std::filesystem::remove(folder / "m.poly");
   EXPECT_EQ(failure("m.edge", "100000 ", "100000 x "),
             "m.edge:100001: expected an end of a segment, a whole number, found \"x\"");

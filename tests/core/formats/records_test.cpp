@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 
 #include "../../temporary_folder.hpp"
@@ -70,6 +71,16 @@ TEST(Blocks, are_not_made_after_a_failure_to_write) {
     EXPECT_LE(made, threads);
     EXPECT_EQ(out.commit().error().message, "/dev/full: cannot be written: No space left on device");
   });
+}
+
+TEST(Bytes, have_integers_of_every_size_and_sign) {
+  for (const std::int64_t value :
+       {std::int64_t{0}, std::int64_t{-1}, std::int64_t{99'999'999}, std::int64_t{100'000'000},
+        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()}) {
+    EXPECT_EQ((Bytes() << value).view(), std::to_string(value));
+    EXPECT_EQ((Bytes() << static_cast<int>(value)).view(), std::to_string(static_cast<int>(value)));
+    EXPECT_EQ((Bytes() << static_cast<std::uint64_t>(value)).view(), std::to_string(static_cast<std::uint64_t>(value)));
+  }
 }
 
 TEST(Bytes, keep_what_they_have_when_they_grow) {
