@@ -2,9 +2,11 @@
 // with one entity: surfaces `region ATTRIBUTE` (`domain` for triangles without a region), curves `marker NUMBER`. The
 // tag of a group is the attribute or marker itself if that is a positive int, else the smallest free number.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "../formats.hpp"
 #include "records.hpp"

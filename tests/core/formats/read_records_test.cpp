@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "../../../core/formats.hpp"
-#include "../../temporary_folder.hpp"
 #include "with_threads.hpp"
 
 namespace pardel::files {

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "../../temporary_folder.hpp"
 #include "with_threads.hpp"

@@ -5,7 +5,7 @@
 
 namespace pardel {
 
-/// Calls test(n) with n threads for one, two and more threads than blocks or processors need.
+/// Calls test(n) for n = 1, 2 and 5, with n threads each time.
 template <class Test>
 void with_threads(const Test& test) {
   const int threads = omp_get_max_threads();
