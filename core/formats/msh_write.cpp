@@ -2,9 +2,11 @@
 // with one entity: surfaces `region ATTRIBUTE` (`domain` for triangles without a region), curves `marker NUMBER`. The
 // tag of a group is the attribute or marker itself if that is a positive int, else the smallest free number.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "../formats.hpp"
 #include "records.hpp"
@@ -171,9 +173,7 @@ class MshWriter {
     if (binary_) {
       (to.raw(numbers), ...);
     } else {
-      std::string_view separator;
-      ((to << separator << numbers, separator = " "), ...);
-      to << '\n';
+      to.numbers(numbers...) << '\n';
     }
   }
   template <class... Numbers>
@@ -181,6 +181,13 @@ class MshWriter {
     Bytes to;
     row(to, numbers...);
     out_.write(to.view());
+  }
+  /// Writes n rows: numbers(i) returns an array of the numbers of row i.
+  template <class NumbersOf>
+  void write_rows(std::size_t n, const NumbersOf& numbers) {
+    if (binary_) return write_values(out_, n, numbers);
+    write_records(out_, n,
+                  [&](Bytes& to, std::size_t i) { std::apply([&](auto... each) { row(to, each...); }, numbers(i)); });
   }
   void open(std::string_view section) { out_.write((Bytes() << '$' << section << '\n').view()); }
   void close(std::string_view section) {
@@ -229,9 +236,10 @@ class MshWriter {
       const bool curve = e < model.curves.size();
       const Group& group = curve ? model.curves[e] : model.surfaces[e - model.curves.size()];
       write_row(curve ? 1 : 2, group.tag, 0, points.size());
-      write_records(out_, points.size(), [&](Bytes& to, std::size_t i) { row(to, std::size_t{points[i]} + 1); });
-      write_records(out_, points.size(), [&](Bytes& to, std::size_t i) {
-        row(to, mesh.points[points[i]].x, mesh.points[points[i]].y, 0.0);
+      write_rows(points.size(), [&](std::size_t i) { return std::array{std::size_t{points[i]} + 1}; });
+      write_rows(points.size(), [&](std::size_t i) {
+        const Point& p = mesh.points[points[i]];
+        return std::array{p.x, p.y, 0.0};
       });
     }
     close("Nodes");
@@ -247,18 +255,18 @@ class MshWriter {
     for (std::size_t c = 0; c < model.curves.size(); ++c) {
       const auto members = model.lines[c];
       write_row(1, model.curves[c].tag, line, members.size());
-      write_records(out_, members.size(), [&](Bytes& to, std::size_t i) {
+      write_rows(members.size(), [&](std::size_t i) {
         const ConstrainedEdge& e = mesh.constrained_edges[members[i]];
-        row(to, std::size_t{members[i]} + 1, std::size_t{e.a} + 1, std::size_t{e.b} + 1);
+        return std::array{std::size_t{members[i]} + 1, std::size_t{e.a} + 1, std::size_t{e.b} + 1};
       });
     }
     for (std::size_t s = 0; s < model.surfaces.size(); ++s) {
       const auto members = model.triangles[s];
       if (members.empty()) continue;
       write_row(2, model.surfaces[s].tag, triangle, members.size());
-      write_records(out_, members.size(), [&](Bytes& to, std::size_t i) {
+      write_rows(members.size(), [&](std::size_t i) {
         const auto& v = mesh.triangles[members[i]].v;
-        row(to, lines + members[i] + 1, std::size_t{v[0]} + 1, std::size_t{v[1]} + 1, std::size_t{v[2]} + 1);
+        return std::array{lines + members[i] + 1, std::size_t{v[0]} + 1, std::size_t{v[1]} + 1, std::size_t{v[2]} + 1};
       });
     }
     close("Elements");

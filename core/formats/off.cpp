@@ -49,18 +49,17 @@ Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
   if (!in.room_for(triangles, text_bytes(4), "faces")) return in.error();
 
   mesh.points.resize(points);
-  for (std::size_t i = 0; i < points && in.expect_record("vertex", i, points); ++i) {
-    const double x = in.number("an x coordinate");
-    const double y = in.number("a y coordinate");
+  read_records(in, "vertex", 0, points, [&](TextReader& line, std::size_t i) {
+    const double x = line.number("an x coordinate");
+    const double y = line.number("a y coordinate");
     mesh.points[i] = {x, y};
-    if (in.failed()) return in.error();
-  }
+  });
   mesh.triangles.resize(triangles);
-  for (std::size_t t = 0; t < triangles && in.expect_record("face", t, triangles); ++t) {
-    in.integer("the number of corners", 3, 3);
-    for (Index& corner : mesh.triangles[t].v) corner = read_point_index(in, "a corner of a face", points, 0);
-    if (in.failed()) return in.error();
-  }
+  read_records(in, "face", 0, triangles, [&](TextReader& line, std::size_t t) {
+    line.integer("the number of corners", 3, 3);
+    for (Index& corner : mesh.triangles[t].v) corner = read_point_index(line, "a corner of a face", points, 0);
+  });
+  if (in.failed()) return in.error();
   read_constrained_edges(in, mesh);
   if (in.failed()) return in.error();
   rebuild_neighbours(mesh.triangles, mesh.points.size());
@@ -73,10 +72,10 @@ Status write_off(const Mesh& mesh, const std::filesystem::path& file) {
   header << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
   out.write(header.view());
   write_records(out, mesh.points.size(),
-                [&](Bytes& to, std::size_t i) { to << mesh.points[i].x << ' ' << mesh.points[i].y << " 0\n"; });
+                [&](Bytes& to, std::size_t i) { to.numbers(mesh.points[i].x, mesh.points[i].y) << " 0\n"; });
   write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
     const auto& v = mesh.triangles[t].v;
-    to << "3 " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n';
+    to.numbers(3, v[0], v[1], v[2]) << '\n';
   });
   if (!mesh.constrained_edges.empty()) {
     Bytes comment;
@@ -84,7 +83,7 @@ Status write_off(const Mesh& mesh, const std::filesystem::path& file) {
   }
   write_records(out, mesh.constrained_edges.size(), [&](Bytes& to, std::size_t i) {
     const ConstrainedEdge& edge = mesh.constrained_edges[i];
-    to << "# " << edge.a << ' ' << edge.b << ' ' << edge.marker << '\n';
+    (to << "# ").numbers(edge.a, edge.b, edge.marker) << '\n';
   });
   return out.commit();
 }

@@ -17,8 +17,6 @@
 namespace pardel::files {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
 int close_unless_input(std::FILE* f) { return f == stdin ? 0 : std::fclose(f); }
 using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -102,13 +100,24 @@ std::string in_quotes(std::string_view token) {
 TextReader::TextReader(std::string_view text, std::string name)
     : begin_(text.data()), at_(text.data()), end_(text.data() + text.size()), name_(std::move(name)) {}
 
-void TextReader::skip_blanks() {
-  while (at_ != end_ && is_blank(*at_)) ++at_;
+TextReader TextReader::part(std::string_view lines, std::size_t line) const {
+  TextReader reader(lines, name_);
+  reader.line_ = line;
+  return reader;
+}
+
+void TextReader::go_on_after(const TextReader& part) {
+  at_ = part.at_;
+  line_ = part.line_;
+  entered_ = part.entered_;
+  failed_ = part.failed_;
+  message_ = part.message_;
 }
 
 void TextReader::end_line() {
   if (at_ == end_) return;
-  const void* newline = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
+  // Most lines have been read to their ends.
+  const void* newline = *at_ == '\n' ? at_ : std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
   at_ = newline == nullptr ? end_ : static_cast<const char*>(newline) + 1;
   if (newline != nullptr) ++line_;
   entered_ = false;
@@ -116,7 +125,7 @@ void TextReader::end_line() {
 
 bool TextReader::next_line() {
   if (failed_) return false;
-  if (entered_) end_line();
+  leave_line();
   while (at_ != end_ && !has_field()) end_line();
   entered_ = at_ != end_;
   return entered_;
@@ -134,16 +143,11 @@ bool TextReader::expect_record(std::string_view what, std::size_t i, std::size_t
   return false;
 }
 
-bool TextReader::has_field() {
-  skip_blanks();
-  return at_ != end_ && *at_ != '\n' && *at_ != '#';
-}
-
 bool TextReader::next_field() { return !failed_ && ((entered_ && has_field()) || next_line()); }
 
 std::string_view TextReader::peek() const {
   const char* p = at_;
-  while (p != end_ && !is_blank(*p) && *p != '\n' && *p != '#') ++p;
+  while (!is_end_of_field(p)) ++p;
   return {at_, static_cast<std::size_t>(p - at_)};
 }
 
@@ -158,7 +162,7 @@ std::string_view TextReader::rest_of_line() {
   if (failed_) return {};
   skip_blanks();
   const char* stop = std::find(at_, end_, '\n');
-  while (stop != at_ && is_blank(stop[-1])) --stop;
+  while (stop != at_ && field_blanks.has(stop[-1])) --stop;
   const std::string_view text(at_, static_cast<std::size_t>(stop - at_));
   at_ = stop;
   return text;
@@ -167,9 +171,15 @@ std::string_view TextReader::rest_of_line() {
 double TextReader::number(std::string_view what) {
   if (failed_) return 0;
   skip_blanks();
+  double value = 0;
+  // Most numbers end where their field ends, and have no '+'.
+  if (const auto [stop, status] = std::from_chars(at_, end_, value);
+      status == std::errc() && is_end_of_field(stop) && std::isfinite(value)) {
+    at_ = stop;
+    return value;
+  }
   const std::string_view token = peek();
   const std::string_view digits = without_plus(token);
-  double value = 0;
   const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (token.empty() || stop != digits.data() + digits.size() || status == std::errc::invalid_argument) {
     fail_expected(what);
@@ -183,7 +193,7 @@ double TextReader::number(std::string_view what) {
   return value;
 }
 
-std::int64_t TextReader::integer(std::string_view what, std::int64_t low, std::int64_t high) {
+std::int64_t TextReader::integer_in_any_form(std::string_view what, std::int64_t low, std::int64_t high) {
   if (failed_) return 0;
   skip_blanks();
   const std::string_view token = peek();

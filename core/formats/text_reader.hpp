@@ -9,6 +9,7 @@
 
 #include "../array.hpp"
 #include "../result.hpp"
+#include "fields.hpp"
 
 namespace pardel::files {
 
@@ -50,7 +51,10 @@ class TextReader {
   /// Like expect_line(), for record i of n, counted from 0. If `what` is "triangle": `expected triangle 5 of 9, ...`.
   bool expect_record(std::string_view what, std::size_t i, std::size_t n);
   /// True if the line has another field.
-  [[nodiscard]] bool has_field();
+  [[nodiscard]] bool has_field() {
+    skip_blanks();
+    return at_ != end_ && *at_ != '\n' && *at_ != '#';
+  }
   /// Goes to the next field, on this line or a later one. Returns false at the end of the text.
   bool next_field();
 
@@ -61,7 +65,16 @@ class TextReader {
   /// Reads a finite number that a double can represent.
   double number(std::string_view what);
   /// Reads an integer in [low, high].
-  std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high);
+  std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high) {
+    if (failed_) return 0;
+    skip_blanks();
+    std::int64_t value = 0;
+    const char* const stop = read_digits(at_, end_, value);
+    if (stop == at_ || !is_end_of_field(stop) || value < low || value > high)
+      return integer_in_any_form(what, low, high);
+    at_ = stop;
+    return value;
+  }
   /// Returns integer() if the line has another field, else `otherwise`.
   std::int64_t integer_or(std::string_view what, std::int64_t low, std::int64_t high, std::int64_t otherwise);
   /// Reads a number of records, 0 or more.
@@ -72,6 +85,10 @@ class TextReader {
 
   /// Goes to the first byte after the end of the current line, where binary data begin.
   void end_line();
+  /// The same if a line has been begun.
+  void leave_line() {
+    if (entered_) end_line();
+  }
   /// Reads the next n bytes as binary data. If there are fewer, fails and returns an empty text.
   std::string_view bytes(std::size_t n, std::string_view what);
 
@@ -80,14 +97,25 @@ class TextReader {
   [[nodiscard]] Error error() const { return {ErrorKind::invalid_input, message_}; }
   /// Stores the failure `NAME:LINE: message`, unless there was a failure before.
   void fail(const std::string& message);
+  /// A reader of `lines`, whole lines of this text of which the first has the number `line`.
+  [[nodiscard]] TextReader part(std::string_view lines, std::size_t line) const;
+  /// Goes to where a reader that part() returned is, and takes over its failure.
+  void go_on_after(const TextReader& part);
+  /// The number of the line that is read, or of the next one. The first line has the number 1.
+  [[nodiscard]] std::size_t line() const { return line_; }
   /// The part of the text that has not been read.
   [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
   /// Skips n bytes. Line ends among them count for the line number.
   void skip(std::size_t n);
 
  private:
-  void skip_blanks();
+  void skip_blanks() {
+    while (at_ != end_ && field_blanks.has(*at_)) ++at_;
+  }
+  [[nodiscard]] bool is_end_of_field(const char* p) const { return p == end_ || field_ends.has(*p); }
   [[nodiscard]] std::string_view peek() const;
+  /// Also for integers with a sign or many digits; all failures.
+  std::int64_t integer_in_any_form(std::string_view what, std::int64_t low, std::int64_t high);
   void fail_expected(std::string_view what);
 
   const char* begin_;

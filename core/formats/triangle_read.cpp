@@ -86,17 +86,10 @@ Result<std::vector<double>> read_numbered_values(const fs::path& file, std::stri
   const std::size_t n = in.count("the number of values");
   if (!in.room_for(n, text_bytes(2), "values")) return in.error();
   std::vector<double> values(n);
-  int base = 1;
-  for (std::size_t i = 0; i < n && in.expect_record(thing, i, n); ++i) {
-    if (i == 0) {
-      base = static_cast<int>(in.integer("the first number", 0, 1));
-    } else {
-      read_number(in, thing, i, base);
-    }
-    values[i] = in.number("a value");
-    if (positive && !(values[i] > 0)) in.fail("expected a value greater than 0, found " + shortest(values[i]));
-    if (in.failed()) break;
-  }
+  read_numbered_records(in, thing, "the first number", n, [&](TextReader& line, std::size_t i) {
+    values[i] = line.number("a value");
+    if (positive && !(values[i] > 0)) line.fail("expected a value greater than 0, found " + shortest(values[i]));
+  });
   if (in.failed()) return in.error();
   return values;
 }

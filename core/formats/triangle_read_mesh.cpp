@@ -1,4 +1,5 @@
 // Reads a mesh from Triangle's files .node and .ele, and from the .poly, .edge and .neigh of the same name.
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,7 @@ namespace fs = std::filesystem;
 struct ReadMesh {
   Mesh mesh;
   int base = 1;
-  std::vector<bool>
-      is_middle;  ///< per node: true for the middle of an edge; empty if there are three nodes per triangle
+  std::vector<char> is_middle;  ///< per node: 1 for the middle of an edge; empty if a triangle has three nodes
 };
 
 /// Format: `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
@@ -31,25 +31,25 @@ void read_elements(TextReader& in, ReadMesh& read) {
   if (n > max_mesh_triangles) in.fail("announces more than " + std::to_string(max_mesh_triangles) + " triangles");
   if (!in.room_for(n, text_bytes(static_cast<std::size_t>(nodes) + 1 + attributes), "triangles")) return;
 
-  mesh.triangles.resize(n);
+  mesh.triangles.resize_uninitialised(n);  // each thread then gets the memory of the triangles that it reads
   if (nodes == 6) read.is_middle.resize(mesh.points.size());
   Array<double> region(attributes > 0 ? n : 0);
-  for (std::size_t t = 0; t < n && in.expect_record("triangle", t, n); ++t) {
-    read_number(in, "triangle", t, read.base);
+  read_records(in, "triangle", 0, n, [&](TextReader& line, std::size_t t) {
+    read_number(line, "triangle", t, read.base);
+    mesh.triangles[t] = {};
     for (Index& corner : mesh.triangles[t].v) {
-      corner = read_point_index(in, "a corner of a triangle", mesh.points.size(), read.base);
+      corner = read_point_index(line, "a corner of a triangle", mesh.points.size(), read.base);
     }
     for (std::int64_t i = 3; i < nodes; ++i) {
-      const Index middle = read_point_index(in, "a middle node of a triangle", mesh.points.size(), read.base);
-      if (!in.failed()) read.is_middle[middle] = true;
+      const Index middle = read_point_index(line, "a middle node of a triangle", mesh.points.size(), read.base);
+      if (!line.failed()) std::atomic_ref(read.is_middle[middle]).store(1, std::memory_order_relaxed);
     }
     for (std::size_t k = 0; k < attributes; ++k) {
-      const double attribute = in.number("a triangle's attribute");
+      const double attribute = line.number("a triangle's attribute");
       if (k == 0) region[t] = attribute;
     }
-    if (in.failed()) return;
-  }
-  if (attributes > 0) set_regions(mesh, region.span());
+  });
+  if (attributes > 0 && !in.failed()) set_regions(mesh, region.span());
 }
 
 /// Reads the segments of the .poly that was written with the mesh. Returns false if the .poly has points: then it is
@@ -82,32 +82,32 @@ void check_neighbours(TextReader& in, const ReadMesh& read) {
   }
   in.integer_or("the number of neighbours per triangle", 3, 3, 3);
   const auto name = [&](Index t) { return t == no_index ? std::int64_t{-1} : std::int64_t{t} + read.base; };
-  for (std::size_t t = 0; t < n && !in.failed() && in.expect_record("triangle", t, n); ++t) {
-    read_number(in, "triangle", t, read.base);
+  read_records(in, "triangle", 0, n, [&](TextReader& line, std::size_t t) {
+    read_number(line, "triangle", t, read.base);
     for (const Index neighbour : triangles[t].n) {
-      const std::int64_t found = in.integer("a neighbour", -1, static_cast<std::int64_t>(n) - 1 + read.base);
+      const std::int64_t found = line.integer("a neighbour", -1, static_cast<std::int64_t>(n) - 1 + read.base);
       if (found == name(neighbour)) continue;
-      in.fail("expected neighbour " + std::to_string(name(neighbour)) + ", as the triangles have it, found " +
-              std::to_string(found));
+      line.fail("expected neighbour " + std::to_string(name(neighbour)) + ", as the triangles have it, found " +
+                std::to_string(found));
       break;
     }
-  }
+  });
 }
 
 /// Removes the nodes that are only middles of edges: no corner of a triangle and no end of a constrained edge.
 void remove_middles(ReadMesh& read) {
   Mesh& mesh = read.mesh;
   for (const Triangle& triangle : mesh.triangles) {
-    for (const Index corner : triangle.v) read.is_middle[corner] = false;
+    for (const Index corner : triangle.v) read.is_middle[corner] = 0;
   }
   for (const ConstrainedEdge& edge : mesh.constrained_edges) {
-    read.is_middle[edge.a] = read.is_middle[edge.b] = false;
+    read.is_middle[edge.a] = read.is_middle[edge.b] = 0;
   }
   std::vector<Index> number(mesh.points.size(), no_index);
   const std::size_t width = mesh.attributes_per_point;
   Index kept = 0;
   for (std::size_t node = 0; node < number.size(); ++node) {
-    if (read.is_middle[node]) continue;
+    if (read.is_middle[node] != 0) continue;
     mesh.points[kept] = mesh.points[node];
     if (!mesh.point_markers.empty()) mesh.point_markers[kept] = mesh.point_markers[node];
     for (std::size_t k = 0; k < width; ++k) {

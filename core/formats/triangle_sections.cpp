@@ -21,16 +21,15 @@ SegmentSection read_segments(TextReader& in, std::size_t points, int base) {
   section.markers = in.integer_or("the number of markers per segment", 0, 1, 0) == 1;
   if (!in.room_for(n, text_bytes(section.markers ? 4 : 3), "segments")) return section;
   section.segments.resize(n);
-  for (std::size_t i = 0; i < n && in.expect_record("segment", i, n); ++i) {
+  read_records(in, "segment", 0, n, [&](TextReader& line, std::size_t i) {
     Segment& segment = section.segments[i];
-    in.integer("a segment's number", any_marker_low, any_marker_high);
-    segment.a = read_point_index(in, "an end of a segment", points, base);
-    segment.b = read_point_index(in, "an end of a segment", points, base);
+    line.integer("a segment's number", any_marker_low, any_marker_high);
+    segment.a = read_point_index(line, "an end of a segment", points, base);
+    segment.b = read_point_index(line, "an end of a segment", points, base);
     if (section.markers) {
-      segment.marker = static_cast<int>(in.integer("a segment's marker", any_marker_low, any_marker_high));
+      segment.marker = static_cast<int>(line.integer("a segment's marker", any_marker_low, any_marker_high));
     }
-    if (in.failed()) break;
-  }
+  });
   return section;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../pslg.hpp"
+#include "read_records.hpp"
 #include "text_reader.hpp"
 
 namespace pardel::files {
@@ -34,6 +35,21 @@ inline void read_number(TextReader& in, std::string_view what, std::size_t i, in
   }
 }
 
+/// Reads n records with consecutive numbers: read(in, i) reads what follows the number of record i. Returns the first
+/// number, 0 or 1; `first` is its name in messages. Returns 1 if there is no record.
+template <class Read>
+int read_numbered_records(TextReader& in, std::string_view what, std::string_view first, std::size_t n,
+                          const Read& read) {
+  if (n == 0 || !in.expect_record(what, 0, n)) return 1;
+  const int base = static_cast<int>(in.integer(first, 0, 1));
+  read(in, 0);
+  read_records(in, what, 1, n, [&](TextReader& line, std::size_t i) {
+    read_number(line, what, i, base);
+    read(line, i);
+  });
+  return base;
+}
+
 /// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base: the
 /// number of the first point, 0 or 1. Returns 1 if there is no point.
 template <class PointSet>
@@ -44,25 +60,17 @@ int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
   set.attributes_per_point = header.attributes;
   set.point_attributes.resize(n * header.attributes);
   set.point_markers.resize(header.markers ? n : 0);
-  int base = 1;
-  for (std::size_t i = 0; i < n && in.expect_record("point", i, n); ++i) {
-    if (i == 0) {
-      base = static_cast<int>(in.integer("the first point's number", 0, 1));
-    } else {
-      read_number(in, "point", i, base);
-    }
-    const double x = in.number("an x coordinate");
-    const double y = in.number("a y coordinate");
+  return read_numbered_records(in, "point", "the first point's number", n, [&](TextReader& line, std::size_t i) {
+    const double x = line.number("an x coordinate");
+    const double y = line.number("a y coordinate");
     set.points[i] = {x, y};
     for (std::size_t k = 0; k < header.attributes; ++k) {
-      set.point_attributes[i * header.attributes + k] = in.number("a point's attribute");
+      set.point_attributes[i * header.attributes + k] = line.number("a point's attribute");
     }
     if (header.markers) {
-      set.point_markers[i] = static_cast<int>(in.integer("a point's marker", any_marker_low, any_marker_high));
+      set.point_markers[i] = static_cast<int>(line.integer("a point's marker", any_marker_low, any_marker_high));
     }
-    if (in.failed()) break;
-  }
-  return base;
+  });
 }
 
 /// `<# of segments> <# of markers, 0 or 1>`, then `<segment #> <end> <end> [marker]`. The numbers of the segments are

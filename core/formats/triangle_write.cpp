@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 /// `<point #> <x> <y> [attributes] [marker]`
 void put_point(Bytes& to, std::size_t number, const Point& p, std::span<const double> attributes, const int* marker) {
-  to << number << ' ' << p.x << ' ' << p.y;
+  to.numbers(number, p.x, p.y);
   for (const double attribute : attributes) to << ' ' << attribute;
   if (marker != nullptr) to << ' ' << *marker;
   to << '\n';
@@ -40,7 +40,7 @@ void write_edges(OutputFile& out, const Edges& edges, bool markers, int base) {
   out.write(header.view());
   write_records(out, edges.size(), [&](Bytes& to, std::size_t i) {
     const auto& edge = edges[i];
-    to << i + base << ' ' << std::uint64_t{edge.a} + base << ' ' << std::uint64_t{edge.b} + base;
+    to.numbers(i + base, std::uint64_t{edge.a} + base, std::uint64_t{edge.b} + base);
     if (markers) to << ' ' << edge.marker;
     to << '\n';
   });
@@ -60,8 +60,7 @@ void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
   to << regions.size() << '\n';
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const Region& r = regions[i];
-    to << i + base << ' ' << r.seed.x << ' ' << r.seed.y << ' ' << r.attribute << ' '
-       << (std::isinf(r.max_area) ? -1.0 : r.max_area) << '\n';
+    to.numbers(i + base, r.seed.x, r.seed.y, r.attribute, std::isinf(r.max_area) ? -1.0 : r.max_area) << '\n';
   }
   out.write(to.view());
 }
@@ -96,8 +95,8 @@ void write_ele(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const 
   header << mesh.triangles.size() << (files.second_order ? " 6" : " 3") << (regions ? " 1\n" : " 0\n");
   out.write(header.view());
   write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
-    to << t + files.base;
-    for (const Index v : mesh.triangles[t].v) to << ' ' << std::uint64_t{v} + files.base;
+    const auto corner = [&](std::size_t i) { return std::uint64_t{mesh.triangles[t].v[i]} + files.base; };
+    to.numbers(t + files.base, corner(0), corner(1), corner(2));
     for (std::size_t i = 0; files.second_order && i < 3; ++i) {
       to << ' ' << mesh.points.size() + table.edge_of_side[3 * t + i] + files.base;
     }
@@ -111,9 +110,9 @@ void write_neigh(OutputFile& out, const Mesh& mesh, int base) {
   header << mesh.triangles.size() << " 3\n";
   out.write(header.view());
   write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
-    to << t + base;
-    for (const Index n : mesh.triangles[t].n) to << ' ' << (n == no_index ? std::int64_t{-1} : std::int64_t{n} + base);
-    to << '\n';
+    const auto number = [&](Index n) { return n == no_index ? std::int64_t{-1} : std::int64_t{n} + base; };
+    const auto& n = mesh.triangles[t].n;
+    to.numbers(t + base, number(n[0]), number(n[1]), number(n[2])) << '\n';
   });
 }
 
@@ -133,9 +132,8 @@ Status write_area(const fs::path& file, std::span<const double> caps, int base) 
   Bytes header;
   header << caps.size() << '\n';
   out.write(header.view());
-  write_records(out, caps.size(), [&](Bytes& to, std::size_t i) {
-    to << i + base << ' ' << (std::isinf(caps[i]) ? -1.0 : caps[i]) << '\n';
-  });
+  write_records(out, caps.size(),
+                [&](Bytes& to, std::size_t i) { to.numbers(i + base, std::isinf(caps[i]) ? -1.0 : caps[i]) << '\n'; });
   return out.commit();
 }
 

@@ -22,17 +22,33 @@ struct AppendedArray {
   std::size_t bytes;
   std::function<void(OutputFile&)> write;
 };
+using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
 template <class T>
 std::string type_name() {
   return (std::is_floating_point_v<T> ? "Float" : std::is_signed_v<T> ? "Int" : "UInt") + std::to_string(8 * sizeof(T));
 }
 
-/// n tuples of `components` values of type T; format(bytes, i) appends tuple i.
-template <class T, class Format>
-AppendedArray array_of(std::string name, std::size_t components, std::size_t n, Format format) {
-  return {type_name<T>(), std::move(name), components, n * components * sizeof(T),
-          [n, format = std::move(format)](OutputFile& out) { write_records(out, n, format); }};
+/// An array that is in memory as it is in the file.
+template <class T>
+AppendedArray stored_array(std::string name, std::size_t components, const Array<T>& values) {
+  const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  return {type_name<T>(), std::move(name), components, bytes.size(), [bytes](OutputFile& out) { out.write(bytes); }};
+}
+
+/// The cells are first the triangles, then the constrained edges as lines.
+std::size_t cell_count(const Mesh& mesh) { return mesh.triangles.size() + mesh.constrained_edges.size(); }
+
+/// An array of the cells: of_triangle(t) and of_line(i) return a T or several.
+template <class T, class OfTriangle, class OfLine>
+AppendedArray cell_array(std::string name, const Mesh& mesh, OfTriangle of_triangle, OfLine of_line) {
+  const std::size_t triangles = mesh.triangles.size(), lines = mesh.constrained_edges.size();
+  return {type_name<T>(), std::move(name), 1,
+          triangles * sizeof(of_triangle(std::size_t{})) + lines * sizeof(of_line(std::size_t{})),
+          [=](OutputFile& out) {
+            write_values(out, triangles, of_triangle);
+            write_values(out, lines, of_line);
+          }};
 }
 
 /// The smallest angle in degrees, which lies opposite the shortest edge; 0 if the triangle is flat.
@@ -50,65 +66,59 @@ double smallest_angle(const std::array<Point, 3>& p) {
   return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy) * (180 / std::numbers::pi);
 }
 
-using Section = std::pair<std::string, std::vector<AppendedArray>>;
-
-std::size_t cell_count(const Mesh& mesh) { return mesh.triangles.size() + mesh.constrained_edges.size(); }
-
-/// The cells: first the triangles, then the constrained edges as lines. Corners and offsets are integers of type Id. If
-/// 32 bits suffice, the file is half as large as with 64 bits.
+/// Corners and offsets are integers of type Id. If 32 bits suffice, the file is half as large as with 64 bits.
 template <class Id>
 Section cells(const Mesh& mesh) {
-  const std::size_t n = mesh.triangles.size(), corners = 3 * n;
-  Section section{"Cells", {}};
-  section.second.push_back(
-      array_of<Id>("connectivity", 1, corners + 2 * mesh.constrained_edges.size(), [&mesh](Bytes& to, std::size_t i) {
-        const std::size_t of_triangles = 3 * mesh.triangles.size();
-        if (i < of_triangles) return void(to.raw(static_cast<Id>(mesh.triangles[i / 3].v[i % 3])));
-        const ConstrainedEdge& edge = mesh.constrained_edges[(i - of_triangles) / 2];
-        to.raw(static_cast<Id>((i - of_triangles) % 2 == 0 ? edge.a : edge.b));
-      }));
-  section.second.push_back(array_of<Id>("offsets", 1, cell_count(mesh), [n](Bytes& to, std::size_t i) {
-    to.raw(static_cast<Id>(i < n ? 3 * (i + 1) : 3 * n + 2 * (i - n + 1)));
-  }));
+  const std::size_t n = mesh.triangles.size();
+  const auto connectivity = cell_array<Id>(
+      "connectivity", mesh,
+      [&mesh](std::size_t t) {
+        const auto& v = mesh.triangles[t].v;
+        return std::array<Id, 3>{static_cast<Id>(v[0]), static_cast<Id>(v[1]), static_cast<Id>(v[2])};
+      },
+      [&mesh](std::size_t i) {
+        const ConstrainedEdge& edge = mesh.constrained_edges[i];
+        return std::array<Id, 2>{static_cast<Id>(edge.a), static_cast<Id>(edge.b)};
+      });
+  const auto offsets = cell_array<Id>(
+      "offsets", mesh, [](std::size_t t) { return static_cast<Id>(3 * (t + 1)); },
+      [n](std::size_t i) { return static_cast<Id>(3 * n + 2 * (i + 1)); });
   static constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;
-  section.second.push_back(array_of<std::uint8_t>(
-      "types", 1, cell_count(mesh), [n](Bytes& to, std::size_t i) { to.raw(i < n ? vtk_triangle : vtk_line); }));
-  return section;
+  const auto types = cell_array<std::uint8_t>(
+      "types", mesh, [](std::size_t) { return vtk_triangle; }, [](std::size_t) { return vtk_line; });
+  return {"Cells", {connectivity, offsets, types}};
 }
 
 Section cell_data(const Mesh& mesh) {
-  const std::size_t n = mesh.triangles.size();
   Section section{"CellData", {}};
   if (!mesh.region.empty()) {
-    section.second.push_back(array_of<double>("region", 1, cell_count(mesh), [&mesh, n](Bytes& to, std::size_t t) {
-      to.raw(t >= n || mesh.region[t] == no_index ? 0.0 : mesh.region_attributes[mesh.region[t]]);
-    }));
+    section.second.push_back(cell_array<double>(
+        "region", mesh,
+        [&mesh](std::size_t t) {
+          const Index region = mesh.region[t];
+          return region == no_index ? 0.0 : mesh.region_attributes[region];
+        },
+        [](std::size_t) { return 0.0; }));
   }
   if (!mesh.constrained_edges.empty()) {
-    section.second.push_back(
-        array_of<std::int32_t>("marker", 1, cell_count(mesh), [&mesh, n](Bytes& to, std::size_t i) {
-          to.raw(static_cast<std::int32_t>(i < n ? 0 : mesh.constrained_edges[i - n].marker));
-        }));
+    section.second.push_back(cell_array<std::int32_t>(
+        "marker", mesh, [](std::size_t) { return std::int32_t{0}; },
+        [&mesh](std::size_t i) { return std::int32_t{mesh.constrained_edges[i].marker}; }));
   }
-  section.second.push_back(array_of<double>("quality", 1, cell_count(mesh), [&mesh, n](Bytes& to, std::size_t t) {
-    if (t >= n) return void(to.raw(std::numeric_limits<double>::quiet_NaN()));
-    const auto& v = mesh.triangles[t].v;
-    to.raw(smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]}));
-  }));
+  section.second.push_back(cell_array<double>(
+      "quality", mesh,
+      [&mesh](std::size_t t) {
+        const auto& v = mesh.triangles[t].v;
+        return smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+      },
+      [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); }));
   return section;
 }
 
 Section point_data(const Mesh& mesh, const Array<int>& markers) {
-  Section section{"PointData", {}};
-  section.second.push_back(array_of<std::int32_t>("marker", 1, markers.size(), [&markers](Bytes& to, std::size_t i) {
-    to.raw(static_cast<std::int32_t>(markers[i]));
-  }));
-  if (const std::size_t k = mesh.attributes_per_point; k > 0) {
-    section.second.push_back(
-        array_of<double>("attributes", k, mesh.points.size(), [&mesh, k](Bytes& to, std::size_t i) {
-          for (std::size_t j = 0; j < k; ++j) to.raw(mesh.point_attributes[i * k + j]);
-        }));
-  }
+  Section section{"PointData", {stored_array("marker", 1, markers)}};
+  if (const std::size_t k = mesh.attributes_per_point; k > 0)
+    section.second.push_back(stored_array("attributes", k, mesh.point_attributes));
   return section;
 }
 
@@ -130,9 +140,12 @@ Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
   OutputFile out(file);
   const std::size_t n = mesh.points.size();
   const Array<int> markers = vertex_markers(mesh);
-  Section points{"Points", {}};
-  points.second.push_back(array_of<double>(
-      "Points", 3, n, [&](Bytes& to, std::size_t i) { to.raw(mesh.points[i].x).raw(mesh.points[i].y).raw(0.0); }));
+  const auto write_points = [&mesh, n](OutputFile& to) {
+    write_values(to, n, [&mesh](std::size_t i) {
+      return std::array<double, 3>{mesh.points[i].x, mesh.points[i].y, 0.0};
+    });
+  };
+  const Section points{"Points", {{type_name<double>(), "Points", 3, 3 * n * sizeof(double), write_points}}};
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   const bool small = n <= most && 3 * cell_count(mesh) <= most;
   const std::vector<Section> sections{points, small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh),

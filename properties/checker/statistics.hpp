@@ -20,7 +20,7 @@ struct MeshStatistics {
 
 /// Angles are computed from rounded differences of coordinates, which limit their accuracy. Angles, circumradius and
 /// area are 0 for a mesh without triangles. Preconditions: corners are in range, triangles are counter-clockwise.
-/// Linear time, one thread; allocates no memory.
+/// Linear time, on all threads. The result does not depend on the number of threads.
 [[nodiscard]] MeshStatistics statistics(const Mesh& mesh);
 
 }  // namespace pardel

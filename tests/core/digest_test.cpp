@@ -79,6 +79,29 @@ TEST(Digest, of_a_mesh_without_regions_is_that_with_region_attribute_zero) {
   EXPECT_EQ(digest(without), digest(zero));
 }
 
+TEST(Digest, is_the_sum_over_single_triangles) {
+  Mesh mesh;
+  mesh.region_attributes = {2.5};
+  for (Index i = 0; i < 13; ++i) {
+    mesh.points.push_back({i * 0.5, i % 3 * 1.0});
+    mesh.triangles.push_back({{i, i * 5 % 13, i * 7 % 13}, {}});
+    mesh.region.push_back(i % 2 == 0 ? 0 : no_index);
+  }
+  Mesh first = mesh, single = mesh;
+  first.triangles.clear();
+  Digest sum;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    EXPECT_EQ(digest(first), sum) << t << " triangles";
+    first.triangles.push_back(mesh.triangles[t]);
+    single.triangles = Array<Triangle>(1, mesh.triangles[t]);
+    single.region = Array<Index>(1, mesh.region[t]);
+    const Digest one = digest(single);
+    sum.low += one.low;
+    sum.high += one.high + (sum.low < one.low ? 1 : 0);
+  }
+  EXPECT_EQ(digest(mesh), sum);
+}
+
 TEST(Digest, of_many_triangles_by_many_threads_is_the_sum_of_its_parts) {
   // All threads sum 300,000 triangles; one thread sums 10,000 triangles, 30 times. The sums must agree.
   Mesh part = sample_mesh();
