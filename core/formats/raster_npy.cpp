@@ -40,15 +40,18 @@ bool is_supported(char kind, unsigned bytes) {
 
 /// Reads `(rows, columns)`.
 bool read_shape(std::string_view text, ArrayHeader& header) {
-  if (!text.starts_with('(')) return false;
-  TextReader in(text.substr(1, text.find(')') - 1), "");
+  const std::size_t end = text.find(')');
+  if (!text.starts_with('(') || end == std::string_view::npos) return false;
+  std::string numbers(text.substr(1, end - 1));
+  std::ranges::replace(numbers, ',', ' ');
+  TextReader in(numbers, "");
   std::array<Index, 2> shape{};
   if (!in.next_line()) return false;
   for (Index& size : shape) {
     const std::string_view word = in.word();
     std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || value == 0 || value >= no_index) return false;
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || stop != word.data() + word.size() || value == 0 || value >= no_index) return false;
     size = static_cast<Index>(value);
   }
   header.rows = shape[0];

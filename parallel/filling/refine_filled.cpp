@@ -80,7 +80,7 @@ class Round {
 Result<std::optional<Round>> successful_round(const ToFill& what, const DomainTriangulation& coarse,
                                               const Criteria& criteria, const InputData& input, const Options& options,
                                               ProgressMonitor& progress, Report& report) {
-  for (Rounds rounds(what.edges);; report.restarts = rounds.failed()) {
+  for (Rounds rounds(what.edges);;) {
     Result<std::optional<Filling>> filling = Filling::make(what.pslg, what.convex_hull, coarse, rounds.edges(),
                                                            rounds.clearings(), options, progress.threads());
     if (!filling) return filling.error();
@@ -88,10 +88,9 @@ Result<std::optional<Round>> successful_round(const ToFill& what, const DomainTr
     Round round(std::move(**filling), criteria, rounds.edges(), options);
     if (Status refined = round.refine(input, progress); !refined) return refined.error();
     if (round.stuck().empty() && !round.has_run_away()) return std::optional(std::move(round));
-    if (!rounds.go_on(round.triangulation(), round.stuck(), round.laid()) || round.has_run_away()) {
-      report.restarts = rounds.failed();
-      return std::optional<Round>();
-    }
+    const bool may_go_on = rounds.go_on(round.triangulation(), round.stuck(), round.laid());
+    report.restarts = rounds.failed();
+    if (!may_go_on || round.has_run_away()) return std::optional<Round>();
   }
 }
 

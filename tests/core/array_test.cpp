@@ -142,6 +142,21 @@ TEST(Array, gives_all_its_memory_back) {
   EXPECT_LE(address_space(), before + 32 * megabyte);
 }
 
+TEST(Array, leaves_no_memory_behind_where_it_gets_or_loses_a_mapping_of_its_own) {
+  const auto use = [] {
+    Array<char> array;
+    array.resize_uninitialised(megabyte - 1);
+    array.shrink_to_fit();
+    array.reserve(megabyte);
+    array.resize_uninitialised(megabyte / 2);
+    array.shrink_to_fit();
+  };
+  use();
+  const std::size_t before = address_space();
+  for (int i = 0; i < 100; ++i) use();
+  EXPECT_LE(address_space(), before + 16 * megabyte);
+}
+
 TEST(Array, returns_the_memory_behind_its_end) {
   Array<std::uint64_t> array;
   array.resize(64 * megabyte / sizeof(std::uint64_t));

@@ -53,6 +53,14 @@ TEST(CellRefiner, works_in_several_cells_of_the_square_at_once) {
   EXPECT_GE(first.phases.front().touched.size(), 2u);
 }
 
+TEST(CellRefiner, says_first_what_is_wrong_with_the_goal_and_then_with_the_coarse_one) {
+  const Goal hull{.convex_hull = true}, steep{.min_angle_deg = 30};
+  EXPECT_EQ(refine_on_lattice(domains::square(), hull, steep).error().message,
+            unsupported(domains::square(), hull)->message);
+  EXPECT_EQ(refine_on_lattice(domains::square(), steep, hull).error().message,
+            unsupported(domains::square(), steep)->message);
+}
+
 TEST(CellRefiner, refuses_what_ruppert_does) {
   Goal steep;
   steep.min_angle_deg = 21;

@@ -212,6 +212,10 @@ TEST_F(Npy, needs_steps_that_are_not_zero) {
 
 TEST_F(Npy, may_have_its_type_last_and_few_blanks) {
   const auto raster = read(npy<double>("{'fortran_order':False,'shape':(2, 3),'descr':'<f8'", {5, 6, 7, 1, 2, 4}));
+  for (const char* shape : {"(2,3)", "( 2, 3 )", "(2,3,)", "(2, 3 ,)"})
+    EXPECT_TRUE(read(npy<double>(std::string("{'descr': '<f8', 'fortran_order': False, 'shape': ") + shape + " }",
+                                 {5, 6, 7, 1, 2, 4})))
+        << shape;
   ASSERT_TRUE(raster) << raster.error().message;
   EXPECT_EQ(raster->values, south_to_north);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "../../../properties/domains/generators/random.hpp"
 
@@ -106,7 +107,11 @@ TEST(Quadtree, has_disjoint_boxes_of_one_colour) {
 TEST(Quadtree, has_few_colours) {
   for (const Quadtree& tree : trees()) {
     EXPECT_LE(tree.colours(), 9U);
-    for (Index i = 0; i < tree.cells(); ++i) EXPECT_LT(tree.colour_of(i), tree.colours());
+    std::set<unsigned> colours;
+    for (Index i = 0; i < tree.cells(); ++i) colours.insert(tree.colour_of(i));
+    EXPECT_EQ(colours.size(), tree.colours()) << "each colour has a leaf";
+    EXPECT_EQ(*colours.begin(), 0U);
+    EXPECT_EQ(*colours.rbegin(), tree.colours() - 1);
   }
 }
 

@@ -80,6 +80,15 @@ void lay_patch_below_square(InsertionScene& scene) {
     if (scene.t().points[v].y == 0) scene.t().origin[v] = border_vertex;
 }
 
+TEST(FreeIndices, suffice_for_one_vertex_and_two_triangles) {
+  const auto suffice = [](Index vertices, Index triangles) {
+    return FreeIndices{IndexPool({{5, 5 + vertices}}), IndexPool({{9, 9 + triangles}})}.suffice();
+  };
+  EXPECT_TRUE(suffice(1, 2));
+  EXPECT_FALSE(suffice(0, 2));
+  EXPECT_FALSE(suffice(1, 1));
+}
+
 TEST(InsertInFace, refuses_a_point_in_the_circumdisk_of_a_patch) {
   for (const double angle : {20.7, 30.0}) {
     InsertionScene scene(square, {}, {.min_angle_deg = angle});

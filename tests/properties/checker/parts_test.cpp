@@ -159,6 +159,21 @@ TEST(Fans, are_visited_until_the_visitor_answers_no) {
   EXPECT_EQ(visited(5), std::pair(std::vector<Index>({0, 1, 2, 3}), 2));
 }
 
+TEST(Fans, of_an_irregular_vertex_are_visited_once_in_the_order_of_the_triangles) {
+  Adjacency adjacency = adjacency_of({{0, 1, 2}, {0, 2, 3}, {3, 4, 5}, {0, 5, 6}, {0, 7, 8}, {0, 8, 9}, {0, 9, 7}}, 10);
+  adjacency.count_corners();
+  adjacency.index_irregular_vertices();
+  std::vector<Index> triangles;
+  EXPECT_EQ(adjacency.visit_fans(0, [&](Index t, int) { triangles.push_back(t); }), 1) << "all fans count as one";
+  EXPECT_EQ(triangles, std::vector<Index>({0, 1, 3, 4, 5, 6}));
+  triangles.clear();
+  adjacency.visit_fans(0, [&](Index t, int) {
+    triangles.push_back(t);
+    return triangles.size() < 4;
+  });
+  EXPECT_EQ(triangles, std::vector<Index>({0, 1, 3, 4}));
+}
+
 TEST(Fans, of_two_vertices_are_compared_in_the_time_of_the_smaller_one) {
   // These comparisons take milliseconds. If each walked around the whole hub, they would exceed the time limit of
   // tests.
