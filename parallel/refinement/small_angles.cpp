@@ -16,10 +16,8 @@ double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) 
 
 /// The power of two in [length/3, 2 length/3] that is nearest to the middle, as in Triangle.
 double shell(double length) {
-  double radius = std::ldexp(1.0, std::ilogb(length));
-  while (length > 3 * radius) radius *= 2;
-  while (length < 1.5 * radius) radius *= 0.5;
-  return radius;
+  const double radius = std::ldexp(1.0, std::ilogb(length));  // length / 2 < radius <= length
+  return length < 1.5 * radius ? 0.5 * radius : radius;
 }
 
 /// The orthogonal projection of p onto the line through a and b, rounded once. Without the projection, the rounding

@@ -11,8 +11,9 @@
 namespace pardel::engine {
 namespace {
 
-/// The bytes that the mesh takes for one triangle and half a vertex, with markers. The process needs more.
-constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index) + sizeof(int));
+/// The bytes that the mesh takes for one triangle and half a vertex. Markers that are zero take none. The process needs
+/// more.
+constexpr double bytes_per_triangle = sizeof(Triangle) + 0.5 * (sizeof(Point) + sizeof(Index));
 /// The bytes that the process takes at its peak for one vertex and two triangles, measured with large meshes.
 constexpr double peak_bytes_per_vertex = 2 * 40;
 

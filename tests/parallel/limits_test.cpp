@@ -70,11 +70,25 @@ TEST(Memory, that_cannot_suffice_is_reported_before_the_work) {
   const Result<Meshed> refused = mesh(pslg, {.max_area = 1e-8}, {.max_memory = std::uint64_t{1} << 30U});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::resources);
-  for (const char* words : {"100 million triangles", "3.35 GiB", "there are 1 GiB"})
+  for (const char* words : {"100 million triangles", "3.17 GiB", "there are 1 GiB"})
     EXPECT_NE(refused.error().message.find(words), std::string::npos) << refused.error().message;
   const Result<Meshed> numbers = mesh(pslg, {.max_area = 1e-12});
   ASSERT_FALSE(numbers);
   EXPECT_EQ(numbers.error().kind, ErrorKind::resources);
+}
+
+TEST(Memory, that_a_region_needs_is_reported_before_the_work) {
+  Pslg pslg = domains::square();
+  pslg.regions = {{{0.5, 0.5}, 1, 1e-8}};
+  const auto refused = [&](bool region_caps) {
+    const Goal goal{.max_area = 0.1, .region_caps = region_caps};
+    return mesh(pslg, goal, {.max_memory = std::uint64_t{1} << 30U});
+  };
+  ASSERT_FALSE(refused(true));
+  EXPECT_EQ(refused(true).error().kind, ErrorKind::resources);
+  EXPECT_NE(refused(true).error().message.find("100 million triangles"), std::string::npos)
+      << refused(true).error().message;
+  EXPECT_TRUE(refused(false));
 }
 
 TEST(Memory, that_is_needed_at_least_is_that_of_twice_as_many_triangles_as_vertices_are_allowed) {
@@ -86,7 +100,7 @@ TEST(Memory, that_is_needed_at_least_is_that_of_twice_as_many_triangles_as_verti
   EXPECT_TRUE(fits(1e9, 1000, memory));
   EXPECT_FALSE(fits(1e9, 1000, memory - 1));
   EXPECT_TRUE(fits(2000, 1'000'000, memory));
-  EXPECT_EQ(memory, 72'000U) << "36 bytes each, and not one byte more";
+  EXPECT_EQ(memory, 68'000U) << "34 bytes each, and not one byte more";
   EXPECT_TRUE(fits(max_engine_triangles, 0, 0)) << "as many triangles as can be numbered";
   EXPECT_FALSE(fits(max_engine_triangles + 1.0, 0, 0)) << "one more";
   EXPECT_TRUE(outgrows_memory(1, {.max_memory = 1}));

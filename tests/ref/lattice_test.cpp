@@ -61,6 +61,13 @@ TEST(CellRefiner, says_first_what_is_wrong_with_the_goal_and_then_with_the_coars
             unsupported(domains::square(), steep)->message);
 }
 
+TEST(CellRefiner, sized_by_a_theorem_refuses_a_goal_that_it_cannot_reach) {
+  const Goal steep{.min_angle_deg = 21}, coarse{.max_area = 0.01};
+  const auto refused = refine_on_lattice_sized_by(RadiusTheorem::t3_sharp, domains::square(), steep, coarse);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().message, unsupported(domains::square(), steep)->message);
+}
+
 TEST(CellRefiner, refuses_what_ruppert_does) {
   Goal steep;
   steep.min_angle_deg = 21;

@@ -24,6 +24,22 @@ TEST(ParallelFor, calls_the_body_once_for_each_item) {
   }
 }
 
+TEST(FirstException, is_before_later_items_only) {
+  FirstException first;
+  EXPECT_FALSE(first.is_before(5));
+  first.guard(3, [] { throw 3; });
+  EXPECT_FALSE(first.is_before(2));
+  EXPECT_FALSE(first.is_before(3)) << "other parts of this item still run";
+  EXPECT_TRUE(first.is_before(4));
+  first.guard(4, [] { throw 4; });
+  try {
+    first.rethrow();
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (int item) {
+    EXPECT_EQ(item, 3);
+  }
+}
+
 TEST(ThreadCount, is_the_number_that_is_wanted_or_all) {
   omp_set_num_threads(5);
   EXPECT_EQ(thread_count(2), 2);
