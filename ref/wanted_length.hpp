@@ -21,10 +21,10 @@ struct Feature {
 /// The segments and corners.
 [[nodiscard]] std::vector<Feature> features_of(const Pslg& pslg);
 
-/// Those of the features that count as touching f. Of a segment: all segments that a walk reaches that leaves it across
-/// one of its ends, across points that are no corners, and ends before the first segment whose direction differs by 90
-/// degrees or more; and what touches the corners at which the walks end. Of a corner: itself, and all segments of such
-/// walks that start there.
+/// Those of the features that count as touching f, in any order. Of a segment: all segments that a walk reaches that
+/// leaves it across one of its ends, across points that are no corners, and ends before the first segment whose
+/// direction differs by 90 degrees or more; and what touches the corners at which the walks end. Of a corner: itself,
+/// and all segments of such walks that start there.
 [[nodiscard]] std::vector<Feature> touching(const Pslg& pslg, Feature f);
 
 /// The distance of a point of f to the nearest feature that does not touch f; infinity if there is none.

@@ -96,7 +96,8 @@ class Criteria {
   ///   of Steiner points", 2004);
   /// - the size point: with qr it forms a triangle as large as the bounds on size allow, but is no nearer to qr than
   ///   half the length of qr (after Engwirda and Ivers, "Off-centre Steiner points for Delaunay-refinement on curved
-  ///   surfaces", 2016). Not used for triangles that are much too large; bounds on area only up to 31 degrees.
+  ///   surfaces", 2016). Not used for triangles of more than six times the area that these bounds allow; bounds on area
+  ///   only up to 31 degrees.
   /// With Placement::circumcentre, the circumcentre is the only candidate.
   [[nodiscard]] Point split_point(Point q, Point r, Point a, Index region, LocalHints& hints) const;
   [[nodiscard]] Point split_point(const Shape& s, Index region) const {

@@ -119,7 +119,8 @@ VertexId DomainSegments::shared_end(Index first, Index second) const {
 double DomainSegments::cosine_at(const Array<Point>& points, VertexId apex, Index first, Index second) const {
   const Point o = points[apex], p = points[other_end(first, apex)], q = points[other_end(second, apex)];
   const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
-  return (px * qx + py * qy) / (std::sqrt(px * px + py * py) * std::sqrt(qx * qx + qy * qy));
+  const double cosine = (px * qx + py * qy) / (std::sqrt(px * px + py * py) * std::sqrt(qx * qx + qy * qy));
+  return std::min(cosine, 1.0);  // rounding may give more
 }
 
 }  // namespace pardel::engine

@@ -108,6 +108,16 @@ TEST(Memory, that_is_needed_at_least_is_that_of_twice_as_many_triangles_as_verti
   EXPECT_FALSE(outgrows_memory(1'000'000, {.max_memory = 0})) << "no limit";
 }
 
+/// Points that stand twice are searched for only after the triangulation has met two of them.
+TEST(Memory, that_cannot_suffice_is_reported_before_points_that_stand_twice) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1, 0}};
+  const Result<Meshed> refused = mesh(pslg, {}, {.max_memory = 1}), twice = mesh(pslg, {}, {});
+  ASSERT_FALSE(refused || twice);
+  EXPECT_EQ(refused.error().kind, ErrorKind::resources);
+  EXPECT_EQ(twice.error().kind, ErrorKind::invalid_input);
+}
+
 TEST(Memory, that_suffices_is_not_refused) {
   // 137 thousand triangles, 48 bytes each.
   EXPECT_TRUE(mesh(domains::square(), {.max_area = 1e-5}, {.max_memory = 6'600'000}));

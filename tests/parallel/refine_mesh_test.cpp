@@ -216,6 +216,17 @@ TEST(RefineMesh, refuses_the_number_after_the_last_triangle_as_a_neighbour) {
   EXPECT_NE(fine.error().message.find("names a neighbour that does not exist"), std::string::npos);
 }
 
+TEST(RefineMesh, refuses_the_number_after_the_last_vertex_as_a_corner) {
+  for (const unsigned corner : {0, 1, 2}) {
+    Mesh mesh = coarse_square();
+    mesh.triangles[1].v[corner] = static_cast<Index>(mesh.points.size());
+    const Result<Meshed> fine = refine(mesh, {});
+    ASSERT_FALSE(fine);
+    EXPECT_EQ(fine.error().kind, ErrorKind::invalid_input);
+    EXPECT_EQ(fine.error().message, "triangle 1 of the mesh names a vertex that does not exist");
+  }
+}
+
 TEST(RefineMesh, refuses_the_number_after_the_last_vertex_as_an_end_of_a_constrained_edge) {
   for (const auto end : {&ConstrainedEdge::a, &ConstrainedEdge::b}) {
     Mesh mesh = coarse_square();

@@ -79,6 +79,22 @@ TEST(CellRefiner, refuses_what_ruppert_does) {
   }
 }
 
+/// The midpoint of the lower side needs one binary digit more than a double has. The coarse mesh does without it.
+TEST(CellRefiner, ends_in_the_phase_that_finds_a_midpoint_that_is_not_representable) {
+  const double left = 1 + 0x1p-52;
+  Pslg pslg;
+  pslg.points = {{left, 0}, {2, 0}, {2, 1}, {left, 1}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const Goal coarse, fine{.max_area = 0.02};
+  ASSERT_TRUE(refine_on_lattice(pslg, coarse, coarse).ok());
+  for (const Turns& turns : {Turns(in_rounds), Turns(one_after_the_other)}) {
+    const auto refined = refine_on_lattice(pslg, fine, coarse, turns);
+    ASSERT_FALSE(refined.ok());
+    EXPECT_EQ(refined.error().kind, ErrorKind::invalid_input);
+    EXPECT_EQ(refined.error().message, "The midpoint of a subsegment is not representable.");
+  }
+}
+
 /// A subsegment waits from the phase in which a cell finds it to the phase of the cell that splits it. Other cells that
 /// find it in between hand nothing on.
 TEST(CellRefiner, hands_each_subsegment_on_once) {

@@ -32,7 +32,7 @@ void ExactSum::accumulate(double x, double y, bool subtract) {
   const Parts b = parts(y);
   const Wide product = Wide{a.mantissa} * b.mantissa;
   if (product == 0) return;
-  if (++pending_ == additions_between_carries) carry();
+  if (++pending_ >= additions_between_carries) carry();
   const int position = a.exponent + b.exponent - lowest_exponent;
   auto limb = static_cast<std::size_t>(position / bits_per_limb);
   const int shift = position % bits_per_limb;

@@ -79,30 +79,32 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
   check_each(edges.size(), found, [&](std::size_t e, Findings& mine) {
     const Segment s = edges[e];
     const Point a = points[s.a], b = points[s.b];
+    std::vector<Index> later;  // that may meet this edge
     tree.visit([&](const BoundingBox& box) { return box.meets(boxes[e]); },
                [&](Index other) {
-                 if (other <= e) return;
-                 const Segment t = edges[other];
-                 const Point c = points[t.a], d = points[t.b];
-                 const int side_c = exactly::orientation(a, b, c), side_d = exactly::orientation(a, b, d);
-                 const int side_a = exactly::orientation(c, d, a), side_b = exactly::orientation(c, d, b);
-                 const bool share_an_end = s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
-                 bool meet =
-                     side_c * side_d <= 0 && side_a * side_b <= 0;  // true for collinear edges, whose boxes meet
-                 if (share_an_end) {
-                   // Only collinear edges on the same side of the shared end overlap.
-                   const Index pivot = s.a == t.a || s.a == t.b ? s.a : s.b;
-                   const Index p = s.a == pivot ? s.b : s.a, q = t.a == pivot ? t.b : t.a;
-                   meet = side_c == 0 && side_d == 0 &&
-                          (p == q || exactly::progress(points[pivot], points[p], points[pivot], points[q]) > 0);
-                 }
-                 if (!meet) return;
-                 mine.add(ViolationKind::overlap, {vertex[s.a], vertex[s.b], vertex[t.a], vertex[t.b]}, {a, b, c, d},
-                          "boundary edges " + edge_text(vertex[s.a], vertex[s.b]) + " and " +
-                              edge_text(vertex[t.a], vertex[t.b]) + " intersect: the ends of each lie on sides " +
-                              to_text(side_c) + ", " + to_text(side_d) + " and " + to_text(side_a) + ", " +
-                              to_text(side_b) + " of the other");
+                 if (other > e) later.push_back(other);
                });
+    std::ranges::sort(later);
+    for (const Index other : later) {
+      const Segment t = edges[other];
+      const Point c = points[t.a], d = points[t.b];
+      const int side_c = exactly::orientation(a, b, c), side_d = exactly::orientation(a, b, d);
+      const int side_a = exactly::orientation(c, d, a), side_b = exactly::orientation(c, d, b);
+      const bool share_an_end = s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
+      bool meet = side_c * side_d <= 0 && side_a * side_b <= 0;  // true for collinear edges, whose boxes meet
+      if (share_an_end) {
+        // Only collinear edges on the same side of the shared end overlap.
+        const Index pivot = s.a == t.a || s.a == t.b ? s.a : s.b;
+        const Index p = s.a == pivot ? s.b : s.a, q = t.a == pivot ? t.b : t.a;
+        meet = side_c == 0 && side_d == 0 &&
+               (p == q || exactly::progress(points[pivot], points[p], points[pivot], points[q]) > 0);
+      }
+      if (!meet) continue;
+      mine.add(ViolationKind::overlap, {vertex[s.a], vertex[s.b], vertex[t.a], vertex[t.b]}, {a, b, c, d},
+               "boundary edges " + edge_text(vertex[s.a], vertex[s.b]) + " and " + edge_text(vertex[t.a], vertex[t.b]) +
+                   " intersect: the ends of each lie on sides " + to_text(side_c) + ", " + to_text(side_d) + " and " +
+                   to_text(side_a) + ", " + to_text(side_b) + " of the other");
+    }
   });
 }
 

@@ -313,6 +313,19 @@ TEST(Msh, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("$EndComment", ""), "f:31: the section \"$Comment\" does not end");
 }
 
+TEST(Msh, has_no_node_before_the_first_tag_or_after_the_last) {
+  const auto with_corner = [](const std::string& tag) {
+    return parse_msh(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n5 0 0 0\n6 1 0 0\n7 0 1 0\n$EndNodes\n"
+        "$Elements\n1\n1 2 0 5 6 " +
+            tag + "\n$EndElements\n",
+        "f");
+  };
+  ASSERT_TRUE(with_corner("7").ok());
+  for (const char* tag : {"1", "2", "3", "4", "8", "9", "2147483647"})
+    EXPECT_EQ(message_of_invalid(with_corner(tag)), std::string("f:12: there is no node ") + tag);
+}
+
 TEST(Msh, cut_off_anywhere_is_refused) {
   const TemporaryFolder folder;
   for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {

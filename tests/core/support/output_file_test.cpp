@@ -1,8 +1,11 @@
 #include "../../../core/support/output_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -228,6 +231,24 @@ TEST(OutputFile, writes_to_standard_output_if_there_is_no_standard_input) {
         std::exit(out.commit().ok() ? 0 : 1);
       },
       ::testing::ExitedWithCode(0), "");
+}
+
+/// A pipe that is full and does not wait refuses what is written. Its descriptor is closed before the file, so closing
+/// the file fails, too, and for another reason.
+TEST(OutputFile, reports_its_first_failure_whatever_fails_later) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_NONBLOCK), 0);
+  while (::write(ends[1], "x", 1) == 1) {
+  }
+  const std::string name = "/dev/fd/" + std::to_string(ends[1]);
+  const int next = ::dup(ends[1]);  // the number of the next descriptor, when this one is closed again
+  ::close(next);
+  OutputFile out(name);
+  out.write(std::string(std::size_t{1} << 20, 'x'));
+  EXPECT_FALSE(out.ok());
+  ASSERT_EQ(::close(next), 0) << "the file has another descriptor";
+  EXPECT_EQ(out.commit().error().message, name + ": cannot be written: Resource temporarily unavailable");
+  for (const int end : ends) ::close(end);
 }
 
 TEST(OutputFile, that_is_not_open_is_an_io_error) {

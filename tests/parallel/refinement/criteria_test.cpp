@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "../samples.hpp"
@@ -243,6 +244,46 @@ TEST(SplitPoint, of_a_triangle_that_is_much_too_large_is_the_circumcentre) {
   const Criteria centre({.max_area = 0.15}, Placement::circumcentre, {});
   const Shape s = tall();
   EXPECT_EQ(off.split_point(s, no_index), centre.split_point(s, no_index));
+}
+
+/// The bound on areas is stricter by a relative 2^-40. Doubles represent six times the stricter bound exactly.
+TEST(SplitPoint, of_a_triangle_is_the_circumcentre_if_its_area_is_more_than_six_times_the_bound) {
+  const Goal goal{.min_angle_deg = 0, .max_area = 1};
+  const Criteria off(goal, Placement::off_centre, {}), centre(goal, Placement::circumcentre, {});
+  const double height = 12 - 12 * 0x1p-40;
+  const auto point = [](const Criteria& criteria, double h) {
+    return criteria.split_point(Shape({-0.5, 0}, {0.5, 0}, {0, h}), no_index);
+  };
+  EXPECT_NEAR(point(off, height).y, 1.98, 1e-9) << "fills 99 % of the bound";
+  const double higher = std::nextafter(height, 13);
+  EXPECT_EQ(point(off, higher), point(centre, higher));
+}
+
+/// Needles towards a source of lengths, and away from it: there the length at the centroid differs from that at the
+/// corner as much as it can. Far from the origin, rounding errors are larger, so the corner decides less.
+TEST(SizeAround, a_corner_changes_no_answer_in_a_domain_where_lengths_are_rounded_much) {
+  constexpr double slope = 0.5, extent = 0x1p41;
+  const std::vector<GrowingSize> sources{{{{0, 0}, {0, 0}, 1, 1}, slope}};
+  auto grown = std::make_shared<const GradedValues>(
+      GradedValues{{}, SizeEnvelope(sources, Box{-extent / 2, -extent / 2, extent / 2, extent / 2})});
+  const Criteria criteria({.min_angle_deg = 0, .size = OnBackground<GradedValues>{std::move(grown)}},
+                          Placement::circumcentre, {});
+  const Point p{10, 0};
+  LocalHints hints;
+  criteria.look_around(p, hints);
+  ASSERT_EQ(hints.around.corner, p);
+  const auto check = [&](double towards, double length) {
+    const Shape needle(p, {p.x + towards, -towards * 0x1p-20}, {p.x + towards, towards * 0x1p-20});
+    const bool large = criteria.too_large_locally(needle, no_index);
+    EXPECT_EQ(criteria.too_large_locally(needle, needle.p[0], needle.p[1], needle.p[2], no_index, hints), large)
+        << length;
+    EXPECT_EQ(large, std::abs(towards) > length);
+  };
+  for (int i = -400; i < 400; ++i) {
+    const double change = i * 0x1p-10 + 0x1p-11;
+    check(-4.5 - change, 4.5);  // of 6 at the corner, 4.5 / 3 are lost on the way to the centroid
+    check(9 + change, 9);       // and 9 / 3 are gained
+  }
 }
 
 /// Filled areas would make these meshes larger.

@@ -261,6 +261,34 @@ TEST(SplitEdge, refuses_a_point_that_rounding_put_beyond_a_neighbour) {
   EXPECT_EQ(samples::fault(scene.t()), "");
 }
 
+/// Two triangles with apexes far away. Their disks reach only 0.05 beyond their common edge, which is split at a point
+/// 0.2 beside it, as rounding may do far from the origin. This point lies outside the disk of one triangle: the new
+/// edge to its apex is not Delaunay.
+TEST(SplitEdge, flips_edges_where_rounding_put_the_point_outside_the_disk_of_a_triangle_at_the_edge) {
+  const std::vector<Point> points{{-1, 0}, {1, 0}, {0, 20}, {30, 3}, {-30, 3}, {0, -20}, {30, -3}, {-30, -3}};
+  for (const bool on_hull : {false, true})
+    for (const double beside : {0.2, -0.2}) {
+      if (on_hull && beside > 0) continue;
+      InsertionScene scene({points.begin(), points.end() - (on_hull ? 3 : 0)}, {{0, 1}});
+      ASSERT_EQ(samples::fault(scene.t()), "");
+      const double area = samples::twice_area(scene.t());
+      ASSERT_EQ(scene.split({0, beside}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::inserted);
+      EXPECT_TRUE(scene.insertion.has_flipped());
+      EXPECT_TRUE(scene.insertion.measures().empty());
+      EXPECT_EQ(samples::fault(scene.t()), "");
+      EXPECT_NEAR(samples::twice_area(scene.t()), area + (on_hull ? 0.4 : 0), 1e-12);
+      const auto added = static_cast<VertexId>(scene.t().points.size() - 1);
+      for (const VertexId end : {0U, 1U}) {
+        const EdgeRef half = samples::find_edge(scene.t(), end, added);
+        ASSERT_FALSE(half.none());
+        EXPECT_TRUE(scene.t().slot(half).n[half.side()].constrained());
+      }
+      const EdgeRef whole = samples::find_edge(scene.t(), 0, 1);
+      ASSERT_FALSE(whole.none()) << "the triangle with the far apex is back";
+      EXPECT_FALSE(scene.t().slot(whole).n[whole.side()].constrained());
+    }
+}
+
 /// A corner far away sees a piece of a slanted segment at an angle that is smaller than the bend caused by rounding.
 TEST(SplitEdge, leaves_the_triangulation_valid_where_rounding_bends_the_edge) {
   const Point far{654321.03, 4987654.28};

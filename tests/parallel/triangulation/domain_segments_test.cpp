@@ -42,6 +42,32 @@ TEST(DomainSegments, compute_common_ends_and_angles) {
   EXPECT_EQ(DomainSegments(star.points, apart).shared_end(0, 1), no_index);
 }
 
+/// A triangle so flat that rounding makes it a segment. The formula for a cosine gives 1 + 2^-52 at both ends.
+TEST(DomainSegments, have_no_narrow_apex_where_the_angles_at_both_ends_are_equal) {
+  const Array<Point> points{std::span<const Point>(std::vector<Point>{{-2, -3}, {2, 3}, {-3e-20, 2e-20}})};
+  const std::vector<Constraint> constraints{{0, 1}, {1, 2}, {2, 0}};
+  const DomainSegments segments(points, constraints);
+  EXPECT_EQ(segments[0].cosine_at_a, 1);
+  EXPECT_EQ(segments[0].cosine_at_b, 1);
+  EXPECT_EQ(segments[0].narrow_apex, no_index);
+}
+
+/// At vertex 0, two segments meet at an angle whose tangent is 1/128; at the other end of one of them, another segment
+/// at the angle whose tangent is given. A cosine of one degree is 0.99985.
+TEST(DomainSegments, have_a_narrow_apex_where_the_angle_is_much_smaller_than_at_the_other_end) {
+  const auto apex = [](double tangent) {
+    const Array<Point> points{std::span<const Point>(
+        std::vector<Point>{{0, 0}, {128, 0}, {128, 1}, {0, 128 * tangent}})};  // 2 and 3 lie above the segment 0-1
+    const std::vector<Constraint> constraints{{0, 1}, {0, 2}, {1, 3}};
+    return DomainSegments(points, constraints)[0].narrow_apex;
+  };
+  EXPECT_EQ(apex(1), 0U);
+  EXPECT_EQ(apex(1.0 / 64), 0U);
+  EXPECT_EQ(apex(1.0 / 128), no_index) << "both angles are equal";
+  EXPECT_EQ(apex(1.0 / 100), no_index) << "the angle is not much smaller";
+  EXPECT_EQ(apex(1.0 / 256), 1U);
+}
+
 TEST(DomainSegments, find_the_segment_of_a_subsegment) {
   const Star star;
   Triangulation t;

@@ -34,8 +34,16 @@ TEST(Slot, has_sides_that_run_counter_clockwise) {
   EXPECT_EQ(slot.from(2), 10U);
   EXPECT_EQ(slot.corner_of(10), 0U);
   EXPECT_EQ(slot.corner_of(30), 2U);
-  EXPECT_FALSE(slot.is_ghost());
-  EXPECT_TRUE((Slot{{10, ghost, 30}, {}}).is_ghost());
+}
+
+TEST(Slot, is_a_ghost_triangle_if_any_corner_is_the_vertex_at_infinity) {
+  const Slot finite{{0, 1, 2}, {}};
+  EXPECT_FALSE(finite.is_ghost());
+  for (const unsigned corner : {0, 1, 2}) {
+    Slot slot = finite;
+    slot.v[corner] = ghost;
+    EXPECT_TRUE(slot.is_ghost()) << corner;
+  }
 }
 
 TEST(Triangulation, constrains_an_edge_on_both_sides) {

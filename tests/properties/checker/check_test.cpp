@@ -236,6 +236,25 @@ TEST(Check, reports_neighbours_that_are_missing_or_wrong) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour)) << "missing on both sides";
 }
 
+/// Seven triangles that stand on the lower side of a large one. Their numbers do not ascend along this side.
+TEST(Check, reports_the_edges_that_meet_an_edge_in_the_order_of_their_vertices) {
+  Case c;
+  c.pslg.points = {{0, 0}, {80, 0}, {40, 50}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
+  std::vector<Point> points = c.pslg.points;
+  std::vector<std::array<Index, 3>> triangles{{0, 1, 2}};
+  for (const double x : {60.0, 10.0, 40.0, 20.0, 70.0, 50.0, 30.0}) {
+    const auto v = static_cast<Index>(points.size());
+    points.insert(points.end(), {{x, -1}, {x + 2, -1}, {x + 1, 1}});
+    triangles.push_back({v, v + 1, v + 2});
+  }
+  c.mesh = testing::mesh_of(points, triangles);
+  std::vector<Index> met;
+  for (const Violation& v : check(c).violations)
+    if (v.kind == Kind::overlap && v.ids.size() == 4 && v.ids[0] == 0 && v.ids[1] == 1) met.push_back(v.ids[2]);
+  EXPECT_EQ(met, (std::vector<Index>{4, 5, 7, 8, 10, 11, 13, 14, 16, 17, 19, 20, 22, 23}));
+}
+
 TEST(Check, reports_a_triangle_that_shares_only_a_vertex_and_overlaps) {
   // This triangle overlaps other triangles and shares only the middle vertex of the square with them.
   Case c = testing::square_in_eight();

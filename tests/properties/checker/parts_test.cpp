@@ -12,6 +12,7 @@
 #include "../../../properties/checker/model/marked_edges.hpp"
 #include "../../../properties/checker/model/measures.hpp"
 #include "../../../properties/checker/model/scan.hpp"
+#include "../../../properties/checker/model/segments_below.hpp"
 #include "../../../properties/checker/model/wanted_size.hpp"
 #include "../../../properties/checker/stages/findings.hpp"
 
@@ -27,6 +28,39 @@ TEST(Shape, sums_the_squares_of_all_three_sides) {
   EXPECT_EQ(shape.squared, (std::array<double, 3>{25, 9, 16}));
   EXPECT_EQ(shape.sum, 50);
   EXPECT_EQ(shape.error, 2.1 * filter::unit * 50);
+}
+
+/// The squares of the sides of a right triangle with two legs of length h sum to 4 h^2.
+TEST(Shape, is_tame_if_the_squares_sum_to_a_number_between_two_bounds_or_to_one_of_them) {
+  const auto is_tame = [](double h) { return filter::Shape({0, 0}, {h, 0}, {0, h}).is_tame(); };
+  const double least = 0x1p-151, largest = 0x1p149;
+  ASSERT_EQ(4 * least * least, filter::least_square);
+  ASSERT_EQ(4 * largest * largest, filter::largest_square);
+  EXPECT_TRUE(is_tame(1));
+  EXPECT_TRUE(is_tame(least));
+  EXPECT_FALSE(is_tame(below(least)));
+  EXPECT_TRUE(is_tame(largest));
+  EXPECT_FALSE(is_tame(std::nextafter(largest, infinity)));
+}
+
+/// A horizontal segment, and one that begins on it, to the right of its left end or there, and goes up or down. Both
+/// orders, and all directions.
+TEST(SegmentsBelow, find_the_nearer_one_of_two_segments_if_one_begins_on_the_other) {
+  for (const double begin : {0.0, 1.0})
+    for (const double slope : {1.0, -1.0})
+      for (const int directions : {0, 1, 2, 3})
+        for (const Index level : {0, 1}) {
+          const std::vector<Point> points{{0, 0}, {4, 0}, {begin, 0}, {4, slope * (4 - begin)}};
+          std::vector<Segment> segments(2);
+          segments[level] = directions & 1 ? Segment{1, 0, 0} : Segment{0, 1, 0};
+          segments[1 - level] = directions & 2 ? Segment{3, 2, 0} : Segment{2, 3, 0};
+          const SegmentsBelow below(points, segments);
+          const Index upper = slope > 0 ? 1 - level : level, lower = 1 - upper;
+          const double middle = slope * (3 - begin) / 2;  // between the two, at x = 3
+          EXPECT_EQ(below.directly_below({3, 9}), upper) << begin << ' ' << slope << ' ' << directions << ' ' << level;
+          EXPECT_EQ(below.directly_below({3, middle}), lower);
+          EXPECT_EQ(below.directly_below({3, -9}), no_index);
+        }
 }
 
 TEST(Filter, gives_no_answer_for_a_point_at_distances_whose_squares_lose_digits) {

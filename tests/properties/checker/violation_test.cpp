@@ -160,10 +160,10 @@ TEST(Violations, of_boundary_edges_that_cross) {
 
 TEST(Violations, of_boundary_edges_on_one_line) {
   EXPECT_EQ(said_about(square_and({{0.5, 0}, {0.5, -1}}, loose(0, 5, 4))),
-            "overlap: boundary edges 0-1 and 5-4 intersect: the ends of each lie on sides -1, 0 and 1, -1 of the "
-            "other [ids 0 1 5 4] at (0, 0), (1, 0), (0.5, -1), (0.5, 0)\n"
             "overlap: boundary edges 0-1 and 4-0 intersect: the ends of each lie on sides 0, 0 and 0, 0 of the other "
             "[ids 0 1 4 0] at (0, 0), (1, 0), (0.5, 0), (0, 0)\n"
+            "overlap: boundary edges 0-1 and 5-4 intersect: the ends of each lie on sides -1, 0 and 1, -1 of the "
+            "other [ids 0 1 5 4] at (0, 0), (1, 0), (0.5, -1), (0.5, 0)\n"
             "covered_exterior: triangle 2 ends at edge 0-5, which lies on no chain and not inside the domain [ids 2 0 "
             "5] at (0, 0), (0.5, -1)\n"
             "covered_exterior: triangle 2 ends at edge 4-0, which lies on no chain and not inside the domain [ids 2 4 "
@@ -184,12 +184,12 @@ TEST(Violations, of_boundary_edges_on_one_line) {
             "rounds to 0.5\n")
       << "away from each other: no overlap";
   EXPECT_EQ(said_about(square_and({{0.25, 0}, {0.75, 0}, {0.5, -1}}, loose(4, 6, 5))),
-            "overlap: boundary edges 0-1 and 6-5 intersect: the ends of each lie on sides -1, 0 and 1, -1 of the "
-            "other [ids 0 1 6 5] at (0, 0), (1, 0), (0.5, -1), (0.75, 0)\n"
             "overlap: boundary edges 0-1 and 4-6 intersect: the ends of each lie on sides 0, -1 and -1, 1 of the "
             "other [ids 0 1 4 6] at (0, 0), (1, 0), (0.25, 0), (0.5, -1)\n"
             "overlap: boundary edges 0-1 and 5-4 intersect: the ends of each lie on sides 0, 0 and 0, 0 of the other "
             "[ids 0 1 5 4] at (0, 0), (1, 0), (0.75, 0), (0.25, 0)\n"
+            "overlap: boundary edges 0-1 and 6-5 intersect: the ends of each lie on sides -1, 0 and 1, -1 of the "
+            "other [ids 0 1 6 5] at (0, 0), (1, 0), (0.5, -1), (0.75, 0)\n"
             "covered_exterior: triangle 2 ends at edge 4-6, which lies on no chain and not inside the domain [ids 2 4 "
             "6] at (0.25, 0), (0.5, -1)\n"
             "covered_exterior: triangle 2 ends at edge 5-4, which lies on no chain and not inside the domain [ids 2 5 "
