@@ -12,7 +12,7 @@
 namespace pardel::engine {
 namespace {
 
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+double degrees(double cosine) { return std::acos(cosine) * 180 / std::numbers::pi; }
 
 /// The power of two in [length/3, 2 length/3] that is nearest to the middle, as in Triangle.
 double shell(double length) {

@@ -193,6 +193,14 @@ TEST(Repair, closes_gaps_wider_than_the_default_distance_if_they_are_much_narrow
   EXPECT_TRUE(repaired(closed, std::nullopt).log.empty());
 }
 
+TEST(LargestDefaultSnap, is_limited_by_the_coordinates_and_by_the_extent) {
+  EXPECT_EQ(largest_default_snap(square(4)), 0x1p-30 * 4);
+  Pslg far = square(1);
+  for (Point& p : far.points) p.x += 0x1p20;
+  EXPECT_EQ(default_snap(far), 0x1p-38 * (0x1p20 + 1));
+  EXPECT_EQ(largest_default_snap(far), 1e-6) << "a millionth of the side";
+}
+
 TEST(Repair, leaves_small_features_and_wider_gaps_open_by_default) {
   Pslg island = square(1);
   add_square(island, 0x1p-33, {0.5, 0.5});

@@ -128,6 +128,15 @@ TEST(Patch, lists_strips_and_pieces_by_rows) {
   EXPECT_TRUE(patch.pieces_of(7).empty());
 }
 
+TEST(Patch, of_places_without_a_triangle_is_empty) {
+  for (const auto& places : {std::vector<Span>{{0, 0, 8}}, std::vector<Span>{{0, 0, 0}, {1, 1, 1}},
+                             std::vector<Span>{{0, 0, 4}, {2, 0, 4}}}) {
+    const Patch patch(unit_lattice, places);
+    EXPECT_EQ(patch.triangles() + patch.border_points() + patch.inner_points(), 0U);
+    EXPECT_TRUE(patch.strips().empty() && patch.pieces().empty());
+  }
+}
+
 TEST(Patch, of_nothing_is_empty) {
   EXPECT_EQ(Patch(unit_lattice, {}).triangles(), 0U);
   EXPECT_EQ(Patch(unit_lattice, {{0, 0, 8}}).triangles(), 0U);
