@@ -10,6 +10,9 @@ namespace pardel {
 /// The largest number of triangles whose sides, three per triangle, can be numbered by an Index.
 inline constexpr std::size_t max_mesh_triangles = (no_index - 1) / 3;
 
+/// True if a mesh can have so many triangles.
+[[nodiscard]] constexpr bool can_be_a_mesh(std::size_t triangles) { return triangles <= max_mesh_triangles; }
+
 /// Computes Triangle::n of all triangles from Triangle::v. The orientation of the triangles does not matter. If more
 /// than two triangles share an edge, the two triangles with the smallest indices become neighbours; the sides of the
 /// other triangles at this edge are called surplus and get no_index. A triangle is never its own neighbour. Returns the

@@ -260,7 +260,7 @@ class MshReader {
     if (found != announced) {
       in_.fail("expected " + std::to_string(announced) + " elements, found " + std::to_string(found));
     }
-    if (mesh_.triangles.size() > max_mesh_triangles) in_.fail("more triangles than a mesh can hold");
+    if (!can_be_a_mesh(mesh_.triangles.size())) in_.fail("more triangles than a mesh can hold");
     expect_end("$EndElements");
   }
 

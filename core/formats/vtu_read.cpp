@@ -116,7 +116,7 @@ class VtuMesh {
     const auto corners = values<std::int64_t>(corners_array);
     const auto ends = values<std::int64_t>(ends_array, file_.cells());
     const auto types = values<std::int64_t>(types_array, file_.cells());
-    if (!error_ && corners.size() / 3 > max_mesh_triangles) fail(*corners_array, "more triangles than a mesh can hold");
+    if (!error_ && !can_be_a_mesh(corners.size() / 3)) fail(*corners_array, "more triangles than a mesh can hold");
     const std::size_t leading = error_ ? 0 : read_leading_triangles(corners, ends, types);
     std::size_t first = 3 * leading;
     for (std::size_t c = leading; c < file_.cells() && !error_; ++c) {

@@ -50,6 +50,29 @@ TEST(Neighbours, of_no_triangles_are_nothing) {
   EXPECT_EQ(rebuild_neighbours(none, 3), 0u);
 }
 
+TEST(Neighbours, are_found_for_as_many_triangles_as_have_sides_that_an_index_can_number) {
+  EXPECT_TRUE(can_be_a_mesh(0));
+  EXPECT_TRUE(can_be_a_mesh(max_mesh_triangles));
+  EXPECT_FALSE(can_be_a_mesh(max_mesh_triangles + 1));
+  EXPECT_LT(3 * max_mesh_triangles, no_index) << "there is one more number, for an edge that has its triangles";
+}
+
+/// The last three triangles share an edge, so that one side is surplus. The first triangle has no neighbours.
+TEST(Neighbours, do_not_depend_on_those_that_the_triangles_had) {
+  auto triangles = triangles_of({{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {4, 3, 7}});
+  for (const Index before : {Index{0}, Index{42}, no_index})
+    for (std::size_t t = 0; t < 4; ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (Triangle& triangle : triangles) triangle.n = {no_index, no_index, no_index};
+        triangles[t].n[i] = before;
+        EXPECT_EQ(rebuild_neighbours(triangles, 8), 1U);
+        EXPECT_EQ(triangles[0].n, (std::array<Index, 3>{no_index, no_index, no_index}));
+        EXPECT_EQ(triangles[1].n, (std::array<Index, 3>{no_index, no_index, 2}));
+        EXPECT_EQ(triangles[2].n, (std::array<Index, 3>{no_index, no_index, 1}));
+        EXPECT_EQ(triangles[3].n, (std::array<Index, 3>{no_index, no_index, no_index}));
+      }
+}
+
 TEST(Neighbours, agree_with_comparing_all_pairs_of_sides) {
   std::mt19937 random(17);
   for (int round = 0; round < 200; ++round) {
