@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <limits>
+#include <thread>
 
 #include "../../../core/formats.hpp"
 #include "../../temporary_folder.hpp"
@@ -206,6 +209,23 @@ TEST(ReadFile, returns_all_bytes_of_a_large_file) {
     EXPECT_TRUE(std::string_view(*read_file(file)) == std::string_view(bytes).substr(3)) << n;
   }
   omp_set_num_threads(threads);
+}
+
+/// The size of a pipe is not known. The lengths are about those at which the memory for its bytes grows.
+TEST(ReadFile, returns_all_bytes_of_a_pipe) {
+  const TemporaryFolder folder;
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::string bytes;
+  for (std::uint32_t i = 0; bytes.size() < 300'000; ++i) bytes += std::to_string(i * 2654435761U);
+  for (const std::size_t length : {0U, 5U, 65'535U, 65'536U, 65'537U, 131'071U, 131'072U, 131'073U, 300'000U}) {
+    const std::string_view written = std::string_view(bytes).substr(0, length);
+    std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << written; });
+    const auto text = read_file(pipe);
+    writer.join();
+    ASSERT_TRUE(text) << text.error().message;
+    EXPECT_TRUE(std::string_view(*text) == written) << length;
+  }
 }
 
 /// Then the other threads cannot open the file.

@@ -263,6 +263,22 @@ TEST(Area, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("2\n1 0.5  # ...\n"), "a.area:3: expected triangle 2 of 2, found the end of the file");
 }
 
+TEST(Area, may_be_as_short_as_its_number_of_values_allows) {
+  const TemporaryFolder folder;
+  std::string lines;
+  for (int n = 1; n <= 9; ++n) {
+    lines += std::to_string(n) + " 5\n";
+    for (const std::string& text : {lines, lines.substr(0, lines.size() - 1)}) {
+      const auto areas = read_area(folder.write("a.area", std::to_string(n) + "\n" + text));
+      ASSERT_TRUE(areas.ok()) << areas.error().message;
+      EXPECT_EQ(*areas, std::vector<double>(static_cast<std::size_t>(n), 5));
+    }
+    EXPECT_EQ(
+        message_of(read_area(folder.write("a.area", std::to_string(n + 1) + "\n" + lines)), folder),
+        "a.area:1: announces " + std::to_string(n + 1) + " values, but the rest of the file is too short for that");
+  }
+}
+
 TEST(Sizes, must_be_greater_than_zero) {
   const TemporaryFolder folder;
   EXPECT_EQ(*read_sizes(folder.write("a", "2\n0 0.5\n1 2\n")), (std::vector<double>{0.5, 2}));

@@ -294,6 +294,49 @@ TEST(Vtu, errors_name_the_line_and_the_fault) {
             "f:26: there are no appended data at offset 0");
 }
 
+/// Three triangles, whose offsets have to be 3 6 9.
+TEST(Vtu, with_triangles_that_do_not_follow_each_other_is_refused) {
+  const auto with_offsets = [](const std::string& offsets) {
+    return R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="5" NumberOfCells="3"><Points>
+<DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 2 0 0 0 1 0 1 1 0</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">0 1 3 1 4 3 1 2 4</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">)" +
+           offsets + R"(</DataArray>
+<DataArray type="Int32" Name="types" format="ascii">5 5 5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>)";
+  };
+  const auto mesh = parse_vtu(with_offsets("3 6 9"), "f");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_EQ(mesh->triangles[2].v, (std::array<Index, 3>{1, 2, 4}));
+  const auto failure = [](int cell, int end, int found) {
+    return "f:4: array \"offsets\": expected cell " + std::to_string(cell) + " to end at " + std::to_string(end) +
+           " of 9 corners, found " + std::to_string(found);
+  };
+  EXPECT_EQ(failure_of_vtu(with_offsets("4 7 10")), failure(0, 3, 4));
+  EXPECT_EQ(failure_of_vtu(with_offsets("2 5 8")), failure(0, 3, 2));
+  EXPECT_EQ(failure_of_vtu(with_offsets("0 3 6")), failure(0, 3, 0));
+  EXPECT_EQ(failure_of_vtu(with_offsets("3 7 11")), failure(1, 6, 7));
+  EXPECT_EQ(failure_of_vtu(with_offsets("3 5 7")), failure(1, 6, 5));
+  EXPECT_EQ(failure_of_vtu(with_offsets("3 6 10")), failure(2, 9, 10));
+  EXPECT_EQ(failure_of_vtu(with_offsets("3 6 8")), failure(2, 9, 8));
+}
+
+TEST(Vtu, has_as_many_attributes_at_every_point) {
+  const auto with_values = [](const std::string& values) {
+    return replaced(replaced(ascii_vtu, "Name=\"height\"", "Name=\"attributes\""), "1 2 3 4", values);
+  };
+  for (const std::size_t each : {1U, 2U, 3U}) {
+    std::string values;
+    for (std::size_t i = 0; i < 4 * each; ++i) values += "0.5 ";
+    const auto mesh = parse_vtu(with_values(values), "f");
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    EXPECT_EQ(mesh->attributes_per_point, each);
+    EXPECT_EQ(mesh->point_attributes.size(), 4 * each);
+  }
+  for (const char* values : {"1", "1 2 3", "1 2 3 4 5", "1 2 3 4 5 6 7"})
+    EXPECT_EQ(failure_of_vtu(with_values(values)), "f:7: array \"attributes\": expected as many values at every point")
+        << values;
+}
+
 TEST(Vtu, cut_off_anywhere_is_refused) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_vtu(sample_mesh(), folder / "m.vtu").ok());
@@ -359,6 +402,10 @@ TEST(Vtu, of_earlier_versions_has_constrained_edges_as_field_data) {
   EXPECT_EQ(mesh->constrained_edges,
             (std::vector<ConstrainedEdge>{{0, 1, no_index, 4}, {1, 2, no_index, 5}, {3, 0, no_index, 6}}));
   EXPECT_NE(failure_of_vtu(replaced(text, ">4 5 6<", ">4 5<")), "(no error)");
+  const auto without_markers = parse_vtu(replaced(text, "constrained_edge_markers", "other_markers"), "f");
+  ASSERT_TRUE(without_markers) << without_markers.error().message;
+  EXPECT_EQ(without_markers->constrained_edges,
+            (std::vector<ConstrainedEdge>{{0, 1, no_index, 0}, {1, 2, no_index, 0}, {3, 0, no_index, 0}}));
 }
 
 }  // namespace
