@@ -41,14 +41,14 @@ Status check_valid(const Pslg& pslg, bool convex_hull, const Threads& threads) {
 /// The corners of the triangles.
 std::vector<Point> corners_of(const Triangulation& t, const Threads& threads) {
   SparseAsk ask(threads.stop);
-  std::vector<bool> is_corner(t.points.size());
+  std::vector<char> is_corner(t.points.size());
   for (const Slot& slot : t.slots) {
     ask();
-    for (const VertexId v : slot.v) is_corner[v] = true;
+    for (const VertexId v : slot.v) is_corner[v] = 1;
   }
   std::vector<Point> corners;
   for (VertexId v = 0; v < is_corner.size(); ++v)
-    if (is_corner[v]) corners.push_back(t.points[v]);
+    if (is_corner[v] != 0) corners.push_back(t.points[v]);
   return corners;
 }
 

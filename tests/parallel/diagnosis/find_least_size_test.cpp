@@ -116,6 +116,23 @@ TEST(LeastSize, is_announced_before_the_refinement_which_an_error_prevents) {
             "Options::before_refinement threw an exception: no");
 }
 
+/// Then the bound on angles does not hold in narrow parts, so that no triangles are required there.
+TEST(LeastSize, is_announced_as_negligible_if_segments_may_not_be_split) {
+  const auto announced = [](Options options) {
+    double triangles = -1;
+    options.before_refinement = [&](const LeastSize& least) -> Status {
+      triangles = least.triangles;
+      return Error{ErrorKind::usage, "enough"};
+    };
+    EXPECT_FALSE(mesh(plate(1e-9), {.min_angle_deg = bound}, options));
+    return triangles;
+  };
+  EXPECT_GT(announced({}), 1e8);
+  EXPECT_EQ(announced({.no_boundary_splits = true}), 0);
+  EXPECT_EQ(announced({.no_segment_splits = true}), 0);
+  EXPECT_EQ(announced({.no_boundary_splits = true, .no_segment_splits = true}), 0);
+}
+
 TEST(LeastSize, counts_the_parts_that_are_as_wide_as_the_shortest_edge_and_none_that_are_narrower) {
   constexpr double width = 0x1p-20;
   EXPECT_GT(least_size(*validate(plate(width)), bound, width)->triangles, 100'000);

@@ -50,6 +50,26 @@ TEST(SizeEnvelope, of_a_segment_that_is_steeper_than_the_limit_is_that_of_its_sh
   }
 }
 
+/// The length grows along the source by 1. All values are numbers that doubles can represent.
+TEST(SizeEnvelope, of_a_segment_that_is_as_steep_as_the_limit_is_that_of_its_shorter_end) {
+  for (const bool turned : {false, true}) {
+    const Point a{0, 0}, b{2, 0};
+    const PreparedSize prepared(turned ? GrowingSize{{b, a, 3, 1}, 1} : GrowingSize{{a, b, 1, 3}, 1});
+    for (const double x : {-2.0, 0.0, 0.5, 1.0, 2.0, 5.0}) EXPECT_EQ(prepared.at({x, 0}), 1 + std::abs(x)) << x;
+    EXPECT_EQ(prepared.at({3, 4}), 6);
+    EXPECT_EQ(prepared.at({-3, -4}), 6);
+    EXPECT_EQ(prepared.at({0, 2}), 3);
+  }
+}
+
+TEST(SizeEnvelope, of_a_segment_hardly_depends_on_whether_it_is_steeper_than_the_limit) {
+  for (const double slope : {1 - 0x1p-40, 1.0, 1 + 0x1p-40}) {
+    const PreparedSize prepared(GrowingSize{{{0, 0}, {2, 0}, 1, 3}, slope});
+    for (const Point p : {Point{-2, 0}, {0, 0}, {1, 0}, {2, 0}, {5, 0}, {3, 4}, {1, -1}, {0, 2}})
+      EXPECT_NEAR(prepared.at(p), 1 + std::hypot(p.x, p.y), 1e-5) << slope << ": " << p.x << ' ' << p.y;
+  }
+}
+
 TEST(SizeEnvelope, without_sources_is_infinite) {
   EXPECT_EQ(SizeEnvelope({}, unit_box).at({0.5, 0.5}), INFINITY);
   EXPECT_TRUE(SizeEnvelope({}, unit_box).empty());

@@ -86,6 +86,24 @@ TEST(PlaneSweep, finds_the_places_near_a_segment_in_any_unit_of_length) {
   }
 }
 
+/// The directions to the ends are (0, -1) and (c, d) with c^2 = 3 d^2 + 1. So the angle between them, whose cosine is
+/// -d / sqrt(c^2 + d^2), is less than 120 degrees, by so little that rounding hides it.
+TEST(PlaneSweep, finds_places_that_see_a_segment_at_more_than_120_degrees_only) {
+  constexpr double c = 189750626, d = 109552575;
+  for (const bool turned : {false, true}) {
+    const auto placed = [&](double x, double y) { return turned ? Point{-x, -y} : Point{x, y}; };
+    const std::vector<Point> points{placed(0, -1), placed(c, d)};
+    const std::vector<Segment> segments{{0, 1}};
+    const auto is_near = [&](double y) {
+      const std::vector<Point> places{placed(0, y)};
+      return !sweep_plane({.points = points, .segments = segments, .queries = places, .reach = 2}).near.empty();
+    };
+    EXPECT_FALSE(is_near(0));
+    EXPECT_FALSE(is_near(0.5)) << "a smaller angle";
+    EXPECT_TRUE(is_near(-0.5)) << "a larger angle";
+  }
+}
+
 TEST(PlaneSweep, locates_a_place_straight_above_a_crossing_on_an_axis) {
   Pslg pslg;
   pslg.points = {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}};
@@ -165,6 +183,24 @@ Pslg crossing_chords(int n) {
     pslg.segments.push_back({2 * i, 2 * i + 1});
   }
   return pslg;
+}
+
+/// The sweep ends at the first point, because two segments overlap there. Until then it has only put the segments at
+/// this point into their order.
+TEST(WorkOfThePlaneSweep, includes_the_comparisons_of_segments_at_one_point) {
+  for (const Index n : {2U, 3U, 8U, 50U}) {
+    Pslg pslg;
+    pslg.points = {{0, 0}};
+    for (Index i = 0; i < n; ++i) {
+      pslg.points.push_back({1, static_cast<double>(i)});
+      pslg.segments.push_back({0, i + 1});
+    }
+    pslg.points.push_back({2, 2});
+    pslg.segments.push_back({0, n + 1});
+    const Swept found = sweep_plane({.points = pslg.points, .segments = pslg.segments, .most = 1});
+    EXPECT_EQ(found.conflicts.size(), 1U);
+    EXPECT_GE(found.orientations, n) << "no order of n + 1 segments takes fewer";
+  }
 }
 
 /// n: segments or crossings. `per_item`: the orientations that one of them may take.
