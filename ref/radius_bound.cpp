@@ -46,7 +46,7 @@ Result<Number> squared_start_bound(const Goal& goal, RadiusTheorem theorem) {
 
 Number squared_growth_bound(const Pslg& pslg, const Number& squared_start) {
   Number growth = 1;
-  for (std::size_t i = 0; i < pslg.segments.size(); ++i)
+  for (std::size_t i = 1; i < pslg.segments.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       growth = std::max(growth, squared_growth_between(pslg, pslg.segments[i], pslg.segments[j], squared_start));
   return growth;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "../../properties/domains/domains.hpp"
 #include "../../ref/decomposition/cell_refiner.hpp"
 
@@ -64,6 +67,18 @@ TEST(GrowthBound, is_the_inverse_of_the_sine_of_a_sharp_corner) {
 /// r0 = 6 and λ = 3: (2 + 1/2) / 2.
 TEST(GrowthBound, depends_on_the_distance_of_segments_that_are_nearer_than_the_bound_at_the_start) {
   EXPECT_EQ(squared_growth_bound(two_bars_and_a_corner(3, 0, 5), 36), Number(25) / 16);
+}
+
+TEST(GrowthBound, does_not_depend_on_the_order_of_the_segments) {
+  const auto by_ends = [](const Segment& s, const Segment& t) { return std::pair(s.a, s.b) < std::pair(t.a, t.b); };
+  for (const auto& [pslg, start] :
+       {std::pair(two_bars_and_a_corner(3, 3, 4), 9), {two_bars_and_a_corner(3, 0, 5), 36}}) {
+    Pslg ordered = pslg;
+    std::ranges::sort(ordered.segments, by_ends);
+    do {
+      EXPECT_EQ(squared_growth_bound(ordered, start), Number(25) / 16);
+    } while (std::ranges::next_permutation(ordered.segments, by_ends).found);
+  }
 }
 
 TEST(LatticeRefiner, uses_one_lattice_if_it_is_computed_before_a_mesh_exists) {
