@@ -221,6 +221,23 @@ TEST(Fans, of_two_vertices_are_compared_in_the_time_of_the_smaller_one) {
   }
 }
 
+/// The comparison goes around both vertices in steps of 16, 32, ... triangles.
+TEST(Fans, of_two_vertices_are_compared_by_their_numbers_of_triangles) {
+  const std::vector<Index> sizes{3, 15, 16, 17, 31, 32, 33, 48, 63, 64, 65, 200};
+  std::vector<std::array<Index, 3>> wheels;
+  std::vector<Index> hubs;
+  Index points = 0;
+  for (const Index spokes : sizes) {
+    hubs.push_back(points);
+    for (Index i = 0; i < spokes; ++i) wheels.push_back({points, points + 1 + i, points + 1 + (i + 1) % spokes});
+    points += spokes + 1;
+  }
+  const Adjacency adjacency = adjacency_of(wheels, points);
+  for (std::size_t a = 0; a < hubs.size(); ++a)
+    for (std::size_t b = 0; b < hubs.size(); ++b)
+      EXPECT_EQ(adjacency.has_fewer_triangles(hubs[a], hubs[b]), sizes[a] < sizes[b]) << sizes[a] << ' ' << sizes[b];
+}
+
 TEST(MarkedEdges, that_are_inferred_separate_triangles_that_turn_left) {
   const auto is_marked = [](double y) {
     Mesh mesh;
