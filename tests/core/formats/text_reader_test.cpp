@@ -264,6 +264,24 @@ TEST(TextReader, reads_no_digit_after_the_end_of_its_text) {
   EXPECT_EQ(again.number("a number"), 123);
 }
 
+TEST(TextReader, finds_no_line_after_the_end_of_its_text) {
+  for (const std::string text : {"7\n8\n", "7\n\n8\n", "7\n", "7#\n8", "7 8\n", "7\r\n8\n"})
+    for (const std::size_t length : {std::size_t{1}, text.find('\n')}) {
+      TextReader in(std::string_view(text).substr(0, length), "f");
+      ASSERT_TRUE(in.next_line());
+      EXPECT_EQ(in.integer("a number", low, high), 7);
+      EXPECT_FALSE(in.next_line()) << text;
+      in.end_line();
+      EXPECT_FALSE(in.next_field()) << text;
+      EXPECT_EQ(in.rest(), "");
+      EXPECT_FALSE(in.expect_line("another number"));
+      EXPECT_EQ(in.error().message, "f:1: expected another number, found the end of the file");
+    }
+  TextReader empty(std::string_view(), "f");
+  empty.end_line();
+  EXPECT_FALSE(empty.next_line());
+}
+
 TEST(TextReader, gives_nothing_after_a_failure) {
   TextReader in("1 two 3\n4 5 6\n", "f");
   ASSERT_TRUE(in.next_line());
