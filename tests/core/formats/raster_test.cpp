@@ -173,6 +173,14 @@ TEST_F(Npy, may_end_anywhere_in_its_header_and_is_refused) {
   const auto of_header = [](const std::string& header) { return npy<char>(header, {}); };
   EXPECT_NE(failure(of_header("{}")).find("the header has no type of numbers"), std::string::npos);
   EXPECT_NE(failure(of_header("{")).find("this is not an array of NumPy"), std::string::npos);
+  const auto of_shape = [&](const std::string& shape) {
+    return failure(of_header("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }"));
+  };
+  const std::string limits = "the array must have two dimensions, each from 1 to 4294967294";
+  for (const char* shape : {"(1, 4294967295)", "(4294967295, 1)", "(0, 1)", "(1, 0)", "(1)", "(1, 2, 3)", "(1x, 2)", "()",
+                            "1, 2)", "(1, 2"})
+    EXPECT_NE(of_shape(shape).find(limits), std::string::npos) << shape << of_shape(shape);
+  EXPECT_EQ(of_shape("(1, 4294967294)").find(limits), std::string::npos);
   // The byte after the header belongs to the data, even if it is a quotation mark.
   EXPECT_NE(failure(of_header("{'descr': '<f8") + "'").find("the header has no type of numbers"), std::string::npos);
 }

@@ -792,6 +792,16 @@ std::uint64_t equilateral(double height, double scale) {
   return certificate.equilateral;
 }
 
+TEST(Certificate, counts_no_triangle_without_length_as_equilateral) {
+  Case c;
+  c.pslg.points = {{0, 0}, {1, 0}, {0, 1}};
+  c.pslg.segments = {{0, 1}, {1, 2}, {2, 0}};
+  c.mesh = testing::mesh_of({{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0, 0}}, {{0, 3, 4}});
+  const Certificate certificate = check(c);
+  EXPECT_FALSE(certificate.valid);
+  EXPECT_EQ(certificate.equilateral, 0);
+}
+
 TEST(Certificate, counts_triangles_whose_edges_differ_by_one_part_in_a_million) {
   // The legs are sqrt(1/4 + h^2). If h grows by d, they grow by 0.866 d.
   const double height = std::sqrt(0.75), million = 1e-6 / height;
