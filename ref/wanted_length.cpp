@@ -45,8 +45,8 @@ std::optional<Index> walk(const Pslg& pslg, const Segment& s, Index start, std::
     const std::vector<Segment> both = segments_at(pslg, to);
     const Segment next = beyond(both[0], to) == from ? both[1] : both[0];
     const Index after = beyond(next, to);
-    const bool again = (next.a == s.a && next.b == s.b) || (next.a == s.b && next.b == s.a);
-    if (again || !(product(pslg, start, beyond(s, start), to, after) > 0)) return std::nullopt;
+    // A ring without corners turns by 360 degrees in steps of less than 50. So this ends before it reaches s again.
+    if (!(product(pslg, start, beyond(s, start), to, after) > 0)) return std::nullopt;
     from = to;
     to = after;
     here = next;

@@ -13,6 +13,7 @@ namespace {
 /// The numbers of the header by their names, in lower case.
 using Header = std::map<std::string, double>;
 
+/// True if a name begins here.
 bool is_name(std::string_view field) { return !field.empty() && std::isalpha(static_cast<unsigned char>(field[0])); }
 
 std::string lower(std::string_view name) {
@@ -43,7 +44,7 @@ double header_number(TextReader& in, const std::string& name) {
 /// Reads the lines that begin with a name. The first other line is the first row of values.
 Header read_header(TextReader& in) {
   Header header;
-  while (in.next_line() && is_name(in.rest().substr(0, 1)) && !is_nan(in.rest())) {
+  while (in.next_line() && is_name(in.rest()) && !is_nan(in.rest())) {
     const std::string name = lower(in.word());
     if (header.contains(name)) in.fail(name + " is given twice");
     header[name] = header_number(in, name);

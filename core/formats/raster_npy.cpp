@@ -156,9 +156,11 @@ Result<Raster> parse_npy(std::string_view bytes, const std::string& name, std::s
   const Result<ArrayHeader> header = read_header(parts->header, name);
   if (!header) return header.error();
   const std::size_t wanted = std::size_t{header->rows} * header->columns;
-  if (const std::size_t found = parts->data.size() / header->bytes;
-      found != wanted || parts->data.size() % header->bytes != 0)
-    return broken(name, "expected " + std::to_string(wanted) + " numbers, found " + std::to_string(found));
+  const std::size_t found = parts->data.size() / header->bytes, rest = parts->data.size() % header->bytes;
+  if (found != wanted || rest != 0) {
+    return broken(name, "expected " + std::to_string(wanted) + " numbers, found " + std::to_string(found) +
+                            (rest != 0 ? " and a part of another one" : ""));
+  }
   Raster raster;
   raster.columns = header->columns;
   raster.rows = header->rows;

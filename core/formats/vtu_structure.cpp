@@ -97,14 +97,19 @@ std::optional<Error> VtuFile::read_piece(const Tag& tag, std::size_t at) {
 
 /// Sets `at` to the end of the content of the array.
 std::optional<Error> VtuFile::read_array(const Tag& tag, std::string_view section, std::size_t& at) {
-  VtuArray array{section, tag["Name"], tag["type"], tag["format"], 1, 0, tag.end, tag.end};
   const std::int64_t components = whole(tag["NumberOfComponents"], 1);
   const std::int64_t offset = whole(tag["offset"], 0);
   if (components < 1)
     return error_at(at, "expected a number of components, found " + in_quotes(tag["NumberOfComponents"]));
   if (offset < 0) return error_at(at, "expected an offset, found " + in_quotes(tag["offset"]));
-  array.components = static_cast<std::size_t>(components);
-  array.offset = static_cast<std::size_t>(offset);
+  VtuArray array{section,
+                 tag["Name"],
+                 tag["type"],
+                 tag["format"],
+                 static_cast<std::size_t>(components),
+                 static_cast<std::size_t>(offset),
+                 tag.end,
+                 tag.end};
   if (!tag.closed) {
     const std::size_t close = text_.find("</DataArray", tag.end);
     if (close == std::string_view::npos) return error_at(at, "this DataArray does not end");

@@ -16,7 +16,7 @@ ConstrainedEdgeIndex::ConstrainedEdgeIndex(const Mesh& mesh)
   const auto key = [&](Index i) { return std::pair(ends((*edges_)[i]), i); };
   std::sort(sorted_.begin(), sorted_.end(), [&](Index i, Index j) { return key(i) < key(j); });
   for (const ConstrainedEdge& e : *edges_) ++start_[ends(e).first + 1];
-  for (std::size_t p = 1; p < start_.size(); ++p) start_[p] += start_[p - 1];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
 }
 
 const ConstrainedEdge* ConstrainedEdgeIndex::find(Index a, Index b) const {

@@ -19,7 +19,6 @@ void IndexAllocator::allocate(std::size_t count, std::vector<IndexRange>& ranges
 
 void IndexAllocator::release(const IndexPool& pool) {
   for (const IndexRange r : pool.rest()) {
-    if (r.size() == 0) continue;
     free_.push_back(r);
     free_count_ += r.size();
   }

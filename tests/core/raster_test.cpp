@@ -282,6 +282,19 @@ TEST(SourcesOfARaster, are_looked_for_in_two_rounds) {
   EXPECT_EQ(lines(11), 38) << "lines that a third round would leave out";
 }
 
+/// The limit from the first point is below the third one. At the second one, it is 2^30 - 2 or 2^30 - 1 instead of
+/// 2^30.
+TEST(SourcesOfARaster, leave_out_a_line_only_if_another_limit_is_lower_by_more_than_rounding) {
+  for (const double less : {3.0, 2.0}) {
+    const Raster row{3, 1, {0, 0}, 1, 1, {0x1p30 - less, 0x1p30, 0x1p31}};
+    const auto sources = size_sources(row, 1);
+    ASSERT_TRUE(sources);
+    ASSERT_EQ(sources->size(), less == 3 ? 1U : 2U);
+    EXPECT_EQ((*sources)[0], (SizeSource{{0, 0}, {1, 0}, 0x1p30 - less, 0x1p30}));
+    EXPECT_EQ(sources->back().at_b, less == 3 ? 0x1p30 : 0x1p31);
+  }
+}
+
 TEST(SourcesOfARaster, need_a_limit_that_is_positive_and_finite) {
   for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity(), static_cast<double>(NAN)})
     EXPECT_EQ(size_sources(sample(), wrong).error().kind, ErrorKind::usage);

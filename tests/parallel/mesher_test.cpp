@@ -172,6 +172,31 @@ TEST(Mesher, names_every_duplicate_point_of_a_set_of_points) {
   EXPECT_EQ(message(points, false), messages(find_problems(points), points.first_id.value));
 }
 
+TEST(Mesher, names_all_other_problems_of_a_set_of_points) {
+  Pslg points = domains::random_points(20, 7);
+  const auto refused = [&] {
+    const std::string problems = messages(find_problems(points), points.first_id.value);
+    EXPECT_NE(problems, "");
+    for (const Result<Meshed>& made : {mesh(points, {}), triangulate(points)})
+      EXPECT_EQ(made ? "no error" : made.error().message, problems);
+  };
+  points.point_markers.resize(19);
+  refused();
+  points.point_markers.clear();
+  points.attributes_per_point = 2;
+  points.point_attributes.resize(41);
+  refused();
+  points.attributes_per_point = 0;
+  points.point_attributes.clear();
+  for (const double unusable : std::initializer_list<double>{NAN, -INFINITY, 1e300, 1e-300}) {
+    points.points[3].x = unusable;
+    points.points[7].y = unusable;
+    refused();
+  }
+  points.points = {{1, 2}, {2, 4}, {3, 6}};
+  refused();
+}
+
 TEST(Mesher, uses_all_threads_by_default) {
   omp_set_num_threads(3);
   std::atomic<int> most{0};

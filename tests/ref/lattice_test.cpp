@@ -95,6 +95,27 @@ TEST(CellRefiner, ends_in_the_phase_that_finds_a_midpoint_that_is_not_representa
   }
 }
 
+/// A rectangle of two triangles. Its long sides are split in different phases, because a cell ends between them: the
+/// small square below is where the lattice begins. After the first split, the circle through the ends of the other side
+/// and the new vertex is too large for the cells.
+TEST(CellRefiner, takes_larger_cells_as_soon_as_a_circumradius_has_outgrown_them) {
+  Pslg pslg;
+  pslg.points = {{-2, 0}, {2, 0}, {2, 1}, {-2, 1}, {-2, -8}, {-1, -8}, {-1, -7}, {-2, -7}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
+  const auto refined = refine_on_lattice(pslg, {.min_angle_deg = 20}, {.min_angle_deg = 0});
+  ASSERT_TRUE(refined.ok()) << refined.error().message;
+  const PlainMesh* before = &refined->preprocessed;
+  for (const Sweep<Lattice>& sweep : refined->sweeps)
+    for (const Phase& phase : sweep.phases) {
+      EXPECT_TRUE(allows(sweep.cells, *before));
+      before = &phase.after;
+    }
+  ASSERT_GE(refined->sweeps.size(), 2U);
+  EXPECT_EQ(refined->sweeps[0].phases.size(), 3U);
+  EXPECT_FALSE(allows(refined->sweeps[0].cells, refined->sweeps[0].phases.back().after));
+  EXPECT_EQ(refined->sweeps.back().phases.size(), 4U);
+}
+
 /// A subsegment waits from the phase in which a cell finds it to the phase of the cell that splits it. Other cells that
 /// find it in between hand nothing on.
 TEST(CellRefiner, hands_each_subsegment_on_once) {

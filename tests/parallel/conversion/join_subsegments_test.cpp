@@ -48,6 +48,19 @@ TEST(JoinSubsegments, keeps_subsegments_apart_where_another_one_ends_or_markers_
   EXPECT_EQ(joined.origin[5], interior_vertex);
 }
 
+TEST(JoinSubsegments, joins_only_at_a_vertex_that_was_inserted_on_the_segment_of_both) {
+  for (const Index first : {5, 6})
+    for (const Index second : {5, 6})
+      for (const Index origin : {Index{5}, Index{6}, Index{7}, input_vertex, interior_vertex, hull_vertex}) {
+        Mesh mesh;
+        mesh.points.resize(3);
+        for (const Index of_vertex : {input_vertex, input_vertex, origin}) mesh.origin.push_back(of_vertex);
+        mesh.constrained_edges = {{0, 2, first, 1}, {2, 1, second, 1}};
+        const std::size_t joined = join_subsegments(mesh, mesh.constrained_edges).segments.size();
+        EXPECT_EQ(joined, first == origin && second == origin ? 1U : 2U) << first << ", " << second << ", " << origin;
+      }
+}
+
 TEST(JoinSubsegments, joins_subsegments_of_a_hull_edge) {
   Mesh mesh;
   mesh.points.resize(3);

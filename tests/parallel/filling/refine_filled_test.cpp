@@ -43,6 +43,20 @@ TEST(RefineFilled, gives_valid_meshes_that_never_have_more_triangles_than_withou
       }
 }
 
+/// A square and a narrow channel, in which no patch fits.
+TEST(RefineFilled, keeps_patches_where_the_rest_needs_many_vertices) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {3.8, 0}, {3.8, 1e-5}, {2, 1e-5}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
+  const Result<Meshed> filled = mesh(pslg, {.max_area = 1.0 / 20'000}, {.interior = Interior::fill, .threads = 1});
+  ASSERT_TRUE(filled);
+  const auto in_channel = [](Point p) { return p.x >= 2; };
+  EXPECT_GT(std::ranges::count_if(filled->mesh.points.span(), in_channel), 125'000);
+  EXPECT_GT(filled->report.laid, 15'000U);
+  EXPECT_EQ(filled->report.restarts, 0U);
+  EXPECT_TRUE(filled->report.goal_met());
+}
+
 TEST(RefineFilled, comes_near_the_least_number_of_triangles) {
   const Pslg pslg = domains::square();
   for (const double angle : {20.7, 30.0}) {

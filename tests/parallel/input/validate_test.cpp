@@ -39,6 +39,9 @@ void expect_only(ProblemKind kind, const Ids& ids, Point where, const Pslg& pslg
 
 TEST(Validate, does_not_call_points_collinear_of_which_one_cannot_be_used) {
   expect_only(ProblemKind::coordinate_out_of_range, {2}, {1e300, 0}, points_only({{0, 0}, {1, 0}, {1e300, 0}}));
+  expect_only(ProblemKind::non_finite_coordinate, {2}, {infinity, 0}, points_only({{0, 0}, {1, 0}, {infinity, 0}}));
+  expect_only(ProblemKind::coordinate_out_of_range, {1}, {1e300, 0}, points_only({{0, 0}, {1e300, 0}}));
+  expect_only(ProblemKind::non_finite_coordinate, {1}, {infinity, 0}, points_only({{0, 0}, {infinity, 0}}));
 }
 
 TEST(Validate, finds_no_problem_in_valid_domains) {
@@ -263,6 +266,17 @@ TEST(Validate, reports_a_hole_outside) {
   EXPECT_EQ(of_kind(ProblemKind::hole_outside, pslg)[0].ids, Ids{0});
 }
 
+TEST(Validate, names_only_the_holes_that_leave_no_domain) {
+  Pslg pslg = square(4);
+  pslg.holes = {{5, 2}, {1, 1}, {6, 2}, {2, 3}};
+  const auto problems = find_problems(pslg);
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[0].message(),
+            "Nothing is left to mesh: every face contains a hole (1 and 3), the first at (1, 1).");
+  EXPECT_EQ(problems[1].message(), "Hole 0 at (5, 2) lies outside every closed outline.");
+  EXPECT_EQ(problems[2].message(), "Hole 2 at (6, 2) lies outside every closed outline.");
+}
+
 TEST(Validate, reports_a_hole_on_a_segment_or_on_a_point_of_one) {
   Pslg pslg = square(4);
   pslg.holes = {{4, 2}};
@@ -379,6 +393,17 @@ TEST(Validate, has_a_name_and_a_message_for_every_kind) {
     EXPECT_EQ(problem.message().back(), '.');
     EXPECT_EQ(problem.message().find('_'), std::string::npos);
   }
+}
+
+TEST(Validate, lists_at_most_eight_ids_in_a_message) {
+  const std::vector<std::pair<Ids, std::string>> cases = {{{7}, "7"},
+                                                          {{7, 4}, "7 and 4"},
+                                                          {{7, 4, 9}, "7, 4, 9"},
+                                                          {{0, 1, 2, 3, 4, 5, 6, 7}, "0, 1, 2, 3, 4, 5, 6, 7"},
+                                                          {{0, 1, 2, 3, 4, 5, 6, 7, 8}, "0, 1, 2, 3, 4, 5, 6, 7, ..."}};
+  for (const auto& [ids, list] : cases)
+    EXPECT_EQ((Problem{ProblemKind::no_domain, ids, {2, 3}}.message()),
+              "Nothing is left to mesh: every face contains a hole (" + list + "), the first at (2, 3).");
 }
 
 TEST(Validate, does_not_compare_segments_that_end_at_an_unusable_point) {

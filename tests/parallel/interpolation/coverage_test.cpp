@@ -51,6 +51,13 @@ TEST(Coverage, names_the_first_point_on_any_number_of_threads) {
     EXPECT_EQ(uncovered(on_a_triangle(true), points, threads), "the field does not cover (8, 8)");
 }
 
+TEST(Coverage, is_asked_at_the_points_only) {
+  std::vector<Point> points(300'000, Point{8, 8});
+  std::fill(points.begin(), points.begin() + 100'000, Point{0.25, 0.25});
+  const std::span<const Point> covered(points.data(), 100'000);
+  for (const int threads : {1, 2}) EXPECT_EQ(uncovered(on_a_triangle(true), covered, threads), "");
+}
+
 TEST(Coverage, is_not_asked_of_a_function_of_the_caller) {
   const std::vector<Point> points{{0, 0}};
   EXPECT_EQ(uncovered([](Point) -> double { throw Error{ErrorKind::usage, "called"}; }, points), "");

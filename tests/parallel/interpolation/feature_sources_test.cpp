@@ -87,6 +87,21 @@ TEST(FeatureSources, of_a_long_channel_are_few) {
   EXPECT_LT(sources.size(), 500U) << "pieces of equal width are one source";
 }
 
+TEST(FeatureSources, of_a_channel_are_no_more_if_it_is_narrower_than_a_65536th_of_the_domain) {
+  std::size_t most = SIZE_MAX;
+  for (const double width : {0x1p-16, 0x1p-19}) {
+    Pslg pslg;
+    add_polygon(pslg, {{0, 0}, {1, 0}, {1, width}, {0, width}});
+    const auto sources = feature_sources(pslg, find_polylines(pslg, {}), 2, 0.5, {});
+    EXPECT_LE(sources.size(), most);
+    most = sources.size();
+    const auto shorter = [](const GrowingSize& one, const GrowingSize& two) {
+      return one.source.at_a < two.source.at_a;
+    };
+    EXPECT_DOUBLE_EQ(std::ranges::min_element(sources, shorter)->source.at_a, width / 2);
+  }
+}
+
 /// A hairpin and a step. Seen from the first leg, the part that begins after a quarter turn is apart.
 TEST(FeatureSources, see_the_own_polyline_from_where_it_has_turned_by_a_right_angle) {
   for (int pieces = 1; pieces <= 17; ++pieces)

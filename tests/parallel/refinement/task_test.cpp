@@ -11,13 +11,15 @@
 namespace pardel::engine {
 namespace {
 
-/// Random points in the unit square, a task, and indices for 5000 insertions.
+/// Points, by default random ones in the unit square, a task, and indices for some insertions.
 struct TaskScene : samples::AssessedSample {
   FreeIndices free;
 
   explicit TaskScene(Index insertions = 5000)
-      : AssessedSample(samples::uniform_points(300, 5), {.min_angle_deg = 25, .max_area = 0.0003},
-                       Placement::off_centre, {.min_edge = 1e-6}) {
+      : TaskScene(samples::uniform_points(300, 5), {.min_angle_deg = 25, .max_area = 0.0003}, {.min_edge = 1e-6},
+                  insertions) {}
+  TaskScene(const std::vector<Point>& points, const Goal& goal, const Options& with, Index insertions)
+      : AssessedSample(points, goal, Placement::off_centre, with) {
     const auto vertices = static_cast<Index>(t().points.size()), triangles = static_cast<Index>(t().slots.size());
     free = {IndexPool({{vertices, vertices + insertions}}), IndexPool({{triangles, triangles + 2 * insertions}})};
     t().points.resize(vertices + insertions);
@@ -131,6 +133,20 @@ TEST(Task, hands_the_rest_on_to_its_own_cell_where_its_indices_are_used_up) {
     EXPECT_TRUE(std::any_of(result.handed_on.begin(), result.handed_on.end(), [&](const HandedOn& h) {
       return h.triangle.id() == id && h.triangle.is_current(scene.t());
     })) << id;
+  }
+}
+
+/// The middle of the lower side is rounded up to the point above it.
+TEST(Task, counts_a_segment_that_cannot_be_split) {
+  const double ulp = 0x1p-52;
+  for (const double min_edge : {0.0, 1e-6}) {
+    TaskScene scene({{1, 1 + ulp}, {3, 1 + 2 * ulp}, {2, 1 + 2 * ulp}, {2, 9}}, {.min_angle_deg = 0, .max_area = 100},
+                    {.min_edge = min_edge}, 1);
+    ASSERT_EQ(scene.bad().size(), 1U) << "the flat triangle";
+    const TaskResult result = scene.run(one_cell, 0);
+    EXPECT_EQ(result.inserted + result.segment_splits, 0U);
+    EXPECT_EQ(result.refused, 1U) << (min_edge > 0 ? "too short" : "not valid");
+    EXPECT_TRUE(result.left_alone);
   }
 }
 

@@ -74,6 +74,8 @@ TEST(Filter, gives_no_answer_for_a_point_at_distances_whose_squares_lose_digits)
 
 TEST(Filter, finds_that_a_right_triangle_meets_bounds_near_its_values) {
   const filter::Shape shape({0, 0}, {1, 0}, {0, 1});
+  EXPECT_FALSE(filter::has_no_angle_below(shape, 1 + 36 * filter::unit));
+  EXPECT_TRUE(filter::has_no_angle_below(shape, 1 + 40 * filter::unit));
   EXPECT_FALSE(filter::has_no_angle_below(shape, filter::cotangent_below(std::sqrt(0.5))));
   EXPECT_TRUE(filter::has_no_angle_below(shape, filter::cotangent_below(std::sqrt(0.5) + 0x1p-48)));
   EXPECT_FALSE(filter::is_not_larger(shape, (1 + 16 * filter::unit) / 2));
