@@ -89,6 +89,16 @@ TEST(FreeIndices, suffice_for_one_vertex_and_two_triangles) {
   EXPECT_FALSE(suffice(1, 1));
 }
 
+TEST(Insertion, is_made_where_only_exact_arithmetic_finds_a_new_triangle_positive) {
+  // The point lies 2^-53 above the middle of a side, less than the error of the area of the new triangle.
+  InsertionScene scene({{0, 0}, {3, 1}, {0, 3}}, {}, {.min_angle_deg = 0});
+  EXPECT_EQ(scene.insert({1.5, 0.5 + 0x1p-53}, 0), Outcome::inserted);
+  EXPECT_EQ(samples::fault(scene.t()), "");
+  EXPECT_EQ(scene.t().slots.size(), 3U);
+  InsertionScene on_side({{0, 0}, {3, 1}, {0, 3}}, {}, {.min_angle_deg = 0});
+  EXPECT_EQ(on_side.insert({1.5, 0.5}, 0), Outcome::encroaches);
+}
+
 TEST(InsertInFace, refuses_a_point_in_the_circumdisk_of_a_patch) {
   for (const double angle : {20.7, 30.0}) {
     InsertionScene scene(square, {}, {.min_angle_deg = angle});
