@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,12 +17,14 @@ Index mesh_vertex(const DomainTriangulation& domain, VertexId v) {
   return v < domain.input_of_vertex.size() ? domain.input_of_vertex[v] : v;
 }
 
-ConstrainedEdge constrained_edge(const DomainTriangulation& domain, const Slot& slot, unsigned side) {
+/// Nothing if the edge belongs to no segment, as on the border of a patch.
+std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domain, const Slot& slot, unsigned side) {
   const VertexId a = slot.from(side), b = slot.to(side);
   const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
+  if (segment == no_index) return std::nullopt;
   int marker = domain.segment_marker[segment];
   if (marker == 0 && slot.n[side].none()) marker = 1;
-  return {mesh_vertex(domain, a), mesh_vertex(domain, b), domain.input_segment[segment], marker};
+  return ConstrainedEdge{mesh_vertex(domain, a), mesh_vertex(domain, b), domain.input_segment[segment], marker};
 }
 
 /// Converts the triangles in place, and lists the constrained edges in the order of the triangles.
@@ -36,9 +39,8 @@ void export_triangles(DomainTriangulation& domain, Mesh& mesh, const Threads& th
       if (slot.any_constrained())
         for (unsigned side = 0; side < 3; ++side) {
           const EdgeRef across = slot.n[side];
-          if (across.constrained() && (across.none() || across.triangle() > id) &&
-              !domain.triangulation.on_border_of_patch(slot, side))
-            edges[block].push_back(constrained_edge(domain, slot, side));
+          if (across.constrained() && (across.none() || across.triangle() > id))
+            if (const auto edge = constrained_edge(domain, slot, side)) edges[block].push_back(*edge);
         }
       triangles[id] = {{vertex(slot.v[0]), vertex(slot.v[1]), vertex(slot.v[2])},
                        {neighbour(slot.n[0]), neighbour(slot.n[1]), neighbour(slot.n[2])}};

@@ -19,10 +19,11 @@ struct PointData {
   std::span<const int> markers;
 };
 
-/// Converts a triangulation in place, without a second copy of its triangles. The input points come first, in the
-/// order of the input; the new vertices follow in the order of their insertion. The mesh has no markers and attributes
-/// of points yet. On the border of a patch that is cut out (Triangulation::on_border_of_patch), triangles have no
-/// neighbour; the edges there are not listed as constrained. Of `domain`, the data of the segments are left.
+/// Converts a triangulation in place, without a second copy of its triangles. The input points come first, in the order
+/// of the input; the new vertices follow in the order of their insertion. The mesh has no markers and attributes of
+/// points yet. On the border of a patch that is cut out (Triangulation::on_border_of_patch), triangles have no
+/// neighbour. Constrained edges are listed if they belong to a segment of the domain; those on the border do not. Of
+/// `domain`, the data of the segments are left.
 [[nodiscard]] Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,
                                         std::span<const Point> input_points, const Threads& threads);
 

@@ -80,10 +80,9 @@ struct Triangulation {
   [[nodiscard]] const Point& point(VertexId v) const { return points[v]; }
 
   /// True if a patch will be laid beyond the edge. Such an edge is never split.
-  [[nodiscard]] bool on_border_of_patch(EdgeRef e) const { return on_border_of_patch(slot(e), e.side()); }
-  /// The same for a side of a triangle.
-  [[nodiscard]] bool on_border_of_patch(const Slot& s, unsigned side) const {
-    return s.n[side].none() && origin[s.from(side)] == border_vertex && origin[s.to(side)] == border_vertex;
+  [[nodiscard]] bool on_border_of_patch(EdgeRef e) const {
+    const Slot& s = slot(e);
+    return s.n[e.side()].none() && origin[s.from(e.side())] == border_vertex && origin[s.to(e.side())] == border_vertex;
   }
 
   /// Makes two sides neighbours of each other. `outer`, which may be none(), determines whether the edge is
