@@ -97,7 +97,7 @@ class Widths {
         const double width = nearest(p);
         add(p, width);
         const double step = width / length_of(a, b) / 8;
-        f += step > 0x1p-14 ? step : 0x1p-14;
+        f += std::max(step, 0x1p-14);
       }
       add(b, nearest(b));
     }

@@ -134,6 +134,28 @@ TEST(GrowingLengths, take_the_best_point_of_a_piece_along_which_the_length_chang
   EXPECT_DOUBLE_EQ(falling.least({0.5, 2}), 1 + std::hypot(0.5, 2.0)) << "the best point is an end";
 }
 
+/// A point at this height above the middle part of a segment of length 1. The greatest ratio of the length that is
+/// allowed below the point and the one of the definition, half the height, for many places of the point.
+double greatest_excess_below_a_point(double height) {
+  double greatest = 0;
+  for (int k = 0; k < 64; ++k) {
+    const double x = 0.3 + 0.0061 * k;
+    Pslg pslg;
+    pslg.points = {{0, 0}, {1, 0}, {x, height}};
+    pslg.segments = {{0, 1}};
+    const WantedSize wanted(pslg, {.grading = 1, .feature_edges = 2, .convex_hull = true});
+    greatest = std::max(greatest, wanted.at({x, 0}) / (height / 2));
+  }
+  return greatest;
+}
+
+TEST(WantedSize, exceeds_the_definition_by_little_unless_a_place_is_much_narrower_than_its_segment) {
+  EXPECT_LT(greatest_excess_below_a_point(0x1p-6), 1.135) << "looked at in steps of an eighth of the width";
+  const double narrow = greatest_excess_below_a_point(0x1p-13);
+  EXPECT_LT(narrow, 1.3) << "looked at in steps of 2^-14 of the segment, half of this width";
+  EXPECT_GT(narrow, 1.25);
+}
+
 TEST(Findings, that_are_joined_keep_no_more_than_the_limit) {
   const auto with = [](std::vector<Index> ids) {
     Findings found(2);

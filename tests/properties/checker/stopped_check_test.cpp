@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "../../../parallel/mesher.hpp"
@@ -178,6 +180,22 @@ std::vector<std::size_t> questions_of_stages(const Pslg& pslg, const Goal& goal,
           })};
 }
 
+/// A polygon of so many sides around a hole that lies on the right of its lowest corner. No walk down from there counts
+/// the loops, so the components, fans and loops of the mesh are counted one by one.
+Pslg polygon_with_a_hole_that_leans(int sides) {
+  Pslg pslg;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    pslg.points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  pslg.points.insert(pslg.points.end(), {{0, 0}, {0.1, 0.05}, {0.1, 0.2}});
+  const auto n = static_cast<Index>(sides);
+  for (Index i = 0; i < n; ++i) pslg.segments.push_back({i, (i + 1) % n});
+  for (const auto& [from, to] : {std::pair{n, n + 1}, {n + 1, n + 2}, {n + 2, n}}) pslg.segments.push_back({from, to});
+  pslg.holes = {{0.08, 0.09}};
+  return pslg;
+}
+
 TEST(Checker, asks_at_the_begin_of_each_loop) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(questions_of_stages(domains::comb(3, 0.05), {}, false), (Counts{3, 2, 6, 2, 2, 19, 11, 1, 5, 0, 0}));
@@ -196,6 +214,10 @@ TEST(Checker, asks_once_in_1024_steps_of_each_stage) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(questions_of_stages(domains::comb(1100, 1e-4), {.min_angle_deg = 0}, false),
             (Counts{72, 14, 38, 80, 10, 4480, 607, 5, 523, 2, 0}));
+  EXPECT_EQ(questions_of_stages(domains::comb(1100, 1e-4), {.min_angle_deg = 0}, true),
+            (Counts{75, 9, 341, 80, 10, 4576, 501, 5, 353, 2, 0}));
+  EXPECT_EQ(questions_of_stages(polygon_with_a_hole_that_leans(5000), {.min_angle_deg = 0}, false),
+            (Counts{81, 15, 50, 94, 10, 5084, 459, 5, 248, 0, 0}));
 }
 
 /// A square with a hole that has these corners, counter-clockwise, and that contains (5, 5.5).
