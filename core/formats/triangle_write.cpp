@@ -70,8 +70,9 @@ void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
 void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const std::size_t n = mesh.points.size();
   const std::size_t middles = files.second_order ? table.edges.size() : 0;
-  const Array<int> markers = files.markers ? vertex_markers(mesh) : Array<int>();
-  write_points(out, mesh, markers.span(), files.base, n + middles);
+  Array<int> inferred;
+  const std::span<const int> markers = files.markers ? vertex_markers(mesh, inferred) : std::span<const int>();
+  write_points(out, mesh, markers, files.base, n + middles);
   const std::size_t k = mesh.attributes_per_point;
   write_records(out, middles, [&](Bytes& to, std::size_t i) {
     const MarkedEdge& edge = table.edges[i];

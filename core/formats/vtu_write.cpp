@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <span>
 
 #include "../formats.hpp"
 #include "../support/mesh_edges.hpp"
@@ -31,7 +32,7 @@ std::string type_name() {
 
 /// An array that is in memory as it is in the file.
 template <class T>
-AppendedArray stored_array(std::string name, std::size_t components, const Array<T>& values) {
+AppendedArray stored_array(std::string name, std::size_t components, std::span<const T> values) {
   const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   return {type_name<T>(), std::move(name), components, bytes.size(), [bytes](OutputFile& out) { out.write(bytes); }};
 }
@@ -115,10 +116,10 @@ Section cell_data(const Mesh& mesh) {
   return section;
 }
 
-Section point_data(const Mesh& mesh, const Array<int>& markers) {
+Section point_data(const Mesh& mesh, std::span<const int> markers) {
   Section section{"PointData", {stored_array("marker", 1, markers)}};
   if (const std::size_t k = mesh.attributes_per_point; k > 0)
-    section.second.push_back(stored_array("attributes", k, mesh.point_attributes));
+    section.second.push_back(stored_array("attributes", k, mesh.point_attributes.span()));
   return section;
 }
 
@@ -139,7 +140,8 @@ void put_section(Bytes& to, const Section& section, std::size_t& offset) {
 Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
   OutputFile out(file);
   const std::size_t n = mesh.points.size();
-  const Array<int> markers = vertex_markers(mesh);
+  Array<int> inferred;
+  const std::span<const int> markers = vertex_markers(mesh, inferred);
   const auto write_points = [&mesh, n](OutputFile& to) {
     write_values(to, n, [&mesh](std::size_t i) {
       return std::array<double, 3>{mesh.points[i].x, mesh.points[i].y, 0.0};

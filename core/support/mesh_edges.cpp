@@ -29,15 +29,15 @@ const ConstrainedEdge* ConstrainedEdgeIndex::find(Index a, Index b) const {
   return &(*edges_)[*(beyond - 1)];
 }
 
-Array<int> vertex_markers(const Mesh& mesh) {
-  if (!mesh.point_markers.empty()) return mesh.point_markers;
-  Array<int> markers(mesh.points.size(), 0);
+std::span<const int> vertex_markers(const Mesh& mesh, Array<int>& inferred) {
+  if (!mesh.point_markers.empty()) return mesh.point_markers.span();
+  inferred = Array<int>::zeroes(mesh.points.size());
   for (const ConstrainedEdge& e : mesh.constrained_edges) {
     for (const Index end : {e.a, e.b}) {
-      if (markers[end] == 0) markers[end] = e.marker;
+      if (inferred[end] == 0) inferred[end] = e.marker;
     }
   }
-  return markers;
+  return inferred.span();
 }
 
 EdgeTable edge_table(const Mesh& mesh) {

@@ -1,6 +1,8 @@
 // Lists each edge of a mesh once, with its marker, and finds constrained edges by their ends.
 #pragma once
 
+#include <span>
+
 #include "../mesh.hpp"
 
 namespace pardel {
@@ -21,8 +23,8 @@ class ConstrainedEdgeIndex {
 };
 
 /// One marker per point: mesh.point_markers if the mesh has them, else the first non-zero marker of a constrained edge
-/// at the point, else 0.
-[[nodiscard]] Array<int> vertex_markers(const Mesh& mesh);
+/// at the point, else 0. `inferred` holds markers that the mesh does not have; it has to outlive the result.
+[[nodiscard]] std::span<const int> vertex_markers(const Mesh& mesh, Array<int>& inferred);
 
 struct MarkedEdge {
   Index a = 0;
