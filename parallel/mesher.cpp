@@ -83,6 +83,24 @@ std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const O
   return edges;
 }
 
+/// Refines the triangulation of a valid Pslg until it meets the goal.
+Result<Mesh> refined_mesh(const Pslg& pslg, bool convex_hull, const Goal& goal, DomainTriangulation domain,
+                          InputData input, const Options& options, ProgressMonitor& progress, Report& report) {
+  report.gaps = find_gaps(domain, progress.threads());
+  if (Status wanted = announce_least_size(domain, goal, options, progress.threads()); !wanted) return wanted.error();
+  if (ends_somewhere(goal.size))
+    require_coverage(goal.size, corners_of(domain.triangulation, progress.threads()), progress.threads());
+  Goal graded = guarded(goal);
+  if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
+  std::vector<double> caps;
+  for (const Region& region : pslg.regions) caps.push_back(region.max_area);
+  const Criteria criteria(graded, options.placement, std::move(caps));
+  std::vector<double> edges = edges_of_patches(pslg, goal, options);
+  if (edges.empty()) return refine_domain(std::move(domain), criteria, std::move(input), options, progress, report);
+  return refine_filled({pslg, convex_hull, std::move(edges)}, std::move(domain), criteria, input, options, progress,
+                       report);
+}
+
 /// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
 Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
                           ProgressMonitor& progress) {
@@ -92,35 +110,15 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, progress.threads());
   if (!domain) return domain.error();
   InputData input{{}, {pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
+  for (const Region& region : pslg.regions) input.region_attributes.push_back(region.attribute);
   if (pslg.attributes_per_point > 0) input.background = input_corners(*domain, progress.threads());
   result.report.triangulate_seconds = watch.lap();
 
-  std::vector<double> caps;
-  for (const Region& region : pslg.regions) {
-    input.region_attributes.push_back(region.attribute);
-    caps.push_back(region.max_area);
-  }
-  if (goal != nullptr) {
-    result.report.gaps = find_gaps(*domain, progress.threads());
-    if (Status wanted = announce_least_size(*domain, *goal, options, progress.threads()); !wanted)
-      return wanted.error();
-    if (ends_somewhere(goal->size))
-      require_coverage(goal->size, corners_of(domain->triangulation, progress.threads()), progress.threads());
-    Goal graded = guarded(*goal);
-    if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
-    const Criteria criteria(graded, options.placement, std::move(caps));
-    if (std::vector<double> edges = edges_of_patches(pslg, *goal, options); !edges.empty()) {
-      Result<Mesh> filled = refine_filled({pslg, convex_hull, std::move(edges)}, std::move(*domain), criteria, input,
-                                          options, progress, result.report);
-      if (!filled) return filled.error();
-      result.mesh = std::move(*filled);
-      result.report.refine_seconds = watch.lap();
-      return result;
-    }
-    if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
-      return refined.error();
-  }
-  result.mesh = to_mesh(std::move(domain).value(), std::move(input), progress.threads());
+  Result<Mesh> mesh = goal == nullptr ? Result<Mesh>(to_mesh(std::move(*domain), std::move(input), progress.threads()))
+                                      : refined_mesh(pslg, convex_hull, *goal, std::move(*domain), std::move(input),
+                                                     options, progress, result.report);
+  if (!mesh) return mesh.error();
+  result.mesh = std::move(*mesh);
   result.report.refine_seconds = watch.lap();
   return result;
 }
@@ -271,9 +269,9 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
 
   require_coverage(goal.size, coarse.points.span(), progress.threads());
   const Criteria criteria(guarded(goal), options.placement, {}, area_cap);
-  if (Status refined = refine_domain(*domain, criteria, input, options, progress, result.report); !refined)
-    return refined.error();
-  result.mesh = to_mesh(std::move(domain).value(), std::move(input), progress.threads());
+  Result<Mesh> mesh = refine_domain(std::move(*domain), criteria, std::move(input), options, progress, result.report);
+  if (!mesh) return mesh.error();
+  result.mesh = std::move(*mesh);
   if (regions_mix(coarse)) locate_regions(coarse, result.mesh, progress.threads());
   result.report.refine_seconds = watch.lap();
   return result;

@@ -41,8 +41,8 @@ void write_report(DomainTriangulation& domain, const Criteria& criteria, const O
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
 }
 
-Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input,
-                     const Options& options, ProgressMonitor& progress, Report& report) {
+Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,
+                           const Options& options, ProgressMonitor& progress, Report& report) {
   const Options resolved = resolvable(options, domain.triangulation);
   const auto convert = [&](DomainTriangulation&& snapshot) -> Result<Mesh> {
     return to_mesh(std::move(snapshot), input, progress.threads());
@@ -51,7 +51,7 @@ Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, cons
                                                  {}, watcher(domain, options, convert));
   if (!counts) return counts.error();
   write_report(domain, criteria, resolved, std::move(*counts), progress.threads(), report);
-  return Done{};
+  return to_mesh(std::move(domain), std::move(input), progress.threads());
 }
 
 }  // namespace pardel::engine

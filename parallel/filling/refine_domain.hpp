@@ -39,8 +39,8 @@ using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
                   const Threads& threads, Report& report);
 
-/// Refines the domain.
-[[nodiscard]] Status refine_domain(DomainTriangulation& domain, const Criteria& criteria, const InputData& input,
-                                   const Options& options, ProgressMonitor& progress, Report& report);
+/// Refines the domain, and makes its mesh. Errors: as from refine_by_sweeps().
+[[nodiscard]] Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,
+                                         const Options& options, ProgressMonitor& progress, Report& report);
 
 }  // namespace pardel::engine

@@ -100,12 +100,7 @@ Result<Mesh> refine_filled(const ToFill& what, DomainTriangulation domain, const
                            const InputData& input, const Options& options, ProgressMonitor& progress, Report& report) {
   Result<std::optional<Round>> filled = successful_round(what, domain, criteria, input, options, progress, report);
   if (!filled) return filled.error();
-  const auto without = [&](Report& its_report) -> Result<Mesh> {
-    if (Status refined = refine_domain(domain, criteria, input, options, progress, its_report); !refined)
-      return refined.error();
-    return to_mesh(std::move(domain), input, progress.threads());
-  };
-  if (!filled->has_value()) return without(report);
+  if (!filled->has_value()) return refine_domain(std::move(domain), criteria, input, options, progress, report);
   Report without_patches = report;
   Round& round = **filled;
   const std::uint64_t triangles = round.triangles();
@@ -114,7 +109,7 @@ Result<Mesh> refine_filled(const ToFill& what, DomainTriangulation domain, const
   const bool may_be_worse = 2 * round.laid() < triangles || !report.goal_met();
   const std::uint64_t twice_the_vertices = triangles;
   if (may_be_worse && !outgrows_memory(twice_the_vertices, options)) {
-    Result<Mesh> refined = without(without_patches);
+    Result<Mesh> refined = refine_domain(std::move(domain), criteria, input, options, progress, without_patches);
     if (!refined) return refined;
     const bool is_better = without_patches.goal_met() != report.goal_met() ? without_patches.goal_met()
                                                                            : refined->triangles.size() < triangles;
