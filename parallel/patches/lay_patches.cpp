@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,14 +16,21 @@ class RowCursor {
   RowCursor(std::span<const Piece> pieces, Index first_border, Index first_inner)
       : piece_(pieces.begin()), end_(pieces.end()), first_border_(first_border), first_inner_(first_inner) {}
   [[nodiscard]] Index at(int x) {
-    while (piece_ + 1 != end_ && x > piece_->high) ++piece_;
+    go_to(x);
     const std::size_t number = piece_->first + static_cast<std::size_t>(x - piece_->low) / 2;
     return (piece_->on_border ? first_border_ : first_inner_) + static_cast<Index>(number);
   }
-  /// Up to this place, the points have consecutive numbers.
-  [[nodiscard]] int last() const { return piece_->high; }
+  /// From x up to this place, the points have consecutive numbers.
+  [[nodiscard]] int last(int x) {
+    go_to(x);
+    return piece_->high;
+  }
 
  private:
+  void go_to(int x) {
+    while (piece_ + 1 != end_ && x > piece_->high) ++piece_;
+  }
+
   std::span<const Piece>::iterator piece_, end_;
   Index first_border_, first_inner_;
 };
@@ -37,14 +43,19 @@ class StripCursor {
       : strip_(strips.begin()), end_(strips.end()), first_triangle_(first_triangle) {}
   /// The triangle at x, or no_index if there is none.
   [[nodiscard]] Index at(int x) {
-    while (strip_ != end_ && x > strip_->high) ++strip_;
-    if (strip_ == end_ || x < strip_->low) return no_index;
+    if (!go_to(x)) return no_index;
     return first_triangle_ + static_cast<Index>(strip_->first) + static_cast<Index>(x - strip_->low);
   }
-  /// Up to this place, the triangles have consecutive numbers. Precondition: at() has found a triangle.
-  [[nodiscard]] int last() const { return strip_->high; }
+  /// From x up to this place, the triangles have consecutive numbers. Less than x if there is no triangle at x.
+  [[nodiscard]] int last(int x) { return go_to(x) ? strip_->high : x - 1; }
 
  private:
+  /// True if there is a triangle at x.
+  [[nodiscard]] bool go_to(int x) {
+    while (strip_ != end_ && x > strip_->high) ++strip_;
+    return strip_ != end_ && x >= strip_->low;
+  }
+
   std::span<const Strip>::iterator strip_, end_;
   Index first_triangle_;
 };
@@ -87,12 +98,9 @@ class StripWriter {
   /// From x on, so many pairs of a standing and a hanging triangle have neighbours on all sides, and corners and
   /// neighbours whose numbers go up evenly. Nearly all triangles of a large patch belong to such pairs.
   [[nodiscard]] int even_pairs(int x) {
-    (void)lower_.at(x);
-    (void)upper_.at(x + 1);
-    if (below_.at(x) == no_index || above_.at(x + 1) == no_index) return 0;
-    return std::min({lower_.last() - x, upper_.last() - x - 1, below_.last() - x + 2, above_.last() - x + 1,
-                     strip_.high - x}) /
-           2;
+    const int last =
+        std::min({lower_.last(x), upper_.last(x + 1) - 1, below_.last(x) + 2, above_.last(x + 1) + 1, strip_.high});
+    return (last - x) / 2;
   }
 
   void write_pairs(int x, int pairs) {
