@@ -44,7 +44,7 @@ Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
   if (!in.has_field()) in.expect_line("the number of vertices");
   const std::size_t points = in.count("the number of vertices");
   const std::size_t triangles = in.count("the number of faces");
-  if (points > max_points || triangles > max_mesh_triangles) in.fail("announces more than a mesh can hold");
+  if (points > max_points || !can_be_a_mesh(triangles)) in.fail("announces more than a mesh can hold");
   if (!in.room_for(points, text_bytes(2), "vertices")) return in.error();
   if (!in.room_for(triangles, text_bytes(4), "faces")) return in.error();
 

@@ -28,7 +28,7 @@ void read_elements(TextReader& in, ReadMesh& read) {
   if (nodes != 3 && nodes != 6) in.fail("expected 3 or 6 nodes per triangle, found " + std::to_string(nodes));
   const auto attributes = static_cast<std::size_t>(
       in.integer_or("the number of attributes per triangle", 0, std::numeric_limits<std::int32_t>::max(), 0));
-  if (n > max_mesh_triangles) in.fail("announces more than " + std::to_string(max_mesh_triangles) + " triangles");
+  if (!can_be_a_mesh(n)) in.fail("announces more than " + std::to_string(max_mesh_triangles) + " triangles");
   if (!in.room_for(n, text_bytes(static_cast<std::size_t>(nodes) + 1 + attributes), "triangles")) return;
 
   mesh.triangles.resize_uninitialised(n);  // each thread then gets the memory of the triangles that it reads
