@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 
+#include "../../../core/support/exception_of.hpp"
 #include "../../../core/support/stop_signal.hpp"
 
 namespace pardel::checker {
@@ -27,14 +27,14 @@ void for_each_run(std::size_t n, StopSignal* stop, const Body& body) {
 #pragma omp for schedule(static)
     for (std::size_t i = 0; i < (n + run - 1) / run; ++i) {
       if (stopped) continue;
-      try {  // an exception may not leave a parallel loop
+      const std::exception_ptr mine = exception_of([&] {
         if (stop != nullptr) stop->ask();
         body(i * run, std::min(n, (i + 1) * run), thread);
-      } catch (...) {
-        stopped = true;
+      });
+      if (!mine) continue;
+      stopped = true;
 #pragma omp critical(pardel_checker_exception)
-        if (!thrown) thrown = std::current_exception();
-      }
+      if (!thrown) thrown = mine;
     }
   }
   if (thrown) std::rethrow_exception(thrown);
