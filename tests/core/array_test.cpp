@@ -28,20 +28,15 @@ bool counts_up(const Array<std::uint64_t>& array) {
   return true;
 }
 
-/// The address space of this process, in bytes.
-std::size_t address_space() {
-  std::size_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * 4096;
-}
-
-/// The memory that this process occupies, in bytes.
-std::size_t resident_memory() {
-  std::size_t pages = 0;
+/// A number of /proc/self/statm, in bytes.
+std::size_t memory_of_process(std::size_t place) {
   std::ifstream file("/proc/self/statm");
-  file >> pages >> pages;
+  std::size_t pages = 0;
+  for (std::size_t k = 0; k <= place; ++k) file >> pages;
   return pages * 4096;
 }
+std::size_t address_space() { return memory_of_process(0); }
+std::size_t resident_memory() { return memory_of_process(1); }
 
 TEST(Array, of_zeroes_contains_zeroes_that_take_no_memory_before_they_are_written) {
   for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{1000}, megabyte / 8 - 1, megabyte}) {
