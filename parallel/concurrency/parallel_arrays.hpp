@@ -17,8 +17,8 @@ void append_blocks(const Threads& threads, const std::vector<Block>& blocks, Arr
   std::vector<std::size_t> start(blocks.size() + 1, all.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) start[b + 1] = start[b] + blocks[b].size();
   all.resize_uninitialised(start.back());
-  parallel_for(threads, blocks.size(),
-               [&](std::size_t b, int) { std::copy(blocks[b].begin(), blocks[b].end(), all.begin() + start[b]); });
+  parallel_runs(threads, blocks.size(),
+                [&](std::size_t b) { std::copy(blocks[b].begin(), blocks[b].end(), all.begin() + start[b]); });
 }
 
 /// The indices i < n with satisfies(i), in ascending order.

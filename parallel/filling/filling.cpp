@@ -60,7 +60,7 @@ Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull,
   std::vector<VertexId> border(with_borders.points.size() - inputs);
   for (VertexId v = 0; v < domain->input_of_vertex.size(); ++v)
     if (const Index input = domain->input_of_vertex[v]; input >= inputs) border[input - inputs] = v;
-  if (!cut_out(domain->triangulation, border, border_edges(filling.patches_, border), threads)) return border_missing();
+  if (!cut_out(domain->triangulation, border, BorderEdges(filling.patches_, border), threads)) return border_missing();
   filling.domain_ = std::move(*domain);
   filling.points_ = std::move(with_borders.points);
   filling.first_border_ = static_cast<Index>(inputs);

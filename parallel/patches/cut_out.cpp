@@ -1,7 +1,5 @@
 #include "cut_out.hpp"
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "../concurrency/parallel_arrays.hpp"
@@ -12,15 +10,12 @@ namespace pardel::engine {
 namespace {
 
 /// Constrains the edges of the borders. Returns the triangles on their left: one for each edge that was found.
-std::vector<TriangleId> constrain_borders(Triangulation& t, std::span<const BorderEdge> edges, SparseAsk& ask) {
+std::vector<TriangleId> constrain_borders(Triangulation& t, const BorderEdges& edges, SparseAsk& ask) {
   std::vector<TriangleId> beside;
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     ask();
     for (unsigned side = 0; side < 3; ++side) {
-      const std::pair ends{t.slots[id].from(side), t.slots[id].to(side)};
-      if (t.origin[ends.first] != border_vertex) continue;
-      const auto edge = std::ranges::lower_bound(edges, ends, {}, &BorderEdge::ends);
-      if (edge == edges.end() || edge->ends() != ends) continue;
+      if (edges.find(t.slots[id].from(side), t.slots[id].to(side)) == nullptr) continue;
       t.constrain(EdgeRef(id, side));
       beside.push_back(id);
     }
@@ -30,12 +25,11 @@ std::vector<TriangleId> constrain_borders(Triangulation& t, std::span<const Bord
 
 }  // namespace
 
-bool cut_out(Triangulation& t, std::span<const VertexId> border, std::span<const BorderEdge> edges,
-             const Threads& threads) {
+bool cut_out(Triangulation& t, std::span<const VertexId> border, const BorderEdges& edges, const Threads& threads) {
   for (const VertexId v : border) t.origin[v] = border_vertex;
   SparseAsk ask(threads.stop);
   std::vector<TriangleId> beside = constrain_borders(t, edges, ask);
-  if (beside.size() != edges.size()) return false;
+  if (beside.size() != edges.all().size()) return false;
   constexpr Index kept = 0, removed = 1;
   const std::size_t n = t.slots.size();
   Array<Index> label(n, kept);

@@ -11,11 +11,11 @@ namespace pardel::engine {
 
 /// Removes the triangles inside the borders of the patches. The vertices on the borders get the origin border_vertex,
 /// and the edges between them and the patches become boundary edges (Triangulation::on_border_of_patch). `border`,
-/// `edges`: as of border_edges(). The number of threads does not change the result.
+/// `edges`: BorderEdges of the same vertices. The number of threads does not change the result.
 ///
 /// Returns false if an edge of the border is missing in `t`, which is then useless. This does not happen if the patches
 /// are those of find_patches() (THEORY.md, Fill).
-[[nodiscard]] bool cut_out(Triangulation& t, std::span<const VertexId> border, std::span<const BorderEdge> edges,
+[[nodiscard]] bool cut_out(Triangulation& t, std::span<const VertexId> border, const BorderEdges& edges,
                            const Threads& threads);
 
 }  // namespace pardel::engine

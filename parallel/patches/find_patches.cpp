@@ -27,10 +27,10 @@ std::vector<std::vector<TriangleId>> by_region(const Triangulation& t, std::size
   return result;
 }
 
-/// Calls add(i, spans) for all i < n, and returns all spans.
-template <class Add>
-std::vector<Span> spans_of(std::size_t n, const Threads& threads, const Add& add) {
-  std::vector<std::vector<Span>> blocks(block_count(n));
+/// Calls add(i, list) for all i < n, and returns all that was added to the lists.
+template <class T, class Add>
+std::vector<T> list_of(std::size_t n, const Threads& threads, const Add& add) {
+  std::vector<std::vector<T>> blocks(block_count(n));
   parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
     SparseAsk ask(threads.stop);
     for (std::size_t i = first; i < last; ++i) {
@@ -38,8 +38,8 @@ std::vector<Span> spans_of(std::size_t n, const Threads& threads, const Add& add
       add(i, blocks[block]);
     }
   });
-  std::vector<Span> all;
-  for (const std::vector<Span>& spans : blocks) all.insert(all.end(), spans.begin(), spans.end());
+  std::vector<T> all;
+  for (const std::vector<T>& list : blocks) all.insert(all.end(), list.begin(), list.end());
   return all;
 }
 
@@ -53,11 +53,16 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
       std::max({std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
   if (!(farthest < most_edges * edge)) return Patch(lattice, {});
 
-  const std::vector<Span> inside = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
-    lattice.add_inside(corner(i, 0), corner(i, 1), corner(i, 2), spans);
+  const auto is_boundary = [&](EdgeRef across) {
+    return across.none() || (!t.region.empty() && t.region[across.triangle()] != t.region[triangles.front()]);
+  };
+  auto crossings = list_of<Crossing>(triangles.size(), threads, [&](std::size_t i, std::vector<Crossing>& list) {
+    for (unsigned side = 0; side < 3; ++side)
+      if (is_boundary(t.slots[triangles[i]].n[side]))
+        lattice.add_crossings(corner(i, next_corner[side]), corner(i, previous_corner[side]), list);
   });
   const double distance = clearance * edge;
-  std::vector<Span> near = spans_of(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
+  auto near = list_of<Span>(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
     const Slot& slot = t.slots[triangles[i]];
     for (unsigned side = 0; side < 3; ++side) {
       const Point from = t.points[slot.from(side)], to = t.points[slot.to(side)];
@@ -66,7 +71,7 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
     }
   });
   for (const Clearing& c : clearings) lattice.add_near(c.centre, c.centre, c.radius, near);
-  return Patch(lattice, without(merged(inside), merged(std::move(near))));
+  return Patch(lattice, without(lattice.inside(std::move(crossings)), merged(std::move(near))));
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ class StripWriter {
 };
 
 void write_points(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
-  parallel_for(threads, patch.pieces().size(), [&](std::size_t i, int) {
+  parallel_runs(threads, patch.pieces().size(), [&](std::size_t i) {
     const Piece& piece = patch.pieces()[i];
     if (piece.on_border) return;
     const std::size_t first = places.first_inner + piece.first;
@@ -143,21 +143,21 @@ void write_points(const Patch& patch, const Places& places, Mesh& mesh, const Th
 }
 
 void write_triangles(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
-  parallel_for(threads, patch.strips().size(),
-               [&](std::size_t s, int) { StripWriter(patch, places, patch.strips()[s], mesh).write(); });
+  parallel_runs(threads, patch.strips().size(),
+                [&](std::size_t s) { StripWriter(patch, places, patch.strips()[s], mesh).write(); });
 }
 
 /// Joins the triangles before `old`, those around the patches, to the patches. Returns the number of edges joined.
-std::size_t join_borders(Mesh& mesh, std::size_t old, std::span<const BorderEdge> edges, SparseAsk& ask) {
+std::size_t join_borders(Mesh& mesh, std::size_t old, const BorderEdges& edges, SparseAsk& ask) {
   std::size_t joined = 0;
   for (Index id = 0; id < old; ++id) {
     ask();
     for (unsigned side = 0; side < 3; ++side) {
       Triangle& beside = mesh.triangles[id];
       if (beside.n[side] != no_index) continue;
-      const std::pair seen_from_patch{beside.v[previous_corner[side]], beside.v[next_corner[side]]};
-      const auto edge = std::ranges::lower_bound(edges, seen_from_patch, {}, &BorderEdge::ends);
-      if (edge == edges.end() || edge->ends() != seen_from_patch) continue;
+      // The patch sees the edge in the opposite direction.
+      const BorderEdge* edge = edges.find(beside.v[previous_corner[side]], beside.v[next_corner[side]]);
+      if (edge == nullptr) continue;
       const Index laid = static_cast<Index>(old + edge->triangle);
       beside.n[side] = laid;
       mesh.triangles[laid].n[edge->side] = id;
@@ -193,9 +193,9 @@ bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_b
   std::vector<VertexId> border(border_end - first_border);
   std::iota(border.begin(), border.end(), first_border);
   std::ranges::fill(mesh.origin.span().subspan(first_border, border.size()), interior_vertex);
-  const std::vector<BorderEdge> edges = border_edges(patches, border);
+  const BorderEdges edges(patches, border);
   SparseAsk ask(threads.stop);
-  return join_borders(mesh, old, edges, ask) == edges.size();
+  return join_borders(mesh, old, edges, ask) == edges.all().size();
 }
 
 }  // namespace pardel::engine

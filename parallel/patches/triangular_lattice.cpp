@@ -1,11 +1,21 @@
 #include "triangular_lattice.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace pardel::engine {
+namespace {
+
+/// Adds a span that does not begin before the last one. Joins the two if there is no gap between them.
+void append_merged(const Span& span, std::vector<Span>& merged) {
+  if (!merged.empty() && merged.back().row == span.row && span.low <= merged.back().high + 2)
+    merged.back().high = std::max(merged.back().high, span.high);
+  else
+    merged.push_back(span);
+}
+
+}  // namespace
 
 TriangularLattice::TriangularLattice(Point origin, double edge)
     : origin_(origin), half_edge_(edge / 2), height_(edge * (std::numbers::sqrt3 / 2)) {}
@@ -20,21 +30,22 @@ void TriangularLattice::add_between(int row, double from, double to, std::vector
   if (span.low <= span.high) spans.push_back(span);
 }
 
-void TriangularLattice::add_inside(Point a, Point b, Point c, std::vector<Span>& spans) const {
-  const double slack = 1e-6 * half_edge_;
-  const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
-  for (int row = first_row(bottom - slack); row <= last_row(top + slack); ++row) {
-    const double y = std::clamp(at(0, row).y, bottom, top);
-    double from = INFINITY, to = -INFINITY;
-    for (const auto& [p, q] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
-      if (y < std::min(p.y, q.y) || y > std::max(p.y, q.y)) continue;
-      // Where the side crosses the row; of a horizontal side, one end: the other sides end at the other one.
-      const double x = p.y == q.y ? p.x : p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
-      from = std::min(from, x);
-      to = std::max(to, x);
-    }
-    add_between(row, from - slack, to + slack, spans);
-  }
+void TriangularLattice::add_crossings(Point a, Point b, std::vector<Crossing>& crossings) const {
+  const auto [bottom, top] = std::minmax({a.y, b.y});
+  const int last = last_row(top) + 1;  // one more, and one before the first: the rounding of a row is uncertain
+  for (int row = first_row(bottom) - 1; row <= last; ++row)
+    if (const double y = at(0, row).y; bottom <= y && y < top)
+      crossings.push_back({row, a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)});
+}
+
+std::vector<Span> TriangularLattice::inside(std::vector<Crossing> crossings) const {
+  std::ranges::sort(crossings,
+                    [](const Crossing& c, const Crossing& d) { return c.row != d.row ? c.row < d.row : c.x < d.x; });
+  std::vector<Span> spans, result;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+    add_between(crossings[i].row, crossings[i].x, crossings[i + 1].x, spans);
+  for (const Span& span : spans) append_merged(span, result);
+  return result;
 }
 
 void TriangularLattice::add_near(Point a, Point b, double distance, std::vector<Span>& spans) const {
@@ -75,12 +86,7 @@ void TriangularLattice::add_near(Point a, Point b, double distance, std::vector<
 std::vector<Span> merged(std::vector<Span> spans) {
   std::ranges::sort(spans, [](const Span& s, const Span& t) { return s.row != t.row ? s.row < t.row : s.low < t.low; });
   std::vector<Span> result;
-  for (const Span& span : spans) {
-    if (!result.empty() && result.back().row == span.row && span.low <= result.back().high + 2)
-      result.back().high = std::max(result.back().high, span.high);
-    else
-      result.push_back(span);
-  }
+  for (const Span& span : spans) append_merged(span, result);
   return result;
 }
 

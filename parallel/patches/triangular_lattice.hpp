@@ -1,4 +1,4 @@
-// The points of a lattice of equilateral triangles, and which of them lie in a triangle or near a segment.
+// The points of a lattice of equilateral triangles, and which of them lie inside a boundary or near a segment.
 #pragma once
 
 #include <vector>
@@ -13,6 +13,12 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
+/// Where a segment crosses a row.
+struct Crossing {
+  int row = 0;
+  double x = 0;  ///< a coordinate, not a place
+};
+
 /// The places of the lattice are pairs (x, row), in which x counts half edges, so x and row are both even or both odd.
 /// Neighbours of (x, row) are (x - 2, row), (x + 2, row), and (x - 1, r) and (x + 1, r) for r = row - 1 and row + 1.
 class TriangularLattice {
@@ -22,14 +28,16 @@ class TriangularLattice {
 
   [[nodiscard]] Point at(int x, int row) const { return {origin_.x + x * half_edge_, origin_.y + row * height_}; }
 
-  /// Appends the places in the triangle abc, and perhaps places that are outside by less than 1e-6 edges. No place in
-  /// the triangle is missing, up to rounding. O(rows).
-  void add_inside(Point a, Point b, Point c, std::vector<Span>& spans) const;
+  /// Appends where the segment ab crosses rows. A row crosses a closed chain of segments an even number of times, also
+  /// if it passes through points of the chain: the lower end of a segment belongs to it, the upper end does not.
+  void add_crossings(Point a, Point b, std::vector<Crossing>& crossings) const;
+  /// The places inside a boundary, up to rounding, from the crossings of all its segments in any order. Merged.
+  [[nodiscard]] std::vector<Span> inside(std::vector<Crossing> crossings) const;
   /// Appends the places that are nearer to the segment ab than the distance, up to rounding. a may be equal to b.
   void add_near(Point a, Point b, double distance, std::vector<Span>& spans) const;
 
  private:
-  /// Appends the places of a row between two coordinates.
+  /// Appends the places of a row between two coordinates, if there are any.
   void add_between(int row, double from, double to, std::vector<Span>& spans) const;
   [[nodiscard]] int first_row(double y) const;
   [[nodiscard]] int last_row(double y) const;

@@ -123,6 +123,37 @@ TEST(ParallelFor, asks_the_caller_while_only_other_threads_work) {
   EXPECT_EQ(asked, items + 1);
 }
 
+TEST(ParallelRuns, visit_each_item_once_and_consecutive_items_in_one_thread) {
+  for (const std::size_t n : {0UL, 1UL, 5UL, 16UL, 100UL, 1000UL}) {
+    std::vector<int> visits(n);
+    std::vector<std::thread::id> by(n);
+    parallel_runs(2, n, [&](std::size_t i) {
+      ++visits[i];
+      by[i] = std::this_thread::get_id();
+    });
+    EXPECT_EQ(visits, std::vector<int>(n, 1));
+    std::size_t changes = 0;
+    for (std::size_t i = 1; i < n; ++i) changes += by[i] != by[i - 1];
+    EXPECT_LE(changes, 15U) << "there are 16 runs";
+  }
+}
+
+TEST(ParallelRuns, throw_the_exception_of_the_first_item_that_throws) {
+  for (int round = 0; round < 20; ++round) {
+    const auto run = [] {
+      parallel_runs(2, 1000, [](std::size_t i) {
+        if (i % 100 == 37) throw static_cast<int>(i);
+      });
+    };
+    try {
+      run();
+      ADD_FAILURE() << "no exception";
+    } catch (int item) {
+      EXPECT_EQ(item, 37);
+    }
+  }
+}
+
 TEST(ParallelBlocks, divide_the_items_into_consecutive_blocks) {
   const std::size_t n = 2 * items_in_block + 5;
   ASSERT_EQ(block_count(n), 3U);

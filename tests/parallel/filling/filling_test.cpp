@@ -119,11 +119,13 @@ TEST(BorderEdges, go_around_each_patch_and_lie_on_the_right_of_no_patch) {
   const auto patches = find_patches(square.triangulation, std::array{0.1}, {}, {});
   std::vector<VertexId> border(patches[0].patch.border_points());
   for (std::size_t i = 0; i < border.size(); ++i) border[i] = static_cast<VertexId>(1000 - i);
-  const std::vector<BorderEdge> edges = border_edges(patches, border);
-  EXPECT_EQ(edges.size(), border.size()) << "the patch has one simple border";
-  EXPECT_TRUE(std::ranges::is_sorted(edges, {}, &BorderEdge::ends));
-  for (const BorderEdge& e : edges) {
-    EXPECT_EQ(std::ranges::count(edges, e.to, &BorderEdge::from), 1);
+  const BorderEdges edges(patches, border);
+  EXPECT_EQ(edges.all().size(), border.size()) << "the patch has one simple border";
+  for (const BorderEdge& e : edges.all()) {
+    EXPECT_EQ(std::ranges::count(edges.all(), e.to, &BorderEdge::from), 1);
+    EXPECT_EQ(edges.find(e.from, e.to), &e);
+    EXPECT_EQ(edges.find(e.to, e.from), nullptr);
+    EXPECT_EQ(edges.find(e.from, 2000), nullptr);
     EXPECT_LT(e.triangle, patches[0].patch.triangles());
   }
 }
@@ -133,7 +135,7 @@ TEST(CutOut, notices_that_a_border_is_missing) {
   const auto patches = find_patches(t, std::array{0.1}, {}, {});
   ASSERT_FALSE(patches.empty());
   const std::vector<VertexId> wrong(patches[0].patch.border_points(), 0);
-  EXPECT_FALSE(cut_out(t, wrong, border_edges(patches, wrong), {}));
+  EXPECT_FALSE(cut_out(t, wrong, BorderEdges(patches, wrong), {}));
 }
 
 TEST(LayPatches, notices_that_a_border_edge_has_been_split) {

@@ -1,4 +1,4 @@
-// Which places of the lattice lie in a triangle or near a segment, compared with the definition place by place.
+// Which places of the lattice lie inside a boundary or near a segment, compared with the definition place by place.
 #include "../../../parallel/patches/triangular_lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,6 @@ Places places_of(const std::vector<Span>& spans) {
   return places;
 }
 
-double cross(Point a, Point b, Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
-
 /// Calls visit(place, its point) for all places of a large part of the lattice.
 template <class Visit>
 void visit_places(const TriangularLattice& lattice, const Visit& visit) {
@@ -47,41 +45,51 @@ TEST(TriangularLattice, has_six_neighbours_at_the_length_of_an_edge) {
     EXPECT_NEAR(std::hypot(lattice.at(x, row).x - p.x, lattice.at(x, row).y - p.y), 0.7, 1e-15);
 }
 
-TEST(TriangularLattice, finds_the_places_in_a_triangle) {
+/// True if a ray from p upwards crosses the polygon an odd number of times.
+bool is_inside(const std::vector<Point>& polygon, Point p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    if ((a.x <= p.x) == (b.x <= p.x)) continue;
+    if (a.y + (p.x - a.x) / (b.x - a.x) * (b.y - a.y) > p.y) inside = !inside;
+  }
+  return inside;
+}
+
+/// Some corners are places of the lattice, so rows pass through them, and some sides lie in rows.
+TEST(TriangularLattice, finds_the_places_inside_polygons_and_their_holes) {
   samples::Random random(1);
   const TriangularLattice lattice({0.1, 0.2}, 0.37);
   for (int i = 0; i < 300; ++i) {
-    Point a = some_point(random), b = some_point(random), c = some_point(random);
-    if (i % 3 == 0) b.y = a.y;  // a horizontal side
-    if (i % 7 == 0) c = lattice.at(4, 2);
-    if (cross(a, b, c) < 0) std::swap(a, b);
-    std::vector<Span> spans;
-    lattice.add_inside(a, b, c, spans);
+    std::vector<Point> polygon;  // it may cross itself: then inside is where a ray crosses it an odd number of times
+    for (int corners = 3 + i % 6; corners > 0; --corners) polygon.push_back(some_point(random));
+    if (i % 3 == 0) polygon[1].y = polygon[0].y;
+    if (i % 7 == 0) polygon[2] = lattice.at(4, 2);
+    if (i % 14 == 0) polygon[1] = lattice.at(-6, 2);
+    std::vector<Crossing> crossings;
+    for (std::size_t k = polygon.size(); k-- > 0;)
+      lattice.add_crossings(polygon[k], polygon[(k + 1) % polygon.size()], crossings);
+    const std::vector<Span> spans = lattice.inside(crossings);
+    EXPECT_EQ(spans, merged(spans));
     const Places found = places_of(spans);
     visit_places(lattice, [&](auto place, Point p) {
-      const double least = std::min({cross(a, b, p), cross(b, c, p), cross(c, a, p)});
-      if (std::abs(least) <= 1e-5) return;  // rounding decides
-      EXPECT_EQ(found.contains(place), least > 0) << i;
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        if (distance_to(polygon[k], polygon[(k + 1) % polygon.size()], p) < 1e-9) return;  // rounding decides
+      EXPECT_EQ(found.contains(place), is_inside(polygon, p)) << i;
     });
   }
 }
 
-TEST(TriangularLattice, leaves_no_gap_between_triangles_with_a_common_side) {
-  samples::Random random(2);
-  const TriangularLattice lattice({0, 0}, 0.21);
-  for (int i = 0; i < 300; ++i) {
-    const Point low{-2, -2}, high{2, 2}, left{-2, 2}, right{2, -2};
-    const Point p{random.uniform(-2, 2), random.uniform(-2, 2)};
-    std::vector<Span> spans;
-    for (const auto& [a, b] : {std::pair(low, right), {right, high}, {high, left}, {left, low}})
-      lattice.add_inside(a, b, i % 2 == 0 ? p : lattice.at(2, 4), spans);
-    const Places found = places_of(spans);
-    visit_places(lattice, [&](auto place, Point q) {
-      const double inside = 2 - std::max(std::abs(q.x), std::abs(q.y));
-      if (std::abs(inside) <= 1e-5) return;  // rounding decides
-      EXPECT_EQ(found.contains(place), inside > 0);
-    });
-  }
+TEST(TriangularLattice, has_an_even_number_of_crossings_in_each_row_that_meets_corners) {
+  const TriangularLattice lattice({0, 0}, 1);
+  // Rows 0 to 4 meet a lowest corner, a side in the row, a corner between a lower and a higher one, a highest corner.
+  const std::vector<Point> polygon{lattice.at(0, 0), lattice.at(8, 2), lattice.at(12, 2),
+                                   lattice.at(9, 3), lattice.at(4, 4), lattice.at(-1, 3)};
+  std::vector<Crossing> crossings;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    lattice.add_crossings(polygon[k], polygon[(k + 1) % polygon.size()], crossings);
+  for (int row = -1; row <= 5; ++row)
+    EXPECT_EQ(std::ranges::count(crossings, row, &Crossing::row), row >= 0 && row <= 3 ? 2 : 0) << row;
 }
 
 TEST(TriangularLattice, finds_the_places_near_a_segment) {
