@@ -29,11 +29,15 @@ struct ConstrainedEdge {
 };
 
 /// Values of Mesh::origin. input_vertex: an input point. interior_vertex: a point inserted inside a face. hull_vertex:
-/// a point inserted on an edge of the convex hull that is not a segment. Any smaller value: the index of the segment on
-/// which the point was inserted.
+/// a point inserted on an edge of the convex hull that is not a segment. origin_on_segment(): a point inserted on a
+/// segment. Nearly all points of a large mesh are in the interior. Their value is 0, because zeroes that nobody has
+/// written take no memory (Array::zeroes).
+inline constexpr Index interior_vertex = 0;
 inline constexpr Index input_vertex = no_index;
-inline constexpr Index interior_vertex = no_index - 1;
-inline constexpr Index hull_vertex = no_index - 2;
+inline constexpr Index hull_vertex = no_index - 1;
+[[nodiscard]] constexpr Index origin_on_segment(Index segment) { return segment + 1; }
+/// The segment of such an origin. Of the other origins: a number that is no segment, greater than all segments.
+[[nodiscard]] constexpr Index segment_of_origin(Index origin) { return origin - 1; }
 
 struct Mesh {
   Array<Point> points;  ///< input points first, in their order, then Steiner points

@@ -93,9 +93,12 @@ void split_waiting(Refinement& state) {
 
 void record_origin(Refinement& state, Index vertex, const std::optional<Edge>& split) {
   auto& segment_of_edge = state.provenance.segment_of_edge;
-  const Index segment = split ? segment_of_edge.at(*split) : interior_vertex;
-  state.provenance.origin.push_back(segment);
-  if (!split) return;
+  if (!split) {
+    state.provenance.origin.push_back(interior_vertex);
+    return;
+  }
+  const Index segment = segment_of_edge.at(*split);
+  state.provenance.origin.push_back(origin_on_segment(segment));
   segment_of_edge.erase(*split);
   for (Index end : *split) segment_of_edge[edge(end, vertex)] = segment;
   state.waiting.erase(*split);

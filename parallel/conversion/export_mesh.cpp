@@ -74,9 +74,9 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& thre
   Array<Index>& origin = domain.triangulation.origin;
   parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v)
-      if (origin[v] < domain.segments.size()) {
-        const Index segment = domain.input_segment[origin[v]];
-        origin[v] = segment == no_index ? hull_vertex : segment;
+      if (const Index segment = segment_of_origin(origin[v]); segment < domain.segments.size()) {
+        const Index input = domain.input_segment[segment];
+        origin[v] = input == no_index ? hull_vertex : origin_on_segment(input);
       }
   });
   SparseAsk ask(threads.stop);

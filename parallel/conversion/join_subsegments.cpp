@@ -52,7 +52,7 @@ class Joiner {
     if (!has_origins_ || at_[v].count != 2) return false;
     const ConstrainedEdge& first = subsegments_[at_[v].subsegments[0]];
     const ConstrainedEdge& second = subsegments_[at_[v].subsegments[1]];
-    const Index segment = mesh_.origin[v] == hull_vertex ? no_index : mesh_.origin[v];
+    const Index segment = mesh_.origin[v] == hull_vertex ? no_index : segment_of_origin(mesh_.origin[v]);
     const bool was_inserted = mesh_.origin[v] != input_vertex && mesh_.origin[v] != interior_vertex;
     return was_inserted && first.segment == segment && second.segment == segment && first.marker == second.marker;
   }
@@ -67,7 +67,7 @@ class Joiner {
       done_[s] = true;
       v = subsegments_[s].a == v ? subsegments_[s].b : subsegments_[s].a;
       if (!is_inside_segment(v)) break;
-      result_.origin[v] = segment;
+      result_.origin[v] = origin_on_segment(segment);
       s = at_[v].subsegments[0] == s ? at_[v].subsegments[1] : at_[v].subsegments[0];
     }
     add({start, v}, first);

@@ -15,7 +15,8 @@ struct JoinedSegments {
   std::vector<Constraint> segments;
   std::vector<Index> input_segment;  ///< for each segment, ConstrainedEdge::segment of its subsegments
   std::vector<int> segment_marker;
-  /// Per vertex of the mesh: the segment in whose interior it lies, else interior_vertex or input_vertex.
+  /// Per vertex of the mesh: origin_on_segment() of the segment in whose interior it lies, else interior_vertex or
+  /// input_vertex.
   Array<Index> origin;
 };
 

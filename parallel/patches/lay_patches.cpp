@@ -135,16 +135,24 @@ void write_points(const Patch& patch, const Places& places, Mesh& mesh, const Th
     const Piece& piece = patch.pieces()[i];
     if (piece.on_border) return;
     const std::size_t first = places.first_inner + piece.first;
-    for (std::size_t k = 0; k < piece.count(); ++k) {
+    for (std::size_t k = 0; k < piece.count(); ++k)
       mesh.points[first + k] = patch.lattice().at(piece.low + 2 * static_cast<int>(k), piece.row);
-      mesh.origin[first + k] = interior_vertex;
-    }
   });
 }
 
 void write_triangles(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
   parallel_runs(threads, patch.strips().size(),
                 [&](std::size_t s) { StripWriter(patch, places, patch.strips()[s], mesh).write(); });
+}
+
+/// Lengthens the list of origins. The new points, and those on the borders, from `first_border` to `border_end`, are
+/// interior ones.
+void set_origins(Mesh& mesh, std::size_t first_border, std::size_t border_end, std::size_t points) {
+  static_assert(interior_vertex == 0);
+  Array<Index> origin = Array<Index>::zeroes(points);
+  std::ranges::copy(mesh.origin, origin.begin());
+  std::fill(origin.begin() + first_border, origin.begin() + border_end, interior_vertex);
+  mesh.origin = std::move(origin);
 }
 
 /// Joins the triangles before `old`, those around the patches, to the patches. Returns the number of edges joined.
@@ -180,7 +188,7 @@ bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_b
     triangles += patch.triangles();
   }
   mesh.points.resize_uninitialised(points);
-  mesh.origin.resize_uninitialised(points);
+  set_origins(mesh, first_border, border_end, points);
   mesh.triangles.resize_uninitialised(triangles);
   for (std::size_t i = 0; i < patches.size(); ++i) {
     write_points(patches[i].patch, places[i], mesh, threads);
@@ -192,7 +200,6 @@ bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_b
   }
   std::vector<VertexId> border(border_end - first_border);
   std::iota(border.begin(), border.end(), first_border);
-  std::ranges::fill(mesh.origin.span().subspan(first_border, border.size()), interior_vertex);
   const BorderEdges edges(patches, border);
   SparseAsk ask(threads.stop);
   return join_borders(mesh, old, edges, ask) == edges.all().size();

@@ -141,7 +141,7 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index segment, const Box& box)
   const Outcome outcome = try_on_edge(p, e, box);
   if (outcome != Outcome::inserted) return outcome;
   if (!is_star_) return box.is_whole_plane() ? edge_by_flips(p, e, segment) : Outcome::leaves_box;
-  commit(p, segment);
+  commit(p, origin_on_segment(segment));
   return outcome;
 }
 
@@ -158,7 +158,7 @@ Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
   const auto corners = corners_around(t_, p);
   const Walk walk = cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners, any_vertex));
   if (walk != Walk::complete || !measure_fan(p)) return Outcome::refused;
-  commit(p, segment);
+  commit(p, origin_on_segment(segment));
   finish_by_flips();
   return Outcome::inserted;
 }

@@ -124,7 +124,7 @@ std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegmen
     if (first != second && first != no_index && second != no_index)
       return SmallAngle{ExemptReason::nestled, o, degrees(segments.cosine_at(t.points, o, first, second))};
   }
-  const Index segment_u = t.origin[u], segment_v = t.origin[v];
+  const Index segment_u = segment_of_origin(t.origin[u]), segment_v = segment_of_origin(t.origin[v]);
   if (segment_u >= segments.size() || segment_v >= segments.size() || segment_u == segment_v) return {};
   const VertexId apex = segments.shared_end(segment_u, segment_v);
   if (apex == no_index) return {};

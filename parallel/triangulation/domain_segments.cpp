@@ -101,7 +101,7 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
 
 Index DomainSegments::segment_of(const Triangulation& t, VertexId u, VertexId v) const {
   for (const VertexId end : {u, v})
-    if (t.origin[end] < segments_.size()) return t.origin[end];
+    if (const Index segment = segment_of_origin(t.origin[end]); segment < segments_.size()) return segment;
   const auto at = std::ranges::lower_bound(ends_, u);
   if (at == ends_.end() || *at != u) return no_index;
   for (const Index l : around(static_cast<std::size_t>(at - ends_.begin())))

@@ -21,7 +21,7 @@ inline constexpr VertexId ghost = no_index;
 
 /// A value of Triangulation::origin beside those of Mesh::origin: a vertex on the border of a patch that will be laid
 /// after the refinement (filling/filling.hpp). No finished mesh has one.
-inline constexpr Index border_vertex = no_index - 3;
+inline constexpr Index border_vertex = no_index - 2;
 
 inline constexpr std::array<unsigned, 3> next_corner{1, 2, 0};
 inline constexpr std::array<unsigned, 3> previous_corner{2, 0, 1};
@@ -72,7 +72,7 @@ static_assert(sizeof(Slot) == sizeof(Triangle), "the result reuses the engine's 
 struct Triangulation {
   Array<Point> points;
   WatchedArray<Slot> slots;
-  /// Per vertex: input_vertex, interior_vertex, border_vertex, or the index of the segment on which it lies.
+  /// Per vertex: where it comes from. As Mesh::origin, with the segments of the domain; or border_vertex.
   Array<Index> origin;
   Array<Index> region;  ///< per triangle; empty if there is only one region
 

@@ -45,7 +45,7 @@ bool at_some_vertex(const Mesh& mesh, std::uint64_t seed, const Attempt& attempt
 [[nodiscard]] inline bool is_interior(const Mesh& mesh, Index v) { return mesh.origin[v] == interior_vertex; }
 /// True for a vertex that the mesher put on an input segment.
 [[nodiscard]] inline bool is_on_segment(const Pslg& pslg, const Mesh& mesh, Index v) {
-  return mesh.origin[v] < pslg.segments.size();
+  return segment_of_origin(mesh.origin[v]) < pslg.segments.size();
 }
 /// A number below n that depends on the seed. It is practically independent of the first place in at_some().
 /// Precondition: n > 0.

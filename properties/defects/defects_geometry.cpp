@@ -51,7 +51,7 @@ double chain_step(const Mesh& mesh, Index v) {
 /// it, to a side where all triangles stay counter-clockwise. False if there is no such side.
 bool move_off_segment(const Pslg& pslg, Mesh& mesh, Index v, double share) {
   if (!is_on_segment(pslg, mesh, v)) return false;
-  const Segment& segment = pslg.segments[mesh.origin[v]];
+  const Segment& segment = pslg.segments[segment_of_origin(mesh.origin[v])];
   const Point a = pslg.points[segment.a], b = pslg.points[segment.b], at = mesh.points[v];
   const double by = share * chain_step(mesh, v) / std::hypot(b.x - a.x, b.y - a.y);
   const auto star = edit::star(mesh, v);

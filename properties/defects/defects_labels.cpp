@@ -258,15 +258,17 @@ constexpr Defect label_defects[] = {
      wrong_origin,
      {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
-       return !pslg.segments.empty() && change_origin(mesh, seed, another(seed, pslg.segments.size()),
-                                                      [&](Index v) { return is_interior(mesh, v); });
+       return !pslg.segments.empty() &&
+              change_origin(mesh, seed, origin_on_segment(another(seed, pslg.segments.size())),
+                            [&](Index v) { return is_interior(mesh, v); });
      }},
     {"a vertex of a segment is listed on another segment",
      wrong_origin,
      {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
-       return !pslg.segments.empty() && change_origin(mesh, seed, another(seed, pslg.segments.size()),
-                                                      [&](Index v) { return is_on_segment(pslg, mesh, v); });
+       return !pslg.segments.empty() &&
+              change_origin(mesh, seed, origin_on_segment(another(seed, pslg.segments.size())),
+                            [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
     {"a new vertex is listed as input",
      wrong_origin,
@@ -290,7 +292,7 @@ constexpr Defect label_defects[] = {
      wrong_origin,
      {Field::origins},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
-       return change_origin(mesh, seed, static_cast<Index>(pslg.segments.size() + 3),
+       return change_origin(mesh, seed, origin_on_segment(static_cast<Index>(pslg.segments.size() + 3)),
                             [&](Index v) { return is_on_segment(pslg, mesh, v); });
      }},
     {"the input has a segment that the mesh lacks",

@@ -322,11 +322,14 @@ TEST(Mesher, records_the_origin_of_every_vertex_and_constrained_edge) {
   const Mesh& m = meshed.mesh;
   ASSERT_EQ(m.origin.size(), m.points.size());
   std::set<Index> origins(m.origin.begin(), m.origin.end());
-  EXPECT_EQ(origins, (std::set<Index>{0, 1, 2, hull_vertex, interior_vertex, input_vertex}));
+  EXPECT_EQ(origins, (std::set<Index>{origin_on_segment(0), origin_on_segment(1), origin_on_segment(2), hull_vertex,
+                                      interior_vertex, input_vertex}));
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     EXPECT_EQ(m.origin[v] == input_vertex, v < pslg.points.size());
     if (m.origin[v] == input_vertex) continue;
-    const int marker = m.origin[v] == hull_vertex ? 1 : m.origin[v] == interior_vertex ? 0 : 10 + int(m.origin[v]);
+    const int marker = m.origin[v] == hull_vertex       ? 1
+                       : m.origin[v] == interior_vertex ? 0
+                                                        : 10 + static_cast<int>(segment_of_origin(m.origin[v]));
     EXPECT_EQ(m.point_markers[v], marker);
   }
   for (const ConstrainedEdge& e : m.constrained_edges)
@@ -344,8 +347,8 @@ TEST(Mesher, marks_a_vertex_as_the_first_marked_segment_on_which_it_lies) {
   const std::vector<int> corners(m.point_markers.begin(), m.point_markers.begin() + 4);
   EXPECT_EQ(corners, (std::vector<int>{5, 1, 1, 9}));
   for (std::size_t v = 4; v < m.points.size(); ++v) {
-    const Index segment = m.origin[v];
-    EXPECT_EQ(m.point_markers[v], segment == interior_vertex ? 0 : inside_segment[segment]) << v;
+    const bool interior = m.origin[v] == interior_vertex;
+    EXPECT_EQ(m.point_markers[v], interior ? 0 : inside_segment[segment_of_origin(m.origin[v])]) << v;
   }
 }
 
@@ -356,7 +359,7 @@ TEST(Mesher, marks_a_vertex_of_the_boundary_as_the_segment_that_ends_there) {
   for (Index corner = 0; corner < 4; ++corner) pslg.segments.push_back({corner, 4, 7});
   const Mesh m = expect_met(pslg, {.max_area = 0.01}).mesh;
   for (std::size_t v = 0; v < m.points.size(); ++v) {
-    const bool diagonal = m.origin[v] == input_vertex || (m.origin[v] != interior_vertex && m.origin[v] >= 4);
+    const bool diagonal = m.origin[v] == input_vertex || m.origin[v] >= origin_on_segment(4);
     EXPECT_EQ(m.point_markers[v], diagonal ? 7 : m.origin[v] == interior_vertex ? 0 : 1) << v;
   }
 }

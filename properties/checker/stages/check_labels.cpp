@@ -154,7 +154,7 @@ std::string origin_text(Index origin) {
   if (origin == input_vertex) return "an input point";
   if (origin == interior_vertex) return "in the interior";
   if (origin == hull_vertex) return "on the hull";
-  return "on segment " + to_text(origin);
+  return "on segment " + to_text(segment_of_origin(origin));
 }
 
 void check_origins(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
@@ -167,7 +167,7 @@ void check_origins(const Subject& subject, const Domain& domain, const Chains& c
     const Index expected = inputs.input(vertex) != no_index ? input_vertex
                            : segment == no_index            ? interior_vertex
                            : domain.is_hull_piece(segment)  ? hull_vertex
-                                                            : segment;
+                                                            : origin_on_segment(segment);
     if (mesh.origin[v] != expected)
       mine.add(
           ViolationKind::wrong_origin, {vertex}, {mesh.points[v]},

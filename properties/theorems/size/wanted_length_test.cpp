@@ -215,7 +215,7 @@ std::vector<Index> vertices_on(const Pslg& pslg, const Mesh& mesh, ref::Feature 
   std::vector<Index> found{f.a};
   if (f.b != f.a) found.push_back(f.b);
   for (Index v = 0; v < mesh.points.size(); ++v) {
-    const Index segment = mesh.origin[v];
+    const Index segment = segment_of_origin(mesh.origin[v]);
     if (segment >= pslg.segments.size() || f.a == f.b) continue;
     const Segment& s = pslg.segments[segment];
     if ((s.a == f.a && s.b == f.b) || (s.a == f.b && s.b == f.a)) found.push_back(v);

@@ -244,7 +244,7 @@ TEST(SplitEdge, makes_two_constrained_halves_of_a_hull_edge_and_of_an_inner_one)
     const EdgeRef e = samples::find_edge(scene.t(), c.a, c.b);
     const Point p{(square[c.a].x + square[c.b].x) / 2, (square[c.a].y + square[c.b].y) / 2};
     ASSERT_EQ(scene.split(p, e, 3), Outcome::inserted);
-    EXPECT_EQ(scene.t().origin.back(), 3U);
+    EXPECT_EQ(scene.t().origin.back(), origin_on_segment(3));
     EXPECT_EQ(samples::fault(scene.t()), "");
     for (const Index end : {c.a, c.b}) {
       const EdgeRef half = samples::find_edge(scene.t(), end, 4);

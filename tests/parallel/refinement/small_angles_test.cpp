@@ -32,7 +32,7 @@ struct Corner {
   VertexId split(Index line, VertexId u, VertexId v) {
     const Point p = edge_split_point(t, segments[line], u, v);
     t.points.push_back(p);
-    t.origin.push_back(line);
+    t.origin.push_back(origin_on_segment(line));
     return static_cast<VertexId>(t.points.size() - 1);
   }
 };
@@ -112,7 +112,7 @@ TEST(EdgeSplitPoint, of_a_chain_of_narrow_wedges_is_the_midpoint) {
   EXPECT_NEAR(edge_split_point(chain.t, chain.segments[0], 0, 1).x, 50, 1e-12);
   for (const Point p : {Point{40, 0}, Point{70, 0}}) {
     chain.t.points.push_back(p);
-    chain.t.origin.push_back(0);
+    chain.t.origin.push_back(origin_on_segment(0));
   }
   EXPECT_NEAR(edge_split_point(chain.t, chain.segments[0], 4, 5).x, 55, 1e-12);
 }

@@ -75,8 +75,8 @@ TEST(DomainSegments, find_the_segment_of_a_subsegment) {
   t.points.push_back({0.5, 0.5});
   t.points.push_back({0.25, 0.25});
   t.origin.resize(5, input_vertex);
-  t.origin.push_back(1);
-  t.origin.push_back(1);
+  t.origin.push_back(origin_on_segment(1));
+  t.origin.push_back(origin_on_segment(1));
   EXPECT_EQ(star.segments.segment_of(t, 0, 3), 2U);
   EXPECT_EQ(star.segments.segment_of(t, 4, 0), 3U);
   EXPECT_EQ(star.segments.segment_of(t, 2, 5), 1U);

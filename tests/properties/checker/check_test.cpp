@@ -520,7 +520,7 @@ TEST(Check, compares_angles_with_the_bound_exactly) {
 TEST(Check, reports_no_small_angle_of_a_flat_triangle) {
   Case c = testing::square_in_two();
   c.mesh.points.push_back({0.5, 0});
-  c.mesh.origin.push_back(0);
+  c.mesh.origin.push_back(origin_on_segment(0));
   c.mesh.triangles.push_back({{0, 4, 1}, {no_index, no_index, no_index}});
   Goal goal;
   goal.min_angle_deg = 20;
@@ -1082,7 +1082,7 @@ TEST(Check, does_not_justify_a_small_angle_by_two_vertices_of_one_segment) {
   std::vector<Point> points = c.pslg.points;
   points.insert(points.end(), {{0.5, 0}, {0.5 + 0x1p-36, 0}});
   c.mesh = testing::mesh_of(points, {{0, 3, 2}, {3, 4, 2}, {4, 1, 2}});
-  c.mesh.origin[3] = c.mesh.origin[4] = 0;
+  c.mesh.origin[3] = c.mesh.origin[4] = origin_on_segment(0);
   c.mesh.constrained_edges = {{0, 3, 0, 1}, {3, 4, 0, 1}, {4, 1, 0, 1}, {1, 2, 1, 1}, {2, 0, 2, 1}};
   Goal goal;
   goal.min_angle_deg = 10;

@@ -25,8 +25,8 @@ Case wedge_with_shell(double degrees = 10, double leg = 2) {
   points.push_back({1, 0});
   points.push_back({std::cos(angle), std::sin(angle)});
   c.mesh = testing::mesh_of(points, {{0, 3, 4}, {3, 1, 4}, {1, 2, 4}});
-  c.mesh.origin[3] = 0;
-  c.mesh.origin[4] = 2;
+  c.mesh.origin[3] = origin_on_segment(0);
+  c.mesh.origin[4] = origin_on_segment(2);
   c.mesh.constrained_edges = {{0, 3, 0, 1}, {3, 1, 0, 1}, {1, 2, 1, 1}, {2, 4, 2, 1}, {4, 0, 2, 1}};
   return c;
 }

@@ -68,9 +68,9 @@ inline Case square_in_eight() {
   std::vector<Point> points = c.pslg.points;
   points.insert(points.end(), {{2, 2}, {4, 2}, {0, 2}});
   c.mesh = mesh_of(points, {{0, 4, 6}, {4, 1, 6}, {1, 7, 6}, {7, 2, 6}, {2, 5, 6}, {5, 3, 6}, {3, 8, 6}, {8, 0, 6}});
-  c.mesh.origin[6] = 6;
-  c.mesh.origin[7] = 2;
-  c.mesh.origin[8] = 5;
+  c.mesh.origin[6] = origin_on_segment(6);
+  c.mesh.origin[7] = origin_on_segment(2);
+  c.mesh.origin[8] = origin_on_segment(5);
   c.mesh.region.append(std::vector<Index>{0, 1, 1, 1, 1, 0, 0, 0});
   c.mesh.region_attributes = {7, 8};
   c.mesh.point_markers.append(std::vector<int>{21, 1, 1, 1, 9, 9, 9, 1, 1});

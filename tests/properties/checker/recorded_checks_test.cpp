@@ -72,6 +72,11 @@ Index any_index(Random& random, std::size_t size) {
   return random.chance(8) ? no_index : static_cast<Index>(random.below(size + 1));
 }
 
+Index any_origin(Random& random) {
+  const Index segment = any_index(random, 9);
+  return segment == no_index ? input_vertex : origin_on_segment(segment);
+}
+
 /// A random change of a mesh.
 void change(Mesh& mesh, Random& random) {
   switch (random.below(16)) {
@@ -116,7 +121,7 @@ void change(Mesh& mesh, Random& random) {
       if (!mesh.region.empty()) any(random, mesh.region) = any_index(random, mesh.region_attributes.size());
       return;
     case 10:
-      if (!mesh.origin.empty()) any(random, mesh.origin) = random.chance(2) ? interior_vertex : any_index(random, 9);
+      if (!mesh.origin.empty()) any(random, mesh.origin) = random.chance(2) ? interior_vertex : any_origin(random);
       return;
     case 11:
       if (!mesh.point_markers.empty()) any(random, mesh.point_markers) += random.between(-2, 2);

@@ -37,8 +37,8 @@ Case wedge(Point far_p, Point far_q, Point p, Point q) {
   c.pslg.points = {{0, 0}, far_p, far_q};
   c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 0, 0}};
   c.mesh = testing::mesh_of({{0, 0}, far_p, far_q, p, q}, {{0, 3, 4}, {3, 1, 4}, {1, 2, 4}});
-  c.mesh.origin[3] = 0;
-  c.mesh.origin[4] = 2;
+  c.mesh.origin[3] = origin_on_segment(0);
+  c.mesh.origin[4] = origin_on_segment(2);
   c.mesh.constrained_edges = {{0, 3, 0, 1}, {3, 1, 0, 1}, {1, 2, 1, 1}, {2, 4, 2, 1}, {4, 0, 2, 1}};
   return c;
 }

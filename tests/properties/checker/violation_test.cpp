@@ -649,7 +649,7 @@ TEST(Violations, of_origins) {
   c.pslg.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   c.mesh.constrained_edges = {{0, 1, no_index, 1}, {1, 2, no_index, 1}, {2, 3, no_index, 1}, {3, 0, no_index, 1}};
   c.mesh.origin.clear();
-  c.mesh.origin.append(std::vector<Index>{hull_vertex, interior_vertex, 3, input_vertex});
+  c.mesh.origin.append(std::vector<Index>{hull_vertex, interior_vertex, origin_on_segment(3), input_vertex});
   EXPECT_EQ(said_about(c),
             "wrong_origin: vertex 0 is listed as on the hull but is an input point [ids 0] at (0, 0)\n"
             "wrong_origin: vertex 1 is listed as in the interior but is an input point [ids 1] at (1, 0)\n"
@@ -657,7 +657,7 @@ TEST(Violations, of_origins) {
   c = testing::square_in_eight();
   c.mesh.origin[6] = interior_vertex;
   c.mesh.origin[7] = hull_vertex;
-  c.mesh.origin[8] = 4;
+  c.mesh.origin[8] = origin_on_segment(4);
   EXPECT_EQ(said_about(c),
             "wrong_origin: vertex 6 is listed as in the interior but is on segment 6 [ids 6] at (2, 2)\n"
             "wrong_origin: vertex 7 is listed as on the hull but is on segment 2 [ids 7] at (4, 2)\n"
