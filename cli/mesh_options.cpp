@@ -68,7 +68,10 @@ void add_limits(CLI::App& app, MeshArguments& arguments) {
 
 void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
   Options& options = arguments.options;
-  app.add_option("--placement", options.placement, "Where new points are placed: circumcentre or off-centre (default)")
+  app.add_option("--placement", options.placement,
+                 "Where new points are placed: circumcentre; off-centre; search: the best of several points, which\n"
+                 "makes fewer triangles for large angles and takes longer; auto (default): off-centre, but search\n"
+                 "for angles above 30 degrees without bounds on lengths, and with --refine for 30 degrees and more")
       ->transform(choice(placement_names))
       ->type_name("WHERE");
   app.add_option("--interior", options.interior,

@@ -19,7 +19,7 @@ struct MeshArguments {
   std::filesystem::path input;
   std::vector<std::filesystem::path> outputs;
   GoalOptions goal;
-  Options options{.interior = Interior::automatic};
+  Options options{.placement = Placement::automatic, .interior = Interior::automatic};
   int threads = 0;  ///< 0: all cores
   std::vector<Index> cells;
   std::optional<double> max_memory_gib;

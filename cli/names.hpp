@@ -11,6 +11,8 @@ namespace pardel::cli {
 inline constexpr auto placement_names = enum_names<Placement>({
     {Placement::circumcentre, "circumcentre"},
     {Placement::off_centre, "off-centre"},
+    {Placement::search, "search"},
+    {Placement::automatic, "auto"},
 });
 inline constexpr auto interior_names = enum_names<Interior>({
     {Interior::refine, "refine"},

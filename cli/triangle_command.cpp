@@ -72,7 +72,7 @@ Goal goal_of(const TriangleSwitches& switches) {
 }
 
 Options options_of(const TriangleSwitches& switches, const TriangleInput& input) {
-  Options options{.interior = Interior::automatic};
+  Options options{.placement = Placement::automatic, .interior = Interior::automatic};
   options.no_boundary_splits = switches.no_splits == 1;
   options.no_segment_splits = switches.no_splits > 1;
   if (switches.max_steiner_points) {

@@ -19,6 +19,15 @@ enum class Placement : std::uint8_t {
   /// On the line from the shortest edge to the circumcentre, no further from the edge than the bounds on angles or
   /// sizes require (Üngör 2004). Gives smaller meshes.
   off_centre,
+  /// The off-centre if all triangles that it makes keep the bounds. Otherwise, of the off-centre and 48 points around
+  /// the circumcentre, the point that makes the fewest triangles that break them (after Erten and Üngör, "Quality
+  /// triangulations with locally optimal Steiner points", 2009). At 30 degrees it makes a tenth fewer triangles than
+  /// off_centre, at 33 degrees a sixth, and takes several times as long. It does not run through parts of a mesh whose
+  /// triangles are nearly equilateral, as the other two do at 30 degrees and more.
+  search,
+  /// In refine(): `search` for angles of 30 degrees and more. In mesh(): `search` for angles above 30 degrees, if there
+  /// are no bounds on lengths. Else `off_centre`.
+  automatic,
 };
 
 /// How the plane is cut into tiles, which are refined in parallel.

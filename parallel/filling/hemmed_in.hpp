@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "../concurrency/threads.hpp"
+#include "../criteria/criteria.hpp"
 #include "../options.hpp"
-#include "../refinement/criteria.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 

@@ -3,12 +3,12 @@
 
 #include <cassert>
 
+#include "../criteria/criteria.hpp"
+#include "../criteria/small_angles.hpp"
 #include "../options.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "bucket_queue.hpp"
-#include "criteria.hpp"
 #include "queued_triangle.hpp"
-#include "small_angles.hpp"
 
 namespace pardel::engine {
 
@@ -65,6 +65,7 @@ class Assessor {
             false};
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
+  [[nodiscard]] bool searches() const { return criteria_.searches(); }
   /// Prepares for triangles whose first corner is v. It changes no result.
   void look_around(VertexId v, LocalHints& hints) const { criteria_.look_around(t_.points[v], hints); }
   /// True if the triangle breaks the criteria, even if an exemption justifies this.

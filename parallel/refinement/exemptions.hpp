@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "../concurrency/threads.hpp"
+#include "../criteria/criteria.hpp"
 #include "../options.hpp"
 #include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
-#include "criteria.hpp"
 
 namespace pardel::engine {
 

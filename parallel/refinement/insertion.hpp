@@ -6,9 +6,9 @@
 
 #include "../concurrency/index_allocator.hpp"
 #include "../concurrency/lattice.hpp"
+#include "../criteria/criteria.hpp"
 #include "../triangulation/cavity.hpp"
 #include "../triangulation/triangulation.hpp"
-#include "criteria.hpp"
 
 namespace pardel::engine {
 
@@ -64,6 +64,9 @@ class Insertion {
   /// After `inserted`, if measures() is not empty: the positions in changed() of the triangles that break the bound on
   /// angles or the bound on areas that holds everywhere.
   [[nodiscard]] std::span<const std::size_t> breaking() const { return {breaking_.data(), breaking_count_}; }
+  /// After `inserted`, also of try_in_face(), as for breaking(): the squared distance from the point to the nearest of
+  /// the vertices that it is, or would be, connected to.
+  [[nodiscard]] double squared_closest() const { return squared_closest_; }
   /// After `inserted`: if false, no triangle of changed() has a constrained side.
   [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
   /// True if an insertion since start() needed flips (see QueuedTriangle).

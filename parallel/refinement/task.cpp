@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "../criteria/split_candidates.hpp"
+
 namespace pardel::engine {
 
 void Task::start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
@@ -74,8 +76,9 @@ void Task::process(QueuedTriangle triangle) {
     shortest = split_encroached_side(triangle);
     if (shortest.none()) return;
   }
-  const Point p = assessor_.point_in(shortest, hints_);
+  Point p = assessor_.point_in(shortest, hints_);
   if (is_foreign(p)) return hand_on(triangle, p);
+  if (assessor_.searches()) p = best_point(id, p);
   switch (insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:
       ++result_.inserted;
@@ -91,6 +94,29 @@ void Task::process(QueuedTriangle triangle) {
     case Outcome::refused:
       return count_refused();
   }
+}
+
+Point Task::best_point(TriangleId id, Point first) {
+  if (insertion_.try_in_face(first, id, box_) != Outcome::inserted) return first;
+  struct {
+    Point point;
+    std::size_t breaking;
+    double squared_closest;
+  } best{first, insertion_.breaking().size(), insertion_.squared_closest()};
+  if (best.breaking == 0) return first;
+  const Shape shape(t_, t_.slots[id]);
+  const double least = least_squared_distance(shape);
+  for (const CandidateCircle& circle : split_candidates(shape)) {
+    for (const Point p : circle) {
+      if (is_foreign(p) || insertion_.try_in_face(p, id, box_) != Outcome::inserted) continue;
+      const std::size_t breaking = insertion_.breaking().size();
+      const double closest = insertion_.squared_closest();
+      if (closest < least || breaking > best.breaking) continue;
+      if (breaking < best.breaking || closest > best.squared_closest) best = {p, breaking, closest};
+    }
+    if (best.breaking == 0) break;
+  }
+  return best.point;
 }
 
 EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {

@@ -5,7 +5,7 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
-#include "../refinement/parts.hpp"
+#include "../criteria/parts.hpp"
 
 namespace pardel::engine {
 namespace {

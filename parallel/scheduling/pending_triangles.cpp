@@ -6,7 +6,7 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
-#include "../refinement/parts.hpp"
+#include "../criteria/parts.hpp"
 #include "take_due.hpp"
 
 namespace pardel::engine {

@@ -23,8 +23,8 @@
 #include <functional>
 
 #include "../../core/result.hpp"
+#include "../criteria/criteria.hpp"
 #include "../options.hpp"
-#include "../refinement/criteria.hpp"
 #include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"

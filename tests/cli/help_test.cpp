@@ -89,7 +89,7 @@ TEST_F(Help, a_wrong_choice_gives_a_message_with_the_right_ones) {
   const auto message = [this](const std::string& option) {
     return pardel({"mesh", "a.poly", "-o", "b.vtu", option, "foo"}).err;
   };
-  EXPECT_TRUE(holds(message("--placement"), {"'foo' is not one of circumcentre, off-centre (see"}));
+  EXPECT_TRUE(holds(message("--placement"), {"'foo' is not one of auto, circumcentre, off-centre, search (see"}));
   EXPECT_TRUE(holds(message("--decomposition"),
                     {"'foo' is not one of auto, lattice, none, paper, paper-quadtree, quadtree (see"}));
   EXPECT_TRUE(holds(message("--progress"), {"'foo' is not one of always, auto, never (see"}));

@@ -618,8 +618,8 @@ TEST_F(MeshCommand, fills_the_interior_by_default_for_angles_up_to_30_degrees_an
 
 TEST_F(MeshCommand, says_how_many_equilateral_triangles_it_has_laid) {
   const auto said = [&](const char* area, const char* angle) {
-    return pardel(
-               {"mesh", "square.poly", "-o", "m.node", "--max-area", area, "--min-angle", angle, "--interior", "fill"})
+    return pardel({"mesh", "square.poly", "-o", "m.node", "--max-area", area, "--min-angle", angle, "--interior",
+                   "fill", "--placement", "off-centre"})
         .out;
   };
   EXPECT_TRUE(holds(said("1e-3", "30"), {"laid ", " equilateral triangles\n"}));

@@ -72,6 +72,13 @@ TEST_P(Domain, is_meshed_with_circumcentres) {
   for (const double angle : {20.7, 30.0}) expect_met(domain(GetParam()), {.min_angle_deg = angle}, options);
 }
 
+TEST_P(Domain, is_meshed_with_points_chosen_among_several) {
+  for (const double angle : {20.7, 30.0, 33.0}) {
+    SCOPED_TRACE(angle);
+    expect_met(domain(GetParam()), {.min_angle_deg = angle, .max_area = 0.003}, {.placement = Placement::search});
+  }
+}
+
 TEST_P(Domain, is_meshed_conforming) {
   for (const double angle : {0.0, 20.7, 30.0}) {
     SCOPED_TRACE(angle);
@@ -334,6 +341,30 @@ TEST(Mesher, records_the_origin_of_every_vertex_and_constrained_edge) {
   }
   for (const ConstrainedEdge& e : m.constrained_edges)
     EXPECT_EQ(e.marker, e.segment == no_index ? 1 : static_cast<int>(10 + e.segment));
+}
+
+TEST(Mesher,
+     searches_for_points_by_default_above_30_degrees_without_bounds_on_lengths_and_from_30_degrees_on_in_meshes) {
+  const auto digest_of = [](double angle, Placement placement) {
+    return digest(
+        expect_met(domains::pipe(), {.min_angle_deg = angle, .max_area = 0.003}, {.placement = placement}).mesh);
+  };
+  EXPECT_EQ(digest_of(30, Placement::automatic), digest_of(30, Placement::off_centre));
+  EXPECT_NE(digest_of(30, Placement::automatic), digest_of(30, Placement::search));
+  EXPECT_EQ(digest_of(30.1, Placement::automatic), digest_of(30.1, Placement::search));
+  const auto with_edges = [](Placement placement) {
+    return digest(expect_met(domains::pipe(), {.min_angle_deg = 31, .max_edge = 0.1}, {.placement = placement}).mesh);
+  };
+  EXPECT_EQ(with_edges(Placement::automatic), with_edges(Placement::off_centre));
+  const Mesh coarse = expect_met(domains::pipe(), {.min_angle_deg = 15, .max_area = 0.01}).mesh;
+  const auto refined = [&](double angle, Placement placement) {
+    const Result<Meshed> result = refine(coarse, {}, {.min_angle_deg = angle}, {.placement = placement});
+    EXPECT_TRUE(result);
+    return digest(result->mesh);
+  };
+  EXPECT_EQ(refined(30, Placement::automatic), refined(30, Placement::search));
+  EXPECT_EQ(refined(29.9, Placement::automatic), refined(29.9, Placement::off_centre));
+  EXPECT_NE(refined(29.9, Placement::automatic), refined(29.9, Placement::search));
 }
 
 TEST(Mesher, marks_a_vertex_as_the_first_marked_segment_on_which_it_lies) {

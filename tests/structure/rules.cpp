@@ -68,6 +68,7 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/input", 3, "pardel::engine"},
       {"parallel", "parallel/triangulation", 3, "pardel::engine"},
       {"parallel", "parallel/construction", 4, "pardel::engine"},
+      {"parallel", "parallel/criteria", 4, "pardel::engine"},
       {"parallel", "parallel/refinement", 5, "pardel::engine"},
       {"parallel", "parallel/patches", 5, "pardel::engine"},
       {"parallel", "parallel/scheduling", 6, "pardel::engine"},

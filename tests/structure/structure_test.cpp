@@ -59,7 +59,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"triangulation/cavity_query", {"triangulation/cavity_test"}},
     {"triangulation/constraint", {"construction/insert_constraints_test"}},
     {"triangulation/in_circumdisk", {"triangulation/flips_test"}},
-    {"triangulation/triangle_shape", {"refinement/criteria_test"}},
+    {"triangulation/triangle_shape", {"criteria/criteria_test"}},
 };
 
 TEST(Structure, every_engine_module_has_its_own_test_or_a_covering_test) {

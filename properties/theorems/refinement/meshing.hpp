@@ -51,7 +51,7 @@ inline void require_valid(const Certificate& certificate) {
 inline Options some_options() {
   constexpr auto tiny = 4U;
   Options options{.threads = 1};
-  options.placement = *rc::gen::element(Placement::off_centre, Placement::circumcentre);
+  options.placement = *rc::gen::element(Placement::off_centre, Placement::circumcentre, Placement::search);
   options.decomposition = *rc::gen::element(Decomposition::automatic, Decomposition::paper, Decomposition::none);
   options.triangles_per_tile = *rc::gen::element(options.triangles_per_tile, tiny);
   return options;

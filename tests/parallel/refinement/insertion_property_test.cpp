@@ -4,8 +4,8 @@
 
 #include "../../../parallel/construction/delaunay.hpp"
 #include "../../../parallel/conversion/domain_triangulation.hpp"
+#include "../../../parallel/criteria/small_angles.hpp"
 #include "../../../parallel/refinement/insertion.hpp"
-#include "../../../parallel/refinement/small_angles.hpp"
 #include "../../../parallel/triangulation/locate.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
@@ -97,7 +97,7 @@ PARDEL_PROPERTY(EngineInsertion, makes_no_edge_shorter_than_the_floor,
 PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
                 {.statement = "however often the pieces of a segment are split, the points lie on it to within the "
                               "rounding of coordinates: 2 units in the last place of the largest",
-                 .source = "parallel/refinement/small_angles.hpp",
+                 .source = "parallel/criteria/small_angles.hpp",
                  .families = "segments in all directions, near and far"}) {
   const auto coordinate = [] { return 1e-3 * *rc::gen::inRange(-1000000, 1000000) + *rc::gen::element(0., 654321.1); };
   Triangulation t;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "assessed_sample.hpp"
 
@@ -15,11 +17,11 @@ namespace {
 struct TaskScene : samples::AssessedSample {
   FreeIndices free;
 
-  explicit TaskScene(Index insertions = 5000)
-      : TaskScene(samples::uniform_points(300, 5), {.min_angle_deg = 25, .max_area = 0.0003}, {.min_edge = 1e-6},
-                  insertions) {}
+  explicit TaskScene(Index insertions = 5000, Placement placement = Placement::off_centre)
+      : TaskScene(samples::uniform_points(300, 5), {.min_angle_deg = 25, .max_area = 0.0003},
+                  {.placement = placement, .min_edge = 1e-6}, insertions) {}
   TaskScene(const std::vector<Point>& points, const Goal& goal, const Options& with, Index insertions)
-      : AssessedSample(points, goal, Placement::off_centre, with) {
+      : AssessedSample(points, goal, with.placement, with) {
     const auto vertices = static_cast<Index>(t().points.size()), triangles = static_cast<Index>(t().slots.size());
     free = {IndexPool({{vertices, vertices + insertions}}), IndexPool({{triangles, triangles + 2 * insertions}})};
     t().points.resize(vertices + insertions);
@@ -88,10 +90,13 @@ TEST(Task, changes_no_triangle_outside_its_box) {
 TEST(Task, inserts_only_points_of_its_own_cell_if_asked) {
   const Tiles lattice(Lattice({0, 0, 1, 1}, 3, 3));
   std::uint64_t of_other_cells = 0;
-  for (const bool own_cell_only : {true, false}) {
+  for (const auto& [own_cell_only, placement] : {std::pair(true, Placement::off_centre),
+                                                 {false, Placement::off_centre},
+                                                 {true, Placement::search},
+                                                 {false, Placement::search}}) {
     std::array<int, 2> beyond{};  // points in faces, and on segments
     for (Index cell = 0; cell < lattice.cells(); ++cell) {
-      TaskScene scene;
+      TaskScene scene(5000, placement);
       const auto first = static_cast<Index>(scene.t().points.size() - scene.free.vertices.left());
       const TaskResult result = scene.run(
           lattice, cell, {}, [](std::uint64_t) {}, own_cell_only);
@@ -105,6 +110,23 @@ TEST(Task, inserts_only_points_of_its_own_cell_if_asked) {
     EXPECT_EQ(beyond[1] == 0, own_cell_only);
   }
   EXPECT_GT(of_other_cells, 0U);
+}
+
+TEST(Task, makes_fewer_triangles_and_no_shorter_edges_if_it_searches_for_the_best_points) {
+  const std::vector<Point> points = samples::uniform_points(300, 6);
+  const auto refined = [&](Placement placement) {
+    TaskScene scene(points, {.min_angle_deg = 33}, {.placement = placement, .min_edge = 1e-6}, 20'000);
+    EXPECT_TRUE(scene.run(one_cell, 0).handed_on.empty());
+    EXPECT_TRUE(scene.bad().empty());
+    double shortest = INFINITY;
+    for (TriangleId id = 0; id < scene.triangles(); ++id)
+      shortest = std::min(shortest, Shape(scene.t(), scene.t().slots[id]).shortest_squared());
+    return std::pair(scene.triangles(), shortest);
+  };
+  const auto [by_off_centres, shortest_by_off_centres] = refined(Placement::off_centre);
+  const auto [by_search, shortest_by_search] = refined(Placement::search);
+  EXPECT_LT(by_search, 0.9 * by_off_centres);
+  EXPECT_GT(shortest_by_search, 0.6 * shortest_by_off_centres);
 }
 
 TEST(Task, defers_what_the_rule_defers) {

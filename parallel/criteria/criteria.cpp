@@ -43,6 +43,7 @@ double shape_factor(double min_angle_deg) { return 1 + squared(min_angle_deg) / 
 Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
                    std::function<double(Point)> area_cap)
     : conforming_(goal.conforming),
+      searches_(placement == Placement::search),
       squared_sine_(squared(sine(radians(goal.min_angle_deg))) / stricter),
       squared_lens_cosine_(conforming_ ? 0
                                        : squared(cosine(2 * radians(std::max(proven_angle_deg, goal.min_angle_deg))))),

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../../parallel/refinement/criteria.hpp"
+#include "../../../parallel/criteria/criteria.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "../../../properties/theorems/framework/shares.hpp"
 #include "exact_bounds.hpp"
@@ -142,7 +142,7 @@ PARDEL_PROPERTY(
     SizeAround, a_corner_changes_no_answer,
     {.statement = "a triangle is too large for the size at its centroid if and only if it is so after the size at "
                   "its first corner was looked up",
-     .source = "parallel/refinement/criteria.hpp",
+     .source = "parallel/criteria/criteria.hpp",
      .families = "triangles in a square with random sizes at lattice points, or with sizes that grow from a "
                  "point with a promised slope; scaled such that the longest side is the size up to a few "
                  "units in the last place, or differs by up to a half"}) {

@@ -1,4 +1,4 @@
-#include "../../../parallel/refinement/criteria.hpp"
+#include "../../../parallel/criteria/criteria.hpp"
 
 #include <gtest/gtest.h>
 

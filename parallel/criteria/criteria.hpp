@@ -19,7 +19,8 @@ namespace pardel::engine {
 /// 2^-40: a triangle that passes here, in floating point, also passes an exact comparison with the goal.
 class Criteria {
  public:
-  /// `region_caps`: one area cap per region of the triangulation. `area_cap`: the area cap at a point, or empty.
+  /// `placement`: not `automatic`. `region_caps`: one area cap per region of the triangulation. `area_cap`: the area
+  /// cap at a point, or empty.
   Criteria(const Goal& goal, Placement placement, std::vector<double> region_caps,
            std::function<double(Point)> area_cap = {});
 
@@ -88,6 +89,8 @@ class Criteria {
   [[nodiscard]] double triangles_by_shape() const { return triangles_by_shape_; }
 
   [[nodiscard]] bool conforming() const { return conforming_; }
+  /// True for Placement::search: split_point() is only the first of several candidates.
+  [[nodiscard]] bool searches() const { return searches_; }
 
   /// The point that splits the bad triangle with the shortest side qr and the opposite corner a, counter-clockwise. It
   /// is the nearest to the side qr of these candidates:
@@ -122,7 +125,7 @@ class Criteria {
   /// a triangle that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
 
-  bool conforming_;
+  bool conforming_, searches_;
   double squared_sine_;         ///< of the smallest angle allowed
   double squared_lens_cosine_;  ///< infinity if no corner encroaches
   double squared_patch_cosine_;

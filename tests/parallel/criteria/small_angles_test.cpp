@@ -1,4 +1,4 @@
-#include "../../../parallel/refinement/small_angles.hpp"
+#include "../../../parallel/criteria/small_angles.hpp"
 
 #include <gtest/gtest.h>
 

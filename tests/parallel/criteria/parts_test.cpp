@@ -1,5 +1,5 @@
 // Parts of triangles, at which sizes are sampled.
-#include "../../../parallel/refinement/parts.hpp"
+#include "../../../parallel/criteria/parts.hpp"
 
 #include <gtest/gtest.h>
 
