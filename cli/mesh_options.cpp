@@ -76,7 +76,8 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
       ->type_name("WHERE");
   app.add_option("--interior", options.interior,
                  "What fills the interior where areas and edges have constant bounds: refine; fill: equilateral\n"
-                 "triangles, the fewest that keep them; auto (default): fill for angles up to 30 degrees")
+                 "triangles, the fewest that keep them; auto (default): fill, but refine for angles above 30 degrees\n"
+                 "where edges have bounds")
       ->transform(choice(interior_names))
       ->type_name("WHAT");
   app.add_option("--decomposition", options.decomposition,

@@ -49,7 +49,7 @@ Without p, r, q or a: the Delaunay triangulation of FILE.node.
   i F l s X   accepted, without effect: they choose among Triangle's own algorithms; predicates are always exact
   u v w W     refused: user test, Voronoi diagram, weighted points
 
-Where -a sets a bound and q is at most 30, interiors are filled with equilateral triangles: meshes have about a third
+Where -a sets a bound and q is at most 33, interiors are filled with equilateral triangles: meshes have about a third
 fewer triangles than Triangle's ('pardel mesh --interior refine' makes meshes by refinement alone).
 Writes FILE.1.node and so on, or FILE.2.* from FILE.1.*. Input vertices come first, in their order. Like Triangle, it
 repairs duplicate points and segments that cross, overlap or contain points; each repair is a line on standard error.

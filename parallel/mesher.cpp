@@ -61,14 +61,15 @@ Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, 
       find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
 }
 
+bool bounds_lengths(const Goal& goal) { return goal.max_edge < INFINITY || goal.size || is_graded(goal); }
+
 /// The placement that Placement::automatic stands for. `refines`: a mesh is refined, not a domain.
 Placement placement_for(const Goal& goal, const Options& options, bool refines) {
   if (options.placement != Placement::automatic) return options.placement;
   constexpr double critical_angle_deg = 30;  // of the triangles around the centre of an equilateral triangle
   // Measured: where lengths are bounded, off-centres make smaller meshes up to about 32 degrees.
-  const bool bounds_lengths = goal.max_edge < INFINITY || goal.size || is_graded(goal);
-  const bool searches =
-      refines ? goal.min_angle_deg >= critical_angle_deg : goal.min_angle_deg > critical_angle_deg && !bounds_lengths;
+  const bool searches = refines ? goal.min_angle_deg >= critical_angle_deg
+                                : goal.min_angle_deg > critical_angle_deg && !bounds_lengths(goal);
   return searches ? Placement::search : Placement::off_centre;
 }
 
@@ -76,9 +77,11 @@ Placement placement_for(const Goal& goal, const Options& options, bool refines) 
 bool is_filled(const Goal& goal, const Options& options) {
   if (goal.size || is_graded(goal)) return false;
   if (options.interior != Interior::automatic) return options.interior == Interior::fill;
-  constexpr double largest_angle_deg = 30;  // for larger ones, patches often have to give way
-  return goal.min_angle_deg <= largest_angle_deg && !is_of_the_paper(options.decomposition) &&
-         !options.no_boundary_splits && !options.no_segment_splits;
+  // For larger angles, patches often have to give way, except for a search under bounds on areas.
+  constexpr double largest_angle_deg = 30;
+  const bool searches = placement_for(goal, options, false) == Placement::search && !bounds_lengths(goal);
+  return goal.min_angle_deg <= (searches ? largest_min_angle_deg : largest_angle_deg) &&
+         !is_of_the_paper(options.decomposition) && !options.no_boundary_splits && !options.no_segment_splits;
 }
 
 /// The lengths of the edges of patches that keep the goal: in each region, and last in triangles without a region.

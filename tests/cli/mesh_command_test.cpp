@@ -609,7 +609,10 @@ TEST_F(MeshCommand, fills_the_interior_by_default_for_angles_up_to_30_degrees_an
   EXPECT_GT(laid({}), 500);
   EXPECT_GT(laid({"--min-angle", "30"}), 500);
   EXPECT_EQ(laid({}), laid({"--interior", "fill"}));
-  EXPECT_EQ(laid({"--min-angle", "30.5"}), 0);
+  EXPECT_GT(laid({"--min-angle", "33"}), 500);
+  EXPECT_EQ(laid({"--min-angle", "30.5", "--placement", "off-centre"}), 0);
+  EXPECT_EQ(laid({"--min-angle", "30.5", "--max-edge", "0.1"}), 0);
+  EXPECT_GT(laid({"--min-angle", "30", "--max-edge", "0.1"}), 500);
   EXPECT_EQ(laid({"--grading", "0.3"}), 0);
   EXPECT_EQ(laid({"--decomposition", "paper"}), 0) << "the paper's algorithm refines";
   EXPECT_EQ(laid({"--interior", "refine"}), 0);
