@@ -131,8 +131,8 @@ TEST_F(Stopping, interrupts_draw) {
 }
 
 TEST_F(Stopping, interrupts_triangle_and_erases_its_progress_line) {
-  // Above 30 degrees the interior is refined, which takes long enough to be interrupted.
-  expect_stop_on_terminal({"triangle", "-pq31a0.00000005", "square"}, "triangles");
+  // If segments may not be split, the interior is refined, which takes long enough to be interrupted.
+  expect_stop_on_terminal({"triangle", "-pqYa0.00000005", "square"}, "triangles");
 }
 
 }  // namespace
