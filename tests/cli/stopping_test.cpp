@@ -131,8 +131,10 @@ TEST_F(Stopping, interrupts_draw) {
 }
 
 TEST_F(Stopping, interrupts_triangle_and_erases_its_progress_line) {
-  // If segments may not be split, the interior is refined, which takes long enough to be interrupted.
-  expect_stop_on_terminal({"triangle", "-pqYa0.00000005", "square"}, "triangles");
+  // A mesh is refined, not filled, which takes long enough to be interrupted.
+  ASSERT_EQ(pardel({"triangle", "-pq", "square"}).exit_code, 0);
+  start_ = files();
+  expect_stop_on_terminal({"triangle", "-rqa0.00000005", "square.1"}, "triangles");
 }
 
 }  // namespace
