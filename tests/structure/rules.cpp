@@ -103,6 +103,7 @@ const std::vector<Exception>& exceptions() {
       {"tests/parallel", "properties/checker/arithmetic/exact.hpp", "compares the engine with exact arithmetic"},
       {"properties/defects", "properties/checker/arithmetic", "a defect is made, and proved, in exact arithmetic"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
+      {"bench/gate_work.cpp", "parallel/arithmetic/predicates.hpp", "counts the instructions of the predicates alone"},
   };
   return table;
 }
