@@ -13,7 +13,8 @@ Result<MeshedForAngle> mesh_for_angle(const Goal& goal, const Options& options, 
   if (ends) return MeshedForAngle{std::move(*sure), goal, std::nullopt};
 
   Options limited = options;
-  limited.max_vertices = 4 * sure->mesh.points.size() + 1000;
+  // The interior of the mesh for the largest sure angle may be filled. Then it has a third fewer vertices.
+  limited.max_vertices = 6 * sure->mesh.points.size() + 1000;
   Result<Meshed> meshed = run(goal, limited);
   if (!meshed) return meshed.error();
   if (meshed->report.count(ExemptReason::budget) == 0) return MeshedForAngle{std::move(*meshed), goal, std::nullopt};

@@ -18,7 +18,7 @@ struct MeshedForAngle {
 };
 
 /// Makes a mesh for a goal whose smallest angle may exceed largest_min_angle_deg. Refinement for such an angle need not
-/// end. Therefore it may insert as many vertices as options.max_vertices allows, or, if this is 0, four times as many
+/// end. Therefore it may insert as many vertices as options.max_vertices allows, or, if this is 0, six times as many
 /// as the mesh for largest_min_angle_deg has, plus 1000. If this does not suffice, the mesh for largest_min_angle_deg
 /// is the result.
 [[nodiscard]] Result<MeshedForAngle> mesh_for_angle(const Goal& goal, const Options& options, const RunMesher& run);

@@ -71,13 +71,14 @@ void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
   app.add_option("--placement", options.placement,
                  "Where new points are placed: circumcentre; off-centre; search: the best of several points, which\n"
                  "makes fewer triangles for large angles and takes longer; auto (default): off-centre, but search\n"
-                 "for angles above 30 degrees without bounds on lengths, and with --refine for 30 degrees and more")
+                 "for angles above 30 degrees if only areas have bounds, and with --refine for 30 degrees and more")
       ->transform(choice(placement_names))
       ->type_name("WHERE");
-  app.add_option("--interior", options.interior,
-                 "What fills the interior where areas and edges have constant bounds: refine; fill: equilateral\n"
-                 "triangles, the fewest that keep them; auto (default): fill, but refine for angles above 30 degrees\n"
-                 "where edges have bounds")
+  app.add_option(
+         "--interior", options.interior,
+         "What fills the interior where areas and edges have constant bounds: refine; fill: equilateral\n"
+         "triangles, the fewest that keep them; auto (default): fill for angles up to 30 degrees, and for larger\n"
+         "ones if only areas have bounds (and --placement is auto or search)")
       ->transform(choice(interior_names))
       ->type_name("WHAT");
   app.add_option("--decomposition", options.decomposition,

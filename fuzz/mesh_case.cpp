@@ -109,7 +109,9 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   if (supply.below(8) == 7) drawn.goal.max_edge = side / 4.0;
   drawn.goal.conforming = supply.below(4) == 3;
   drawn.goal.convex_hull = supply.below(8) == 7;
-  drawn.options.placement = supply.below(4) == 3 ? Placement::circumcentre : Placement::off_centre;
+  constexpr std::array<Placement, 4> placements{Placement::off_centre, Placement::automatic, Placement::search,
+                                                Placement::circumcentre};
+  drawn.options.placement = placements[static_cast<std::size_t>(supply.below(4))];
   const int position = supply.below(4);
 
   Drawing drawing(drawn.pslg, supply, side);

@@ -19,14 +19,15 @@ enum class Placement : std::uint8_t {
   /// On the line from the shortest edge to the circumcentre, no further from the edge than the bounds on angles or
   /// sizes require (Üngör 2004). Gives smaller meshes.
   off_centre,
-  /// The off-centre if all triangles that it makes keep the bounds. Otherwise, of the off-centre and 48 points around
-  /// the circumcentre, the point that makes the fewest triangles that break them (after Erten and Üngör, "Quality
-  /// triangulations with locally optimal Steiner points", 2009). At 30 degrees it makes a tenth fewer triangles than
-  /// off_centre, at 33 degrees a sixth, and takes several times as long. It does not run through parts of a mesh whose
-  /// triangles are nearly equilateral, as the other two do at 30 degrees and more.
+  /// The off-centre if all triangles that it makes keep the bound on angles and Goal::max_area. Otherwise, of the
+  /// off-centre and 48 points around the circumcentre, the point that makes the fewest triangles that break them (after
+  /// Erten and Üngör, "Quality triangulations with locally optimal Steiner points", 2009). Without bounds on size it
+  /// makes a tenth fewer triangles than off_centre at 30 degrees, and a sixth fewer at 33 degrees; with bounds on
+  /// lengths up to a tenth more at 30 degrees. It takes 5 to 10 times as long. It does not run through parts of a mesh
+  /// whose triangles are nearly equilateral, as the other two do at 30 degrees and more.
   search,
   /// In refine(): `search` for angles of 30 degrees and more. In mesh(): `search` for angles above 30 degrees, if there
-  /// are no bounds on lengths. Else `off_centre`.
+  /// are no bounds on lengths (Goal::max_edge, size, sources, grading, feature_edges). Else `off_centre`.
   automatic,
 };
 
@@ -60,8 +61,8 @@ enum class Interior : std::uint8_t {
   /// depend on the place. If the other triangles cannot keep the bounds beside them, the interior is refined
   /// (Report::restarts); this is rare for angles up to 30 degrees, and with bounds on areas and Placement::search.
   fill,
-  /// `fill`, if segments may be split and the decomposition is not of the paper, for angles up to 30 degrees; for larger
-  /// ones up to 33 degrees only with Placement::search and without bounds on lengths. Else `refine`.
+  /// `fill`, if segments may be split and the decomposition is not of the paper, for angles up to 30 degrees; for
+  /// larger ones up to 33 degrees only with Placement::search and without bounds on lengths. Else `refine`.
   automatic,
 };
 

@@ -70,8 +70,9 @@ class Task {
       queue_.push(assessor_.entry(id, a), a.key);
   }
   void process(QueuedTriangle triangle);
-  /// The point at which the triangle is split by Placement::search: of `first` and the candidates around the
-  /// circumcentre, one after which the fewest new triangles break the bounds; of these, the farthest from all vertices.
+  /// The point at which the triangle is split by Placement::search: `first` if it cannot be inserted; else, of `first`
+  /// and the candidates around the circumcentre, one after which the fewest new triangles break the bounds of
+  /// Insertion::breaking(); of these, the farthest from all vertices.
   [[nodiscard]] Point best_point(TriangleId id, Point first);
   /// Splits an encroached side of the triangle. If no such side can be split, and the triangle itself has to be split,
   /// returns the triangle's shortest side. Otherwise returns none().

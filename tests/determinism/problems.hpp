@@ -20,7 +20,7 @@ struct Problem {
 };
 
 /// Problem `number`, from 0 to problems_per_family - 1, of a family. Goals and options are random: angle bounds of 0 to
-/// 28 degrees, area bounds, area caps of regions, conforming or not, both decompositions, both placements of points.
+/// 28 degrees, area bounds, area caps of regions, conforming or not, both decompositions, off-centres or circumcentres.
 [[nodiscard]] Problem problem(generators::Family family, std::uint64_t number);
 
 inline constexpr std::uint64_t graded_problems = 110;
