@@ -4,7 +4,9 @@
 #include "find_gaps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 #include "../arithmetic/distance.hpp"
@@ -82,22 +84,23 @@ class GapSearch {
   /// points are dense, all distances are small, and none of them is a gap.
   [[nodiscard]] double surroundings_at(TriangleId id, VertexId v) const {
     if (longest_[v] > 0) return longest_[v];
-    std::vector<double> lengths;
+    std::array<double, most_edges> lengths;
+    std::size_t count = 0;
     for (const auto* turn : {&next_corner, &previous_corner}) {
       TriangleId at = id;
       do {
         const Slot& slot = t_.slots[at];
         const unsigned across = (*turn)[slot.corner_of(v)];
-        lengths.push_back(distance(v, slot.v[3 - across - slot.corner_of(v)]));
+        lengths[count++] = distance(v, slot.v[3 - across - slot.corner_of(v)]);
         const EdgeRef beyond = slot.n[across];
         if (beyond.none()) break;  // the boundary of the domain: the other edges lie in the other direction
         at = beyond.triangle();
-      } while (at != id && lengths.size() < most_edges);
-      if (at == id) break;
+      } while (at != id && count < most_edges);
+      if (at == id || count == most_edges) break;
     }
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::ranges::nth_element(lengths, middle);
-    return *middle;
+    const std::span all(lengths.data(), count);
+    std::ranges::nth_element(all, all.begin() + static_cast<std::ptrdiff_t>(count / 2));
+    return all[count / 2];
   }
   [[nodiscard]] Index input(VertexId v) const { return domain_.input_of_vertex[v]; }
 
@@ -114,8 +117,13 @@ class GapSearch {
     if (input(v) < input(u)) std::swap(u, v);
     Index segment = no_index;
     if (slot.n[e.side()].constrained()) segment = domain_.input_segment[domain_.segments.segment_of(t_, u, v)];
-    add(segment == no_index ? GapKind::close_points : GapKind::short_segment, {input(u), input(v)}, segment,
-        distance(u, v), std::min(surroundings_at(e.triangle(), u), surroundings_at(e.triangle(), v)), t_.points[u]);
+    const double wide = distance(u, v);
+    double surroundings = surroundings_at(e.triangle(), u);
+    // Mostly, the surroundings of u are already small enough.
+    if (wide < narrow_.always || much_narrower * wide < surroundings)
+      surroundings = std::min(surroundings, surroundings_at(e.triangle(), v));
+    add(segment == no_index ? GapKind::close_points : GapKind::short_segment, {input(u), input(v)}, segment, wide,
+        surroundings, t_.points[u]);
   }
 
   /// Walks from a corner of a flat triangle straight across the longest side, to a segment if there is one.
