@@ -125,11 +125,8 @@ double Criteria::filling_height(const SizeBounds& bounds, double twice_area, dou
 
 Point Criteria::split_point(Point q, Point r, Point a, Index region, LocalHints& hints) const {
   const double rx = r.x - q.x, ry = r.y - q.y, ax = a.x - q.x, ay = a.y - q.y;
-  const double a2 = ax * ax + ay * ay, r2 = rx * rx + ry * ry;
-  const double twice_area = rx * ay - ry * ax;
-  const double scale = 0.5 / twice_area;
-  double dx = (r2 * ay - a2 * ry) * scale;
-  double dy = (a2 * rx - r2 * ax) * scale;
+  const double r2 = rx * rx + ry * ry, twice_area = rx * ay - ry * ax;
+  auto [dx, dy] = to_circumcentre({rx, ry}, {ax, ay}, twice_area);
   double height = off_centre_height_;
   if (fills_) height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));
   if (height < INFINITY) {

@@ -16,10 +16,7 @@ constexpr std::size_t quarter_turn = candidates_per_circle / 4;
 std::array<CandidateCircle, candidate_circles> split_candidates(const Shape& shape) {
   const unsigned apex = shape.shortest_side();
   const Point a = shape.p[apex], q = shape.p[next_corner[apex]], r = shape.p[previous_corner[apex]];
-  const double qx = q.x - a.x, qy = q.y - a.y, rx = r.x - a.x, ry = r.y - a.y;
-  const double q2 = qx * qx + qy * qy, r2 = rx * rx + ry * ry, scale = 0.5 / shape.twice_area;
-  // From the corner to the circumcentre.
-  const double x = (q2 * ry - r2 * qy) * scale, y = (r2 * qx - q2 * rx) * scale;
+  const auto [x, y] = to_circumcentre({q.x - a.x, q.y - a.y}, {r.x - a.x, r.y - a.y}, shape.twice_area);
   std::array<CandidateCircle, candidate_circles> circles;
   for (std::size_t circle = 0; circle < candidate_circles; ++circle) {
     const double part = 0.25 * static_cast<double>(circle + 1);

@@ -101,9 +101,11 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
 
 Outcome Insertion::insert_in_face(Point p, TriangleId first, const Box& box) {
   const Outcome outcome = try_in_face(p, first, box);
-  if (outcome == Outcome::inserted) commit(p, interior_vertex);
+  if (outcome == Outcome::inserted) insert_tried_in_face(p);
   return outcome;
 }
+
+void Insertion::insert_tried_in_face(Point p) { commit(p, interior_vertex); }
 
 bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradius) const {
   const auto is_small_outside = [&](EdgeRef across) {

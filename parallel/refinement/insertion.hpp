@@ -49,6 +49,9 @@ class Insertion {
   /// The outcome that insert_in_face() would have; changes nothing (`inserted`: p can be inserted).
   Outcome try_in_face(Point p, TriangleId first, const Box& box);
 
+  /// Inserts p without another test. Precondition: the last call was try_in_face() for p, which returned `inserted`.
+  void insert_tried_in_face(Point p);
+
   /// Splits the constrained edge e, which is a part of `segment`, at p.
   Outcome split_edge(Point p, EdgeRef e, Index segment, const Box& box);
 

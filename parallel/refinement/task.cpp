@@ -76,10 +76,9 @@ void Task::process(QueuedTriangle triangle) {
     shortest = split_encroached_side(triangle);
     if (shortest.none()) return;
   }
-  Point p = assessor_.point_in(shortest, hints_);
+  const Point p = assessor_.point_in(shortest, hints_);
   if (is_foreign(p)) return hand_on(triangle, p);
-  if (assessor_.searches()) p = best_point(id, p);
-  switch (insertion_.insert_in_face(p, id, box_)) {
+  switch (assessor_.searches() ? insert_best(p, id) : insertion_.insert_in_face(p, id, box_)) {
     case Outcome::inserted:
       ++result_.inserted;
       consider_changed();
@@ -96,14 +95,18 @@ void Task::process(QueuedTriangle triangle) {
   }
 }
 
-Point Task::best_point(TriangleId id, Point first) {
-  if (insertion_.try_in_face(first, id, box_) != Outcome::inserted) return first;
+Outcome Task::insert_best(Point first, TriangleId id) {
+  const Outcome outcome = insertion_.try_in_face(first, id, box_);
+  if (outcome != Outcome::inserted) return outcome;
+  if (insertion_.breaking().empty()) {
+    insertion_.insert_tried_in_face(first);
+    return outcome;
+  }
   struct {
     Point point;
     std::size_t breaking;
     double squared_closest;
   } best{first, insertion_.breaking().size(), insertion_.squared_closest()};
-  if (best.breaking == 0) return first;
   const Shape shape(t_, t_.slots[id]);
   const double least = least_squared_distance(shape);
   for (const CandidateCircle& circle : split_candidates(shape)) {
@@ -116,7 +119,7 @@ Point Task::best_point(TriangleId id, Point first) {
     }
     if (best.breaking == 0) break;
   }
-  return best.point;
+  return insertion_.insert_in_face(best.point, id, box_);
 }
 
 EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {

@@ -70,10 +70,10 @@ class Task {
       queue_.push(assessor_.entry(id, a), a.key);
   }
   void process(QueuedTriangle triangle);
-  /// The point at which the triangle is split by Placement::search: `first` if it cannot be inserted; else, of `first`
-  /// and the candidates around the circumcentre, one after which the fewest new triangles break the bounds of
-  /// Insertion::breaking(); of these, the farthest from all vertices.
-  [[nodiscard]] Point best_point(TriangleId id, Point first);
+  /// Splits the triangle by Placement::search: of `first` and the candidates around the circumcentre, inserts one after
+  /// which the fewest new triangles break the bounds of Insertion::breaking(); of these, the farthest from all
+  /// vertices. If `first` cannot be inserted, tries nothing else, and returns the outcome for it.
+  [[nodiscard]] Outcome insert_best(Point first, TriangleId id);
   /// Splits an encroached side of the triangle. If no such side can be split, and the triangle itself has to be split,
   /// returns the triangle's shortest side. Otherwise returns none().
   [[nodiscard]] EdgeRef split_encroached_side(QueuedTriangle triangle);

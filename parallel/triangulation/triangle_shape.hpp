@@ -42,6 +42,13 @@ using Measure = MeasureOf<double>;
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
 }
 
+/// The vector from a corner of a triangle to its circumcentre. `b`, `c`: the vectors from this corner to the others,
+/// counter-clockwise.
+[[nodiscard]] inline Point to_circumcentre(Point b, Point c, double twice_area) {
+  const double b2 = b.x * b.x + b.y * b.y, c2 = c.x * c.x + c.y * c.y, scale = 0.5 / twice_area;
+  return {(b2 * c.y - c2 * b.y) * scale, (c2 * b.x - b2 * c.x) * scale};
+}
+
 /// The corners of a triangle with its measure.
 struct Shape : Measure {
   std::array<Point, 3> p;
