@@ -7,12 +7,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "join_pieces.hpp"
 #include "mesh.hpp"
 #include "pslg.hpp"
 #include "raster.hpp"
@@ -113,6 +115,24 @@ struct TriangleFiles {
 /// constrained edges as lines. Cell arrays: `region` (the attribute; 0 for lines), `marker` (of the edge; 0 for
 /// triangles) and `quality` (the smallest angle, in degrees; NaN for lines). Point arrays: `marker` and `attributes`.
 [[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file);
+
+/// The name of the point array in which a .vtu of one piece has the numbers of its points in the whole mesh.
+inline constexpr const char* vtu_vertex_numbers = "GlobalNodeId";
+/// Writes one piece of a mesh that several processes have made: as write_vtu(), with one number per point. The file
+/// gets its name if agree() returns no error. agree() is called with the outcome for this file, when the file is
+/// complete under another name. A process there asks the others, so that either all pieces get their names or none.
+[[nodiscard]] Status write_vtu_piece(const Mesh& mesh, std::span<const std::uint64_t> numbers,
+                                     const std::filesystem::path& file, const std::function<Status(Status)>& agree);
+/// Reads a file of write_vtu_piece().
+[[nodiscard]] Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file);
+/// What the .pvtu of a mesh in pieces names.
+struct PiecesOfMesh {
+  std::vector<std::string> files;  ///< relative to the folder of the .pvtu
+  bool have_regions = false;       ///< Mesh::region is not empty
+  std::size_t attributes_per_point = 0;
+};
+/// Writes the file with which ParaView opens the pieces together.
+[[nodiscard]] Status write_pvtu(const PiecesOfMesh& pieces, const std::filesystem::path& file);
 /// Writes points and triangles, and comments at the end that list the constrained edges with their markers.
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
 /// Draws the mesh. The colour of a triangle depends on its region.

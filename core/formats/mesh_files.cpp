@@ -73,8 +73,9 @@ void files::set_regions(Mesh& mesh, std::span<const double> attributes) {
 Result<Mesh> read_mesh(const fs::path& file) {
   std::optional<MeshFormat> format = mesh_format(file);
   if (format == MeshFormat::triangle) return read_triangle_mesh(file);
+  if (file.extension() == ".pvtu") return read_pvtu(file);
   if (format == MeshFormat::svg || (!format && file.has_extension()))
-    return unknown_suffix(file, ".node, .ele, .msh, .vtu and .off");
+    return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu and .off");
   const auto text = read_file(file);
   if (!text) return text.error();
   if (!format) format = format_of_text(*text);

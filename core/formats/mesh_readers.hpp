@@ -14,6 +14,8 @@
 namespace pardel::files {
 
 [[nodiscard]] Result<Mesh> read_triangle_mesh(const std::filesystem::path& file);
+/// Reads all pieces, and joins them.
+[[nodiscard]] Result<Mesh> read_pvtu(const std::filesystem::path& file);
 [[nodiscard]] Result<Mesh> parse_msh(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_vtu(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_off(std::string_view text, const std::string& name);

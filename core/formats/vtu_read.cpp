@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "../formats.hpp"
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"
 #include "text_reader.hpp"
@@ -17,6 +18,17 @@ namespace {
 class VtuMesh {
  public:
   explicit VtuMesh(const VtuFile& file) : file_(file) {}
+
+  /// After read(): the numbers of the points in a mesh of which the file is a piece; empty if there are none.
+  Result<Array<std::uint64_t>> numbers() {
+    const VtuArray* array = file_.find("PointData", vtu_vertex_numbers);
+    const auto values_of_points = values<std::int64_t>(array, file_.points());
+    Array<std::uint64_t> numbers;
+    for (std::size_t i = 0; i < values_of_points.size(); ++i)
+      numbers.push_back(static_cast<std::uint64_t>(checked(array, values_of_points, i, 0, no_index - 1)));
+    if (error_) return *error_;
+    return numbers;
+  }
 
   Result<Mesh> read() {
     read_points();
@@ -206,3 +218,22 @@ Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
 }
 
 }  // namespace pardel::files
+
+namespace pardel {
+
+Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file) {
+  const auto text = files::read_file(file);
+  if (!text) return text.error();
+  const auto parsed = files::VtuFile::parse(*text, file.string());
+  if (!parsed) return parsed.error();
+  files::VtuMesh reader(*parsed);
+  Result<Mesh> mesh = reader.read();
+  if (!mesh) return mesh.error();
+  Result<Array<std::uint64_t>> numbers = reader.numbers();
+  if (!numbers) return numbers.error();
+  if (numbers->size() != mesh->points.size())
+    return parsed->error_at(0, std::string("expected a point array ") + vtu_vertex_numbers + ", as a piece has");
+  return NumberedMesh{std::move(*mesh), std::move(*numbers)};
+}
+
+}  // namespace pardel

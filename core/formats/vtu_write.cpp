@@ -90,7 +90,8 @@ Section cells(const Mesh& mesh) {
   return {"Cells", {connectivity, offsets, types}};
 }
 
-Section cell_data(const Mesh& mesh) {
+/// always_markers: also if no edge has one, because all pieces of a mesh have the same arrays.
+Section cell_data(const Mesh& mesh, bool always_markers) {
   Section section{"CellData", {}};
   if (!mesh.region.empty()) {
     section.second.push_back(cell_array<double>(
@@ -101,7 +102,7 @@ Section cell_data(const Mesh& mesh) {
         },
         [](std::size_t) { return 0.0; }));
   }
-  if (!mesh.constrained_edges.empty()) {
+  if (!mesh.constrained_edges.empty() || always_markers) {
     section.second.push_back(cell_array<std::int32_t>(
         "marker", mesh, [](std::size_t) { return std::int32_t{0}; },
         [&mesh](std::size_t i) { return std::int32_t{mesh.constrained_edges[i].marker}; }));
@@ -116,8 +117,9 @@ Section cell_data(const Mesh& mesh) {
   return section;
 }
 
-Section point_data(const Mesh& mesh, std::span<const int> markers) {
+Section point_data(const Mesh& mesh, std::span<const int> markers, std::span<const std::uint64_t> numbers) {
   Section section{"PointData", {stored_array("marker", 1, markers)}};
+  if (!numbers.empty()) section.second.push_back(stored_array(vtu_vertex_numbers, 1, numbers));
   if (const std::size_t k = mesh.attributes_per_point; k > 0)
     section.second.push_back(stored_array("attributes", k, mesh.point_attributes.span()));
   return section;
@@ -135,10 +137,8 @@ void put_section(Bytes& to, const Section& section, std::size_t& offset) {
   to << "</" << name << ">\n";
 }
 
-}  // namespace
-
-Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
-  OutputFile out(file);
+/// `numbers`: one per point, or empty.
+void write(const Mesh& mesh, std::span<const std::uint64_t> numbers, OutputFile& out) {
   const std::size_t n = mesh.points.size();
   Array<int> inferred;
   const std::span<const int> markers = vertex_markers(mesh, inferred);
@@ -151,7 +151,7 @@ Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   const bool small = n <= most && 3 * cell_count(mesh) <= most;
   const std::vector<Section> sections{points, small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh),
-                                      cell_data(mesh), point_data(mesh, markers)};
+                                      cell_data(mesh, !numbers.empty()), point_data(mesh, markers, numbers)};
 
   Bytes header;
   header << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
@@ -169,6 +169,48 @@ Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
     }
   }
   out.write("\n</AppendedData>\n</VTKFile>\n");
+}
+
+/// The element of an array in a .pvtu.
+void put_array(Bytes& to, const char* type, const char* name, std::size_t components = 1) {
+  to << "<PDataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components << "\"/>\n";
+}
+
+}  // namespace
+
+Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
+  OutputFile out(file);
+  write(mesh, {}, out);
+  return out.commit();
+}
+
+Status write_vtu_piece(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file,
+                       const std::function<Status(Status)>& agree) {
+  OutputFile out(file);
+  write(mesh, numbers, out);
+  if (Status all = agree(out.close()); !all) return all;
+  return out.commit();
+}
+
+Status write_pvtu(const PiecesOfMesh& pieces, const std::filesystem::path& file) {
+  Bytes text;
+  text << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\""
+       << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian")
+       << "\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n";
+  put_array(text, "Float64", "Points", 3);
+  text << "</PPoints>\n<PCellData>\n";
+  if (pieces.have_regions) put_array(text, "Float64", "region");
+  put_array(text, "Int32", "marker");
+  put_array(text, "Float64", "quality");
+  text << "</PCellData>\n<PPointData>\n";
+  put_array(text, "Int32", "marker");
+  put_array(text, "UInt64", vtu_vertex_numbers);
+  if (pieces.attributes_per_point > 0) put_array(text, "Float64", "attributes", pieces.attributes_per_point);
+  text << "</PPointData>\n";
+  for (const std::string& name : pieces.files) text << "<Piece Source=\"" << name << "\"/>\n";
+  text << "</PUnstructuredGrid>\n</VTKFile>\n";
+  OutputFile out(file);
+  out.write(text.view());
   return out.commit();
 }
 

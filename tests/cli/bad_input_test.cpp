@@ -54,7 +54,7 @@ TEST_F(BadInput, an_unknown_suffix_is_a_usage_error_that_lists_the_known_ones) {
   }
   const Ran mesh = pardel({"draw", "model.stl", "-o", "m.svg"});
   EXPECT_EQ(mesh.exit_code, 2) << mesh;
-  EXPECT_TRUE(holds(mesh.err, {"'.stl' is not a known format", ".node, .ele, .msh, .vtu and .off"}));
+  EXPECT_TRUE(holds(mesh.err, {"'.stl' is not a known format", ".node, .ele, .msh, .vtu, .pvtu and .off"}));
 }
 
 TEST_F(BadInput, the_message_names_the_command_or_the_option_that_helps) {

@@ -1,0 +1,65 @@
+// Reads PVTU, the list of the pieces of a mesh, and the pieces.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "../formats.hpp"
+#include "../join_pieces.hpp"
+#include "mesh_readers.hpp"
+#include "text_reader.hpp"
+
+namespace pardel::files {
+namespace {
+
+/// The attributes Source of all elements Piece, in their order.
+std::vector<std::string> sources_of_pieces(std::string_view text) {
+  std::vector<std::string> sources;
+  constexpr std::string_view element = "<Piece", attribute = "Source=\"";
+  for (std::size_t at = text.find(element); at != std::string_view::npos; at = text.find(element, at + 1)) {
+    const std::string_view tag = text.substr(at, text.find('>', at) - at);
+    const std::size_t begin = tag.find(attribute);
+    if (begin == std::string_view::npos) continue;
+    const std::string_view value = tag.substr(begin + attribute.size());
+    sources.emplace_back(value.substr(0, value.find('"')));
+  }
+  return sources;
+}
+
+/// A mesh has one list of regions; each piece has its own.
+void unite_regions(std::vector<NumberedMesh>& pieces) {
+  std::vector<double> all;
+  for (const NumberedMesh& piece : pieces)
+    all.insert(all.end(), piece.mesh.region_attributes.begin(), piece.mesh.region_attributes.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (NumberedMesh& piece : pieces) {
+    for (Index& region : piece.mesh.region)
+      if (region != no_index) {
+        const auto found = std::lower_bound(all.begin(), all.end(), piece.mesh.region_attributes[region]);
+        region = static_cast<Index>(found - all.begin());
+      }
+    piece.mesh.region_attributes = all;
+  }
+}
+
+}  // namespace
+
+Result<Mesh> read_pvtu(const std::filesystem::path& file) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  const std::vector<std::string> sources = sources_of_pieces(*text);
+  if (sources.empty())
+    return Error{ErrorKind::invalid_input, file.string() + ": expected elements <Piece Source=\"...\">, found none"};
+  std::vector<NumberedMesh> pieces;
+  for (const std::string& source : sources) {
+    Result<NumberedMesh> piece = read_vtu_piece(file.parent_path() / source);
+    if (!piece) return piece.error();
+    pieces.push_back(std::move(*piece));
+  }
+  unite_regions(pieces);
+  Result<Mesh> whole = join_pieces(pieces);
+  if (!whole) return Error{whole.error().kind, file.string() + ": " + whole.error().message};
+  return whole;
+}
+
+}  // namespace pardel::files

@@ -1,0 +1,104 @@
+#include "join_pieces.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "neighbours.hpp"
+
+namespace pardel {
+namespace {
+
+Error invalid(const std::string& message) { return {ErrorKind::invalid_input, message}; }
+
+class Join {
+ public:
+  /// A rank without triangles has an empty piece, which says nothing about the kinds of data.
+  explicit Join(std::span<const NumberedMesh> pieces) {
+    for (const NumberedMesh& piece : pieces)
+      if (!piece.mesh.points.empty()) pieces_.push_back(&piece);
+  }
+
+  Result<Mesh> join() {
+    if (pieces_.empty()) return mesh_;
+    if (Status fit = make_room(); !fit) return fit.error();
+    for (const NumberedMesh* piece : pieces_) {
+      if (Status fits = check_kind(*piece); !fits) return fits.error();
+      if (Status added = add_points(*piece); !added) return added.error();
+      add_cells(*piece);
+    }
+    const auto missing = std::ranges::find(is_known_, 0);
+    if (missing != is_known_.end())
+      return invalid("no piece has the point with the number " + std::to_string(missing - is_known_.begin()));
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    return std::move(mesh_);
+  }
+
+ private:
+  /// The largest number determines the number of points.
+  Status make_room() {
+    std::uint64_t points = 0, triangles = 0;
+    for (const NumberedMesh* piece : pieces_) {
+      for (const std::uint64_t number : piece->number) points = std::max(points, number + 1);
+      triangles += piece->mesh.triangles.size();
+    }
+    if (points >= no_index || !can_be_a_mesh(triangles))
+      return Error{ErrorKind::resources, "the pieces have " + std::to_string(triangles) + " triangles and " +
+                                             std::to_string(points) + " points, more than one mesh can hold"};
+    const Mesh& first = pieces_.front()->mesh;
+    is_known_.resize(points);
+    mesh_.points.resize(points);
+    if (!first.point_markers.empty()) mesh_.point_markers.resize(points);
+    if (!first.origin.empty()) mesh_.origin.resize(points);
+    mesh_.attributes_per_point = first.attributes_per_point;
+    mesh_.point_attributes.resize(points * first.attributes_per_point);
+    mesh_.triangles.reserve(triangles);
+    mesh_.region_attributes = first.region_attributes;
+    return Done{};
+  }
+
+  Status check_kind(const NumberedMesh& piece) const {
+    const Mesh& first = pieces_.front()->mesh;
+    if (piece.number.size() != piece.mesh.points.size()) return invalid("a piece has points without numbers");
+    if (piece.mesh.attributes_per_point != first.attributes_per_point ||
+        piece.mesh.region.empty() != first.region.empty() ||
+        piece.mesh.point_markers.empty() != first.point_markers.empty())
+      return invalid("the pieces do not have the same kinds of data");
+    return Done{};
+  }
+
+  Status add_points(const NumberedMesh& piece) {
+    const std::size_t k = mesh_.attributes_per_point;
+    for (std::size_t v = 0; v < piece.number.size(); ++v) {
+      const std::uint64_t number = piece.number[v];
+      const Point p = piece.mesh.points[v];
+      if (is_known_[number] != 0 && (p.x != mesh_.points[number].x || p.y != mesh_.points[number].y))
+        return invalid("two pieces have different points with the number " + std::to_string(number));
+      is_known_[number] = 1;
+      mesh_.points[number] = p;
+      if (!mesh_.point_markers.empty()) mesh_.point_markers[number] = piece.mesh.point_markers[v];
+      if (!mesh_.origin.empty()) mesh_.origin[number] = piece.mesh.origin[v];
+      std::copy_n(piece.mesh.point_attributes.begin() + v * k, k, mesh_.point_attributes.begin() + number * k);
+    }
+    return Done{};
+  }
+
+  void add_cells(const NumberedMesh& piece) {
+    const auto whole = [&](Index v) { return static_cast<Index>(piece.number[v]); };
+    for (const Triangle& triangle : piece.mesh.triangles)
+      mesh_.triangles.push_back({{whole(triangle.v[0]), whole(triangle.v[1]), whole(triangle.v[2])}});
+    mesh_.region.append(piece.mesh.region.span());
+    for (const ConstrainedEdge& e : piece.mesh.constrained_edges)
+      mesh_.constrained_edges.push_back({whole(e.a), whole(e.b), e.segment, e.marker});
+  }
+
+  std::vector<const NumberedMesh*> pieces_;
+  Array<char> is_known_;  ///< per point
+  Mesh mesh_;
+};
+
+}  // namespace
+
+Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces) { return Join(pieces).join(); }
+
+}  // namespace pardel

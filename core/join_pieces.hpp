@@ -1,0 +1,27 @@
+// Makes one mesh of the pieces that several processes have made.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mesh.hpp"
+#include "result.hpp"
+
+namespace pardel {
+
+/// A piece of a mesh, and for each of its points the number in the whole mesh.
+struct NumberedMesh {
+  Mesh mesh;
+  Array<std::uint64_t> number;
+};
+
+/// The whole mesh: its points in the order of their numbers, the triangles of the first piece first. Points at the
+/// border are in several pieces, triangles and constrained edges in one. The pieces agree on the meaning of
+/// Mesh::region, as those of mesh(domain, goal, options, ranks) do. The neighbours are computed.
+///
+/// Errors: invalid_input if a number is missing, if two pieces have different points with one number, or if some pieces
+/// have regions or attributes of points and others have none; resources if the mesh has more points or triangles than
+/// an Index can number. Time O(n) for n triangles.
+[[nodiscard]] Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces);
+
+}  // namespace pardel
