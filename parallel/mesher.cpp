@@ -14,8 +14,6 @@
 #include "conversion/import_mesh.hpp"
 #include "conversion/locate_regions.hpp"
 #include "criteria/criteria.hpp"
-#include "diagnosis/find_gaps.hpp"
-#include "diagnosis/find_least_size.hpp"
 #include "filling/refine_domain.hpp"
 #include "filling/refine_filled.hpp"
 #include "input/findings.hpp"
@@ -23,6 +21,8 @@
 #include "interpolation/graded_size.hpp"
 #include "interpolation/local_bound.hpp"
 #include "interpolation/steep_edges.hpp"
+#include "planning/run_plan.hpp"
+#include "planning/supervised.hpp"
 #include "scheduling/limits.hpp"
 #include "scheduling/progress_monitor.hpp"
 
@@ -38,81 +38,15 @@ Status check_valid(const Pslg& pslg, bool convex_hull, const Threads& threads) {
   return Error{ErrorKind::invalid_input, messages(problems, pslg.first_id.value)};
 }
 
-/// The corners of the triangles.
-std::vector<Point> corners_of(const Triangulation& t, const Threads& threads) {
-  SparseAsk ask(threads.stop);
-  std::vector<char> is_corner(t.points.size());
-  for (const Slot& slot : t.slots) {
-    ask();
-    for (const VertexId v : slot.v) is_corner[v] = 1;
-  }
-  std::vector<Point> corners;
-  for (VertexId v = 0; v < is_corner.size(); ++v)
-    if (is_corner[v] != 0) corners.push_back(t.points[v]);
-  return corners;
-}
-
-/// Calls options.before_refinement, if there is one. Its error ends the run.
-Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, const Options& options,
-                           const Threads& threads) {
-  if (!options.before_refinement) return Done{};
-  const bool all_splits = !options.no_boundary_splits && !options.no_segment_splits;
-  return options.before_refinement(
-      find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
-}
-
-bool bounds_lengths(const Goal& goal) { return goal.max_edge < INFINITY || goal.size || is_graded(goal); }
-
-/// The placement that Placement::automatic stands for. `refines`: a mesh is refined, not a domain.
-Placement placement_for(const Goal& goal, const Options& options, bool refines) {
-  if (options.placement != Placement::automatic) return options.placement;
-  constexpr double critical_angle_deg = 30;  // of the triangles around the centre of an equilateral triangle
-  // Measured: where lengths are bounded, off-centres make smaller meshes up to about 32 degrees.
-  const bool searches = refines ? goal.min_angle_deg >= critical_angle_deg
-                                : goal.min_angle_deg > critical_angle_deg && !bounds_lengths(goal);
-  return searches ? Placement::search : Placement::off_centre;
-}
-
-/// True if the interior is to be filled, where there is a bound on size.
-bool is_filled(const Goal& goal, const Options& options) {
-  if (goal.size || is_graded(goal)) return false;
-  if (options.interior != Interior::automatic) return options.interior == Interior::fill;
-  // For larger angles, patches often have to give way, except for a search under bounds on areas.
-  constexpr double largest_angle_deg = 30;
-  const bool searches = placement_for(goal, options, false) == Placement::search && !bounds_lengths(goal);
-  return goal.min_angle_deg <= (searches ? largest_min_angle_deg : largest_angle_deg) &&
-         !is_of_the_paper(options.decomposition) && !options.no_boundary_splits && !options.no_segment_splits;
-}
-
-/// The lengths of the edges of patches that keep the goal: in each region, and last in triangles without a region.
-/// Empty if the interior is to be refined.
-std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const Options& options) {
-  std::vector<double> edges;
-  if (!is_filled(goal, options)) return edges;
-  for (const Region& region : pslg.regions)
-    edges.push_back(
-        edge_of_patch(goal.region_caps ? std::min(goal.max_area, region.max_area) : goal.max_area, goal.max_edge));
-  edges.push_back(edge_of_patch(goal.max_area, goal.max_edge));
-  if (std::ranges::all_of(edges, [](double edge) { return edge == INFINITY; })) edges.clear();
-  return edges;
-}
-
 /// Refines the triangulation of a valid Pslg until it meets the goal.
 Result<Mesh> refined_mesh(const Pslg& pslg, bool convex_hull, const Goal& goal, DomainTriangulation domain,
                           InputData input, const Options& options, ProgressMonitor& progress, Report& report) {
-  report.gaps = find_gaps(domain, progress.threads());
-  if (Status wanted = announce_least_size(domain, goal, options, progress.threads()); !wanted) return wanted.error();
-  if (ends_somewhere(goal.size))
-    require_coverage(goal.size, corners_of(domain.triangulation, progress.threads()), progress.threads());
-  Goal graded = guarded(goal);
-  if (is_graded(graded)) graded.size = graded_size(graded, pslg, progress.threads());
-  std::vector<double> caps;
-  for (const Region& region : pslg.regions) caps.push_back(region.max_area);
-  const Criteria criteria(graded, placement_for(goal, options, false), std::move(caps));
-  std::vector<double> edges = edges_of_patches(pslg, goal, options);
-  if (edges.empty()) return refine_domain(std::move(domain), criteria, std::move(input), options, progress, report);
-  return refine_filled({pslg, convex_hull, std::move(edges)}, std::move(domain), criteria, input, options, progress,
-                       report);
+  Result<RunPlan> plan = plan_run(pslg, goal, domain, options, progress.threads(), report);
+  if (!plan) return plan.error();
+  if (plan->edges_of_patches.empty())
+    return refine_domain(std::move(domain), plan->criteria, std::move(input), options, progress, report);
+  return refine_filled({pslg, convex_hull, std::move(plan->edges_of_patches)}, std::move(domain), plan->criteria, input,
+                       options, progress, report);
 }
 
 /// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
@@ -232,21 +166,6 @@ Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::sp
   std::vector<std::array<Index, 3>> triangles;
   for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
   return size_on(pslg.points, std::move(triangles), sizes, false, {}, progress.threads());
-}
-
-/// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
-/// that has to end early, or runs out of memory, becomes an error.
-template <class Work>
-auto supervised(const Options& options, const Work& work)
-    -> decltype(work(options, std::declval<ProgressMonitor&>())) try {
-  Options safe = guarded(options);
-  safe.threads = thread_count(options.threads);
-  ProgressMonitor progress(safe);
-  return work(std::as_const(safe), progress);
-} catch (const Stopped& stopped) {
-  return stopped.error;
-} catch (...) {
-  return error_of_exception();
 }
 
 /// The checks of the arguments of refine().

@@ -22,6 +22,9 @@ class Tiles {
   [[nodiscard]] Index cell_of(Point p) const {
     return std::visit([p](const auto& s) { return s.cell_of(p); }, shape_);
   }
+  [[nodiscard]] Point centre_of(Index cell) const {
+    return std::visit([cell](const auto& s) { return s.centre_of(cell); }, shape_);
+  }
   [[nodiscard]] unsigned colours() const {
     return std::visit([](const auto& s) -> unsigned { return s.colours(); }, shape_);
   }

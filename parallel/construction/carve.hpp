@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "../concurrency/threads.hpp"
-#include "../triangulation/constraint.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

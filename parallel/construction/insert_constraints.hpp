@@ -5,7 +5,6 @@
 
 #include "../../core/result.hpp"
 #include "../concurrency/threads.hpp"
-#include "../triangulation/constraint.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

@@ -7,7 +7,7 @@
 
 #include "../../core/mesh.hpp"
 #include "../concurrency/threads.hpp"
-#include "../triangulation/constraint.hpp"
+#include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 

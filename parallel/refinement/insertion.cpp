@@ -125,8 +125,10 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
   if (!box.contains_half_open(p)) return Outcome::leaves_box;
   for (const EdgeRef side : {e, other})
     if (!side.none())
-      for (const VertexId v : t_.slot(side).v)
+      for (const VertexId v : t_.slot(side).v) {
+        require_held(t_.points[v]);
         if (!box.contains_half_open(t_.points[v])) return Outcome::leaves_box;
+      }
   const Walk walk = cavity_.find_on_edge(t_, e, PairedDiskQuery{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::foreign) return Outcome::leaves_box;
   // The walk does not test the two triangles at the edge. Rounding may have moved p out of the disk of one of them.

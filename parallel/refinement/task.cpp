@@ -7,11 +7,12 @@
 namespace pardel::engine {
 
 void Task::start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-                 FreeIndices& free, const Report& report) {
+                 FreeIndices& free, const Report& report, bool list_changes) {
   tiles_ = &tiles;
   cell_ = cell;
   box_ = tiles.box_of(cell);
   later_ = later;
+  lists_changes_ = list_changes;
   free_ = &free;
   insertion_.start(free);
   result_ = {};
@@ -36,8 +37,8 @@ bool Task::step() {
 }
 
 TaskResult Task::run(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-                     FreeIndices& free, const Report& report) {
-  start(tiles, cell, seeds, later, free, report);
+                     FreeIndices& free, const Report& report, bool list_changes) {
+  start(tiles, cell, seeds, later, free, report, list_changes);
   std::uint64_t reported = 0;
   for (std::uint64_t steps = 1; step(); ++steps) {
     if (steps % steps_between_reports != 0) continue;
@@ -55,6 +56,8 @@ void Task::hand_on_to_own_cell(QueuedTriangle triangle) {
 void Task::consider_changed() {
   const auto changed = insertion_.changed();
   const auto measures = insertion_.measures();
+  if (lists_changes_) [[unlikely]]
+    for (const TriangleId id : changed) result_.changed.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
   if (measures.empty()) {
     for (const TriangleId id : changed) consider(id);
     return;

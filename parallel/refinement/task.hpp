@@ -24,6 +24,7 @@ struct TaskResult {
   std::vector<HandedOn> handed_on;               ///< to other cells, or to its own if its indices were used up
   std::vector<QueuedTriangle> needs_larger_box;  ///< the point lies in the cell, but the cavity leaves the cell's box
   std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
+  std::vector<QueuedTriangle> changed;  ///< if asked for: the triangles made; those that still exist are current
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
   std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box should fit the box by T1
@@ -44,13 +45,14 @@ class Task {
   /// The largest number of insertions, and of seeds examined, between two calls of a Report: about 0.1 ms.
   static constexpr std::uint64_t steps_between_reports = 64;
 
-  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box.
+  /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. list_changes: the
+  /// result contains the list of changed triangles.
   TaskResult run(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-                 FreeIndices& free, const Report& report);
+                 FreeIndices& free, const Report& report, bool list_changes = false);
 
   /// run() in single steps: call start(), then step() until it returns false, then finish().
   void start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
-             FreeIndices& free, const Report& report = {});
+             FreeIndices& free, const Report& report = {}, bool list_changes = false);
   [[nodiscard]] bool step();
   [[nodiscard]] TaskResult finish() { return std::move(result_); }
 
@@ -102,6 +104,7 @@ class Task {
   Index cell_ = 0;
   Box box_;
   Deferral later_;
+  bool lists_changes_ = false;
 };
 
 }  // namespace pardel::engine

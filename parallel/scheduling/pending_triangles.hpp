@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "../../core/array.hpp"
@@ -31,6 +32,10 @@ class PendingTriangles {
     needs_larger_box_.insert(needs_larger_box_.end(), triangles.begin(), triangles.end());
   }
   [[nodiscard]] bool any_needs_larger_box() const { return !needs_larger_box_.empty(); }
+  [[nodiscard]] std::vector<QueuedTriangle> take_needing_larger_box() { return std::exchange(needs_larger_box_, {}); }
+  /// Keeps, of both lists, the triangles that still exist and for which keep(id) is true.
+  template <class Keep>
+  void keep_if(const Keep& keep);
 
   /// Takes all triangles that `later` defers by their keys out of the list, until bring_back(). The passes in between
   /// then do not examine them.
@@ -60,5 +65,15 @@ class PendingTriangles {
   Array<Deferred> deferred_, set_aside_;
   std::vector<QueuedTriangle> needs_larger_box_;
 };
+
+template <class Keep>
+void PendingTriangles::keep_if(const Keep& keep) {
+  const auto stays = [&](QueuedTriangle triangle) { return triangle.is_current(t_) && keep(triangle.id()); };
+  Array<Deferred> kept;
+  for (const Deferred& d : deferred_)
+    if (stays(d.triangle)) kept.push_back(d);
+  deferred_ = std::move(kept);
+  std::erase_if(needs_larger_box_, [&](QueuedTriangle triangle) { return !stays(triangle); });
+}
 
 }  // namespace pardel::engine

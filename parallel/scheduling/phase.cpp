@@ -1,17 +1,27 @@
 #include "phase.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "../concurrency/parallel_for.hpp"
+#include "partners.hpp"
 
 namespace pardel::engine {
 namespace {
 
 /// So many seeds are examined sooner by one thread than by several, which have to be woken.
 constexpr std::size_t few_seeds = 10'000;
+
+/// Rounds an estimate to a multiple of 1/1024. Sums of such numbers are exact, so their order does not matter.
+constexpr double parts_of_estimate = 1024;
+double rounded(double triangles) {
+  constexpr double most = 1e9;
+  return std::round(std::min(triangles, most) * parts_of_estimate) / parts_of_estimate;
+}
 
 /// One vertex makes two triangles; a fifth is added as a reserve.
 constexpr double insertions_per_triangle = 0.6;
@@ -23,6 +33,14 @@ Index most_vertices(const Triangulation& t, const Options& options) {
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_engine_triangles)));
 }
 
+/// Adds the estimates of all ranks.
+void add_up(std::vector<double>& estimates, Partners& partners) {
+  std::vector<std::uint64_t> parts;
+  for (const double estimate : estimates) parts.push_back(static_cast<std::uint64_t>(estimate * parts_of_estimate));
+  partners.add_up(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) estimates[i] = static_cast<double>(parts[i]) / parts_of_estimate;
+}
+
 /// Estimates the largest number of points that can be inserted into an area to split the triangles that are not
 /// deferred. Their circumradii are at least `apart`, and so are the distances between their circumcentres. Disks around
 /// the circumcentres with half that radius are therefore disjoint.
@@ -32,6 +50,17 @@ double most_insertions(const Deferral& later, double area) {
 }
 
 }  // namespace
+
+void sort_by_place(const Triangulation& t, std::vector<QueuedTriangle>& triangles) {
+  const auto corners = [&](QueuedTriangle triangle) {
+    const auto& v = t.slots[triangle.id()].v;
+    const Point a = t.points[v[0]], b = t.points[v[1]], c = t.points[v[2]];
+    return std::array{a.x, a.y, b.x, b.y, c.x, c.y};
+  };
+  std::ranges::sort(triangles, {}, corners);
+  const auto same = std::ranges::unique(triangles, {}, &QueuedTriangle::id);
+  triangles.erase(same.begin(), same.end());
+}
 
 PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
                          const Threads& threads, const Schedule& schedule)
@@ -51,20 +80,37 @@ std::unique_ptr<Task> PhaseRunner::new_task() {
   return std::make_unique<Task>(t_, assessor_, criteria_, options_.min_edge, own_cell_only);
 }
 
-std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, SeedsByCell& seeds) const {
-  const std::vector<double> wanted = triangles_wanted(seeds);
+std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, const Deferrals& later,
+                                           SeedsByCell& seeds) const {
+  std::vector<double> wanted = triangles_wanted(seeds);
   std::vector<PlannedTask> tasks;
   for (Index cell = 0; cell < tiles.cells(); ++cell)
     if (tiles.colour_of(cell) == colour && !seeds[cell].empty()) {
       tasks.emplace_back();
       tasks.back().cell = cell;
       tasks.back().seeds = std::exchange(seeds[cell], {});
-      tasks.back().insertions = insertions_per_triangle * tiles.sum_over_box(cell, wanted);
     }
+  parallel_for(threads_, tasks.size(), [&](std::size_t i, int) { select_seeds(tasks[i], tiles); });
+  if (partners_ != nullptr) {
+    add_up(wanted, *partners_);
+    partners_->deliver(tasks);
+  }
+  for (PlannedTask& task : tasks) expect_insertions(task, tiles, later, wanted);
   return tasks;
 }
 
-/// For each cell, the estimated number of triangles by which the bounds on size replace the seeds of the cell.
+/// Estimates the number of insertions, from the work in the box, and from the seeds.
+void PhaseRunner::expect_insertions(PlannedTask& task, const Tiles& tiles, const Deferrals& later,
+                                    const std::vector<double>& wanted) {
+  if (task.elsewhere) return;
+  constexpr double insertions_per_seed = 2.5, spare = 32;
+  const double by_size = insertions_per_triangle * tiles.sum_over_box(task.cell, wanted);
+  const double most = most_insertions(later.of(task.cell), tiles.box_area(task.cell));
+  task.insertions = std::min(by_size, most) + spare + insertions_per_seed * static_cast<double>(task.seeds.size());
+}
+
+/// For each cell, the estimated number of triangles by which the bounds on size replace the seeds of the cell. The
+/// order of the seeds does not change it.
 std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) const {
   std::vector<double> wanted(seeds.size(), 0);
   if (!criteria_.has_size()) return wanted;
@@ -77,7 +123,7 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
       ask();
       if (seed.is_current(t_))
         wanted[cell] +=
-            criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()), hints);
+            rounded(criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()), hints));
     }
   });
   return wanted;
@@ -85,11 +131,6 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
 
 void PhaseRunner::run(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later,
                       const Task::Report& report) {
-  parallel_for(threads_, tasks.size(), [&](std::size_t i, int) {
-    const double most = most_insertions(later.of(tasks[i].cell), tiles.box_area(tasks[i].cell));
-    tasks[i].insertions = std::min(tasks[i].insertions, most);
-    select_seeds(tasks[i], tiles);
-  });
   assign_indices(tasks);
   t_.points.resize_uninitialised(vertices_.end());
   t_.origin.resize_uninitialised(vertices_.end());
@@ -120,11 +161,9 @@ bool PhaseRunner::violates_t1(TriangleId id, Index cell, const Tiles& tiles) con
   return a.need == Assessment::Need::split_triangle && tiles.cell_of(assessor_.point_for(id, a)) == cell;
 }
 
-/// Keeps the seeds that are current and lie in the box. Adds their share to the expected number of insertions.
+/// Keeps the seeds that are current and lie in the box, in the order of their places.
 void PhaseRunner::select_seeds(PlannedTask& task, const Tiles& tiles) const {
   const Box box = tiles.box_of(task.cell);
-  constexpr double insertions_per_seed = 2.5, spare = 32;
-  task.insertions += spare;
   SparseAsk ask(threads_.stop);
   std::erase_if(task.seeds, [&](QueuedTriangle seed) {
     ask();
@@ -135,9 +174,9 @@ void PhaseRunner::select_seeds(PlannedTask& task, const Tiles& tiles) const {
         if (violates_t1(seed.id(), task.cell, tiles)) ++task.t1_violations;
         return true;
       }
-    task.insertions += insertions_per_seed;
     return false;
   });
+  sort_by_place(t_, task.seeds);
 }
 
 /// Each task first gets indices for the expected number of insertions and a quarter more. Each task then gets a second
@@ -169,7 +208,8 @@ void PhaseRunner::run_on_threads(const Tiles& tiles, std::vector<PlannedTask>& t
     PlannedTask& planned = tasks[order[i]];
     Task& task = *tasks_[static_cast<std::size_t>(thread)];
     planned.thread = thread;
-    planned.result = task.run(tiles, planned.cell, planned.seeds, later.of(planned.cell), planned.free, report);
+    planned.result = task.run(tiles, planned.cell, planned.seeds, later.of(planned.cell), planned.free, report,
+                              planned.lists_changes);
   });
 }
 
@@ -178,7 +218,8 @@ void PhaseRunner::run_interleaved(const Tiles& tiles, std::vector<PlannedTask>& 
   std::vector<std::size_t> unfinished;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     all.push_back(new_task());
-    all[i]->start(tiles, tasks[i].cell, tasks[i].seeds, later.of(tasks[i].cell), tasks[i].free);
+    all[i]->start(tiles, tasks[i].cell, tasks[i].seeds, later.of(tasks[i].cell), tasks[i].free, {},
+                  tasks[i].lists_changes);
     unfinished.push_back(i);
   }
   while (!unfinished.empty()) {

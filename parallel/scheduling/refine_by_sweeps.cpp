@@ -1,7 +1,9 @@
 #include "refine_by_sweeps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,9 +11,11 @@
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/lattice_levels.hpp"
 #include "../triangulation/compact.hpp"
+#include "../triangulation/held.hpp"
 #include "../triangulation/radii.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
+#include "partners.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
 #include "tiling_record.hpp"
@@ -48,11 +52,14 @@ Error t1_violated(const Sweep& sweep) {
 class Refinement {
  public:
   Refinement(Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options,
-             ProgressMonitor& progress, const Schedule& schedule, const Watcher& watcher)
+             ProgressMonitor& progress, const Schedule& schedule, const Watcher& watcher, Partners* partners)
       : t_(t),
+        segments_(segments),
         criteria_(criteria),
         options_(options),
+        schedule_(schedule),
         watcher_(watcher),
+        partners_(partners),
         assessor_(t, segments, criteria, options),
         threads_(progress.threads()),
         runner_(t, assessor_, criteria, options, threads_, schedule),
@@ -73,7 +80,11 @@ class Refinement {
       refine_in_quadtree(bounds);
     else
       refine_in_lattice(bounds, finest);
-    compact(t_, runner_.vertices(), runner_.triangles(), threads_);
+    if (partners_ == nullptr) compact(t_, runner_.vertices(), runner_.triangles(), threads_);
+    if (is_divided_) {
+      add_up_counts();
+      partners_->finish();
+    }
     // A triangle is left over if its split point lies in no triangle, or if the refinement ended early.
     counts_.left_alone = counts_.left_alone || pending_.any_needs_larger_box();
     counts_.tiling = std::move(record_).take();
@@ -99,7 +110,9 @@ class Refinement {
     for (const Lattice& lattice : lattice_levels(bounds, finest)) levels.emplace_back(lattice);
     go_down(levels);
     lay_finest(bounds, levels);
-    refine_on_finest(levels.back(), Deferral{.last_key = pending_.median_key()});
+    const Deferral shorter_half{.last_key = pending_.median_key()};
+    if (partners_ != nullptr) divide(levels.back());
+    refine_on_finest(levels.back(), shorter_half);
     go_up(levels);
   }
 
@@ -122,6 +135,7 @@ class Refinement {
                        counts_.inserted + counts_.segment_splits);
     std::vector<Deferral> shorter_half;
     for (const unsigned key : pending_.median_keys(levels.back())) shorter_half.push_back({.last_key = key});
+    if (partners_ != nullptr) divide(levels.back());
     refine_on_finest(levels.back(), Deferrals(std::move(shorter_half)));
     go_up(levels);
   }
@@ -196,10 +210,39 @@ class Refinement {
     refine_due(finest, {});
   }
 
+  /// From here on, each rank refines its own cells of the finest tiles. Each triangle that waits waits on one rank.
+  void divide(const Tiles& finest) {
+    // A cell without work takes some time and memory, too.
+    std::vector<double> work(finest.cells(), 1);
+    for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += each.triangles;
+    partners_->divide(finest, work, runner_);
+    runner_.set_partners(partners_);
+    is_divided_ = true;
+    if (!partners_->is_first()) counts_ = {};  // what all ranks have done alike counts once
+    pending_.keep_if([&](TriangleId id) { return partners_->is_at_home(id); });
+  }
+
   /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels.
   void go_up(const Levels& levels) {
+    if (partners_ != nullptr) return go_up_in_excerpt(levels);
     for (std::size_t level = levels.size() - 1; level-- > 0;)
       sweep_to_fixpoint(levels[level], pending_.take_needing_larger_box_by_cell(levels[level]), {});
+  }
+
+  void go_up_in_excerpt(const Levels& levels) {
+    const std::vector<QueuedTriangle> rest = pending_.take_needing_larger_box();
+    partners_->refine_rest(rest, [&](const Partners::Excerpt& excerpt) {
+      Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, schedule_, watcher_, nullptr);
+      in_excerpt.pending_.add_needing_larger_box(excerpt.fill(in_excerpt.runner_));
+      in_excerpt.changed_.emplace();
+      in_excerpt.go_up(levels);
+      counts_.inserted += in_excerpt.counts_.inserted;
+      counts_.segment_splits += in_excerpt.counts_.segment_splits;
+      counts_.refused += in_excerpt.counts_.refused;
+      counts_.left_alone =
+          counts_.left_alone || in_excerpt.counts_.left_alone || in_excerpt.pending_.any_needs_larger_box();
+      return *std::move(in_excerpt.changed_);
+    });
   }
 
   void refine_due(const Tiles& tiles, const Deferrals& later) {
@@ -209,7 +252,7 @@ class Refinement {
   void sweep_to_fixpoint(const Tiles& tiles, SeedsByCell seeds, const Deferrals& later) {
     const auto waiting = [&] {
       return !counts_.budget_reached &&
-             std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); });
+             on_any_rank(std::any_of(seeds.begin(), seeds.end(), [](const auto& of_cell) { return !of_cell.empty(); }));
     };
     // A triangle may need a point in one cell, then a point in another cell. Two tasks could hand it on to each other
     // for ever. After two sweeps without an insertion both have tried, and the triangle needs a larger box.
@@ -217,11 +260,40 @@ class Refinement {
     for (const std::vector<QueuedTriangle>& of_cell : seeds) pending_.add_needing_larger_box(of_cell);
   }
 
+  [[nodiscard]] bool on_any_rank(bool here) const {
+    if (!is_divided_) return here;
+    std::uint64_t ranks = here ? 1 : 0;
+    partners_->add_up({&ranks, 1});
+    return ranks > 0;
+  }
+
+  void add_up_counts() {
+    std::array counts{counts_.inserted, counts_.segment_splits, counts_.refused};
+    partners_->add_up(counts);
+    counts_.inserted = counts[0];
+    counts_.segment_splits = counts[1];
+    counts_.refused = counts[2];
+    counts_.left_alone = on_any_rank(counts_.left_alone);
+  }
+
+  /// Replaces the counts of this rank by those of all ranks.
+  void add_up(Sweep& sweep) const {
+    std::array counts{sweep.inserted, sweep.to_other_cells, sweep.beyond_box, sweep.out_of_numbers,
+                      sweep.against_promise};
+    partners_->add_up(counts);
+    sweep.inserted = counts[0];
+    sweep.to_other_cells = counts[1];
+    sweep.beyond_box = counts[2];
+    sweep.out_of_numbers = counts[3];
+    sweep.against_promise = counts[4];
+  }
+
   /// Returns the number of vertices inserted.
   std::uint64_t sweep(const Tiles& tiles, SeedsByCell& seeds, const Deferrals& later) {
     Stopwatch watch;
     Sweep done{tiles.columns(), tiles.rows()};
     for (unsigned colour = 0; colour < tiles.colours(); ++colour) run_phase(tiles, colour, seeds, later, done);
+    if (is_divided_) add_up(done);
     done.seconds = watch.seconds();
     record_.add_sweep(done);
     if (runner_.vertices().available() == 0) counts_.budget_reached = counts_.left_alone = true;
@@ -230,14 +302,18 @@ class Refinement {
   }
 
   void run_phase(const Tiles& tiles, unsigned colour, SeedsByCell& seeds, const Deferrals& later, Sweep& done) {
-    std::vector<PlannedTask> tasks = runner_.plan(tiles, colour, seeds);
-    if (tasks.empty()) return;
-    runner_.run(tiles, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
+    std::vector<PlannedTask> tasks = runner_.plan(tiles, colour, later, seeds);
+    if (changed_)
+      for (PlannedTask& task : tasks) task.lists_changes = true;
+    if (!tasks.empty()) runner_.run(tiles, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
+    if (is_divided_) partners_->exchange_changes(tasks);
     for (const PlannedTask& task : tasks) {
       threads_.ask();
+      if (changed_)
+        for (const QueuedTriangle triangle : task.result.changed) changed_->push_back(triangle.id());
       for (const HandedOn& h : task.result.handed_on) seeds[h.cell].push_back(h.triangle);
       collect(task, done);
-      record_.add_task(tiles, task.cell, task.thread);
+      if (!task.elsewhere) record_.add_task(tiles, task.cell, task.thread);
     }
     pending_.defer_all_of(tasks);
     progress_.phase_ended(runner_.vertices().in_use(), runner_.triangles().in_use());
@@ -268,9 +344,14 @@ class Refinement {
   }
 
   Triangulation& t_;
+  const DomainSegments& segments_;
   const Criteria& criteria_;
   const Options& options_;
+  const Schedule& schedule_;
   const Watcher& watcher_;
+  Partners* partners_;
+  bool is_divided_ = false;
+  std::optional<std::vector<TriangleId>> changed_;  ///< in an excerpt: the triangles made, with repetitions
   Assessor assessor_;
   Threads threads_;
   PhaseRunner runner_;
@@ -284,12 +365,16 @@ class Refinement {
 
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, ProgressMonitor& progress, const Schedule& schedule,
-                                      const Watcher& watcher) try {
-  Refinement refinement(t, segments, criteria, options, progress, schedule, watcher);
+                                      const Watcher& watcher, Partners* partners) try {
+  Refinement refinement(t, segments, criteria, options, progress, schedule, watcher, partners);
   if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 } catch (const Stopped& stopped) {
   return stopped.error;
+} catch (const NotHeld&) {
+  return Error{ErrorKind::internal,
+               "a self-check of the refinement failed: a task needed a triangle that its rank does "
+               "not hold"};
 }
 
 }  // namespace pardel::engine

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "../concurrency/threads.hpp"
-#include "constraint.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

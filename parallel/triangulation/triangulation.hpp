@@ -52,6 +52,11 @@ class EdgeRef {
 /// The largest number of triangles that an EdgeRef can distinguish.
 inline constexpr TriangleId max_engine_triangles = (TriangleId{1} << 29U) - 1;
 
+/// A constraint: an edge that the triangulation must contain, given by its two vertices.
+struct Constraint {
+  VertexId a, b;
+};
+
 /// One element of the array of triangles. Its position is the id of the triangle. Insertions and flips reuse slots, so
 /// one slot holds different triangles over time.
 struct Slot {

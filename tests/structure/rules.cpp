@@ -33,13 +33,14 @@ const std::vector<Layer>& layers() {
       {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
       {"cli", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"cli/harness", {"core", "properties/checker", "properties/domains", "cli"}},
+      {"mpi", {"core", "parallel", "cli"}},
       {"fuzz", {"core", "parallel", "properties/checker", "properties/domains"}},
-      {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli"}},
+      {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli", "mpi"}},
       {"examples", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"scripts", {}},
       {"tests",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",
-        "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz"}},
+        "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz", "mpi"}},
   };
   return table;
 }
@@ -75,6 +76,8 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/conversion", 7, "pardel::engine"},
       {"parallel", "parallel/diagnosis", 8, "pardel::engine"},
       {"parallel", "parallel/filling", 8, "pardel::engine"},
+      {"parallel", "parallel/planning", 9, "pardel::engine"},
+      {"parallel", "parallel/distribution", 10, "pardel::engine"},
       {"properties/domains", "properties/domains/generators/lattice", 0, "pardel::generators"},
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
       {"properties/checker", "properties/checker/model", 1, "pardel::checker"},
@@ -94,6 +97,7 @@ const std::vector<Exception>& exceptions() {
       {"parallel", "core/support", "core/support is for all folders of the project"},
       {"properties", "core/support", "core/support is for all folders of the project"},
       {"cli", "core/support", "core/support is for all folders of the project"},
+      {"mpi", "core/support", "core/support is for all folders of the project"},
       {"bench", "core/support", "core/support is for all folders of the project"},
       {"tests", "core/support", "core/support is for all folders of the project"},
       {"tests/core", "core/formats", "tests the rooms of core"},

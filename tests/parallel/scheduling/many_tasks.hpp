@@ -33,7 +33,7 @@ inline const std::vector<Case>& cases() {
         {"cracks", domains::cracks(), {.min_angle_deg = 30, .max_area = 0.005, .conforming = true}, {3, 3}},
         {"wedge", domains::wedge(12, 7), {.min_angle_deg = 28, .max_area = 0.005}, {3, 4}},
         {"points", domains::random_points(300, 3), {.min_angle_deg = 30}, {8, 8}},
-        {"lattice", domains::grid_points(9), {.max_area = 0.026}, {4, 4}},
+        {"lattice", domains::grid_points(9), {.max_area = 0.02}, {4, 4}},
         {"far", domains::moved(domains::cracks(), 654321, 4987654), {.min_angle_deg = 25, .max_area = 0.005}, {3, 3}},
     };
     return list;

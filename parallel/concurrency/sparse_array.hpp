@@ -1,0 +1,34 @@
+// An array of which few parts are used.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "../../core/pslg.hpp"
+
+namespace pardel::engine {
+
+/// Maps all indices to values; those that were never set have the value T{}. Memory is used only for the pages of 1024
+/// indices in which a value was set. Constant time.
+template <class T>
+class SparseArray {
+ public:
+  [[nodiscard]] T get(Index i) const {
+    const std::size_t page = i / size_of_page;
+    return page < pages_.size() && pages_[page] ? (*pages_[page])[i % size_of_page] : T{};
+  }
+  void set(Index i, const T& value) {
+    const std::size_t page = i / size_of_page;
+    if (page >= pages_.size()) pages_.resize(page + 1);
+    if (!pages_[page]) pages_[page] = std::make_unique<Page>();
+    (*pages_[page])[i % size_of_page] = value;
+  }
+
+ private:
+  static constexpr Index size_of_page = 1024;
+  using Page = std::array<T, size_of_page>;
+  std::vector<std::unique_ptr<Page>> pages_;
+};
+
+}  // namespace pardel::engine

@@ -1,0 +1,56 @@
+// One mesh made by several processes (ranks). No rank ever holds all of it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../core/digest.hpp"
+#include "../core/goal.hpp"
+#include "../core/mesh.hpp"
+#include "options.hpp"
+#include "../core/ranks.hpp"
+#include "report.hpp"
+#include "validate.hpp"
+
+namespace pardel {
+
+/// The vertices that the pieces of two ranks have in common.
+struct SharedVertices {
+  int rank = 0;  ///< the other rank
+  std::vector<Index>
+      vertices;  ///< points of this piece, in the order of their numbers; the other rank has the same list
+};
+
+/// The part of a mesh that belongs to one rank. Each triangle, and each constrained edge, belongs to one rank.
+struct MeshPiece {
+  /// The triangles, with all their corners, in numbers of the piece. Triangles have no neighbours in other pieces.
+  Mesh mesh;
+  /// For each point of `mesh`, its number in the whole mesh: input points first, in their order, then the others. The
+  /// numbers depend on the domain, the goal and the options only, not on the number of ranks.
+  Array<std::uint64_t> number;
+  std::vector<SharedVertices> shared;  ///< in ascending order of ranks
+  std::uint64_t first_triangle = 0;    ///< the number of triangles of the ranks before this one
+  // Of the whole mesh:
+  std::uint64_t points = 0, triangles = 0, constrained_edges = 0;
+  double seconds = 0;  ///< to make the piece after the refinement
+  /// Of the whole run, but the exemptions and the tasks of the tiling are those of this rank. Exemption::triangle is a
+  /// triangle of the piece.
+  Report report;
+};
+
+/// Makes the mesh of mesh(domain, goal, options), and divides it among the ranks. Collective: all ranks pass equal
+/// arguments, but options.threads may differ. Every rank refines the coarse levels for itself. Then each rank refines
+/// the tiles that it owns, which follow each other on a space-filling curve, and exchanges triangles near its border
+/// with the other ranks after each phase. The mesh depends neither on the number of ranks nor on threads.
+///
+/// Memory of a rank: its share of the mesh, a margin of one tile around it, the input, and the coarse levels.
+///
+/// Errors, beside those of mesh(): `usage` for options.max_vertices, options.after_sweep and Interior::fill, which are
+/// for one process. Errors of validation and of the coarse levels occur on all ranks alike. If a later error occurs on
+/// one rank only, the other ranks wait for it; the caller has to end them (MPI_Abort).
+[[nodiscard]] Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks);
+
+/// The digest of the whole mesh (core/digest.hpp). Collective.
+[[nodiscard]] Digest digest(const MeshPiece& piece, Ranks& ranks);
+
+}  // namespace pardel

@@ -1,0 +1,241 @@
+#include "distribution.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "../../core/support/point_order.hpp"
+#include "../triangulation/held.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// A seed on its way to the rank that owns the cell.
+struct TravellingSeed {
+  Name triangle;
+  Index cell;
+};
+
+std::vector<TriangleId> without_repetitions(std::vector<TriangleId> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+/// Copies the vertices that all ranks have in common, and makes one slot without a triangle: arrays of regions that are
+/// empty would mean that there are no regions.
+Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
+  Triangulation excerpt;
+  excerpt.points.append(t.points.span().first(common_vertices));
+  excerpt.origin.append(t.origin.span().first(common_vertices));
+  excerpt.slots.resize(1);
+  if (!t.region.empty()) excerpt.region.resize(1);
+  return excerpt;
+}
+
+}  // namespace
+
+void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
+  ownership_.emplace(tiles, work, ranks_.count());
+  common_ = {runner.vertices().end(), runner.triangles().end()};
+  part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common_);
+  for (Index cell = 0; cell < tiles.cells(); ++cell) {
+    other_watchers_.push_back(ownership_->watchers_of_box(cell));
+    std::erase(other_watchers_.back(), ranks_.rank());
+  }
+  std::vector<TriangleId> not_held;
+  part_->for_each_triangle([&](TriangleId id) {
+    if (!is_held_by(ranks_.rank(), t_, id)) not_held.push_back(id);
+  });
+  for (const TriangleId id : not_held) part_->drop(id);
+}
+
+bool Distribution::is_held_by(int rank, const Triangulation& t, TriangleId id) const {
+  return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return ownership_->watches(rank, t.points[v]); });
+}
+
+int Distribution::owner_of_triangle(TriangleId id) const {
+  const auto& v = t_.slots[id].v;
+  const VertexId least = *std::ranges::min_element(
+      v, [&](VertexId a, VertexId b) { return lexicographically_less(t_.points[a], t_.points[b]); });
+  return owner_of(least);
+}
+
+std::vector<Ranks::Bytes> Distribution::exchange(std::vector<Writer>& messages) {
+  std::vector<Ranks::Bytes> bytes;
+  for (Writer& message : messages) bytes.push_back(message.take());
+  return ranks_.exchange(std::move(bytes));
+}
+
+void Distribution::receive(const std::vector<Ranks::Bytes>& messages) {
+  std::vector<Reader> readers;
+  for (const Ranks::Bytes& message : messages)
+    if (!message.empty()) readers.emplace_back(message);
+  part_->read(readers);
+}
+
+void Distribution::deliver(std::vector<PlannedTask>& tasks) {
+  std::vector<std::vector<TravellingSeed>> seeds(ranks_.count());
+  for (PlannedTask& task : tasks) {
+    const int owner = ownership_->owner(task.cell);
+    task.elsewhere = owner != ranks_.rank();
+    if (!task.elsewhere) continue;
+    for (const QueuedTriangle seed : task.seeds) seeds[owner].push_back({part_->name_of(seed.id()), task.cell});
+    task.seeds.clear();
+  }
+  std::vector<Writer> messages(ranks_.count());
+  for (int rank = 0; rank < ranks_.count(); ++rank)
+    if (!seeds[rank].empty()) messages[rank].list(seeds[rank]);
+
+  std::vector<TravellingSeed> arrived;
+  for (const Ranks::Bytes& message : exchange(messages)) {
+    if (message.empty()) continue;
+    const std::vector<TravellingSeed> list = Reader(message).list<TravellingSeed>();
+    arrived.insert(arrived.end(), list.begin(), list.end());
+  }
+  std::ranges::stable_sort(arrived, {}, &TravellingSeed::cell);
+  std::vector<PlannedTask> fresh;
+  for (auto next = arrived.begin(); next != arrived.end();) {
+    const Index cell = next->cell;
+    if (cell >= ownership_->cells() || ownership_->owner(cell) != ranks_.rank()) throw Reader::does_not_match();
+    auto task = std::ranges::lower_bound(tasks, cell, {}, &PlannedTask::cell);
+    const bool is_planned = task != tasks.end() && task->cell == cell;
+    PlannedTask& receiver = is_planned ? *task : fresh.emplace_back();
+    receiver.cell = cell;
+    for (; next != arrived.end() && next->cell == cell; ++next) {
+      const TriangleId id = part_->triangle(next->triangle);
+      if (id == no_index) throw Reader::does_not_match();
+      receiver.seeds.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
+    }
+    sort_by_place(t_, receiver.seeds);
+  }
+  std::ranges::move(fresh, std::back_inserter(tasks));
+  std::ranges::sort(tasks, {}, &PlannedTask::cell);
+  for (PlannedTask& task : tasks) task.lists_changes = !other_watchers_[task.cell].empty();
+}
+
+void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
+  std::vector<Outgoing> outgoing(ranks_.count());
+  for (PlannedTask& task : tasks)
+    for (const QueuedTriangle triangle : std::exchange(task.result.changed, {})) {
+      if (!triangle.is_current(t_)) continue;
+      const TriangleId id = triangle.id();
+      for (const int rank : other_watchers_[task.cell]) {
+        if (is_held_by(rank, t_, id))
+          outgoing[rank].triangles.push_back(id);
+        else if (part_->is_known_elsewhere(id))
+          outgoing[rank].dropped.push_back(part_->name_of(id));
+      }
+    }
+  std::vector<Writer> messages(ranks_.count());
+  for (int rank = 0; rank < ranks_.count(); ++rank) {
+    const Outgoing& out = outgoing[rank];
+    if (!out.triangles.empty() || !out.dropped.empty()) part_->write(out.triangles, out.dropped, messages[rank]);
+  }
+  receive(exchange(messages));
+}
+
+/// Sends to rank 0 the triangles with a corner in the cells, or in those that are at most `reach` steps away from them.
+std::vector<Ranks::Bytes> Distribution::excerpt_around(std::span<const Index> cells, unsigned reach, bool& is_all) {
+  std::vector<char> is_in(ownership_->cells(), 0);
+  std::vector<Index> frontier;
+  const auto add = [&](Index cell) {
+    if (std::exchange(is_in[cell], 1) == 0) frontier.push_back(cell);
+  };
+  for (const Index cell : cells) add(cell);
+  for (unsigned step = 0; step < reach; ++step)
+    for (const Index cell : std::exchange(frontier, {}))
+      for (const Index other : ownership_->touching(cell)) add(other);
+  is_all = std::ranges::count(is_in, 1) == static_cast<std::ptrdiff_t>(is_in.size());
+
+  std::vector<TriangleId> found;
+  part_->for_each_triangle([&](TriangleId id) {
+    if (std::ranges::any_of(t_.slots[id].v, [&](VertexId v) {
+          const Index cell = cell_of(v);
+          return is_in[cell] != 0 && ownership_->owner(cell) == ranks_.rank();
+        }))
+      found.push_back(id);
+  });
+  std::vector<Writer> messages(ranks_.count());
+  if (!found.empty()) part_->write(found, {}, messages[0]);
+  return exchange(messages);
+}
+
+void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) {
+  std::uint64_t count = rest.size();
+  ranks_.add_up({&count, 1});
+  if (count == 0) return;
+  std::vector<Name> names;
+  std::vector<Index> cells;
+  for (const QueuedTriangle triangle : rest) {
+    if (!triangle.is_current(t_)) continue;
+    names.push_back(part_->name_of(triangle.id()));
+    for (const VertexId v : t_.slots[triangle.id()].v) cells.push_back(cell_of(v));
+  }
+  std::vector<Writer> messages(ranks_.count());
+  for (Writer& message : messages) {
+    message.list(names);
+    message.list(cells);
+  }
+  names.clear();
+  cells.clear();
+  for (const Ranks::Bytes& message : exchange(messages)) {
+    Reader reader(message);
+    const auto more_names = reader.list<Name>();
+    const auto more_cells = reader.list<Index>();
+    names.insert(names.end(), more_names.begin(), more_names.end());
+    cells.insert(cells.end(), more_cells.begin(), more_cells.end());
+  }
+
+  bool is_all = false;
+  for (unsigned reach = 2;; reach *= 2) {
+    const std::vector<Ranks::Bytes> excerpt = excerpt_around(cells, reach, is_all);
+    std::uint64_t is_done = 0;
+    if (ranks_.rank() == 0 && refine_excerpt(excerpt, names, refine, messages)) is_done = 1;
+    ranks_.add_up({&is_done, 1});
+    if (is_done != 0) break;
+    if (is_all) throw NotHeld{};
+  }
+  receive(exchange(messages));
+}
+
+/// Writes the changes into the messages. Returns false if the excerpt was too small.
+bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std::span<const Name> names,
+                                  const RefineExcerpt& refine, std::vector<Writer>& messages) {
+  Triangulation t = empty_excerpt(t_, common_.vertices);
+  std::optional<HeldPart> part;
+  const std::uint32_t creator = Name::rank(ranks_.count());
+  const auto fill = [&](PhaseRunner& runner) {
+    part.emplace(t, runner.vertices(), runner.triangles(), creator, HeldPart::Common{common_.vertices, 0});
+    part->forget(0);
+    std::vector<Reader> readers;
+    for (const Ranks::Bytes& message : excerpt)
+      if (!message.empty()) readers.emplace_back(message);
+    part->read(readers);
+    std::vector<QueuedTriangle> entries;
+    for (const Name name : names) {
+      const TriangleId id = part->triangle(name);
+      if (id == no_index) throw Reader::does_not_match();
+      entries.push_back(QueuedTriangle::now(t, EdgeRef(id, 0)));
+    }
+    return entries;
+  };
+  std::vector<TriangleId> changed;
+  try {
+    changed = without_repetitions(refine({fill, t}));
+  } catch (const NotHeld&) {
+    return false;
+  }
+  for (int rank = 0; rank < ranks_.count(); ++rank) {
+    Outgoing out;
+    for (const TriangleId id : changed) {
+      if (is_held_by(rank, t, id))
+        out.triangles.push_back(id);
+      else if (part->name_of(id).creator != creator)
+        out.dropped.push_back(part->name_of(id));
+    }
+    if (!changed.empty()) part->write(out.triangles, out.dropped, messages[rank]);
+  }
+  return true;
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,58 @@
+// The part of one rank in a refinement by several ranks.
+#pragma once
+
+#include <optional>
+
+#include "../scheduling/partners.hpp"
+#include "held_part.hpp"
+#include "ownership.hpp"
+
+namespace pardel::engine {
+
+/// The Partners of a refinement. After it, describes which rank has which triangles.
+class Distribution : public Partners {
+ public:
+  /// `t`: the triangulation that is refined.
+  Distribution(Ranks& ranks, Triangulation& t) : ranks_(ranks), t_(t) {}
+
+  void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override;
+  [[nodiscard]] bool is_at_home(TriangleId id) const override { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); }
+  [[nodiscard]] bool is_first() const override { return ranks_.rank() == 0; }
+  void add_up(std::span<std::uint64_t> values) override { ranks_.add_up(values); }
+  void deliver(std::vector<PlannedTask>& tasks) override;
+  void exchange_changes(std::vector<PlannedTask>& tasks) override;
+  void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) override;
+  void finish() override { part_->finish(); }
+
+  // After divide():
+  [[nodiscard]] Ranks& ranks() const { return ranks_; }
+  [[nodiscard]] const Ownership& ownership() const { return *ownership_; }
+  [[nodiscard]] const HeldPart& part() const { return *part_; }
+  [[nodiscard]] Index cell_of(VertexId v) const { return ownership_->cell_of(t_.points[v]); }
+  /// The rank that owns a vertex: the owner of its cell.
+  [[nodiscard]] int owner_of(VertexId v) const { return ownership_->owner(cell_of(v)); }
+  /// The rank to whose piece a triangle belongs: the owner of its lexicographically least corner.
+  [[nodiscard]] int owner_of_triangle(TriangleId id) const;
+
+ private:
+  /// For each rank: triangles, and the names of slots whose triangles it no longer holds.
+  struct Outgoing {
+    std::vector<TriangleId> triangles;
+    std::vector<Name> dropped;
+  };
+  [[nodiscard]] bool is_held_by(int rank, const Triangulation& t, TriangleId id) const;
+  [[nodiscard]] std::vector<Ranks::Bytes> exchange(std::vector<Writer>& messages);
+  void receive(const std::vector<Ranks::Bytes>& messages);
+  [[nodiscard]] std::vector<Ranks::Bytes> excerpt_around(std::span<const Index> cells, unsigned reach, bool& is_all);
+  [[nodiscard]] bool refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std::span<const Name> names,
+                                    const RefineExcerpt& refine, std::vector<Writer>& messages);
+
+  Ranks& ranks_;
+  Triangulation& t_;
+  std::optional<Ownership> ownership_;
+  std::optional<HeldPart> part_;
+  std::vector<std::vector<int>> other_watchers_;  ///< per cell: Ownership::watchers_of_box() without this rank
+  HeldPart::Common common_{};
+};
+
+}  // namespace pardel::engine

@@ -1,0 +1,221 @@
+#include "held_part.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace pardel::engine {
+
+struct HeldPart::TravellingVertex {
+  std::uint64_t name;
+  Point at;
+  Index origin;
+  Index unused = 0;
+};
+
+struct HeldPart::TravellingTriangle {
+  std::uint64_t name;
+  std::array<Index, 3> v;          ///< places in the message's list of vertices
+  Index region;                    ///< no_index if triangles have no regions
+  std::array<std::uint64_t, 3> n;  ///< see HeldPart::travelling
+};
+
+namespace {
+
+/// A side of a triangle as it travels: the name of the neighbour's slot, the side there, and the constrained bit. Two
+/// special values say that there is no neighbour, and that the sender does not hold it.
+constexpr std::uint64_t no_neighbour = UINT64_MAX, not_held = UINT64_MAX - 2;
+constexpr std::uint64_t constrained_bit = 1;
+constexpr unsigned bits_of_side = 3;
+
+/// So many indices are taken at a time.
+constexpr std::size_t chunk = 1024;
+
+std::vector<IndexRange> some_of(IndexAllocator& indices, std::size_t count) {
+  std::vector<IndexRange> ranges;
+  indices.allocate(count, ranges);
+  if (ranges.empty() && count > 0)
+    throw Stopped{{ErrorKind::resources, "a rank has more triangles than it can number"}};
+  return ranges;
+}
+
+}  // namespace
+
+HeldPart::HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self,
+                   Common common)
+    : t_(t),
+      vertices_(vertices),
+      triangles_(&triangles),
+      common_(common),
+      vertex_names_(self, common.vertices),
+      triangle_names_(self, common.triangles),
+      beyond_(0),
+      nowhere_(0) {
+  // Unused indices among the common ones must not be used for something new: all ranks would give it the same name.
+  static_cast<void>(some_of(vertices_, vertices_.end() - vertices_.in_use()));
+  const std::vector<IndexRange> unused = some_of(*triangles_, triangles_->end() - triangles_->in_use());
+  nowhere_ = new_vertex();
+  beyond_ = new_slot();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  t_.points[nowhere_] = {nan, nan};
+  t_.slots[beyond_].v.fill(nowhere_);
+  for (const IndexRange range : unused)
+    for (TriangleId id = range.begin; id < range.end; ++id) forget(id);
+}
+
+void HeldPart::make_room() {
+  if (t_.points.size() < vertices_.end()) {
+    t_.points.resize_uninitialised(vertices_.end());
+    t_.origin.resize_uninitialised(vertices_.end());
+  }
+  if (t_.slots.size() < triangles_->end()) {
+    t_.slots.resize_uninitialised(triangles_->end());
+    if (!t_.region.empty()) t_.region.resize_uninitialised(triangles_->end());
+  }
+}
+
+Index HeldPart::new_vertex() {
+  if (new_vertices_.left() == 0) {
+    new_vertices_ = IndexPool(some_of(vertices_, chunk));
+    make_room();
+  }
+  return new_vertices_.take();
+}
+
+Index HeldPart::new_slot() {
+  if (spare_.empty()) {
+    const std::vector<IndexRange> ranges = some_of(*triangles_, chunk);
+    make_room();
+    for (const IndexRange range : ranges)
+      for (TriangleId id = range.begin; id < range.end; ++id) {
+        t_.slots[id] = {{nowhere_, nowhere_, nowhere_}, {}};
+        spare_.push_back(id);
+      }
+  }
+  const TriangleId id = spare_.back();
+  spare_.pop_back();
+  return id;
+}
+
+/// The neighbours of the triangle no longer refer to it.
+void HeldPart::detach(TriangleId id) {
+  for (unsigned side = 0; side < 3; ++side) {
+    const EdgeRef across = t_.slots[id].n[side];
+    if (across.none() || is_beyond(across)) continue;
+    EdgeRef& back = t_.slots[across.triangle()].n[across.side()];
+    if (!back.none() && back.triangle() == id) back = beyond(back.constrained());
+  }
+}
+
+void HeldPart::forget(TriangleId id) {
+  t_.slots[id] = {{nowhere_, nowhere_, nowhere_}, {}};
+  triangle_names_.release(id);
+  spare_.push_back(id);
+}
+
+void HeldPart::drop(TriangleId id) {
+  detach(id);
+  forget(id);
+}
+
+std::uint64_t HeldPart::travelling(EdgeRef across) const {
+  if (across.none()) return no_neighbour;
+  const std::uint64_t constrained = across.constrained() ? constrained_bit : 0;
+  if (is_beyond(across)) return not_held - 1 + constrained;
+  return Names::packed(name_of(across.triangle())) << bits_of_side | across.side() << 1U | constrained;
+}
+
+void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message) {
+  std::vector<TravellingVertex> vertices;
+  std::vector<VertexId> written;
+  const auto place_of = [&](VertexId v) {
+    Index place = place_in_message_.get(v);
+    if (place == 0) {
+      vertices.push_back({Names::packed(vertex_names_.of(v)), t_.points[v], t_.origin[v]});
+      written.push_back(v);
+      place = static_cast<Index>(vertices.size());
+      place_in_message_.set(v, place);
+    }
+    return place - 1;
+  };
+  std::vector<TravellingTriangle> list;
+  list.reserve(triangles.size());
+  for (const TriangleId id : triangles) {
+    is_known_elsewhere_.set(id, 1);
+    const Slot& slot = t_.slots[id];
+    list.push_back({Names::packed(name_of(id)),
+                    {place_of(slot.v[0]), place_of(slot.v[1]), place_of(slot.v[2])},
+                    t_.region.empty() ? no_index : t_.region[id],
+                    {travelling(slot.n[0]), travelling(slot.n[1]), travelling(slot.n[2])}});
+  }
+  for (const VertexId v : written) place_in_message_.set(v, 0);
+  message.list(vertices);
+  message.list(list);
+  message.list(std::span<const Name>(dropped));
+}
+
+VertexId HeldPart::place(const TravellingVertex& vertex) {
+  const Name name = Names::unpacked(vertex.name);
+  VertexId v = vertex_names_.index_of(name);
+  if (v == no_index) {
+    v = new_vertex();
+    vertex_names_.bind(name, v);
+    t_.points[v] = vertex.at;
+    t_.origin[v] = vertex.origin;
+  }
+  return v;
+}
+
+TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const VertexId> vertices) {
+  const Name name = Names::unpacked(triangle.name);
+  TriangleId id = triangle_names_.index_of(name);
+  if (id == no_index) {
+    id = new_slot();
+    triangle_names_.bind(name, id);
+    is_known_elsewhere_.set(id, 1);
+  } else {
+    detach(id);
+  }
+  Slot& slot = t_.slots[id];
+  for (unsigned i = 0; i < 3; ++i) {
+    if (triangle.v[i] >= vertices.size()) throw Reader::does_not_match();
+    slot.v[i] = vertices[triangle.v[i]];
+    slot.n[i] = triangle.n[i] == no_neighbour ? EdgeRef() : beyond((triangle.n[i] & constrained_bit) != 0);
+  }
+  if (!t_.region.empty()) t_.region[id] = triangle.region;
+  return id;
+}
+
+void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
+  for (unsigned side = 0; side < 3; ++side) {
+    const std::uint64_t across = triangle.n[side];
+    if (across >= not_held - 1) continue;
+    const TriangleId other = triangle_names_.index_of(Names::unpacked(across >> bits_of_side));
+    if (other == no_index) continue;
+    t_.link({id, side}, {other, static_cast<unsigned>(across >> 1U & 3U), (across & constrained_bit) != 0});
+  }
+}
+
+struct HeldPart::Arrived {
+  std::vector<TravellingTriangle> triangles;
+  std::vector<TriangleId> ids;
+};
+
+void HeldPart::read(std::span<Reader> messages) {
+  std::vector<Arrived> all;
+  for (Reader& message : messages) {
+    std::vector<VertexId> vertices;
+    for (const TravellingVertex& vertex : message.list<TravellingVertex>()) vertices.push_back(place(vertex));
+    Arrived& arrived = all.emplace_back();
+    arrived.triangles = message.list<TravellingTriangle>();
+    const std::vector<Name> dropped = message.list<Name>();
+    for (const Name name : dropped)
+      if (const TriangleId id = triangle(name); id != no_index) drop(id);
+    for (const TravellingTriangle& triangle : arrived.triangles) arrived.ids.push_back(place(triangle, vertices));
+  }
+  for (const Arrived& arrived : all)
+    for (std::size_t i = 0; i < arrived.ids.size(); ++i) link(arrived.triangles[i], arrived.ids[i]);
+  vertices_.settle();
+  triangles_->settle();
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,107 @@
+// The part of a triangulation that one rank holds, and how parts of it travel to other ranks.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "../concurrency/index_allocator.hpp"
+#include "../triangulation/triangulation.hpp"
+#include "message.hpp"
+#include "names.hpp"
+
+namespace pardel::engine {
+
+/// Triangles of one rank, with names that other ranks understand. At the border of the part, triangles have the
+/// neighbour `beyond` (triangulation/held.hpp).
+class HeldPart {
+ public:
+  /// What all ranks have in common: vertices and slots with the same indices, from 0 on.
+  struct Common {
+    Index vertices, triangles;
+  };
+  /// The allocators are those of t; new indices are taken from them. Common indices are named after everyone, others
+  /// after `self`.
+  HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self, Common common);
+
+  /// True if the slot contains a triangle of the part. Precondition: no phase runs.
+  [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
+  /// Calls visit(id) for all triangles of the part. Precondition: no phase runs.
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const {
+    for_each_triangle(0, triangles_->end(), visit);
+  }
+  /// The same for the slots from `first` to `last` - 1.
+  template <class Visit>
+  void for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const;
+  /// True if another rank may know the name of the slot.
+  [[nodiscard]] bool is_known_elsewhere(TriangleId id) const {
+    return id < common_.triangles || is_known_elsewhere_.get(id);
+  }
+  /// True if the triangle across the side is not held. False on the boundary of the domain.
+  [[nodiscard]] bool is_beyond(EdgeRef across) const { return !across.none() && across.triangle() == beyond_; }
+  [[nodiscard]] Name name_of(TriangleId id) const { return triangle_names_.of(id); }
+  [[nodiscard]] Name name_of_vertex(VertexId v) const { return vertex_names_.of(v); }
+  /// no_index if the rank does not hold it.
+  [[nodiscard]] TriangleId triangle(Name name) const { return triangle_names_.index_of(name); }
+  [[nodiscard]] VertexId vertex(Name name) const { return vertex_names_.index_of(name); }
+
+  /// To be called before the allocators are destroyed. Afterwards the part does not change.
+  void finish() {
+    final_triangles_ = *triangles_;
+    triangles_ = &*final_triangles_;
+  }
+
+  /// Declares that a slot contains no triangle.
+  void forget(TriangleId id);
+  /// Removes a triangle from the part.
+  void drop(TriangleId id);
+
+  /// Writes triangles, and the names of slots whose triangles the receiver no longer holds.
+  void write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message);
+  /// Takes over the triangles of several messages, each as written by write().
+  void read(std::span<Reader> messages);
+
+ private:
+  struct TravellingVertex;
+  struct TravellingTriangle;
+  struct Arrived;
+
+  [[nodiscard]] EdgeRef beyond(bool constrained) const { return {beyond_, 0, constrained}; }
+  [[nodiscard]] std::uint64_t travelling(EdgeRef across) const;
+  void detach(TriangleId id);
+  [[nodiscard]] VertexId place(const TravellingVertex& vertex);
+  [[nodiscard]] TriangleId place(const TravellingTriangle& triangle, std::span<const VertexId> vertices);
+  void link(const TravellingTriangle& triangle, TriangleId id);
+  [[nodiscard]] Index new_vertex();
+  [[nodiscard]] Index new_slot();
+  void make_room();
+
+  Triangulation& t_;
+  IndexAllocator &vertices_, *triangles_;
+  std::optional<IndexAllocator> final_triangles_;  ///< after finish()
+  Common common_;
+  Names vertex_names_, triangle_names_;
+  TriangleId beyond_;
+  VertexId nowhere_;
+  IndexPool new_vertices_;
+  std::vector<TriangleId> spare_;  ///< slots without triangles
+  SparseArray<char> is_known_elsewhere_;
+  SparseArray<Index> place_in_message_;  ///< scratch memory of write(): per vertex its place plus 1, or 0
+};
+
+template <class Visit>
+void HeldPart::for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const {
+  const std::vector<IndexRange>& holes = triangles_->holes();
+  auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= first; });
+  for (TriangleId id = first; id < std::min(last, triangles_->end()); ++id) {
+    if (hole != holes.end() && id >= hole->begin) {
+      id = (hole++)->end - 1;
+      continue;
+    }
+    if (holds(id)) visit(id);
+  }
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,86 @@
+#include <array>
+#include <utility>
+
+#include "../../core/support/stopwatch.hpp"
+#include "../concurrency/parallel_for.hpp"
+#include "../conversion/domain_triangulation.hpp"
+#include "../conversion/guarded.hpp"
+#include "../distributed.hpp"
+#include "../filling/refine_domain.hpp"
+#include "../mesher.hpp"
+#include "../planning/run_plan.hpp"
+#include "../planning/supervised.hpp"
+#include "piece.hpp"
+
+namespace pardel {
+
+using namespace engine;
+
+namespace {
+
+Error for_one_process(const char* what) {
+  return {ErrorKind::usage, std::string(what) + " works in one process only, not in several ranks"};
+}
+
+Status check_distributable(const Options& options) {
+  if (options.max_vertices > 0) return for_one_process("a limit on the number of vertices");
+  if (options.after_sweep) return for_one_process("a function that is called after each sweep");
+  return Done{};
+}
+
+Result<MeshPiece> mesh_in_ranks(const Pslg& pslg, bool convex_hull, const Goal& goal, const Options& options,
+                                ProgressMonitor& progress, Ranks& ranks) {
+  Stopwatch watch;
+  const Threads threads = progress.threads();
+  Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, threads);
+  if (!domain) return domain.error();
+  Report report;
+  report.triangulate_seconds = watch.lap();
+  std::vector<std::array<Index, 3>> background;
+  if (pslg.attributes_per_point > 0) background = input_corners(*domain, threads);
+  const Result<RunPlan> plan = plan_run(pslg, goal, *domain, options, threads, report);
+  if (!plan) return plan.error();
+  if (!plan->edges_of_patches.empty()) return for_one_process("an interior of equilateral triangles");
+
+  const Options resolved = resolvable(options, domain->triangulation);
+  Distribution distribution(ranks, domain->triangulation);
+  Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, plan->criteria, resolved,
+                                                 progress, {}, {}, &distribution);
+  if (!counts) return counts.error();
+  report.inserted = counts->inserted;
+  report.segment_splits = counts->segment_splits;
+  report.refused = counts->refused;
+  report.tiling = std::move(counts->tiling);
+  report.refine_seconds = watch.lap();
+  std::vector<double> region_attributes;
+  for (const Region& region : pslg.regions) region_attributes.push_back(region.attribute);
+  const PointData data{pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers};
+  MeshPiece piece =
+      make_piece(*domain, distribution, std::move(region_attributes), data, std::move(background), threads);
+  piece.seconds = watch.lap();
+  piece.report = std::move(report);
+  return piece;
+}
+
+}  // namespace
+
+Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks) {
+  if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
+  if (Status fits = check_distributable(options); !fits) return fits.error();
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return mesh_in_ranks(domain.pslg(), domain.convex_hull() || goal.convex_hull, goal, safe, progress, ranks);
+  });
+}
+
+Digest digest(const MeshPiece& piece, Ranks& ranks) {
+  const Digest here = digest(piece.mesh);
+  // Halves of words, so that the carry from the lower word is not lost.
+  constexpr std::uint64_t half = 0xffffffffU;
+  std::array parts{here.low & half, here.low >> 32U, here.high & half, here.high >> 32U};
+  ranks.add_up(parts);
+  const std::uint64_t second = parts[1] + (parts[0] >> 32U);
+  const std::uint64_t third = parts[2] + (second >> 32U);
+  return {(parts[3] + (third >> 32U)) << 32U | (third & half), second << 32U | (parts[0] & half)};
+}
+
+}  // namespace pardel

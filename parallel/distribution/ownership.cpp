@@ -1,0 +1,80 @@
+#include "ownership.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "../concurrency/hilbert_order.hpp"
+
+namespace pardel::engine {
+namespace {
+
+std::vector<Index> cells_touching(const Lattice& lattice, Index cell) {
+  std::vector<Index> found;
+  const Index i = cell % lattice.columns(), j = cell / lattice.columns();
+  for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, lattice.rows() - 1); ++y)
+    for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, lattice.columns() - 1); ++x)
+      if (x != i || y != j) found.push_back(y * lattice.columns() + x);
+  return found;
+}
+
+std::vector<Index> cells_touching(const Tiles& tiles, Index cell) {
+  if (const Lattice* lattice = tiles.lattice()) return cells_touching(*lattice, cell);
+  const std::span<const Index> found = tiles.quadtree()->touching(cell);
+  return {found.begin(), found.end()};
+}
+
+std::vector<Index> cells_on_curve(const Tiles& tiles) {
+  std::vector<Point> centres;
+  for (Index cell = 0; cell < tiles.cells(); ++cell) centres.push_back(tiles.centre_of(cell));
+  const Array<Index> order = hilbert_order(centres);
+  return {order.begin(), order.end()};
+}
+
+/// Cuts the curve into parts of about the same work.
+std::vector<int> owners(std::span<const Index> curve, std::span<const double> work, int ranks) {
+  const double all = std::accumulate(work.begin(), work.end(), 0.0);
+  std::vector<int> owner(curve.size());
+  double before = 0;
+  for (const Index cell : curve) {
+    const double middle = before + work[cell] / 2;
+    owner[cell] = all > 0 ? std::clamp(static_cast<int>(middle / all * ranks), 0, ranks - 1) : 0;
+    before += work[cell];
+  }
+  return owner;
+}
+
+void sort_without_repetitions(std::vector<int>& ranks) {
+  std::sort(ranks.begin(), ranks.end());
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+}
+
+}  // namespace
+
+Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks)
+    : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(owners(curve_, work, ranks)) {
+  for (Index cell = 0; cell < tiles.cells(); ++cell) {
+    touching_.push_back(cells_touching(tiles, cell));
+    std::vector<int>& near = near_.emplace_back(1, owner_[cell]);
+    for (const Index other : touching_.back()) near.push_back(owner_[other]);
+    sort_without_repetitions(near);
+  }
+}
+
+bool Ownership::watches(int rank, Point p) const {
+  const Index cell = cell_of(p);
+  if (owner_[cell] == rank) return true;
+  if (near_[cell].size() == 1 || !is_near(cell, rank)) return false;
+  return tiles_.lattice() == nullptr || std::ranges::any_of(touching_[cell], [&](Index other) {
+           return owner_[other] == rank && tiles_.box_of(other).contains_half_open(p);
+         });
+}
+
+std::vector<int> Ownership::watchers_of_box(Index cell) const {
+  std::vector<int> ranks = near_[cell];
+  if (tiles_.lattice() == nullptr)
+    for (const Index other : touching_[cell]) ranks.insert(ranks.end(), near_[other].begin(), near_[other].end());
+  sort_without_repetitions(ranks);
+  return ranks;
+}
+
+}  // namespace pardel::engine

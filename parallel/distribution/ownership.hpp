@@ -1,0 +1,45 @@
+// Which rank refines which cells, and which ranks hold the triangles there.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "../concurrency/tiles.hpp"
+
+namespace pardel::engine {
+
+/// Divides the cells of tiles among ranks. Each rank owns cells that follow each other on a space-filling curve, with
+/// about the same work. It holds all triangles with a corner in the area that it watches: the boxes of its cells, or
+/// for a quadtree its leaves and all that touch them. (Triangles that wait for a leaf may be longer than the margin of
+/// its box.) So a rank holds what the tasks of its cells read and change. A task of another rank changes such triangles
+/// only if its cell touches one of this rank, or for a quadtree one that touches one of this rank.
+class Ownership {
+ public:
+  /// `work`: per cell; >= 0. All ranks pass the same arguments, and get the same result.
+  Ownership(const Tiles& tiles, std::span<const double> work, int ranks);
+
+  [[nodiscard]] Index cells() const { return static_cast<Index>(owner_.size()); }
+  [[nodiscard]] Index cell_of(Point p) const { return tiles_.cell_of(p); }
+  [[nodiscard]] int owner(Index cell) const { return owner_[cell]; }
+  [[nodiscard]] std::span<const Index> touching(Index cell) const { return touching_[cell]; }
+  /// True if the point lies in the area that the rank watches.
+  [[nodiscard]] bool watches(int rank, Point p) const;
+  /// The ranks that watch a part of the cell's box, in ascending order: they may hold what its task changes.
+  [[nodiscard]] std::vector<int> watchers_of_box(Index cell) const;
+  /// The cells in the order of the curve.
+  [[nodiscard]] std::span<const Index> curve() const { return curve_; }
+
+ private:
+  [[nodiscard]] bool is_near(Index cell, int rank) const {
+    return std::find(near_[cell].begin(), near_[cell].end(), rank) != near_[cell].end();
+  }
+
+  Tiles tiles_;
+  std::vector<Index> curve_;
+  std::vector<int> owner_;
+  std::vector<std::vector<Index>> touching_;
+  std::vector<std::vector<int>> near_;  ///< per cell: the ranks that own it or a cell that touches it, ascending
+};
+
+}  // namespace pardel::engine

@@ -1,0 +1,29 @@
+// What a run has to do to meet a goal.
+#pragma once
+
+#include <vector>
+
+#include "../conversion/domain_triangulation.hpp"
+#include "../criteria/criteria.hpp"
+#include "../options.hpp"
+#include "../report.hpp"
+
+namespace pardel::engine {
+
+/// The criteria of the refinement, and the patches beside it.
+struct RunPlan {
+  Criteria criteria;
+  /// The lengths of the edges of patches that keep the goal: in each region, and last in triangles without a region.
+  /// Empty if the interior is to be refined.
+  std::vector<double> edges_of_patches;
+};
+
+/// The placement that Placement::automatic stands for. `refines`: a mesh is refined, not a domain.
+[[nodiscard]] Placement placement_for(const Goal& goal, const Options& options, bool refines);
+
+/// Plans the refinement of the domain of a valid Pslg. Calls options.before_refinement; its error ends the run. Writes
+/// the gaps of the domain to the report. Throws Stopped if the sizes of the goal do not cover the domain.
+[[nodiscard]] Result<RunPlan> plan_run(const Pslg& pslg, const Goal& goal, const DomainTriangulation& domain,
+                                       const Options& options, const Threads& threads, Report& report);
+
+}  // namespace pardel::engine

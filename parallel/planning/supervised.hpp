@@ -1,0 +1,27 @@
+// Runs with the functions of the caller, which may throw or ask to stop.
+#pragma once
+
+#include <utility>
+
+#include "../concurrency/parallel_for.hpp"
+#include "../conversion/guarded.hpp"
+#include "../scheduling/progress_monitor.hpp"
+
+namespace pardel::engine {
+
+/// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
+/// that has to end early, or runs out of memory, becomes an error.
+template <class Work>
+auto supervised(const Options& options, const Work& work)
+    -> decltype(work(options, std::declval<ProgressMonitor&>())) try {
+  Options safe = guarded(options);
+  safe.threads = thread_count(options.threads);
+  ProgressMonitor progress(safe);
+  return work(std::as_const(safe), progress);
+} catch (const Stopped& stopped) {
+  return stopped.error;
+} catch (...) {
+  return error_of_exception();
+}
+
+}  // namespace pardel::engine

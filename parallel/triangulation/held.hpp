@@ -1,0 +1,21 @@
+// A triangulation of which a process holds only a part.
+#pragma once
+
+#include <cmath>
+
+#include "triangulation.hpp"
+
+namespace pardel::engine {
+
+/// Beyond the triangles that a process holds lies one triangle that stands for all others. Its corners are one vertex
+/// whose coordinates are not numbers. So no test with a filter decides anything about it, and every exact test first
+/// calls require_held(), which throws this.
+struct NotHeld {};
+
+/// Throws NotHeld if p is the corner of the triangle beyond the part that the process holds.
+inline void require_held(const Point& p) {
+  if (std::isnan(p.x)) [[unlikely]]
+    throw NotHeld{};
+}
+
+}  // namespace pardel::engine

@@ -1,0 +1,231 @@
+// Several ranks make the mesh that one process makes, and no rank holds all of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../../../core/join_pieces.hpp"
+#include "../../../parallel/distributed.hpp"
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/domains/domains.hpp"
+#include "../../../properties/theorems/framework/local_ranks.hpp"
+
+namespace pardel {
+namespace {
+
+using properties::on_ranks;
+
+struct Case {
+  std::string name;
+  Pslg pslg;
+  Goal goal;
+  Options options;
+};
+
+/// A square with a point in its hole, markers, and an attribute per point.
+Pslg square_with_data() {
+  Pslg pslg = domains::regions();
+  pslg.attributes_per_point = 1;
+  for (std::size_t v = 0; v < pslg.points.size(); ++v) {
+    pslg.point_attributes.push_back(3 * pslg.points[v].x - pslg.points[v].y);
+    pslg.point_markers.push_back(v % 3 == 0 ? static_cast<int>(v) : 0);
+  }
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) pslg.segments[s].marker = s % 2 == 0 ? static_cast<int>(s) : 0;
+  return pslg;
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = [] {
+    std::vector<Case> list;
+    const auto add = [&](std::string name, Pslg pslg, Goal goal, Options options = {}) {
+      options.threads = 1;
+      list.push_back({std::move(name), std::move(pslg), std::move(goal), std::move(options)});
+    };
+    add("square", domains::square(), {.max_area = 1e-4}, {.cells = {5, 5}});
+    add("square_in_strips", domains::square(), {.max_area = 1e-4}, {.cells = {1, 9}});
+    add("pipe", domains::pipe(), {.max_area = 1e-3}, {.cells = {7, 8}});
+    add("pipe_of_30_degrees", domains::pipe(), {.min_angle_deg = 30, .max_area = 1e-3}, {.cells = {4, 4}});
+    add("points", domains::random_points(3000, 3), {.min_angle_deg = 28}, {.triangles_per_tile = 100});
+    add("cracks", domains::cracks(), {.min_angle_deg = 30, .max_area = 0.0005, .conforming = true}, {.cells = {6, 6}});
+    add("wedge", domains::wedge(12, 7), {.min_angle_deg = 28, .max_area = 0.0005}, {.cells = {6, 8}});
+    add("key", domains::key(), {.max_area = 0.02}, {.triangles_per_tile = 50});
+    add("regions_with_data", square_with_data(), {.max_area = 0.001}, {.cells = {6, 6}});
+    add("one_tile", domains::square(), {.max_area = 0.01}, {.decomposition = Decomposition::none});
+    add("graded", domains::square(), {.size = [](Point p) { return 0.004 + 0.1 * (p.x + p.y); }, .size_slope = 0.15},
+        {.decomposition = Decomposition::quadtree, .triangles_per_tile = 100});
+    add("papers_lattice", domains::pipe(), {.max_area = 1e-3}, {.decomposition = Decomposition::paper});
+    return list;
+  }();
+  return all;
+}
+
+/// A mesh without its numbering: sorted lists of points, triangles and edges, each as numbers.
+std::vector<std::vector<double>> unnumbered(const Mesh& mesh) {
+  std::vector<std::vector<double>> all;
+  const auto put = [&](std::vector<double>& to, Index v) {
+    to.push_back(mesh.points[v].x);
+    to.push_back(mesh.points[v].y);
+  };
+  for (Index v = 0; v < mesh.points.size(); ++v) {
+    std::vector<double> point{1};
+    put(point, v);
+    point.push_back(mesh.point_markers[v]);
+    point.push_back(mesh.origin[v]);
+    for (std::size_t a = 0; a < mesh.attributes_per_point; ++a)
+      point.push_back(mesh.point_attributes[v * mesh.attributes_per_point + a]);
+    all.push_back(std::move(point));
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    auto v = mesh.triangles[t].v;
+    std::ranges::rotate(
+        v, std::ranges::min_element(v, {}, [&](Index c) { return std::pair(mesh.points[c].x, mesh.points[c].y); }));
+    std::vector<double> triangle{2};
+    for (const Index c : v) put(triangle, c);
+    triangle.push_back(mesh.region.empty() ? 0.0 : mesh.region[t]);
+    all.push_back(std::move(triangle));
+  }
+  for (const ConstrainedEdge& e : mesh.constrained_edges) {
+    const bool swap =
+        std::pair(mesh.points[e.b].x, mesh.points[e.b].y) < std::pair(mesh.points[e.a].x, mesh.points[e.a].y);
+    std::vector<double> edge{3};
+    put(edge, swap ? e.b : e.a);
+    put(edge, swap ? e.a : e.b);
+    edge.push_back(e.segment);
+    edge.push_back(e.marker);
+    all.push_back(std::move(edge));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+/// The pieces of all ranks. A rank with an error makes the test fail.
+std::vector<MeshPiece> pieces_of(const Case& c, int count) {
+  const ValidPslg domain = std::move(validate(c.pslg)).value();
+  std::vector<MeshPiece> pieces(count);
+  on_ranks(count, [&](Ranks& ranks) {
+    Result<MeshPiece> piece = mesh(domain, c.goal, c.options, ranks);
+    ASSERT_TRUE(piece) << c.name << ", rank " << ranks.rank() << ": " << piece.error().message;
+    pieces[ranks.rank()] = std::move(*piece);
+  });
+  return pieces;
+}
+
+Mesh joined(std::vector<MeshPiece>& pieces) {
+  std::vector<NumberedMesh> numbered;
+  for (MeshPiece& piece : pieces) numbered.push_back({std::move(piece.mesh), std::move(piece.number)});
+  Result<Mesh> whole = join_pieces(numbered);
+  EXPECT_TRUE(whole) << whole.error().message;
+  return whole ? std::move(*whole) : Mesh{};
+}
+
+class Pieces : public testing::TestWithParam<std::size_t> {
+ protected:
+  const Case& case_ = cases()[GetParam()];
+};
+
+TEST_P(Pieces, are_together_the_mesh_of_one_process) {
+  const Result<Meshed> whole = mesh(case_.pslg, case_.goal, case_.options);
+  ASSERT_TRUE(whole) << whole.error().message;
+  const auto expected = unnumbered(whole->mesh);
+  for (const int count : {1, 2, 3, 4, 8}) {
+    std::vector<MeshPiece> pieces = pieces_of(case_, count);
+    for (const MeshPiece& piece : pieces) {
+      EXPECT_EQ(piece.points, whole->mesh.points.size());
+      EXPECT_EQ(piece.triangles, whole->mesh.triangles.size());
+      EXPECT_EQ(piece.constrained_edges, whole->mesh.constrained_edges.size());
+      EXPECT_EQ(piece.report.inserted, whole->report.inserted);
+      EXPECT_EQ(piece.report.segment_splits, whole->report.segment_splits);
+    }
+    EXPECT_TRUE(unnumbered(joined(pieces)) == expected) << count << " ranks";
+  }
+}
+
+TEST_P(Pieces, have_the_same_numbers_on_any_number_of_ranks) {
+  std::vector<MeshPiece> one = pieces_of(case_, 1);
+  const Mesh expected = joined(one);
+  EXPECT_TRUE(std::ranges::equal(expected.points.span().first(case_.pslg.points.size()), case_.pslg.points));
+  for (const int count : {2, 5}) {
+    std::vector<MeshPiece> pieces = pieces_of(case_, count);
+    EXPECT_TRUE(std::ranges::equal(joined(pieces).points, expected.points)) << count << " ranks";
+  }
+}
+
+TEST_P(Pieces, list_the_vertices_that_they_share) {
+  const std::vector<MeshPiece> pieces = pieces_of(case_, 3);
+  for (int rank = 0; rank < 3; ++rank)
+    for (int other = 0; other < 3; ++other) {
+      if (other == rank) continue;
+      const auto numbers_with = [&](int of, int with) {
+        std::vector<std::uint64_t> numbers;
+        for (const SharedVertices& shared : pieces[of].shared)
+          if (shared.rank == with)
+            for (const Index v : shared.vertices) numbers.push_back(pieces[of].number[v]);
+        return numbers;
+      };
+      std::vector<std::uint64_t> mine(pieces[rank].number.begin(), pieces[rank].number.end());
+      std::vector<std::uint64_t> theirs(pieces[other].number.begin(), pieces[other].number.end()), both;
+      std::ranges::sort(mine);
+      std::ranges::sort(theirs);
+      std::ranges::set_intersection(mine, theirs, std::back_inserter(both));
+      EXPECT_EQ(numbers_with(rank, other), both) << rank << " with " << other;
+    }
+}
+
+TEST_P(Pieces, have_one_mesh_whatever_the_delays) {
+  const ValidPslg domain = std::move(validate(case_.pslg)).value();
+  std::optional<Digest> expected;
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    on_ranks(
+        4,
+        [&](Ranks& ranks) {
+          const Result<MeshPiece> piece = mesh(domain, case_.goal, case_.options, ranks);
+          ASSERT_TRUE(piece) << piece.error().message;
+          const Digest found = digest(*piece, ranks);
+          if (ranks.rank() > 0) return;
+          if (!expected) expected = found;
+          EXPECT_TRUE(found == *expected);
+        },
+        seed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Pieces, testing::Range(std::size_t{0}, cases().size()),
+                         [](const auto& parameter) { return cases()[parameter.param].name; });
+
+TEST(PiecesOfALargeMesh, are_of_about_equal_size) {
+  const Case c{"square", domains::square(), {.max_area = 5e-6}, {.threads = 1, .cells = {12, 12}}};
+  const std::vector<MeshPiece> pieces = pieces_of(c, 4);
+  for (const MeshPiece& piece : pieces) {
+    EXPECT_GT(piece.mesh.triangles.size(), piece.triangles / 6);
+    EXPECT_LT(piece.mesh.triangles.size(), piece.triangles / 3);
+  }
+}
+
+TEST(PiecesOfALargeMesh, are_certified_when_joined) {
+  const Case c{"pipe", domains::pipe(), {.min_angle_deg = 25, .max_area = 2e-4}, {.threads = 2, .cells = {6, 6}}};
+  std::vector<MeshPiece> pieces = pieces_of(c, 3);
+  EXPECT_TRUE(check(c.pslg, joined(pieces), c.goal).valid);
+}
+
+TEST(PiecesAreRefused, with_options_for_one_process) {
+  const ValidPslg domain = std::move(validate(domains::square())).value();
+  const auto error_of = [&](const Options& options) {
+    std::optional<Error> error;
+    on_ranks(1, [&](Ranks& ranks) {
+      const Result<MeshPiece> piece = mesh(domain, {.max_area = 0.01}, options, ranks);
+      if (!piece) error = piece.error();
+    });
+    return error ? error->message : "";
+  };
+  EXPECT_EQ(error_of({.max_vertices = 10}),
+            "a limit on the number of vertices works in one process only, not in several ranks");
+  EXPECT_EQ(error_of({.interior = Interior::fill}),
+            "an interior of equilateral triangles works in one process only, not in several ranks");
+  EXPECT_EQ(error_of({.after_sweep = [](const Mesh&, const Sweep&) -> Status { return Done{}; }}),
+            "a function that is called after each sweep works in one process only, not in several ranks");
+}
+
+}  // namespace
+}  // namespace pardel
