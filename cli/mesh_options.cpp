@@ -47,6 +47,16 @@ void add_files(CLI::App& app, MeshArguments& arguments) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_interior(CLI::App& app, Options& options) {
+  app.add_option(
+         "--interior", options.interior,
+         "What fills the interior where areas and edges have constant bounds: refine; fill: equilateral\n"
+         "triangles, the fewest that keep them; auto (default): fill for angles up to 30 degrees, and for larger\n"
+         "ones if only areas have bounds (and --placement is auto or search)")
+      ->transform(choice(interior_names))
+      ->type_name("WHAT");
+}
+
 void add_limits(CLI::App& app, MeshArguments& arguments) {
   Options& options = arguments.options;
   app.add_option("--max-vertices", options.max_vertices, "Stop at this many vertices")
@@ -64,41 +74,6 @@ void add_limits(CLI::App& app, MeshArguments& arguments) {
       ->type_name("GIB")
       ->group("Limits");
   add_threads_option(app, arguments.threads, "the mesh")->group("Limits");
-}
-
-void add_ways_to_work(CLI::App& app, MeshArguments& arguments) {
-  Options& options = arguments.options;
-  app.add_option("--placement", options.placement,
-                 "Where new points are placed: circumcentre; off-centre; search: the best of several points, which\n"
-                 "makes fewer triangles for large angles and takes longer; auto (default): off-centre, but search\n"
-                 "for angles above 30 degrees if only areas have bounds, and with --refine for 30 degrees and more")
-      ->transform(choice(placement_names))
-      ->type_name("WHERE");
-  app.add_option(
-         "--interior", options.interior,
-         "What fills the interior where areas and edges have constant bounds: refine; fill: equilateral\n"
-         "triangles, the fewest that keep them; auto (default): fill for angles up to 30 degrees, and for larger\n"
-         "ones if only areas have bounds (and --placement is auto or search)")
-      ->transform(choice(interior_names))
-      ->type_name("WHAT");
-  app.add_option("--decomposition", options.decomposition,
-                 "How the plane is cut into cells: auto (the default), lattice (by work),\nquadtree (by work, for "
-                 "graded meshes), "
-                 "paper (sides of four circumradii),\npaper-quadtree (leaves with sides of eight circumradii) or none")
-      ->transform(choice(decomposition_names))
-      ->type_name("HOW");
-  app.add_option("--triangles-per-tile", options.triangles_per_tile,
-                 "About this number of triangles in a cell of the lattice or a leaf of the quadtree\n"
-                 "(default 8000: for the cache); another number gives a slightly different mesh")
-      ->check(positive_number("a number of triangles"))
-      ->type_name("N");
-  app.add_option(
-         "--cells", arguments.cells,
-         "Number of columns and rows of cells (default: by work); another number gives a slightly different mesh")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(1U, most_cells_along).description(""))
-      ->type_name("NX,NY");
 }
 
 void add_steps(CLI::App& app, MeshArguments& arguments) {
@@ -136,14 +111,52 @@ Status check_interior(const MeshArguments& arguments) {
 
 }  // namespace
 
+void add_ways_to_work(CLI::App& app, Options& options, std::vector<Index>& cells) {
+  app.add_option("--placement", options.placement,
+                 "Where new points are placed: circumcentre; off-centre; search: the best of several points, which\n"
+                 "makes fewer triangles for large angles and takes longer; auto (default): off-centre, but search\n"
+                 "for angles above 30 degrees if only areas have bounds, and with --refine for 30 degrees and more")
+      ->transform(choice(placement_names))
+      ->type_name("WHERE");
+  app.add_option("--decomposition", options.decomposition,
+                 "How the plane is cut into cells: auto (the default), lattice (by work),\nquadtree (by work, for "
+                 "graded meshes), "
+                 "paper (sides of four circumradii),\npaper-quadtree (leaves with sides of eight circumradii) or none")
+      ->transform(choice(decomposition_names))
+      ->type_name("HOW");
+  app.add_option("--triangles-per-tile", options.triangles_per_tile,
+                 "About this number of triangles in a cell of the lattice or a leaf of the quadtree\n"
+                 "(default 8000: for the cache); another number gives a slightly different mesh")
+      ->check(positive_number("a number of triangles"))
+      ->type_name("N");
+  app.add_option(
+         "--cells", cells,
+         "Number of columns and rows of cells (default: by work); another number gives a slightly different mesh")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1U, most_cells_along).description(""))
+      ->type_name("NX,NY");
+}
+
 void add_mesh_options(CLI::App& app, MeshArguments& arguments) {
   add_files(app, arguments);
   add_goal_options(app, arguments.goal, largest_min_angle_deg);
   add_limits(app, arguments);
-  add_ways_to_work(app, arguments);
+  add_interior(app, arguments.options);
+  add_ways_to_work(app, arguments.options, arguments.cells);
   add_steps(app, arguments);
   add_forms_of_output(app, arguments);
   app.footer(footer);
+}
+
+Status set_cells(const std::vector<Index>& cells, Options& options) {
+  if (cells.empty()) return Done{};
+  if (options.decomposition == Decomposition::none || options.decomposition == Decomposition::quadtree ||
+      options.decomposition == Decomposition::paper_quadtree)
+    return Error{ErrorKind::usage, std::string("--cells cannot be used with --decomposition ") +
+                                       decomposition_names[options.decomposition]};
+  options.cells = {cells[0], cells[1]};
+  return Done{};
 }
 
 Status complete_options(MeshArguments& arguments) {
@@ -157,13 +170,7 @@ Status complete_options(MeshArguments& arguments) {
   options.threads = omp_get_max_threads();
   options.max_memory =
       arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
-  if (arguments.cells.empty()) return Done{};
-  if (options.decomposition == Decomposition::none || options.decomposition == Decomposition::quadtree ||
-      options.decomposition == Decomposition::paper_quadtree)
-    return Error{ErrorKind::usage, std::string("--cells cannot be used with --decomposition ") +
-                                       decomposition_names[options.decomposition]};
-  options.cells = {arguments.cells[0], arguments.cells[1]};
-  return Done{};
+  return set_cells(arguments.cells, options);
 }
 
 std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {

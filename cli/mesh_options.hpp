@@ -34,6 +34,11 @@ struct MeshArguments {
   bool quiet = false;
 };
 
+/// Adds the options that say how the mesher works. `cells`: the columns and rows, if they are given.
+void add_ways_to_work(CLI::App& app, Options& options, std::vector<Index>& cells);
+/// Takes over the columns and rows. Error: `usage` if the decomposition has none.
+[[nodiscard]] Status set_cells(const std::vector<Index>& cells, Options& options);
+
 /// Adds the options of the command, and its help.
 void add_mesh_options(CLI::App& app, MeshArguments& arguments);
 

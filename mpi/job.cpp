@@ -1,0 +1,66 @@
+#include "job.hpp"
+
+#include <mpi.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+namespace pardel::mpi {
+
+Job::Started::Started() {
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+}
+
+Job::Job() {
+  MPI_Comm here = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  int ranks_here = 1;
+  MPI_Comm_size(here, &ranks_here);
+  MPI_Comm_free(&here);
+  threads_per_rank_ = std::max(1, omp_get_num_procs() / ranks_here);
+}
+
+Job::~Job() { MPI_Finalize(); }
+
+Status Job::agree(const Status& here) {
+  Ranks::Bytes message;
+  if (!here) {
+    const std::string& text = here.error().message;
+    message.resize(text.size() + 1);
+    message[0] = static_cast<std::byte>(here.error().kind);
+    std::memcpy(message.data() + 1, text.data(), text.size());
+  }
+  const std::vector<Ranks::Bytes> all =
+      ranks_.exchange(std::vector<Ranks::Bytes>(static_cast<std::size_t>(ranks_.count()), message));
+  const auto failed = std::ranges::find_if(all, [](const Ranks::Bytes& from) { return !from.empty(); });
+  if (failed == all.end()) return Done{};
+  Error error{static_cast<ErrorKind>((*failed)[0]), {}};
+  const bool is_everywhere = std::ranges::none_of(all, [](const Ranks::Bytes& from) { return from.empty(); });
+  if (!is_everywhere) error.message = "rank " + std::to_string(failed - all.begin()) + ": ";
+  for (std::size_t i = 1; i < failed->size(); ++i) error.message += static_cast<char>((*failed)[i]);
+  return error;
+}
+
+Job::Range Job::range_of(std::uint64_t value) {
+  Range range{};
+  MPI_Allreduce(&value, &range.least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  MPI_Allreduce(&value, &range.most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
+  return range;
+}
+
+void Job::abort(const Error& error) {
+  // If all ranks have the same error, the first one ends the others before they print it, too.
+  if (!is_first()) std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const cli::ExitCode code =
+      cli::report({error.kind, "rank " + std::to_string(ranks_.rank()) + ": " + error.message}, "pardel-mpi");
+  MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+  std::_Exit(static_cast<int>(code));
+}
+
+}  // namespace pardel::mpi

@@ -1,0 +1,62 @@
+// The program pardel-mpi.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "../cli/help.hpp"
+#include "../cli/usage_message.hpp"
+#include "job.hpp"
+#include "mesh_command.hpp"
+
+namespace pardel::mpi {
+namespace {
+
+using cli::ExitCode;
+
+constexpr const char* description =
+    "pardel-mpi: guaranteed-quality Delaunay meshes, made by the processes of an MPI job.";
+
+constexpr const char* footer = R"(Start it with mpirun or srun:
+  mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
+
+Exit status: as 'pardel --help' lists. If one rank cannot go on, it ends all ranks, with its exit status.)";
+
+/// All ranks have the same arguments; the first one prints.
+ExitCode run(int argc, char** argv, Job& job) {
+  CLI::App program(description, "pardel-mpi");
+  program.set_version_flag("-V,--version", "pardel-mpi " PARDEL_VERSION);
+  program.footer(footer);
+  program.formatter(std::make_shared<cli::HelpFormatter>());
+  program.failure_message(cli::usage_message);
+  program.require_subcommand(1);
+  const cli::Command mesh = add_mesh(program, job);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {  // also --help and --version
+    if (!job.is_first()) return stop.get_exit_code() == 0 ? ExitCode::done : ExitCode::usage;
+    return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
+  }
+  const Result<ExitCode> result = mesh.run();
+  if (result) return *result;
+  return job.is_first() ? cli::report(result.error(), "pardel-mpi") : cli::exit_code(result.error().kind);
+}
+
+ExitCode guarded(int argc, char** argv) {
+  Job job;
+  try {
+    return run(argc, argv, job);
+  } catch (const Error& thrown) {
+    job.abort(thrown);
+  } catch (const std::bad_alloc&) {
+    job.abort({ErrorKind::resources, "out of memory"});
+  } catch (const std::exception& unexpected) {
+    job.abort({ErrorKind::resources, unexpected.what()});
+  }
+}
+
+}  // namespace
+}  // namespace pardel::mpi
+
+int main(int argc, char** argv) { return static_cast<int>(pardel::mpi::guarded(argc, argv)); }

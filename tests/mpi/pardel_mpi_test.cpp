@@ -1,0 +1,94 @@
+// The program pardel-mpi from outside: files, messages and exit codes.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "../../core/digest.hpp"
+#include "../../core/formats.hpp"
+#include "../../parallel/mesher.hpp"
+#include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
+#include "../cli/program.hpp"
+
+namespace pardel {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Files;
+using testing::holds;
+using testing::Ran;
+
+class PardelMpi : public testing::Workshop {
+ protected:
+  PardelMpi() {
+    // Open MPI does not start as root unless it is told to.
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
+  }
+  Ran on_ranks(int ranks, const std::vector<std::string>& arguments) const {
+    std::vector<std::string> all{"--oversubscribe", "--bind-to", "none", "-n", std::to_string(ranks), PARDEL_MPI_PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run(PARDEL_MPIRUN, all);
+  }
+};
+
+TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
+  const Ran ran = on_ranks(
+      3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4", "--threads", "1"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(files(), (Files{"pipe.poly", "out.pvtu", "out_0000.vtu", "out_0001.vtu", "out_0002.vtu"}));
+  const Result<Mesh> whole = read_mesh(folder_ / "work" / "out.pvtu");
+  ASSERT_TRUE(whole) << whole.error().message;
+  const Goal goal{.max_area = 1e-4};
+  EXPECT_TRUE(check(domains::pipe(), *whole, goal, {.foreign = true}).valid);
+  const Result<Meshed> expected = mesh(domains::pipe(), goal);
+  EXPECT_EQ(to_string(digest(*whole)), to_string(digest(expected->mesh)));
+  EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(*whole)), "ranks   3, with 1 threads each"}));
+}
+
+TEST_F(PardelMpi, says_once_that_a_file_cannot_be_read) {
+  const Ran ran = on_ranks(3, {"mesh", "missing.poly", "-o", "out.pvtu"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  const std::string message = "pardel-mpi: missing.poly: cannot be opened: No such file or directory\n";
+  const std::size_t at = ran.err.find(message);
+  ASSERT_NE(at, std::string::npos) << ran;
+  EXPECT_EQ(ran.err.find(message, at + 1), std::string::npos) << ran;
+  EXPECT_EQ(files(), Files{"pipe.poly"});
+}
+
+TEST_F(PardelMpi, refuses_an_invalid_domain) {
+  write("bow.poly", "4 2 0 0\n0 0 0\n1 1 1\n2 0 1\n3 1 0\n2 0\n0 0 1\n1 2 3\n0\n");
+  const Ran ran = on_ranks(2, {"mesh", "bow.poly", "-o", "out.pvtu"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"cross"}));
+  EXPECT_EQ(files(), (Files{"bow.poly", "pipe.poly"}));
+}
+
+TEST_F(PardelMpi, refuses_wrong_arguments) {
+  EXPECT_EQ(on_ranks(2, {"mesh", "pipe.poly"}).exit_code, 2);
+  EXPECT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.vtu"}).exit_code, 2);
+  EXPECT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "-1"}).exit_code, 2);
+  EXPECT_EQ(on_ranks(2, {}).exit_code, 2);
+  EXPECT_EQ(files(), Files{"pipe.poly"});
+}
+
+TEST_F(PardelMpi, writes_no_piece_if_one_cannot_be_written) {
+  fs::create_directories(folder_ / "work" / "out_0001.vtu" / "full");
+  const Ran ran = on_ranks(3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"rank 1: "}));
+  EXPECT_FALSE(exists("out.pvtu"));
+}
+
+TEST_F(PardelMpi, has_a_help) {
+  const Ran ran = on_ranks(2, {"--help"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  const std::size_t at = ran.out.find("pardel-mpi: guaranteed-quality");
+  ASSERT_NE(at, std::string::npos) << ran;
+  EXPECT_EQ(ran.out.find("pardel-mpi: guaranteed-quality", at + 1), std::string::npos);
+  EXPECT_EQ(on_ranks(1, {"mesh", "--help"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace pardel

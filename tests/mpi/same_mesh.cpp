@@ -1,0 +1,104 @@
+// To be started by mpirun: the ranks of the job make the meshes that one process makes, with 1 to 3 threads per rank.
+//   same_mesh small     50 domains: lattice domains of all families, named domains, uniform and graded
+//   same_mesh large     the pipe and the square with 1 million triangles
+// Exit status 0 if all digests are equal. The first rank names those that differ.
+#include <mpi.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../../core/digest.hpp"
+#include "../../mpi/mpi_ranks.hpp"
+#include "../../parallel/distributed.hpp"
+#include "../../parallel/mesher.hpp"
+#include "../../properties/domains/domains.hpp"
+#include "../../properties/domains/generators/goals.hpp"
+
+namespace pardel {
+namespace {
+
+struct Case {
+  std::string name;
+  Pslg pslg;
+  Goal goal;
+  Options options;
+};
+
+/// Sizes that grow with the distance from the first point.
+std::function<double(Point)> growing_sizes(const Pslg& pslg, double least) {
+  const Point centre = pslg.points.front();
+  return [=](Point p) { return least + 0.1 * std::hypot(p.x - centre.x, p.y - centre.y); };
+}
+
+std::vector<Case> small_cases() {
+  std::vector<Case> cases;
+  constexpr int random_domains = 38, largest_size = 40;
+  for (int seed = 0; seed < random_domains; ++seed) {
+    generators::Random random(static_cast<std::uint64_t>(seed));
+    const generators::Case c = generators::any_case(random, largest_size);
+    Case made{"domain " + std::to_string(seed), to_pslg(c.domain), to_goal(c.goal, c.domain), {}};
+    made.options.triangles_per_tile = 30;
+    if (seed % 3 == 0) made.goal.size = growing_sizes(made.pslg, std::sqrt(std::min(made.goal.max_area, 1.0)));
+    if (seed % 4 == 0) made.options.decomposition = Decomposition::quadtree;
+    cases.push_back(std::move(made));
+  }
+  const std::vector<std::pair<std::string, Pslg>> named = {
+      {"square", domains::square()}, {"pipe", domains::pipe()},     {"key", domains::key()},
+      {"cracks", domains::cracks()}, {"wedge", domains::wedge(20, 7)}, {"points", domains::random_points(2000, 1)}};
+  for (const auto& [name, pslg] : named) {
+    cases.push_back({name, pslg, {.min_angle_deg = 28, .max_area = 0.0005}, {.triangles_per_tile = 200}});
+    cases.push_back({name + ", graded", pslg, {.size = growing_sizes(pslg, 0.01)}, {.triangles_per_tile = 200}});
+  }
+  return cases;
+}
+
+std::vector<Case> large_cases() {
+  return {{"pipe", domains::pipe(), {.max_area = 3.4e-6}, {}}, {"square", domains::square(), {.max_area = 1.37e-6}, {}}};
+}
+
+/// The number of runs with another digest than that of one process.
+int differences(const Case& c, Ranks& ranks) {
+  const ValidPslg domain = std::move(validate(c.pslg)).value();
+  Options options = c.options;
+  options.threads = 1;
+  const Result<Meshed> whole = mesh(domain, c.goal, options);
+  if (!whole) MPI_Abort(MPI_COMM_WORLD, 2);
+  const Digest expected = digest(whole->mesh);
+  int count = 0;
+  for (options.threads = 1; options.threads <= 3; ++options.threads) {
+    const Result<MeshPiece> piece = mesh(domain, c.goal, options, ranks);
+    if (!piece) {
+      std::printf("%s: %s\n", c.name.c_str(), piece.error().message.c_str());
+      MPI_Abort(MPI_COMM_WORLD, 2);
+    }
+    if (digest(*piece, ranks) == expected) continue;
+    ++count;
+    if (ranks.rank() == 0) std::printf("%s, %d threads: another mesh\n", c.name.c_str(), options.threads);
+  }
+  return count;
+}
+
+int run(std::string_view which) {
+  mpi::MpiRanks ranks;
+  const std::vector<Case> cases = which == "large" ? large_cases() : small_cases();
+  int different = 0;
+  for (const Case& c : cases) different += differences(c, ranks);
+  if (ranks.rank() == 0)
+    std::printf("%zu domains on %d ranks with 1 to 3 threads: %d differences\n", cases.size(), ranks.count(), different);
+  return different == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace pardel
+
+int main(int argc, char** argv) {
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+  const int code = pardel::run(argc > 1 ? argv[1] : "small");
+  MPI_Finalize();
+  return code;
+}
