@@ -1,0 +1,158 @@
+// rank_scaling: compares the ranks of an MPI job with the threads of one process, in one job. To be started by mpirun.
+// Round by round, all R ranks make one mesh with one thread each, then the first rank makes it with R threads while the
+// others sleep, then each rank makes a mesh of 1/R of the triangles for itself. Prints medians. See --help.
+#include <fmt/format.h>
+#include <mpi.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "../core/digest.hpp"
+#include "../core/support/stopwatch.hpp"
+#include "../mpi/mpi_ranks.hpp"
+#include "../parallel/distributed.hpp"
+#include "../parallel/mesher.hpp"
+#include "../properties/domains/domains.hpp"
+
+namespace pardel::bench {
+namespace {
+
+struct Settings {
+  std::string domain = "pipe";
+  double triangles = 1e7;
+  int runs = 5;
+};
+
+/// Waits for all ranks without using the processor.
+void wait_for_all() {
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  for (int done = 0; done == 0;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done == 0) usleep(200);
+  }
+}
+
+/// Makes the host of a virtual machine provide memory: see warm_memory.hpp.
+void warm(std::size_t bytes) {
+  void* block = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (block == MAP_FAILED) return;
+  (void)madvise(block, bytes, MADV_HUGEPAGE);
+  constexpr std::size_t page = 4096;
+  for (std::size_t i = 0; i < bytes; i += page) static_cast<volatile char*>(block)[i] = 1;
+  munmap(block, bytes);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+/// Starts the work on all ranks at the same time, and waits for all of them.
+template <class Work>
+void together(const Work& work) {
+  wait_for_all();
+  work();
+  wait_for_all();
+}
+
+class Comparison {
+ public:
+  explicit Comparison(const Settings& settings)
+      : settings_(settings),
+        domain_(std::move(validate(*domains::generate(settings.domain, 0, 1))).value()),
+        area_(settings.domain == "pipe" ? 2.486 : 1) {}
+
+  int run() {
+    for (int round = 0; round < settings_.runs; ++round) {
+      together([&] { make_piece(); });
+      together([&] {
+        if (ranks_.rank() == 0) make_whole(1, ranks_.count());
+      });
+      together([&] { make_whole(ranks_.count(), 1); });
+    }
+    print();
+    return is_same_ ? 0 : 1;
+  }
+
+ private:
+  [[nodiscard]] Goal goal(int parts) const {
+    constexpr double triangles_per_bound = 1.37;
+    return {.max_area = triangles_per_bound * area_ / settings_.triangles * parts};
+  }
+  [[nodiscard]] std::size_t bytes(double share) const {
+    return static_cast<std::size_t>(60 * settings_.triangles * share);
+  }
+
+  void make_piece() {
+    warm(bytes(1.0 / ranks_.count()));
+    wait_for_all();
+    const Stopwatch watch;
+    const Result<MeshPiece> piece = mesh(domain_, goal(1), {.threads = 1}, ranks_);
+    if (!piece) MPI_Abort(MPI_COMM_WORLD, 1);
+    refine_.push_back(piece->report.refine_seconds);
+    pieces_.push_back(piece->seconds);
+    own_seconds_.push_back(watch.seconds());
+    triangles_ = piece->triangles;
+    digest_ = digest(*piece, ranks_);
+  }
+  void make_whole(int parts, int threads) {
+    warm(bytes(1.0 / parts));
+    const Stopwatch watch;
+    const Result<Meshed> whole = mesh(domain_, goal(parts), {.threads = threads});
+    if (!whole) MPI_Abort(MPI_COMM_WORLD, 1);
+    (parts == 1 ? whole_seconds_ : part_seconds_).push_back(watch.seconds());
+    if (parts == 1) is_same_ = is_same_ && digest(whole->mesh) == digest_;
+  }
+
+  void print() {
+    double slowest = median(part_seconds_);
+    MPI_Allreduce(MPI_IN_PLACE, &slowest, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    if (ranks_.rank() != 0) return;
+    const auto millions = static_cast<double>(triangles_) / 1e6;
+    const double ranks = median(own_seconds_), threads = median(whole_seconds_);
+    fmt::print("{}, {:.2f} million triangles, medians of {} rounds\n", settings_.domain, millions, settings_.runs);
+    fmt::print("{} ranks of 1 thread    {:.3f} s (refine {:.3f}, pieces {:.3f})\n", ranks_.count(), ranks,
+               median(refine_), median(pieces_));
+    fmt::print("1 process, {} threads   {:.3f} s\n", ranks_.count(), threads);
+    fmt::print("{} processes, each a mesh of 1/{} of the triangles   {:.3f} s (the slowest)\n", ranks_.count(),
+               ranks_.count(), slowest);
+    fmt::print("speed of ranks, divided by that of threads: {:.2f}; by that of separate processes: {:.2f}\n",
+               threads / ranks, slowest / ranks);
+    fmt::print("digests {}\n", is_same_ ? "are equal" : "DIFFER");
+  }
+
+  Settings settings_;
+  mpi::MpiRanks ranks_;
+  ValidPslg domain_;
+  double area_;
+  std::vector<double> refine_, pieces_, own_seconds_, whole_seconds_, part_seconds_;
+  std::uint64_t triangles_ = 0;
+  Digest digest_;
+  bool is_same_ = true;
+};
+
+int run(int argc, char** argv) {
+  Settings settings;
+  CLI::App app("Compares the ranks of an MPI job with the threads of one process. Start it with mpirun -n R.");
+  app.add_option("--domain", settings.domain, "square or pipe")->check(CLI::IsMember({"square", "pipe"}));
+  app.add_option("--triangles", settings.triangles, "about this number of triangles");
+  app.add_option("--runs", settings.runs, "the number of rounds");
+  CLI11_PARSE(app, argc, argv);
+  return Comparison(settings).run();
+}
+
+}  // namespace
+}  // namespace pardel::bench
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  const int code = pardel::bench::run(argc, argv);
+  MPI_Finalize();
+  return code;
+}
