@@ -52,14 +52,26 @@ double most_insertions(const Deferral& later, double area) {
 }  // namespace
 
 void sort_by_place(const Triangulation& t, std::vector<QueuedTriangle>& triangles) {
-  const auto corners = [&](QueuedTriangle triangle) {
-    const auto& v = t.slots[triangle.id()].v;
-    const Point a = t.points[v[0]], b = t.points[v[1]], c = t.points[v[2]];
-    return std::array{a.x, a.y, b.x, b.y, c.x, c.y};
+  struct Placed {
+    Point first_corner;  ///< most differ in it, so the other corners are seldom loaded
+    QueuedTriangle triangle;
   };
-  std::ranges::sort(triangles, {}, corners);
-  const auto same = std::ranges::unique(triangles, {}, &QueuedTriangle::id);
-  triangles.erase(same.begin(), same.end());
+  std::vector<Placed> placed;
+  placed.reserve(triangles.size());
+  for (const QueuedTriangle triangle : triangles) placed.push_back({t.points[triangle.first_corner], triangle});
+  const auto other_corners = [&](QueuedTriangle triangle) {
+    const auto& v = t.slots[triangle.id()].v;
+    const Point b = t.points[v[1]], c = t.points[v[2]];
+    return std::array{b.x, b.y, c.x, c.y};
+  };
+  std::ranges::sort(placed, [&](const Placed& a, const Placed& b) {
+    if (a.first_corner.x != b.first_corner.x) return a.first_corner.x < b.first_corner.x;
+    if (a.first_corner.y != b.first_corner.y) return a.first_corner.y < b.first_corner.y;
+    return other_corners(a.triangle) < other_corners(b.triangle);
+  });
+  triangles.clear();
+  for (const Placed& each : placed)
+    if (triangles.empty() || triangles.back().id() != each.triangle.id()) triangles.push_back(each.triangle);
 }
 
 PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,

@@ -47,8 +47,12 @@ struct PairedDiskQuery {
  private:
   [[nodiscard]] InDisks decided(const InCircle<Pair>& in, const Slot& a, const Slot& b) const {
     if (!in.is_certain()) [[unlikely]]
-      return InDisks::of(in_circumdisk(t, a, as_point(p)), in_circumdisk(t, b, as_point(p)));
+      return decided_exactly(a, b);
     return {bits(in.determinant > 0)};
+  }
+  // Not inlined: it is seldom called, and would make the walk over a cavity slower.
+  [[nodiscard, gnu::noinline]] InDisks decided_exactly(const Slot& a, const Slot& b) const {
+    return InDisks::of(in_circumdisk(t, a, as_point(p)), in_circumdisk(t, b, as_point(p)));
   }
 };
 
