@@ -72,9 +72,9 @@ class Comparison {
     for (int round = 0; round < settings_.runs; ++round) {
       together([&] { make_piece(); });
       together([&] {
-        if (ranks_.rank() == 0) make_whole(1, ranks_.count());
+        if (ranks_.rank() == 0) make_whole(1, ranks_.count(), whole_seconds_);
       });
-      together([&] { make_whole(ranks_.count(), 1); });
+      together([&] { make_whole(ranks_.count(), 1, part_seconds_); });
     }
     print();
     return is_same_ ? 0 : 1;
@@ -101,12 +101,12 @@ class Comparison {
     triangles_ = piece->triangles;
     digest_ = digest(*piece, ranks_);
   }
-  void make_whole(int parts, int threads) {
+  void make_whole(int parts, int threads, std::vector<double>& seconds) {
     warm(bytes(1.0 / parts));
     const Stopwatch watch;
     const Result<Meshed> whole = mesh(domain_, goal(parts), {.threads = threads});
     if (!whole) MPI_Abort(MPI_COMM_WORLD, 1);
-    (parts == 1 ? whole_seconds_ : part_seconds_).push_back(watch.seconds());
+    seconds.push_back(watch.seconds());
     if (parts == 1) is_same_ = is_same_ && digest(whole->mesh) == digest_;
   }
 
@@ -151,7 +151,8 @@ int run(int argc, char** argv) {
 }  // namespace pardel::bench
 
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   const int code = pardel::bench::run(argc, argv);
   MPI_Finalize();
   return code;

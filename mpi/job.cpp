@@ -23,7 +23,12 @@ Job::Job() {
   int ranks_here = 1;
   MPI_Comm_size(here, &ranks_here);
   MPI_Comm_free(&here);
-  threads_per_rank_ = std::max(1, omp_get_num_procs() / ranks_here);
+  // omp_get_num_procs() counts the processors to which this process is bound, omp_get_max_threads() keeps to a quota.
+  const auto processors = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  const int share = std::min(omp_get_num_procs(), std::max(1, processors / ranks_here));
+  const bool has_quota = omp_get_max_threads() < omp_get_num_procs();
+  threads_per_rank_ = has_quota ? std::min(share, std::max(1, omp_get_max_threads() / ranks_here)) : share;
+  ranks_here_ = ranks_here;
 }
 
 Job::~Job() { MPI_Finalize(); }

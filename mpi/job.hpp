@@ -19,8 +19,11 @@ class Job {
 
   [[nodiscard]] MpiRanks& ranks() { return ranks_; }
   [[nodiscard]] bool is_first() const { return ranks_.rank() == 0; }
-  /// The number of processors of this machine, divided by the number of ranks on it; at least 1.
+  /// The processors of this machine, or those of its quota, divided by the number of ranks on it; not more than those to
+  /// which this process is bound; at least 1.
   [[nodiscard]] int threads_per_rank() const { return threads_per_rank_; }
+  /// The number of ranks on this machine.
+  [[nodiscard]] int ranks_here() const { return ranks_here_; }
 
   /// Collective. Done if all ranks pass Done. Otherwise the error of the first rank that failed; its message names the
   /// rank, unless all ranks failed.
@@ -41,6 +44,7 @@ class Job {
   Started started_;
   MpiRanks ranks_;
   int threads_per_rank_ = 1;
+  int ranks_here_ = 1;
 };
 
 }  // namespace pardel::mpi

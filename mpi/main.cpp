@@ -6,7 +6,10 @@
 #include <string>
 
 #include "../cli/help.hpp"
+#include "../cli/interrupt_watch.hpp"
+#include "../cli/processors.hpp"
 #include "../cli/usage_message.hpp"
+#include "../core/support/stop_signal.hpp"
 #include "job.hpp"
 #include "mesh_command.hpp"
 
@@ -44,9 +47,13 @@ ExitCode run(int argc, char** argv, Job& job) {
 }
 
 ExitCode guarded(int argc, char** argv) {
+  const cli::InterruptWatch interrupt_watch;  // first, because MPI starts threads
+  cli::keep_to_processor_quota();
   Job job;
   try {
     return run(argc, argv, job);
+  } catch (const Stopped& stopped) {  // by a self-check of the messages
+    job.abort(stopped.error);
   } catch (const Error& thrown) {
     job.abort(thrown);
   } catch (const std::bad_alloc&) {

@@ -35,6 +35,8 @@ std::uint64_t checksum(const Ranks::Bytes& bytes) {
   return sum;
 }
 
+std::size_t parts_of(std::size_t bytes) { return (bytes + bytes_per_part - 1) / bytes_per_part; }
+
 /// Calls start(data, count, tag) for all parts of a message.
 template <class Byte, class Start>
 void for_each_part(Byte* bytes, std::size_t size, const Start& start) {
@@ -64,11 +66,18 @@ std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
       throw does_not_match(from, "belongs to exchange " + std::to_string(announced[from].exchange) + ", not to " +
                                      std::to_string(exchanges_));
 
+  // All memory is taken before a request starts: MPI may write into the buffers until it has ended.
   std::vector<Bytes> arrived(count_);
-  std::vector<MPI_Request> requests;
+  std::size_t parts = 0;
   for (int other = 0; other < count_; ++other) {
     if (other == rank_) continue;
     arrived[other].resize(announced[other].bytes);
+    parts += parts_of(arrived[other].size()) + parts_of(messages[other].size());
+  }
+  std::vector<MPI_Request> requests;
+  requests.reserve(parts);
+  for (int other = 0; other < count_; ++other) {
+    if (other == rank_) continue;
     for_each_part(arrived[other].data(), arrived[other].size(), [&](std::byte* data, int count, int tag) {
       MPI_Irecv(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back());
     });

@@ -225,6 +225,10 @@ bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std:
   } catch (const NotHeld&) {
     return false;
   }
+  // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is missing.
+  for (const TriangleId id : changed)
+    for (const EdgeRef across : t.slots[id].n)
+      if (part->is_beyond(across)) return false;
   for (int rank = 0; rank < ranks_.count(); ++rank) {
     Outgoing out;
     for (const TriangleId id : changed) {

@@ -9,7 +9,7 @@
 
 namespace pardel::engine {
 
-/// The Partners of a refinement. After it, describes which rank has which triangles.
+/// The Partners of a refinement. After the refinement, it tells which rank has which triangles.
 class Distribution : public Partners {
  public:
   /// `t`: the triangulation that is refined.
@@ -18,6 +18,7 @@ class Distribution : public Partners {
   void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override;
   [[nodiscard]] bool is_at_home(TriangleId id) const override { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); }
   [[nodiscard]] bool is_first() const override { return ranks_.rank() == 0; }
+  [[nodiscard]] int ranks() const override { return ranks_.count(); }
   void add_up(std::span<std::uint64_t> values) override { ranks_.add_up(values); }
   void deliver(std::vector<PlannedTask>& tasks) override;
   void exchange_changes(std::vector<PlannedTask>& tasks) override;
@@ -25,7 +26,7 @@ class Distribution : public Partners {
   void finish() override { part_->finish(); }
 
   // After divide():
-  [[nodiscard]] Ranks& ranks() const { return ranks_; }
+  [[nodiscard]] Ranks& network() const { return ranks_; }
   [[nodiscard]] const Ownership& ownership() const { return *ownership_; }
   [[nodiscard]] const HeldPart& part() const { return *part_; }
   [[nodiscard]] Index cell_of(VertexId v) const { return ownership_->cell_of(t_.points[v]); }

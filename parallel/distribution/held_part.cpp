@@ -21,8 +21,8 @@ struct HeldPart::TravellingTriangle {
 
 namespace {
 
-/// A side of a triangle as it travels: the name of the neighbour's slot, the side there, and the constrained bit. Two
-/// special values say that there is no neighbour, and that the sender does not hold it.
+/// A side of a triangle as it travels: the name of the neighbour's slot, the side there, and the constrained bit. Three
+/// special values say that there is no neighbour, or that the sender does not hold it (with and without the bit).
 constexpr std::uint64_t no_neighbour = UINT64_MAX, not_held = UINT64_MAX - 2;
 constexpr std::uint64_t constrained_bit = 1;
 constexpr unsigned bits_of_side = 3;

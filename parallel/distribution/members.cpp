@@ -20,7 +20,7 @@ void Members::classify_vertices(const Triangulation& t, const Distribution& dist
   parallel_blocks(threads, t.points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v) {
       cell_[v] = distribution.cell_of(static_cast<VertexId>(v));
-      vertex_[v] = distribution.ownership().owner(cell_[v]) == distribution.ranks().rank() ? at_home : char{0};
+      vertex_[v] = distribution.ownership().owner(cell_[v]) == distribution.network().rank() ? at_home : char{0};
     }
   });
 }
@@ -34,9 +34,9 @@ void Members::classify_triangles(const Triangulation& t, const Distribution& dis
     const auto classify = [&](TriangleId id) {
       const Slot& slot = t.slots[id];
       bool is_member = true;
-      if ((vertex_[slot.v[0]] & vertex_[slot.v[1]] & vertex_[slot.v[2]] & at_home) == 0) {
+      if ((marks_of(slot.v[0]) & marks_of(slot.v[1]) & marks_of(slot.v[2]) & at_home) == 0) {
         at_border[block].push_back(id);
-        is_member = distribution.owner_of_triangle(id) == distribution.ranks().rank();
+        is_member = distribution.owner_of_triangle(id) == distribution.network().rank();
       }
       triangle_[id] = static_cast<char>(is_member);
       for (const VertexId corner : slot.v) mark(corner, is_member ? exists | in_piece : exists);

@@ -35,9 +35,11 @@ class Members {
 
   void classify_vertices(const Triangulation& t, const Distribution& distribution, const Threads& threads);
   void classify_triangles(const Triangulation& t, const Distribution& distribution, const Threads& threads);
+  [[nodiscard]] char marks_of(VertexId v) {
+    return std::atomic_ref<char>(vertex_[v]).load(std::memory_order_relaxed);
+  }
   void mark(VertexId v, char marks) {
-    std::atomic_ref<char> all(vertex_[v]);
-    if ((all.load(std::memory_order_relaxed) & marks) != marks) all.fetch_or(marks, std::memory_order_relaxed);
+    if ((marks_of(v) & marks) != marks) std::atomic_ref<char>(vertex_[v]).fetch_or(marks, std::memory_order_relaxed);
   }
 
   Array<Index> cell_;

@@ -20,8 +20,8 @@ struct Name {
   friend bool operator==(const Name&, const Name&) = default;
 };
 
-/// The names of the vertices, or of the slots, of one rank. An index without a name of its own is named after this rank
-/// or, if it existed before the division, after everyone.
+/// The names of the vertices, or of the slots, of one rank. By default, the name of an index is this rank and the index,
+/// or everyone and the index if it existed before the division. bind() gives an index the name that another rank chose.
 class Names {
  public:
   /// `common`: the number of indices that existed before the division.
@@ -30,16 +30,17 @@ class Names {
   /// Precondition: the index has not been released.
   [[nodiscard]] Name of(Index index) const {
     const std::uint64_t state = state_.get(index);
-    return state < first_name ? own(index) : unpacked(state - first_name);
+    return state < first_name ? default_name(index) : unpacked(state - first_name);
   }
-  /// The index with this name; no_index if this rank does not hold it.
+  /// The index with this name; no_index if this rank does not hold it. A default name has its index even if the index is
+  /// not used yet.
   [[nodiscard]] Index index_of(Name name) const {
-    if (name == own(name.id) && state_.get(name.id) == has_own_name) return name.id;
+    if (name == default_name(name.id) && state_.get(name.id) == has_default_name) return name.id;
     return name.creator < bound_.size() ? bound_[name.creator].get(name.id) - 1 : no_index;
   }
   /// Names an index. Precondition: the index is unused or has been released, and no index has this name.
   void bind(Name name, Index index) {
-    if (name == own(index)) return state_.set(index, has_own_name);
+    if (name == default_name(index)) return state_.set(index, has_default_name);
     if (name.creator >= bound_.size()) bound_.resize(name.creator + 1);
     bound_[name.creator].set(name.id, index + 1);
     state_.set(index, packed(name) + first_name);
@@ -63,9 +64,9 @@ class Names {
 
  private:
   /// The states of an index; from first_name on, a name.
-  static constexpr std::uint64_t has_own_name = 0, released = 1, first_name = 2;
+  static constexpr std::uint64_t has_default_name = 0, released = 1, first_name = 2;
 
-  [[nodiscard]] Name own(Index index) const { return {index < common_ ? Name::everyone : self_, index}; }
+  [[nodiscard]] Name default_name(Index index) const { return {index < common_ ? Name::everyone : self_, index}; }
 
   std::uint32_t self_;
   Index common_;

@@ -63,7 +63,7 @@ class PieceMaker {
              const Threads& threads)
       : domain_(domain),
         t_(domain.triangulation),
-        ranks_(distribution.ranks()),
+        ranks_(distribution.network()),
         part_(distribution.part()),
         input_(input),
         threads_(threads),

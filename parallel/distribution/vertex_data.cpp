@@ -73,7 +73,7 @@ class Collector {
       : domain_(domain),
         t_(domain.triangulation),
         distribution_(distribution),
-        ranks_(distribution.ranks()),
+        ranks_(distribution.network()),
         members_(members),
         cells_(std::move(cells)),
         threads_(threads) {

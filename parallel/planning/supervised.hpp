@@ -9,8 +9,8 @@
 
 namespace pardel::engine {
 
-/// Returns work(safe, progress), where `safe` are the options with guarded functions and the number of threads. Work
-/// that has to end early, or runs out of memory, becomes an error.
+/// Returns work(safe, progress). `safe` is a copy of the options in which the functions of the caller are guarded and
+/// the number of threads is resolved. Work that has to end early, or runs out of memory, becomes an error.
 template <class Work>
 auto supervised(const Options& options, const Work& work)
     -> decltype(work(options, std::declval<ProgressMonitor&>())) try {

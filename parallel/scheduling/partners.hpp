@@ -12,7 +12,7 @@ namespace pardel::engine {
 /// Connects the refinement of this rank with that of the other ranks (ranks.hpp). The coarse levels are refined by
 /// every rank alike. Then the mesh is divided. From then on, every rank runs the tasks of the cells that it owns, on
 /// the part of the mesh around them, and the ranks exchange what they changed after every phase. All functions but
-/// is_at_home() and is_first() are collective. They throw Stopped if the run has to end.
+/// is_at_home(), is_first() and ranks() are collective. They throw Stopped if the run has to end.
 class Partners {
  public:
   Partners() = default;
@@ -28,6 +28,8 @@ class Partners {
 
   /// True on one rank.
   [[nodiscard]] virtual bool is_first() const = 0;
+  /// The number of ranks.
+  [[nodiscard]] virtual int ranks() const = 0;
 
   virtual void add_up(std::span<std::uint64_t> values) = 0;
   /// Sends the seeds of tasks whose cells belong to other ranks to these ranks, and marks the tasks as `elsewhere`.

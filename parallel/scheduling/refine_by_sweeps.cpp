@@ -52,7 +52,8 @@ Error t1_violated(const Sweep& sweep) {
 class Refinement {
  public:
   Refinement(Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options,
-             ProgressMonitor& progress, const Schedule& schedule, const Watcher& watcher, Partners* partners)
+             ProgressMonitor& progress, const Threads& threads, const Schedule& schedule, const Watcher& watcher,
+             Partners* partners)
       : t_(t),
         segments_(segments),
         criteria_(criteria),
@@ -61,7 +62,7 @@ class Refinement {
         watcher_(watcher),
         partners_(partners),
         assessor_(t, segments, criteria, options),
-        threads_(progress.threads()),
+        threads_(threads),
         runner_(t, assessor_, criteria, options, threads_, schedule),
         pending_(t, assessor_, threads_),
         progress_(progress) {}
@@ -70,7 +71,8 @@ class Refinement {
     InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_);
     counts_.left_alone = initial.left_alone;
     pending_.defer(std::move(initial.bad));
-    const double needed = initial.estimates.lower_bound + static_cast<double>(progress_.triangles_aside());
+    const double whole = initial.estimates.lower_bound + static_cast<double>(progress_.triangles_aside());
+    const double needed = partners_ == nullptr ? whole : whole / partners_->ranks();
     if (Status fits = check_size(needed, options_); !fits) return fits;
     const Box bounds = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, options_);
@@ -232,7 +234,9 @@ class Refinement {
   void go_up_in_excerpt(const Levels& levels) {
     const std::vector<QueuedTriangle> rest = pending_.take_needing_larger_box();
     partners_->refine_rest(rest, [&](const Partners::Excerpt& excerpt) {
-      Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, schedule_, watcher_, nullptr);
+      // On one thread: tasks on several would all write to the triangle that stands for those beyond the excerpt.
+      const Threads one(1, threads_.stop);
+      Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, one, schedule_, watcher_, nullptr);
       in_excerpt.pending_.add_needing_larger_box(excerpt.fill(in_excerpt.runner_));
       in_excerpt.changed_.emplace();
       in_excerpt.go_up(levels);
@@ -366,7 +370,7 @@ class Refinement {
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, ProgressMonitor& progress, const Schedule& schedule,
                                       const Watcher& watcher, Partners* partners) try {
-  Refinement refinement(t, segments, criteria, options, progress, schedule, watcher, partners);
+  Refinement refinement(t, segments, criteria, options, progress, progress.threads(), schedule, watcher, partners);
   if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 } catch (const Stopped& stopped) {

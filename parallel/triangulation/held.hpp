@@ -8,8 +8,9 @@
 namespace pardel::engine {
 
 /// Beyond the triangles that a process holds lies one triangle that stands for all others. Its corners are one vertex
-/// whose coordinates are not numbers. So no test with a filter decides anything about it, and every exact test first
-/// calls require_held(), which throws this.
+/// whose coordinates are not numbers. So no filter decides whether a point lies in its circumdisk, and the exact test
+/// first calls require_held(), which throws this. Constrained edges are not crossed, so what lies beyond them is not
+/// noticed in this way.
 struct NotHeld {};
 
 /// Throws NotHeld if p is the corner of the triangle beyond the part that the process holds.

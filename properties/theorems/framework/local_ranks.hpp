@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "../../../core/support/exception_of.hpp"
 #include "../../../core/support/stop_signal.hpp"
 #include "../../../core/ranks.hpp"
 #include "../../domains/generators/random.hpp"
@@ -97,17 +98,21 @@ class LocalRanks : public Ranks {
   generators::Random random_;
 };
 
-/// Calls work(ranks) on each of `count` ranks, at the same time.
+/// Calls work(ranks) on each of `count` ranks, at the same time. Then throws the exception of the first rank that threw
+/// one.
 inline void on_ranks(int count, const std::function<void(Ranks&)>& work, std::uint64_t delays = 0) {
   LocalNetwork network(count);
   std::vector<std::thread> threads;
+  std::vector<std::exception_ptr> thrown(count);
   for (int rank = 0; rank < count; ++rank)
     threads.emplace_back([&, rank] {
       LocalRanks ranks(network, rank, delays);
-      work(ranks);
+      thrown[rank] = exception_of([&] { work(ranks); });
       network.leave();
     });
   for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& exception : thrown)
+    if (exception) std::rethrow_exception(exception);
 }
 
 }  // namespace pardel::properties

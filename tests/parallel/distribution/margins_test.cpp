@@ -47,21 +47,21 @@ class WatchedDistribution : public Distribution {
     Distribution::exchange_changes(tasks);
     std::vector<Observed::Held> held;
     part().for_each_triangle([&](TriangleId id) {
-      const bool is_own = owner_of_triangle(id) == ranks().rank();
+      const bool is_own = owner_of_triangle(id) == network().rank();
       held.push_back({corners_of(watched_, id), is_own, watchers(id)});
       expect_neighbours(id);
     });
     const std::scoped_lock lock(observed_.mutex);
     if (observed_.held.size() <= phase_) observed_.held.resize(phase_ + 1);
-    observed_.held[phase_].resize(ranks().count());
-    observed_.held[phase_][ranks().rank()] = std::move(held);
+    observed_.held[phase_].resize(network().count());
+    observed_.held[phase_][network().rank()] = std::move(held);
     ++phase_;
   }
 
  private:
   [[nodiscard]] std::vector<int> watchers(TriangleId id) const {
     std::vector<int> found;
-    for (int rank = 0; rank < ranks().count(); ++rank)
+    for (int rank = 0; rank < network().count(); ++rank)
       if (std::ranges::any_of(watched_.slots[id].v,
                               [&](VertexId v) { return ownership().watches(rank, watched_.points[v]); }))
         found.push_back(rank);
