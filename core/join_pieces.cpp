@@ -35,13 +35,19 @@ class Join {
   }
 
  private:
-  /// The largest number determines the number of points.
+  /// The largest number determines the number of points. It is less than the number of points of all pieces, because no
+  /// number is missing.
   Status make_room() {
-    std::uint64_t points = 0, triangles = 0;
+    std::uint64_t largest = 0, listed = 0, triangles = 0;
     for (const NumberedMesh* piece : pieces_) {
-      for (const std::uint64_t number : piece->number) points = std::max(points, number + 1);
+      for (const std::uint64_t number : piece->number) largest = std::max(largest, number);
+      listed += piece->number.size();
       triangles += piece->mesh.triangles.size();
     }
+    if (largest >= listed)
+      return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +
+                     std::to_string(listed) + " points");
+    const std::uint64_t points = largest + 1;
     if (points >= no_index || !can_be_a_mesh(triangles))
       return Error{ErrorKind::resources, "the pieces have " + std::to_string(triangles) + " triangles and " +
                                              std::to_string(points) + " points, more than one mesh can hold"};
@@ -53,17 +59,29 @@ class Join {
     mesh_.attributes_per_point = first.attributes_per_point;
     mesh_.point_attributes.resize(points * first.attributes_per_point);
     mesh_.triangles.reserve(triangles);
-    mesh_.region_attributes = first.region_attributes;
     return Done{};
   }
 
-  Status check_kind(const NumberedMesh& piece) const {
-    const Mesh& first = pieces_.front()->mesh;
-    if (piece.number.size() != piece.mesh.points.size()) return invalid("a piece has points without numbers");
-    if (piece.mesh.attributes_per_point != first.attributes_per_point ||
-        piece.mesh.region.empty() != first.region.empty() ||
-        piece.mesh.point_markers.empty() != first.point_markers.empty())
-      return invalid("the pieces do not have the same kinds of data");
+  /// A piece without triangles says nothing about regions.
+  Status check_kind(const NumberedMesh& piece) {
+    const Mesh &first = pieces_.front()->mesh, &mesh = piece.mesh;
+    const std::size_t n = mesh.points.size();
+    const auto has_all = [](const auto& values, std::size_t count, bool should_exist) {
+      return values.size() == (should_exist ? count : 0);
+    };
+    if (piece.number.size() != n) return invalid("a piece has points without numbers");
+    bool same = mesh.attributes_per_point == first.attributes_per_point &&
+                mesh.point_attributes.size() == n * first.attributes_per_point &&
+                has_all(mesh.point_markers, n, !first.point_markers.empty()) &&
+                has_all(mesh.origin, n, !first.origin.empty());
+    if (!mesh.triangles.empty()) {
+      if (mesh_.triangles.empty()) {
+        have_regions_ = !mesh.region.empty();
+        mesh_.region_attributes = mesh.region_attributes;
+      }
+      same = same && has_all(mesh.region, mesh.triangles.size(), have_regions_);
+    }
+    if (!same) return invalid("the pieces do not have the same kinds of data");
     return Done{};
   }
 
@@ -94,6 +112,7 @@ class Join {
 
   std::vector<const NumberedMesh*> pieces_;
   Array<char> is_known_;  ///< per point
+  bool have_regions_ = false;
   Mesh mesh_;
 };
 

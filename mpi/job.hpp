@@ -19,8 +19,8 @@ class Job {
 
   [[nodiscard]] MpiRanks& ranks() { return ranks_; }
   [[nodiscard]] bool is_first() const { return ranks_.rank() == 0; }
-  /// The processors of this machine, or those of its quota, divided by the number of ranks on it; not more than those to
-  /// which this process is bound; at least 1.
+  /// The processors of this machine, or those of its quota, divided by the number of ranks on it; not more than those
+  /// to which this process is bound; at least 1.
   [[nodiscard]] int threads_per_rank() const { return threads_per_rank_; }
   /// The number of ranks on this machine.
   [[nodiscard]] int ranks_here() const { return ranks_here_; }

@@ -12,6 +12,8 @@
 
 #include "../cli/goal_options.hpp"
 #include "../cli/input.hpp"
+#include "../cli/memory.hpp"
+#include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
 #include "../cli/output.hpp"
 #include "../cli/refusal.hpp"
@@ -53,7 +55,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
       ->check(positive_number("a length"))
       ->type_name("LENGTH");
-  add_threads_option(app, arguments.threads, "each rank, by default, gets its share of the cores of its machine; the mesh");
+  add_threads_option(app, arguments.threads, "the mesh")
+      ->description(
+          "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
+          "the mesh does not depend on it");
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output");
   app.footer(mesh_footer);
 }
@@ -85,13 +90,15 @@ Result<Input> read(const Arguments& arguments) {
 }
 
 Status write(const Arguments& arguments, const MeshPiece& piece, Job& job) {
+  // A rank without triangles has no regions either.
+  const bool have_regions = job.range_of(piece.mesh.region.empty() ? 0 : 1).most > 0;
   const auto agree = [&](const Status& here) { return job.agree(here); };
   const Status written =
       write_vtu_piece(piece.mesh, piece.number.span(), file_of_piece(arguments.output, job.ranks().rank()), agree);
   if (Status all = job.agree(written); !all) return all;
   Status index = Done{};
   if (job.is_first()) {
-    PiecesOfMesh pieces{{}, !piece.mesh.region.empty(), piece.mesh.attributes_per_point};
+    PiecesOfMesh pieces{{}, have_regions, piece.mesh.attributes_per_point};
     for (int rank = 0; rank < job.ranks().count(); ++rank)
       pieces.files.push_back(file_of_piece(arguments.output, rank).filename().string());
     index = write_pvtu(pieces, arguments.output);
@@ -130,6 +137,9 @@ void print(const Arguments& arguments, const MeshPiece& piece, const Seconds& se
 Status check_arguments(Arguments& arguments) {
   if (arguments.output.extension() != ".pvtu")
     return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu", arguments.output.string())};
+  if (arguments.output.filename().string().find_first_of("<>&\"") != std::string::npos)
+    return Error{ErrorKind::usage,
+                 fmt::format("the name of the output {} must not contain <, >, & or \"", arguments.output.string())};
   if (Status fine = check_folder(arguments.output); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);
 }
@@ -137,6 +147,7 @@ Status check_arguments(Arguments& arguments) {
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
   Seconds seconds;
+  const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
   if (Status fine = job.agree(check_arguments(arguments)); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
@@ -149,7 +160,11 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   if (Status written = write(arguments, *piece, job); !written) return written.error();
   seconds.write = watch.lap();
   print(arguments, *piece, seconds, job);
-  return ExitCode::done;
+  if (piece->missed == 0) return ExitCode::done;
+  if (job.is_first())
+    warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; 'pardel check' lists them",
+                     arguments.input.string(), piece->missed));
+  return ExitCode::goal_missed;
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "../core/digest.hpp"
 #include "../core/goal.hpp"
 #include "../core/mesh.hpp"
-#include "options.hpp"
 #include "../core/ranks.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "validate.hpp"
 
@@ -32,9 +32,11 @@ struct MeshPiece {
   std::uint64_t first_triangle = 0;    ///< the number of triangles of the ranks before this one
   // Of the whole mesh:
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0;
-  double seconds = 0;  ///< to make the piece after the refinement
-  /// Of the whole run, but the exemptions and the tasks of the tiling are those of this rank. Exemption::triangle is a
-  /// triangle of the piece.
+  std::uint64_t missed = 0;  ///< triangles that miss the goal although no small input angle justifies it
+  double seconds = 0;        ///< to make the piece after the refinement
+  /// Of the whole run, except for what belongs to this rank: exemptions (Exemption::triangle is a triangle of the
+  /// piece), times, Sweep::largest_task, and the threads of cells. It has no sweeps for triangles whose cavities fit no
+  /// box.
   Report report;
 };
 
@@ -43,7 +45,8 @@ struct MeshPiece {
 /// the tiles that it owns, which follow each other on a space-filling curve, and exchanges triangles near its border
 /// with the other ranks after each phase. The mesh depends neither on the number of ranks nor on threads.
 ///
-/// Memory of a rank: its share of the mesh, a margin of one tile around it, the input, and the coarse levels.
+/// Memory of a rank: its share of the mesh, a margin around it (half a tile wide on a lattice, the neighbouring leaves
+/// of a quadtree), the input, and the coarse levels. options.max_memory is a limit for each rank.
 ///
 /// Errors, beside those of mesh(): `usage` for options.max_vertices, options.after_sweep and Interior::fill, which are
 /// for one process. Errors of validation and of the coarse levels occur on all ranks alike. If a later error occurs on

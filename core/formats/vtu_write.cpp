@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <span>
 
 #include "../formats.hpp"
@@ -23,6 +24,8 @@ struct AppendedArray {
   std::size_t bytes;
   std::function<void(OutputFile&)> write;
 };
+/// For a piece of a mesh, also for an empty one: the numbers of its points.
+using PieceNumbers = std::optional<std::span<const std::uint64_t>>;
 using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
 template <class T>
@@ -90,10 +93,11 @@ Section cells(const Mesh& mesh) {
   return {"Cells", {connectivity, offsets, types}};
 }
 
-/// always_markers: also if no edge has one, because all pieces of a mesh have the same arrays.
+/// always_markers: for a piece, because all pieces of a mesh have the same arrays.
 Section cell_data(const Mesh& mesh, bool always_markers) {
   Section section{"CellData", {}};
-  if (!mesh.region.empty()) {
+  const bool is_empty_piece = always_markers && mesh.triangles.empty();
+  if (!mesh.region.empty() || (is_empty_piece && !mesh.region_attributes.empty())) {
     section.second.push_back(cell_array<double>(
         "region", mesh,
         [&mesh](std::size_t t) {
@@ -117,9 +121,9 @@ Section cell_data(const Mesh& mesh, bool always_markers) {
   return section;
 }
 
-Section point_data(const Mesh& mesh, std::span<const int> markers, std::span<const std::uint64_t> numbers) {
+Section point_data(const Mesh& mesh, std::span<const int> markers, const PieceNumbers& numbers) {
   Section section{"PointData", {stored_array("marker", 1, markers)}};
-  if (!numbers.empty()) section.second.push_back(stored_array(vtu_vertex_numbers, 1, numbers));
+  if (numbers) section.second.push_back(stored_array(vtu_vertex_numbers, 1, *numbers));
   if (const std::size_t k = mesh.attributes_per_point; k > 0)
     section.second.push_back(stored_array("attributes", k, mesh.point_attributes.span()));
   return section;
@@ -137,8 +141,7 @@ void put_section(Bytes& to, const Section& section, std::size_t& offset) {
   to << "</" << name << ">\n";
 }
 
-/// `numbers`: one per point, or empty.
-void write(const Mesh& mesh, std::span<const std::uint64_t> numbers, OutputFile& out) {
+void write(const Mesh& mesh, const PieceNumbers& numbers, OutputFile& out) {
   const std::size_t n = mesh.points.size();
   Array<int> inferred;
   const std::span<const int> markers = vertex_markers(mesh, inferred);
@@ -151,7 +154,7 @@ void write(const Mesh& mesh, std::span<const std::uint64_t> numbers, OutputFile&
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   const bool small = n <= most && 3 * cell_count(mesh) <= most;
   const std::vector<Section> sections{points, small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh),
-                                      cell_data(mesh, !numbers.empty()), point_data(mesh, markers, numbers)};
+                                      cell_data(mesh, numbers.has_value()), point_data(mesh, markers, numbers)};
 
   Bytes header;
   header << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
@@ -180,7 +183,7 @@ void put_array(Bytes& to, const char* type, const char* name, std::size_t compon
 
 Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
   OutputFile out(file);
-  write(mesh, {}, out);
+  write(mesh, std::nullopt, out);
   return out.commit();
 }
 

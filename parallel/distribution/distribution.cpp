@@ -225,7 +225,8 @@ bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std:
   } catch (const NotHeld&) {
     return false;
   }
-  // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is missing.
+  // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is
+  // missing.
   for (const TriangleId id : changed)
     for (const EdgeRef across : t.slots[id].n)
       if (part->is_beyond(across)) return false;

@@ -35,9 +35,7 @@ class Members {
 
   void classify_vertices(const Triangulation& t, const Distribution& distribution, const Threads& threads);
   void classify_triangles(const Triangulation& t, const Distribution& distribution, const Threads& threads);
-  [[nodiscard]] char marks_of(VertexId v) {
-    return std::atomic_ref<char>(vertex_[v]).load(std::memory_order_relaxed);
-  }
+  [[nodiscard]] char marks_of(VertexId v) { return std::atomic_ref<char>(vertex_[v]).load(std::memory_order_relaxed); }
   void mark(VertexId v, char marks) {
     if ((marks_of(v) & marks) != marks) std::atomic_ref<char>(vertex_[v]).fetch_or(marks, std::memory_order_relaxed);
   }

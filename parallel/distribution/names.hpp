@@ -20,8 +20,9 @@ struct Name {
   friend bool operator==(const Name&, const Name&) = default;
 };
 
-/// The names of the vertices, or of the slots, of one rank. By default, the name of an index is this rank and the index,
-/// or everyone and the index if it existed before the division. bind() gives an index the name that another rank chose.
+/// The names of the vertices, or of the slots, of one rank. By default, the name of an index is this rank and the
+/// index, or everyone and the index if it existed before the division. bind() gives an index the name that another rank
+/// chose.
 class Names {
  public:
   /// `common`: the number of indices that existed before the division.
@@ -32,8 +33,8 @@ class Names {
     const std::uint64_t state = state_.get(index);
     return state < first_name ? default_name(index) : unpacked(state - first_name);
   }
-  /// The index with this name; no_index if this rank does not hold it. A default name has its index even if the index is
-  /// not used yet.
+  /// The index with this name; no_index if this rank does not hold it. A default name has its index even if the index
+  /// is not used yet.
   [[nodiscard]] Index index_of(Name name) const {
     if (name == default_name(name.id) && state_.get(name.id) == has_default_name) return name.id;
     return name.creator < bound_.size() ? bound_[name.creator].get(name.id) - 1 : no_index;

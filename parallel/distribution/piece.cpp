@@ -37,7 +37,7 @@ IndexAllocator used_indices(std::size_t n, const IsIn& is_in) {
   return indices;
 }
 
-/// Where compact() moves vertices.
+/// Where compact() moves vertices or triangles.
 class Moved {
  public:
   explicit Moved(const IndexAllocator& indices) : moves_(moves_into_holes(indices)) {}
@@ -70,12 +70,13 @@ class PieceMaker {
         members_(t_, domain.input_of_vertex.size(), distribution, threads),
         data_(vertex_data(domain, distribution, members_, input.markers, threads)) {}
 
-  [[nodiscard]] MeshPiece make(std::vector<double> region_attributes, std::vector<std::array<Index, 3>> background) {
+  [[nodiscard]] MeshPiece make(std::vector<double> region_attributes, std::vector<std::array<Index, 3>> background,
+                               std::vector<Exemption>& exempt) {
     list_edges();
     cut_at_border();
     translate_origins();
     note_inputs();
-    compact_all();
+    compact_all(exempt);
     add_attributes(std::move(background));
     add_shared_vertices();
     piece_.mesh.region_attributes = std::move(region_attributes);
@@ -130,10 +131,11 @@ class PieceMaker {
     });
   }
 
-  void compact_all() {
+  void compact_all(std::vector<Exemption>& exempt) {
     const IndexAllocator vertices = used_indices(t_.points.size(), [&](Index v) { return members_.has_vertex(v); });
     const IndexAllocator triangles = used_indices(t_.slots.size(), [&](Index id) { return members_.has_triangle(id); });
-    const Moved moved(vertices);
+    const Moved moved(vertices), moved_triangles(triangles);
+    for (Exemption& e : exempt) e.triangle = moved_triangles.now(e.triangle);
     compact(t_, vertices, triangles, threads_);
     const std::size_t count = t_.points.size();
     moved.apply(data_.number, count);
@@ -219,8 +221,10 @@ class PieceMaker {
 
 MeshPiece make_piece(DomainTriangulation& domain, const Distribution& distribution,
                      std::vector<double> region_attributes, const PointData& data,
-                     std::vector<std::array<Index, 3>> background, const Threads& threads) {
-  return PieceMaker(domain, distribution, data, threads).make(std::move(region_attributes), std::move(background));
+                     std::vector<std::array<Index, 3>> background, std::vector<Exemption>& exempt,
+                     const Threads& threads) {
+  return PieceMaker(domain, distribution, data, threads)
+      .make(std::move(region_attributes), std::move(background), exempt);
 }
 
 }  // namespace pardel::engine

@@ -1,12 +1,14 @@
 #include "exemptions.hpp"
 
+#include "../triangulation/held.hpp"
 #include "assessor.hpp"
 #include "insertion.hpp"
 
 namespace pardel::engine {
 
 std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
-                                  const Options& options, bool budget_reached, const Threads& threads) {
+                                  const Options& options, bool budget_reached, const Threads& threads,
+                                  const std::function<bool(TriangleId)>& counts) {
   const Assessor assessor(t, segments, criteria, options);
   Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
@@ -36,7 +38,12 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
   SparseAsk ask(threads.stop);
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     ask();
-    if (assessor.breaks_goal(id, hints)) result.push_back(why_not_split(id));
+    if (counts && !counts(id)) continue;
+    try {
+      if (assessor.breaks_goal(id, hints)) result.push_back(why_not_split(id));
+    } catch (const NotHeld&) {
+      result.push_back({id, ExemptReason::precision});
+    }
   }
   return result;
 }

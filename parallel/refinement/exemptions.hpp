@@ -1,6 +1,7 @@
 // The triangles of a refined mesh that break the goal.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "../concurrency/threads.hpp"
@@ -14,9 +15,11 @@ namespace pardel::engine {
 
 /// Lists the triangles that break the criteria, in ascending order, with the reason why each was not split.
 /// `budget_reached`: the refinement ended at options.max_vertices. The triangulation is not changed. Runs on
-/// one thread. O(n).
+/// one thread. O(n). `counts`: if given, only triangles for which it is true are listed. If a rank does not hold all
+/// that the reason depends on, the reason is `precision`.
 [[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments,
                                                 const Criteria& criteria, const Options& options, bool budget_reached,
-                                                const Threads& threads = {});
+                                                const Threads& threads = {},
+                                                const std::function<bool(TriangleId)>& counts = {});
 
 }  // namespace pardel::engine

@@ -27,15 +27,15 @@ class PardelMpi : public testing::Workshop {
     EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
   }
   Ran on_ranks(int ranks, const std::vector<std::string>& arguments) const {
-    std::vector<std::string> all{"--oversubscribe", "--bind-to", "none", "-n", std::to_string(ranks), PARDEL_MPI_PROGRAM};
+    std::vector<std::string> all{"--oversubscribe",     "--bind-to",       "none", "-n",
+                                 std::to_string(ranks), PARDEL_MPI_PROGRAM};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return run(PARDEL_MPIRUN, all);
   }
 };
 
 TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
-  const Ran ran = on_ranks(
-      3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4", "--threads", "1"});
+  const Ran ran = on_ranks(3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4", "--threads", "1"});
   ASSERT_EQ(ran.exit_code, 0) << ran;
   EXPECT_EQ(files(), (Files{"pipe.poly", "out.pvtu", "out_0000.vtu", "out_0001.vtu", "out_0002.vtu"}));
   const Result<Mesh> whole = read_mesh(folder_ / "work" / "out.pvtu");
@@ -45,6 +45,25 @@ TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
   const Result<Meshed> expected = mesh(domains::pipe(), goal);
   EXPECT_EQ(to_string(digest(*whole)), to_string(digest(expected->mesh)));
   EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(*whole)), "ranks   3, with 1 threads each"}));
+}
+
+TEST_F(PardelMpi, says_how_many_triangles_miss_a_bound) {
+  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--min-edge", "0.1"});
+  EXPECT_EQ(ran.exit_code, 4) << ran;
+  EXPECT_TRUE(holds(ran.err, {"triangles miss a bound"}));
+  EXPECT_TRUE(exists("out.pvtu"));
+}
+
+TEST_F(PardelMpi, writes_the_same_arrays_for_a_rank_without_triangles) {
+  EXPECT_TRUE(write_poly(domains::regions(), folder_ / "work" / "regions.poly"));
+  const Ran ran = on_ranks(3, {"mesh", "regions.poly", "-o", "out.pvtu"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(read("out.pvtu"), {"Name=\"region\"", "Name=\"GlobalNodeId\""}));
+  for (const char* piece : {"out_0000.vtu", "out_0001.vtu", "out_0002.vtu"})
+    EXPECT_TRUE(holds(read(piece), {"Name=\"region\"", "Name=\"marker\"", "Name=\"GlobalNodeId\""})) << piece;
+  const Result<Mesh> whole = read_mesh(folder_ / "work" / "out.pvtu");
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_EQ(to_string(digest(*whole)), to_string(digest(mesh(domains::regions(), Goal{})->mesh)));
 }
 
 TEST_F(PardelMpi, says_once_that_a_file_cannot_be_read) {

@@ -47,7 +47,7 @@ std::vector<Case> small_cases() {
     cases.push_back(std::move(made));
   }
   const std::vector<std::pair<std::string, Pslg>> named = {
-      {"square", domains::square()}, {"pipe", domains::pipe()},     {"key", domains::key()},
+      {"square", domains::square()}, {"pipe", domains::pipe()},        {"key", domains::key()},
       {"cracks", domains::cracks()}, {"wedge", domains::wedge(20, 7)}, {"points", domains::random_points(2000, 1)}};
   for (const auto& [name, pslg] : named) {
     cases.push_back({name, pslg, {.min_angle_deg = 28, .max_area = 0.0005}, {.triangles_per_tile = 200}});
@@ -57,7 +57,8 @@ std::vector<Case> small_cases() {
 }
 
 std::vector<Case> large_cases() {
-  return {{"pipe", domains::pipe(), {.max_area = 3.4e-6}, {}}, {"square", domains::square(), {.max_area = 1.37e-6}, {}}};
+  return {{"pipe", domains::pipe(), {.max_area = 3.4e-6}, {}},
+          {"square", domains::square(), {.max_area = 1.37e-6}, {}}};
 }
 
 /// The number of runs with another digest than that of one process.
@@ -88,7 +89,8 @@ int run(std::string_view which) {
   int different = 0;
   for (const Case& c : cases) different += differences(c, ranks);
   if (ranks.rank() == 0)
-    std::printf("%zu domains on %d ranks with 1 to 3 threads: %d differences\n", cases.size(), ranks.count(), different);
+    std::printf("%zu domains on %d ranks with 1 to 3 threads: %d differences\n", cases.size(), ranks.count(),
+                different);
   return different == 0 ? 0 : 1;
 }
 

@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "../../../core/ranks.hpp"
 #include "../../../core/support/exception_of.hpp"
 #include "../../../core/support/stop_signal.hpp"
-#include "../../../core/ranks.hpp"
 #include "../../domains/generators/random.hpp"
 
 namespace pardel::properties {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../../core/join_pieces.hpp"
+#include "../../../core/neighbours.hpp"
 #include "../../../parallel/distributed.hpp"
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/checker/check.hpp"
@@ -174,6 +175,15 @@ TEST_P(Pieces, list_the_vertices_that_they_share) {
     }
 }
 
+TEST_P(Pieces, have_the_neighbours_that_their_triangles_imply) {
+  for (const int count : {1, 3, 6})
+    for (MeshPiece& piece : pieces_of(case_, count)) {
+      Array<Triangle> expected = piece.mesh.triangles;
+      EXPECT_EQ(rebuild_neighbours(expected, piece.mesh.points.size()), 0U);
+      EXPECT_TRUE(std::ranges::equal(piece.mesh.triangles, expected));
+    }
+}
+
 TEST_P(Pieces, have_one_mesh_whatever_the_delays) {
   const ValidPslg domain = std::move(validate(case_.pslg)).value();
   std::optional<Digest> expected;
@@ -207,6 +217,27 @@ TEST(PiecesOfALargeMesh, are_certified_when_joined) {
   const Case c{"pipe", domains::pipe(), {.min_angle_deg = 25, .max_area = 2e-4}, {.threads = 2, .cells = {6, 6}}};
   std::vector<MeshPiece> pieces = pieces_of(c, 3);
   EXPECT_TRUE(check(c.pslg, joined(pieces), c.goal).valid);
+}
+
+TEST(PiecesOfAMeshWithAFloor, list_the_triangles_that_miss_the_goal) {
+  const Case c{"key",
+               domains::key(),
+               {.min_angle_deg = 25, .max_area = 0.002},
+               {.threads = 1, .cells = {4, 4}, .min_edge = 0.05}};
+  const Result<Meshed> whole = mesh(c.pslg, c.goal, c.options);
+  ASSERT_TRUE(whole);
+  ASSERT_FALSE(whole->report.goal_met());
+  std::size_t expected = 0, found = 0;
+  for (const Exemption& e : whole->report.exempt) expected += justified(e.reason) ? 0 : 1;
+  const std::vector<MeshPiece> pieces = pieces_of(c, 3);
+  for (const MeshPiece& piece : pieces) {
+    EXPECT_EQ(piece.missed, expected);
+    for (const Exemption& e : piece.report.exempt) {
+      EXPECT_LT(e.triangle, piece.mesh.triangles.size());
+      found += justified(e.reason) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(found, expected);
 }
 
 TEST(PiecesAreRefused, with_options_for_one_process) {
