@@ -25,6 +25,7 @@ namespace {
 struct Settings {
   std::string domain = "pipe";
   double triangles = 1e7;
+  double per_rank = 0;  ///< if not 0: this number of triangles for each rank
   int runs = 5;
 };
 
@@ -66,7 +67,9 @@ class Comparison {
   explicit Comparison(const Settings& settings)
       : settings_(settings),
         domain_(std::move(validate(*domains::generate(settings.domain, 0, 1))).value()),
-        area_(settings.domain == "pipe" ? 2.486 : 1) {}
+        area_(settings.domain == "pipe" ? 2.486 : 1) {
+    if (settings.per_rank > 0) settings_.triangles = settings.per_rank * ranks_.count();
+  }
 
   int run() {
     for (int round = 0; round < settings_.runs; ++round) {
@@ -124,6 +127,11 @@ class Comparison {
                ranks_.count(), slowest);
     fmt::print("speed of ranks, divided by that of threads: {:.2f}; by that of separate processes: {:.2f}\n",
                threads / ranks, slowest / ranks);
+    fmt::print("{:.2f} million triangles per second and rank\n", millions / ranks / ranks_.count());
+    fmt::print(
+        "for comparison, Chernikov and Chrisochoides 2004, Table 2, 14.6 million triangles on 4 processors: MPI "
+        "220.3 s, OpenMP 214.1 s, speed of ranks divided by that of threads 0.97; 0.017 million triangles per "
+        "second and processor\n");
     fmt::print("digests {}\n", is_same_ ? "are equal" : "DIFFER");
   }
 
@@ -141,7 +149,9 @@ int run(int argc, char** argv) {
   Settings settings;
   CLI::App app("Compares the ranks of an MPI job with the threads of one process. Start it with mpirun -n R.");
   app.add_option("--domain", settings.domain, "square or pipe")->check(CLI::IsMember({"square", "pipe"}));
-  app.add_option("--triangles", settings.triangles, "about this number of triangles");
+  CLI::Option* all = app.add_option("--triangles", settings.triangles, "about this number of triangles");
+  app.add_option("--per-rank", settings.per_rank, "about this number of triangles for each rank (weak scaling)")
+      ->excludes(all);
   app.add_option("--runs", settings.runs, "the number of rounds");
   CLI11_PARSE(app, argc, argv);
   return Comparison(settings).run();
