@@ -40,13 +40,6 @@ struct Row {
   [[nodiscard]] double rate() const { return failed() ? 0 : static_cast<double>(triangles) / seconds; }
 };
 
-template <class T>
-T median(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Row summarise(const std::string& tool, const std::vector<Run>& runs) {
   Row row{.tool = tool, .shapes = runs.front().shapes, .verdict = runs.front().verdict.data(), .all_seconds = {}};
   std::vector<std::uint64_t> triangles;

@@ -3,7 +3,6 @@
 // others sleep, then each rank makes a mesh of 1/R of the triangles for itself. Prints medians. See --help.
 #include <fmt/format.h>
 #include <mpi.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -17,15 +16,15 @@
 #include "../mpi/mpi_ranks.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/domains/domains.hpp"
+#include "tool.hpp"
+#include "warm_memory.hpp"
 
 namespace pardel::bench {
 namespace {
 
 struct Settings {
-  std::string domain = "pipe";
-  double triangles = 1e7;
-  double per_rank = 0;  ///< if not 0: this number of triangles for each rank
+  Task task{.domain = "pipe", .goal = {}, .triangles = 10'000'000};
+  std::uint64_t per_rank = 0;  ///< if not 0: this number of triangles for each rank
   int runs = 5;
 };
 
@@ -39,21 +38,6 @@ void wait_for_all() {
   }
 }
 
-/// Makes the host of a virtual machine provide memory: see warm_memory.hpp.
-void warm(std::size_t bytes) {
-  void* block = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (block == MAP_FAILED) return;
-  (void)madvise(block, bytes, MADV_HUGEPAGE);
-  constexpr std::size_t page = 4096;
-  for (std::size_t i = 0; i < bytes; i += page) static_cast<volatile char*>(block)[i] = 1;
-  munmap(block, bytes);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0 : values[values.size() / 2];
-}
-
 /// Starts the work on all ranks at the same time, and waits for all of them.
 template <class Work>
 void together(const Work& work) {
@@ -65,10 +49,9 @@ void together(const Work& work) {
 class Comparison {
  public:
   explicit Comparison(const Settings& settings)
-      : settings_(settings),
-        domain_(std::move(validate(*domains::generate(settings.domain, 0, 1))).value()),
-        area_(settings.domain == "pipe" ? 2.486 : 1) {
-    if (settings.per_rank > 0) settings_.triangles = settings.per_rank * ranks_.count();
+      : settings_(settings), domain_(std::move(validate(make_domain(settings.task))).value()) {
+    if (settings.per_rank > 0)
+      settings_.task.triangles = settings.per_rank * static_cast<std::uint64_t>(ranks_.count());
   }
 
   int run() {
@@ -84,16 +67,21 @@ class Comparison {
   }
 
  private:
+  /// The goal for a mesh of the task's triangles, divided by `parts`.
   [[nodiscard]] Goal goal(int parts) const {
-    constexpr double triangles_per_bound = 1.37;
-    return {.max_area = triangles_per_bound * area_ / settings_.triangles * parts};
+    Task task = settings_.task;
+    task.triangles /= static_cast<std::uint64_t>(parts);
+    set_size(task);
+    return task.goal;
   }
-  [[nodiscard]] std::size_t bytes(double share) const {
-    return static_cast<std::size_t>(60 * settings_.triangles * share);
+  /// Makes the memory for such a mesh available (warm_memory.hpp). A process of an MPI job cannot do it in a child.
+  void warm(int parts) const {
+    constexpr std::uint64_t bytes_per_triangle = 60;
+    (void)touch_memory(bytes_per_triangle * settings_.task.triangles / static_cast<std::uint64_t>(parts));
   }
 
   void make_piece() {
-    warm(bytes(1.0 / ranks_.count()));
+    warm(ranks_.count());
     wait_for_all();
     const Stopwatch watch;
     const Result<MeshPiece> piece = mesh(domain_, goal(1), {.threads = 1}, ranks_);
@@ -105,7 +93,7 @@ class Comparison {
     digest_ = digest(*piece, ranks_);
   }
   void make_whole(int parts, int threads, std::vector<double>& seconds) {
-    warm(bytes(1.0 / parts));
+    warm(parts);
     const Stopwatch watch;
     const Result<Meshed> whole = mesh(domain_, goal(parts), {.threads = threads});
     if (!whole) MPI_Abort(MPI_COMM_WORLD, 1);
@@ -119,7 +107,7 @@ class Comparison {
     if (ranks_.rank() != 0) return;
     const auto millions = static_cast<double>(triangles_) / 1e6;
     const double ranks = median(own_seconds_), threads = median(whole_seconds_);
-    fmt::print("{}, {:.2f} million triangles, medians of {} rounds\n", settings_.domain, millions, settings_.runs);
+    fmt::print("{}, {:.2f} million triangles, medians of {} rounds\n", settings_.task.domain, millions, settings_.runs);
     fmt::print("{} ranks of 1 thread    {:.3f} s (refine {:.3f}, pieces {:.3f})\n", ranks_.count(), ranks,
                median(refine_), median(pieces_));
     fmt::print("1 process, {} threads   {:.3f} s\n", ranks_.count(), threads);
@@ -138,7 +126,6 @@ class Comparison {
   Settings settings_;
   mpi::MpiRanks ranks_;
   ValidPslg domain_;
-  double area_;
   std::vector<double> refine_, pieces_, own_seconds_, whole_seconds_, part_seconds_;
   std::uint64_t triangles_ = 0;
   Digest digest_;
@@ -148,8 +135,8 @@ class Comparison {
 int run(int argc, char** argv) {
   Settings settings;
   CLI::App app("Compares the ranks of an MPI job with the threads of one process. Start it with mpirun -n R.");
-  app.add_option("--domain", settings.domain, "square or pipe")->check(CLI::IsMember({"square", "pipe"}));
-  CLI::Option* all = app.add_option("--triangles", settings.triangles, "about this number of triangles");
+  app.add_option("--domain", settings.task.domain, "square or pipe")->check(CLI::IsMember({"square", "pipe"}));
+  CLI::Option* all = app.add_option("--triangles", settings.task.triangles, "about this number of triangles");
   app.add_option("--per-rank", settings.per_rank, "about this number of triangles for each rank (weak scaling)")
       ->excludes(all);
   app.add_option("--runs", settings.runs, "the number of rounds");

@@ -21,6 +21,14 @@ namespace pardel::bench {
 /// With an area cap, refinement makes about this number times (area of the domain / area cap) triangles.
 inline constexpr double triangles_per_cap = 1.37;
 
+/// Precondition: there are values.
+template <class T>
+T median(std::vector<T> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// The input of a run. Every child process creates the domain from its name.
 struct Task {
   std::string domain = "square";  ///< a name of properties/domains/domains.hpp

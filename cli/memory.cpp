@@ -66,6 +66,12 @@ std::uint64_t available_memory() {
   return least == unknown ? 0 : least;
 }
 
+std::uint64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux gives the value in KiB
+}
+
 std::uint64_t used_memory() {
   // Not with a stream: streams allocate memory, and there may be none left.
   const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);

@@ -14,6 +14,9 @@ namespace pardel::cli {
 /// Allocates no memory.
 [[nodiscard]] std::uint64_t used_memory();
 
+/// In bytes: the most physical memory that this process has used so far.
+[[nodiscard]] std::uint64_t peak_memory();
+
 /// The time after which a process that uses `used` bytes has to look again, so that it does not use many more than
 /// `limit` bytes: the time in which it could use up the rest, but at least a millisecond. In a millisecond, processes
 /// with two threads were seen to touch up to 5 MiB. Precondition: used <= limit.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,18 +10,13 @@
 #include "../core/formats.hpp"
 #include "gaps_text.hpp"
 #include "json_text.hpp"
+#include "memory.hpp"
 #include "names.hpp"
 #include "plural.hpp"
 #include "warnings_json.hpp"
 
 namespace pardel::cli {
 namespace {
-
-std::uint64_t peak_rss_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux gives the value in KiB
-}
 
 /// The numbers of exempt triangles by reason, for example "2 nestled, 1 seditious": either those that are justified, or
 /// the others.
@@ -188,7 +182,7 @@ std::string to_json(const MeshRun& run) {
       {"refine", refine_json(run)},
       {"gaps", gaps_json(run.report.gaps, 0)},
       {"goal_met", run.report.goal_met()},
-      {"peak_rss_bytes", peak_rss_bytes()},
+      {"peak_rss_bytes", peak_memory()},
       {"digest", to_string(run.digest)}};
   if (run.large) json["warnings"].push_back(warning_json(*run.large));
   if (run.certificate) json["certificate"] = nlohmann::ordered_json::parse(to_json(*run.certificate));

@@ -1,7 +1,6 @@
 #include "mesh_command.hpp"
 
 #include <fmt/core.h>
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -104,12 +103,6 @@ Status write(const Arguments& arguments, const MeshPiece& piece, Job& job) {
     index = write_pvtu(pieces, arguments.output);
   }
   return job.agree(index);
-}
-
-std::uint64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
 struct Seconds {

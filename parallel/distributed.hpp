@@ -1,4 +1,4 @@
-// One mesh made by several processes (ranks). No rank ever holds all of it.
+// One mesh made by several processes (ranks). None of them holds all of a large mesh.
 #pragma once
 
 #include <cstdint>

@@ -57,9 +57,7 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   if (outgrows_memory(pslg.points.size(), options)) return too_much_memory(options);
   Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, progress.threads());
   if (!domain) return domain.error();
-  InputData input{{}, {pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
-  for (const Region& region : pslg.regions) input.region_attributes.push_back(region.attribute);
-  if (pslg.attributes_per_point > 0) input.background = input_corners(*domain, progress.threads());
+  InputData input = input_data(pslg, *domain, progress.threads());
   result.report.triangulate_seconds = watch.lap();
 
   Result<Mesh> mesh = goal == nullptr ? Result<Mesh>(to_mesh(std::move(*domain), std::move(input), progress.threads()))

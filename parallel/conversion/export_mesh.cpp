@@ -17,16 +17,6 @@ Index mesh_vertex(const DomainTriangulation& domain, VertexId v) {
   return v < domain.input_of_vertex.size() ? domain.input_of_vertex[v] : v;
 }
 
-/// Nothing if the edge belongs to no segment, as on the border of a patch.
-std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domain, const Slot& slot, unsigned side) {
-  const VertexId a = slot.from(side), b = slot.to(side);
-  const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
-  if (segment == no_index) return std::nullopt;
-  int marker = domain.segment_marker[segment];
-  if (marker == 0 && slot.n[side].none()) marker = 1;
-  return ConstrainedEdge{mesh_vertex(domain, a), mesh_vertex(domain, b), domain.input_segment[segment], marker};
-}
-
 /// Converts the triangles in place, and lists the constrained edges in the order of the triangles.
 void export_triangles(DomainTriangulation& domain, Mesh& mesh, const Threads& threads) {
   const auto vertex = [&](VertexId v) { return mesh_vertex(domain, v); };
@@ -40,7 +30,8 @@ void export_triangles(DomainTriangulation& domain, Mesh& mesh, const Threads& th
         for (unsigned side = 0; side < 3; ++side) {
           const EdgeRef across = slot.n[side];
           if (across.constrained() && (across.none() || across.triangle() > id))
-            if (const auto edge = constrained_edge(domain, slot, side)) edges[block].push_back(*edge);
+            if (const auto e = constrained_edge(domain, slot, side))
+              edges[block].push_back({vertex(e->a), vertex(e->b), e->segment, e->marker});
         }
       triangles[id] = {{vertex(slot.v[0]), vertex(slot.v[1]), vertex(slot.v[2])},
                        {neighbour(slot.n[0]), neighbour(slot.n[1]), neighbour(slot.n[2])}};
@@ -69,16 +60,9 @@ void restore_order_of_origins(std::span<const Index> input_of_vertex, Array<Inde
   for (const auto& [v, its_origin] : moved) origin[v] = its_origin;
 }
 
-/// For each vertex inside a domain segment, replaces the index of this segment by the input segment or hull_vertex.
 void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& threads) {
   Array<Index>& origin = domain.triangulation.origin;
-  parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t v = first; v < last; ++v)
-      if (const Index segment = segment_of_origin(origin[v]); segment < domain.segments.size()) {
-        const Index input = domain.input_segment[segment];
-        origin[v] = input == no_index ? hull_vertex : origin_on_segment(input);
-      }
-  });
+  name_input_segments(domain, threads);
   SparseAsk ask(threads.stop);
   restore_order_of_origins(domain.input_of_vertex.span(), origin, ask);
   mesh.origin = std::move(origin);
@@ -134,16 +118,40 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
   LocationHint hint;
   for (std::size_t v = inputs; v < mesh.points.size(); ++v) {
     ask();
-    const Located at = on.locate(mesh.points[v], hint);
-    for (std::size_t a = 0; a < k; ++a) {
-      double value = 0;
-      for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * data.attributes[at.v[i] * k + a];
-      mesh.point_attributes.push_back(value);
-    }
+    append_attributes(on.locate(mesh.points[v], hint), data, mesh.point_attributes);
   }
 }
 
 }  // namespace
+
+std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domain, const Slot& slot, unsigned side) {
+  const VertexId a = slot.from(side), b = slot.to(side);
+  const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
+  if (segment == no_index) return std::nullopt;
+  int marker = domain.segment_marker[segment];
+  if (marker == 0 && slot.n[side].none()) marker = 1;
+  return ConstrainedEdge{a, b, domain.input_segment[segment], marker};
+}
+
+void name_input_segments(DomainTriangulation& domain, const Threads& threads) {
+  Array<Index>& origin = domain.triangulation.origin;
+  parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v)
+      if (const Index segment = segment_of_origin(origin[v]); segment < domain.segments.size()) {
+        const Index input = domain.input_segment[segment];
+        origin[v] = input == no_index ? hull_vertex : origin_on_segment(input);
+      }
+  });
+}
+
+void append_attributes(const Located& at, const PointData& data, Array<double>& attributes) {
+  const std::size_t k = data.attributes_per_point;
+  for (std::size_t a = 0; a < k; ++a) {
+    double value = 0;
+    for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * data.attributes[at.v[i] * k + a];
+    attributes.push_back(value);
+  }
+}
 
 Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,
                           std::span<const Point> input_points, const Threads& threads) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "../../core/mesh.hpp"
 #include "../concurrency/threads.hpp"
+#include "../interpolation/background.hpp"
 #include "domain_triangulation.hpp"
 
 namespace pardel::engine {
@@ -37,5 +39,16 @@ void add_point_data(Mesh& mesh, const DomainTriangulation& domain, const PointDa
 [[nodiscard]] Mesh export_mesh(DomainTriangulation&& domain, std::vector<double> region_attributes,
                                const PointData& data, std::vector<std::array<Index, 3>> background,
                                const Threads& threads = {});
+
+// Parts of the conversion, for meshes in pieces as well:
+
+/// A constrained side of a triangle, with the indices of the triangulation. Its marker is 1 if it has none and lies on
+/// the boundary. Nothing if it belongs to no segment, as on the border of a patch.
+[[nodiscard]] std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domain, const Slot& slot,
+                                                              unsigned side);
+/// For each vertex inside a domain segment, replaces the index of this segment by the input segment or hull_vertex.
+void name_input_segments(DomainTriangulation& domain, const Threads& threads);
+/// Appends the attributes that are interpolated at a place on the input points.
+void append_attributes(const Located& at, const PointData& data, Array<double>& attributes);
 
 }  // namespace pardel::engine

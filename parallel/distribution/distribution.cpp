@@ -1,7 +1,6 @@
 #include "distribution.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "../../core/support/point_order.hpp"
 #include "../triangulation/held.hpp"
@@ -21,6 +20,13 @@ std::vector<TriangleId> without_repetitions(std::vector<TriangleId> ids) {
   return ids;
 }
 
+std::vector<Reader> readers_of(const std::vector<Ranks::Bytes>& messages) {
+  std::vector<Reader> readers;
+  for (const Ranks::Bytes& message : messages)
+    if (!message.empty()) readers.emplace_back(message);
+  return readers;
+}
+
 /// Copies the vertices that all ranks have in common, and makes one slot without a triangle: arrays of regions that are
 /// empty would mean that there are no regions.
 Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
@@ -36,8 +42,8 @@ Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
 
 void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
   ownership_.emplace(tiles, work, ranks_.count());
-  common_ = {runner.vertices().end(), runner.triangles().end()};
-  part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common_);
+  const HeldPart::Common common{runner.vertices().end(), runner.triangles().end()};
+  part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common);
   for (Index cell = 0; cell < tiles.cells(); ++cell) {
     other_watchers_.push_back(ownership_->watchers_of_box(cell));
     std::erase(other_watchers_.back(), ranks_.rank());
@@ -67,9 +73,7 @@ std::vector<Ranks::Bytes> Distribution::exchange(std::vector<Writer>& messages) 
 }
 
 void Distribution::receive(const std::vector<Ranks::Bytes>& messages) {
-  std::vector<Reader> readers;
-  for (const Ranks::Bytes& message : messages)
-    if (!message.empty()) readers.emplace_back(message);
+  std::vector<Reader> readers = readers_of(messages);
   part_->read(readers);
 }
 
@@ -201,15 +205,14 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
 /// Writes the changes into the messages. Returns false if the excerpt was too small.
 bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std::span<const Name> names,
                                   const RefineExcerpt& refine, std::vector<Writer>& messages) {
-  Triangulation t = empty_excerpt(t_, common_.vertices);
+  const Index common_vertices = part_->common().vertices;
+  Triangulation t = empty_excerpt(t_, common_vertices);
   std::optional<HeldPart> part;
   const std::uint32_t creator = Name::rank(ranks_.count());
   const auto fill = [&](PhaseRunner& runner) {
-    part.emplace(t, runner.vertices(), runner.triangles(), creator, HeldPart::Common{common_.vertices, 0});
+    part.emplace(t, runner.vertices(), runner.triangles(), creator, HeldPart::Common{common_vertices, 0});
     part->forget(0);
-    std::vector<Reader> readers;
-    for (const Ranks::Bytes& message : excerpt)
-      if (!message.empty()) readers.emplace_back(message);
+    std::vector<Reader> readers = readers_of(excerpt);
     part->read(readers);
     std::vector<QueuedTriangle> entries;
     for (const Name name : names) {

@@ -53,7 +53,6 @@ class Distribution : public Partners {
   std::optional<Ownership> ownership_;
   std::optional<HeldPart> part_;
   std::vector<std::vector<int>> other_watchers_;  ///< per cell: Ownership::watchers_of_box() without this rank
-  HeldPart::Common common_{};
 };
 
 }  // namespace pardel::engine

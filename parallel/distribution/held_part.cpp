@@ -1,6 +1,5 @@
 #include "held_part.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace pardel::engine {
@@ -23,7 +22,7 @@ namespace {
 
 /// A side of a triangle as it travels: the name of the neighbour's slot, the side there, and the constrained bit. Three
 /// special values say that there is no neighbour, or that the sender does not hold it (with and without the bit).
-constexpr std::uint64_t no_neighbour = UINT64_MAX, not_held = UINT64_MAX - 2;
+constexpr std::uint64_t no_neighbour = UINT64_MAX, not_held = UINT64_MAX - 3;
 constexpr std::uint64_t constrained_bit = 1;
 constexpr unsigned bits_of_side = 3;
 
@@ -120,7 +119,7 @@ void HeldPart::drop(TriangleId id) {
 std::uint64_t HeldPart::travelling(EdgeRef across) const {
   if (across.none()) return no_neighbour;
   const std::uint64_t constrained = across.constrained() ? constrained_bit : 0;
-  if (is_beyond(across)) return not_held - 1 + constrained;
+  if (is_beyond(across)) return not_held + constrained;
   return Names::packed(name_of(across.triangle())) << bits_of_side | across.side() << 1U | constrained;
 }
 
@@ -188,7 +187,7 @@ TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const V
 void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
   for (unsigned side = 0; side < 3; ++side) {
     const std::uint64_t across = triangle.n[side];
-    if (across >= not_held - 1) continue;
+    if (across >= not_held) continue;
     const TriangleId other = triangle_names_.index_of(Names::unpacked(across >> bits_of_side));
     if (other == no_index) continue;
     t_.link({id, side}, {other, static_cast<unsigned>(across >> 1U & 3U), (across & constrained_bit) != 0});

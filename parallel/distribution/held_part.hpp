@@ -21,12 +21,19 @@ class HeldPart {
   struct Common {
     Index vertices, triangles;
   };
+  [[nodiscard]] const Common& common() const { return common_; }
   /// The allocators are those of t; new indices are taken from them. Common indices are named after everyone, others
   /// after `self`.
   HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self, Common common);
 
   /// True if the slot contains a triangle of the part. Precondition: no phase runs.
   [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
+  /// The same for any slot: false if it is not in use.
+  [[nodiscard]] bool has(TriangleId id) const {
+    const std::vector<IndexRange>& holes = triangles_->holes();
+    const auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= id; });
+    return id < triangles_->end() && (hole == holes.end() || id < hole->begin) && holds(id);
+  }
   /// Calls visit(id) for all triangles of the part. Precondition: no phase runs.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {

@@ -3,15 +3,12 @@
 #include <utility>
 
 #include "../../core/support/stopwatch.hpp"
-#include "../concurrency/parallel_for.hpp"
 #include "../conversion/domain_triangulation.hpp"
-#include "../conversion/guarded.hpp"
 #include "../distributed.hpp"
 #include "../filling/refine_domain.hpp"
 #include "../mesher.hpp"
 #include "../planning/run_plan.hpp"
 #include "../planning/supervised.hpp"
-#include "../refinement/exemptions.hpp"
 #include "../scheduling/limits.hpp"
 #include "piece.hpp"
 
@@ -31,21 +28,6 @@ Status check_distributable(const Options& options) {
   return Done{};
 }
 
-/// The triangles of the piece of this rank that miss the goal, with their indices in the triangulation.
-std::vector<Exemption> exemptions_of_piece(DomainTriangulation& domain, const Distribution& distribution,
-                                           const Criteria& criteria, const Options& options, const Threads& threads) {
-  Triangulation& t = domain.triangulation;
-  Array<char> is_in = Array<char>::zeroes(t.slots.size());
-  distribution.part().for_each_triangle([&](TriangleId id) {
-    is_in[id] = static_cast<char>(distribution.owner_of_triangle(id) == distribution.network().rank());
-  });
-  std::vector<Exemption> found = exemptions(t, domain.segments, criteria, options, /*budget_reached=*/false, threads,
-                                            [&](TriangleId id) { return is_in[id] != 0; });
-  for (Exemption& e : found)
-    if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
-  return found;
-}
-
 Result<MeshPiece> mesh_in_ranks(const Pslg& pslg, bool convex_hull, const Goal& goal, const Options& options,
                                 ProgressMonitor& progress, Ranks& ranks) {
   Stopwatch watch;
@@ -54,8 +36,7 @@ Result<MeshPiece> mesh_in_ranks(const Pslg& pslg, bool convex_hull, const Goal& 
   if (!domain) return domain.error();
   Report report;
   report.triangulate_seconds = watch.lap();
-  std::vector<std::array<Index, 3>> background;
-  if (pslg.attributes_per_point > 0) background = input_corners(*domain, threads);
+  InputData input = input_data(pslg, *domain, threads);
   const Result<RunPlan> plan = plan_run(pslg, goal, *domain, options, threads, report);
   if (!plan) return plan.error();
   if (!plan->edges_of_patches.empty()) return for_one_process("an interior of equilateral triangles");
@@ -66,17 +47,11 @@ Result<MeshPiece> mesh_in_ranks(const Pslg& pslg, bool convex_hull, const Goal& 
   Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, plan->criteria, resolved,
                                                  progress, {}, {}, &distribution);
   if (!counts) return counts.error();
-  report.inserted = counts->inserted;
-  report.segment_splits = counts->segment_splits;
-  report.refused = counts->refused;
-  report.tiling = std::move(counts->tiling);
   report.refine_seconds = watch.lap();
-  if (counts->left_alone) report.exempt = exemptions_of_piece(*domain, distribution, plan->criteria, resolved, threads);
-  std::vector<double> region_attributes;
-  for (const Region& region : pslg.regions) region_attributes.push_back(region.attribute);
-  const PointData data{pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers};
-  MeshPiece piece = make_piece(*domain, distribution, std::move(region_attributes), data, std::move(background),
-                               report.exempt, threads);
+  write_report(*domain, plan->criteria, resolved, std::move(*counts), threads, report, [&](TriangleId id) {
+    return distribution.part().has(id) && distribution.owner_of_triangle(id) == ranks.rank();
+  });
+  MeshPiece piece = make_piece(*domain, distribution, std::move(input), report.exempt, threads);
   std::ranges::sort(report.exempt, {}, &Exemption::triangle);
   const auto missed = std::ranges::count_if(report.exempt, [](const Exemption& e) { return !justified(e.reason); });
   piece.missed = static_cast<std::uint64_t>(missed);

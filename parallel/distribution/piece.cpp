@@ -5,10 +5,12 @@
 #include <bit>
 #include <utility>
 
+#include "../../core/support/point_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
 #include "../triangulation/compact.hpp"
 #include "members.hpp"
+#include "share_of_rank.hpp"
 #include "vertex_data.hpp"
 
 namespace pardel::engine {
@@ -19,7 +21,7 @@ namespace {
 bool lists_edge(const Triangulation& t, EdgeRef e) {
   const Slot& slot = t.slot(e);
   const Point a = t.points[slot.from(e.side())], b = t.points[slot.to(e.side())];
-  return slot.n[e.side()].none() || a.x < b.x || (a.x == b.x && a.y < b.y);
+  return slot.n[e.side()].none() || lexicographically_less(a, b);
 }
 
 /// An allocator in which the indices that do not belong to the piece are unused.
@@ -59,45 +61,35 @@ class Moved {
 /// Uses the storage of the triangulation for the piece.
 class PieceMaker {
  public:
-  PieceMaker(DomainTriangulation& domain, const Distribution& distribution, const PointData& input,
-             const Threads& threads)
+  PieceMaker(DomainTriangulation& domain, const Distribution& distribution, InputData input, const Threads& threads)
       : domain_(domain),
         t_(domain.triangulation),
         ranks_(distribution.network()),
         part_(distribution.part()),
-        input_(input),
+        input_(std::move(input)),
         threads_(threads),
         members_(t_, domain.input_of_vertex.size(), distribution, threads),
-        data_(vertex_data(domain, distribution, members_, input.markers, threads)) {}
+        data_(vertex_data(domain, distribution, members_, input_.points.markers, threads)) {}
 
-  [[nodiscard]] MeshPiece make(std::vector<double> region_attributes, std::vector<std::array<Index, 3>> background,
-                               std::vector<Exemption>& exempt) {
+  [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {
     list_edges();
     cut_at_border();
-    translate_origins();
+    name_input_segments(domain_, threads_);
     note_inputs();
     compact_all(exempt);
-    add_attributes(std::move(background));
+    add_attributes();
     add_shared_vertices();
-    piece_.mesh.region_attributes = std::move(region_attributes);
+    piece_.mesh.region_attributes = std::move(input_.region_attributes);
     take_arrays();
     add_totals();
     return std::move(piece_);
   }
 
  private:
-  [[nodiscard]] ConstrainedEdge edge(const Slot& slot, unsigned side) const {
-    const VertexId a = slot.from(side), b = slot.to(side);
-    const Index segment = domain_.segments.segment_of(t_, a, b);
-    int marker = domain_.segment_marker[segment];
-    if (marker == 0 && slot.n[side].none()) marker = 1;
-    return {a, b, domain_.input_segment[segment], marker};
-  }
-
   void list_edges() {
     for (const EdgeRef e : members_.constrained_sides())
       if (members_.has_triangle(e.triangle()) && lists_edge(t_, e))
-        piece_.mesh.constrained_edges.push_back(edge(t_.slot(e), e.side()));
+        piece_.mesh.constrained_edges.push_back(constrained_edge(domain_, t_.slot(e), e.side()).value());
   }
 
   /// The triangles of the piece no longer refer to others. Only triangles at the border do.
@@ -113,19 +105,9 @@ class PieceMaker {
       }
   }
 
-  void translate_origins() {
-    parallel_blocks(threads_, t_.origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t v = first; v < last; ++v)
-        if (const Index segment = segment_of_origin(t_.origin[v]); segment < domain_.segments.size()) {
-          const Index input = domain_.input_segment[segment];
-          t_.origin[v] = input == no_index ? hull_vertex : origin_on_segment(input);
-        }
-    });
-  }
-
   /// Compaction moves vertices, so the input points among them are noted before, if they are needed.
   void note_inputs() {
-    if (input_.attributes_per_point == 0) return;
+    if (input_.points.attributes_per_point == 0) return;
     input_point_ = make_array(threads_, t_.points.size(), [&](std::size_t v) {
       return v < domain_.input_of_vertex.size() ? domain_.input_of_vertex[v] : no_index;
     });
@@ -148,22 +130,19 @@ class PieceMaker {
           if (rank != ranks_.rank()) with_rank_[rank].push_back(moved.now(v));
   }
 
-  void add_attributes(std::vector<std::array<Index, 3>> background) {
-    const std::size_t k = input_.attributes_per_point;
+  void add_attributes() {
+    const PointData& data = input_.points;
+    const std::size_t k = data.attributes_per_point;
     if (k == 0) return;
-    piece_.mesh.attributes_per_point = k;
-    const Background on(input_.points, std::move(background), threads_);
+    Mesh& mesh = piece_.mesh;
+    mesh.attributes_per_point = k;
+    const Background on(data.points, std::move(input_.background), threads_);
     LocationHint hint;
-    for (VertexId v = 0; v < t_.points.size(); ++v) {
-      const Index point = input_point_[v];
-      const Located at = point != no_index ? Located{} : on.locate(t_.points[v], hint);
-      for (std::size_t a = 0; a < k; ++a) {
-        double value = 0;
-        for (unsigned i = 0; i < 3 && point == no_index; ++i)
-          value += at.weight[i] * input_.attributes[at.v[i] * k + a];
-        piece_.mesh.point_attributes.push_back(point != no_index ? input_.attributes[point * k + a] : value);
-      }
-    }
+    for (VertexId v = 0; v < t_.points.size(); ++v)
+      if (const Index point = input_point_[v]; point != no_index)
+        mesh.point_attributes.append(data.attributes.subspan(point * k, k));
+      else
+        append_attributes(on.locate(t_.points[v], hint), data, mesh.point_attributes);
   }
 
   void add_shared_vertices() {
@@ -192,13 +171,9 @@ class PieceMaker {
   }
 
   void add_totals() {
-    std::vector<std::uint64_t> triangles(ranks_.count(), 0);
-    triangles[ranks_.rank()] = piece_.mesh.triangles.size();
-    ranks_.add_up(triangles);
-    for (int rank = 0; rank < ranks_.count(); ++rank) {
-      if (rank < ranks_.rank()) piece_.first_triangle += triangles[rank];
-      piece_.triangles += triangles[rank];
-    }
+    const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
+    piece_.first_triangle = triangles.before;
+    piece_.triangles = triangles.all;
     piece_.points = data_.count;
     piece_.constrained_edges = piece_.mesh.constrained_edges.size();
     ranks_.add_up({&piece_.constrained_edges, 1});
@@ -208,7 +183,7 @@ class PieceMaker {
   Triangulation& t_;
   Ranks& ranks_;
   const HeldPart& part_;
-  const PointData& input_;
+  InputData input_;
   Threads threads_;
   Members members_;
   VertexData data_;
@@ -219,12 +194,9 @@ class PieceMaker {
 
 }  // namespace
 
-MeshPiece make_piece(DomainTriangulation& domain, const Distribution& distribution,
-                     std::vector<double> region_attributes, const PointData& data,
-                     std::vector<std::array<Index, 3>> background, std::vector<Exemption>& exempt,
-                     const Threads& threads) {
-  return PieceMaker(domain, distribution, data, threads)
-      .make(std::move(region_attributes), std::move(background), exempt);
+MeshPiece make_piece(DomainTriangulation& domain, const Distribution& distribution, InputData input,
+                     std::vector<Exemption>& exempt, const Threads& threads) {
+  return PieceMaker(domain, distribution, std::move(input), threads).make(exempt);
 }
 
 }  // namespace pardel::engine

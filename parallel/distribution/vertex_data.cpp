@@ -8,6 +8,7 @@
 
 #include "../../core/support/point_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
+#include "share_of_rank.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -88,6 +89,9 @@ class Collector {
 
  private:
   [[nodiscard]] VerticesOfCells take_vertices_of_cells();
+  [[nodiscard]] Ranks::Bytes question_about(const std::vector<VertexId>& vertices) const;
+  [[nodiscard]] Ranks::Bytes answer_to(const Ranks::Bytes& question) const;
+  void take_answer(const Ranks::Bytes& answer, const std::vector<VertexId>& vertices);
   [[nodiscard]] bool is_input(VertexId v) const { return v < domain_.input_of_vertex.size(); }
 
   const DomainTriangulation& domain_;
@@ -121,15 +125,9 @@ VerticesOfCells Collector::take_vertices_of_cells() {
 void Collector::number_own() {
   VerticesOfCells of_cells = take_vertices_of_cells();
   const std::size_t inputs = domain_.input_of_vertex.size();
-  std::vector<std::uint64_t> of_rank(ranks_.count(), 0);
-  of_rank[ranks_.rank()] = of_cells.vertices.size();
-  ranks_.add_up(of_rank);
-  std::uint64_t next = inputs;
-  data_.count = inputs;
-  for (int rank = 0; rank < ranks_.count(); ++rank) {
-    if (rank < ranks_.rank()) next += of_rank[rank];
-    data_.count += of_rank[rank];
-  }
+  const ShareOfRank share = share_of_rank(of_cells.vertices.size(), ranks_);
+  data_.count = inputs + share.all;
+  std::uint64_t next = inputs + share.before;
   const std::span<const Index> curve = distribution_.ownership().curve();
   std::vector<std::uint64_t> first_of_place;
   for (const Index cell : curve) {
@@ -188,49 +186,54 @@ void Collector::find_pieces() {
   }
 }
 
+Ranks::Bytes Collector::question_about(const std::vector<VertexId>& vertices) const {
+  std::vector<Name> names;
+  for (const VertexId v : vertices) names.push_back(distribution_.part().name_of_vertex(v));
+  Writer message;
+  message.list(names);
+  return message.take();
+}
+
+Ranks::Bytes Collector::answer_to(const Ranks::Bytes& question) const {
+  std::vector<TravellingData> data;
+  std::vector<int> all_pieces;
+  for (const Name name : Reader(question).list<Name>()) {
+    const VertexId v = distribution_.part().vertex(name);
+    if (v == no_index || !members_.owns_vertex(v)) throw Reader::does_not_match();
+    const std::vector<int>& pieces = data_.pieces.at(v);
+    data.push_back({data_.number[v], data_.marker[v], static_cast<std::uint32_t>(pieces.size())});
+    all_pieces.insert(all_pieces.end(), pieces.begin(), pieces.end());
+  }
+  Writer message;
+  message.list(data);
+  message.list(all_pieces);
+  return message.take();
+}
+
+void Collector::take_answer(const Ranks::Bytes& answer, const std::vector<VertexId>& vertices) {
+  Reader reader(answer);
+  const auto data = reader.list<TravellingData>();
+  const auto all_pieces = reader.list<int>();
+  if (data.size() != vertices.size()) throw Reader::does_not_match();
+  auto next = all_pieces.begin();
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const VertexId v = vertices[i];
+    data_.number[v] = data[i].number;
+    data_.marker[v] = data[i].marker;
+    data_.pieces[v] = {next, next + data[i].pieces};
+    next += data[i].pieces;
+  }
+}
+
 void Collector::ask_owners() {
   std::vector<std::vector<VertexId>> asked(ranks_.count());
   for (VertexId v = 0; v < t_.points.size(); ++v)
     if (members_.has_vertex(v) && !members_.owns_vertex(v)) asked[distribution_.owner_of(v)].push_back(v);
-  std::vector<Ranks::Bytes> questions;
-  for (const std::vector<VertexId>& of_rank : asked) {
-    std::vector<Name> names;
-    for (const VertexId v : of_rank) names.push_back(distribution_.part().name_of_vertex(v));
-    Writer message;
-    message.list(names);
-    questions.push_back(message.take());
-  }
-  std::vector<Ranks::Bytes> answers;
-  for (const Ranks::Bytes& question : ranks_.exchange(std::move(questions))) {
-    std::vector<TravellingData> data;
-    std::vector<int> all_pieces;
-    for (const Name name : Reader(question).list<Name>()) {
-      const VertexId v = distribution_.part().vertex(name);
-      if (v == no_index || !members_.owns_vertex(v)) throw Reader::does_not_match();
-      const std::vector<int>& pieces = data_.pieces.at(v);
-      data.push_back({data_.number[v], data_.marker[v], static_cast<std::uint32_t>(pieces.size())});
-      all_pieces.insert(all_pieces.end(), pieces.begin(), pieces.end());
-    }
-    Writer message;
-    message.list(data);
-    message.list(all_pieces);
-    answers.push_back(message.take());
-  }
+  std::vector<Ranks::Bytes> questions, answers;
+  for (const std::vector<VertexId>& of_rank : asked) questions.push_back(question_about(of_rank));
+  for (const Ranks::Bytes& question : ranks_.exchange(std::move(questions))) answers.push_back(answer_to(question));
   const std::vector<Ranks::Bytes> arrived = ranks_.exchange(std::move(answers));
-  for (int rank = 0; rank < ranks_.count(); ++rank) {
-    Reader reader(arrived[rank]);
-    const auto data = reader.list<TravellingData>();
-    const auto all_pieces = reader.list<int>();
-    if (data.size() != asked[rank].size()) throw Reader::does_not_match();
-    auto next = all_pieces.begin();
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      const VertexId v = asked[rank][i];
-      data_.number[v] = data[i].number;
-      data_.marker[v] = data[i].marker;
-      data_.pieces[v] = {next, next + data[i].pieces};
-      next += data[i].pieces;
-    }
-  }
+  for (int rank = 0; rank < ranks_.count(); ++rank) take_answer(arrived[rank], asked[rank]);
 }
 
 }  // namespace

@@ -8,6 +8,13 @@
 
 namespace pardel::engine {
 
+InputData input_data(const Pslg& pslg, const DomainTriangulation& domain, const Threads& threads) {
+  InputData input{{}, {pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
+  for (const Region& region : pslg.regions) input.region_attributes.push_back(region.attribute);
+  if (pslg.attributes_per_point > 0) input.background = input_corners(domain, threads);
+  return input;
+}
+
 Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threads) {
   return export_mesh(std::move(domain), std::move(input.region_attributes), input.points, std::move(input.background),
                      threads);
@@ -29,14 +36,14 @@ Options resolvable(Options options, const Triangulation& t) {
 }
 
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
-                  const Threads& threads, Report& report) {
+                  const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports) {
   report.inserted = counts.inserted;
   report.segment_splits = counts.segment_splits;
   report.refused = counts.refused;
   report.tiling = std::move(counts.tiling);
   if (counts.left_alone)
     report.exempt =
-        exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads);
+        exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads, reports);
   for (Exemption& e : report.exempt)
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
 }

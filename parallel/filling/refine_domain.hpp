@@ -24,6 +24,9 @@ struct InputData {
   std::vector<std::array<Index, 3>> background;  ///< the triangles on which point attributes are interpolated
 };
 
+/// The data of a domain. The Pslg has to outlive it.
+[[nodiscard]] InputData input_data(const Pslg& pslg, const DomainTriangulation& domain, const Threads& threads);
+
 [[nodiscard]] Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threads);
 
 /// Makes a mesh of a domain that has been refined.
@@ -36,8 +39,9 @@ using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
 [[nodiscard]] Options resolvable(Options options, const Triangulation& t);
 
 /// Writes to the report what a refinement has done, and which triangles it left. `options`: those of the refinement.
+/// `reports`: if given, only triangles for which it is true are reported.
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
-                  const Threads& threads, Report& report);
+                  const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports = {});
 
 /// Refines the domain, and makes its mesh. Errors: as from refine_by_sweeps().
 [[nodiscard]] Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,

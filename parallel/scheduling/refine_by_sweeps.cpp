@@ -82,8 +82,9 @@ class Refinement {
       refine_in_quadtree(bounds);
     else
       refine_in_lattice(bounds, finest);
-    if (partners_ == nullptr) compact(t_, runner_.vertices(), runner_.triangles(), threads_);
-    if (is_divided_) {
+    if (partners_ == nullptr) {
+      compact(t_, runner_.vertices(), runner_.triangles(), threads_);
+    } else {
       add_up_counts();
       partners_->finish();
     }
