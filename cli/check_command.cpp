@@ -13,10 +13,9 @@
 #include "../core/formats.hpp"
 #include "../core/support/open_file.hpp"
 #include "../properties/checker/check.hpp"
-#include "centroid.hpp"
+#include "certificate_report.hpp"
 #include "command.hpp"
 #include "distinct_files.hpp"
-#include "findings_text.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
 #include "output.hpp"
@@ -62,22 +61,8 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   return CheckInput{std::move(*domain), std::move(*mesh), std::move(*goal)};
 }
 
-/// The Error of a field of sizes that has no value at the centroid of a triangle: of the first such triangle. Without
-/// sizes there is no verdict. The checker counts these triangles as too large, so they are looked for only if it found
-/// large ones.
-Status require_sizes(const CheckInput& input, const Certificate& certificate) try {
-  const bool too_large = certificate.violation_counts[static_cast<std::size_t>(ViolationKind::size_exceeded)] > 0;
-  if (!too_large || !input.goal.size) return Done{};
-  for (const Triangle& triangle : input.mesh.triangles) (void)input.goal.size(centroid(input.mesh, triangle));
-  return Done{};
-} catch (const Error& no_size) {
-  return no_size;
-}
-
 void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate& certificate) {
-  const std::string all_in = arguments.json.empty() ? "the file of --json" : arguments.json.string();
-  fmt::print("{}", summary_text(certificate));
-  if (!certificate.valid) fmt::print("{}\n", findings_text(certificate, all_in, arguments.max_circumradius));
+  print_certificate(certificate, arguments.json, arguments.max_circumradius);
   if (are_input_points_rounded(certificate, mesh)) {
     fmt::print(
         "hint    vertices differ from input points by rounding only: {} has too few digits. Gmsh writes exact "
@@ -109,7 +94,7 @@ Result<ExitCode> run(const CheckArguments& arguments) {
   bar.begin("checking");
   const Certificate certificate = check(input->domain.pslg(), input->mesh, input->goal, options);
   bar.finish();
-  if (Status sized = require_sizes(*input, certificate); !sized) return sized.error();
+  if (Status sized = require_sizes(input->mesh, input->goal, certificate); !sized) return sized.error();
   if (!arguments.quiet && !is_standard_output(arguments.json)) print(arguments, input->mesh, certificate);
   if (!arguments.json.empty()) {
     if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();

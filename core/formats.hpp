@@ -123,6 +123,8 @@ inline constexpr const char* vtu_vertex_numbers = "GlobalNodeId";
 /// complete under another name. A process there asks the others, so that either all pieces get their names or none.
 [[nodiscard]] Status write_vtu_piece(const Mesh& mesh, std::span<const std::uint64_t> numbers,
                                      const std::filesystem::path& file, const std::function<Status(Status)>& agree);
+/// The files of the pieces that a .pvtu names, in its order. Error: invalid_input if it names none.
+[[nodiscard]] Result<std::vector<std::filesystem::path>> files_of_pieces(const std::filesystem::path& pvtu);
 /// Reads a file of write_vtu_piece().
 [[nodiscard]] Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file);
 /// What the .pvtu of a mesh in pieces names.

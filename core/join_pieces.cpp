@@ -120,4 +120,18 @@ class Join {
 
 Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces) { return Join(pieces).join(); }
 
+Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces) {
+  if (pieces.size() == 1) return std::move(pieces.front());
+  std::vector<std::uint64_t> numbers;
+  for (const NumberedMesh& piece : pieces) numbers.insert(numbers.end(), piece.number.begin(), piece.number.end());
+  std::ranges::sort(numbers);
+  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  for (NumberedMesh& piece : pieces)
+    for (std::uint64_t& number : piece.number)
+      number = static_cast<std::uint64_t>(std::ranges::lower_bound(numbers, number) - numbers.begin());
+  Result<Mesh> mesh = join_pieces(pieces);
+  if (!mesh) return mesh.error();
+  return NumberedMesh{std::move(*mesh), Array<std::uint64_t>(numbers)};
+}
+
 }  // namespace pardel

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesh.hpp"
 #include "result.hpp"
@@ -23,5 +24,8 @@ struct NumberedMesh {
 /// have regions or attributes of points and others have none; resources if the mesh has more points or triangles than
 /// an Index can number. Time O(n) for n triangles.
 [[nodiscard]] Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces);
+
+/// The same for some of the pieces of a mesh: makes one piece of them. Numbers that belong to other pieces are missing.
+[[nodiscard]] Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces);
 
 }  // namespace pardel

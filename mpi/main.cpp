@@ -1,5 +1,7 @@
 // The program pardel-mpi.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <memory>
 #include <new>
@@ -10,6 +12,7 @@
 #include "../cli/processors.hpp"
 #include "../cli/usage_message.hpp"
 #include "../core/support/stop_signal.hpp"
+#include "check_command.hpp"
 #include "job.hpp"
 #include "mesh_command.hpp"
 
@@ -19,10 +22,11 @@ namespace {
 using cli::ExitCode;
 
 constexpr const char* description =
-    "pardel-mpi: guaranteed-quality Delaunay meshes, made by the processes of an MPI job.";
+    "pardel-mpi: guaranteed-quality Delaunay meshes, made and checked by the processes of an MPI job.";
 
 constexpr const char* footer = R"(Start it with mpirun or srun:
   mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
+  mpirun -n 4 pardel-mpi check pipe.poly pipe.pvtu --max-area 1e-6
 
 Exit status: as 'pardel --help' lists. If one rank cannot go on, it ends all ranks, with its exit status.)";
 
@@ -34,14 +38,15 @@ ExitCode run(int argc, char** argv, Job& job) {
   program.formatter(std::make_shared<cli::HelpFormatter>());
   program.failure_message(cli::usage_message);
   program.require_subcommand(1);
-  const cli::Command mesh = add_mesh(program, job);
+  const std::array commands{add_mesh(program, job), add_check(program, job)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {  // also --help and --version
     if (!job.is_first()) return stop.get_exit_code() == 0 ? ExitCode::done : ExitCode::usage;
     return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
   }
-  const Result<ExitCode> result = mesh.run();
+  const auto given = std::ranges::find_if(commands, [](const cli::Command& command) { return command.app->parsed(); });
+  const Result<ExitCode> result = given->run();
   if (result) return *result;
   return job.is_first() ? cli::report(result.error(), "pardel-mpi") : cli::exit_code(result.error().kind);
 }

@@ -6,21 +6,19 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "../cli/goal_options.hpp"
-#include "../cli/input.hpp"
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
 #include "../cli/output.hpp"
-#include "../cli/refusal.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "problem.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -67,25 +65,6 @@ std::filesystem::path file_of_piece(const std::filesystem::path& pvtu, int rank)
   std::filesystem::path file = pvtu;
   file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), rank));
   return file;
-}
-
-struct Input {
-  ValidPslg domain;
-  Goal goal;
-};
-
-/// Reads and validates the domain, as every rank does for itself.
-Result<Input> read(const Arguments& arguments) {
-  Result<Domain> domain = read_domain(arguments.input);
-  if (!domain) return domain.error();
-  const Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
-  if (!sizes) return sizes.error();
-  Result<ValidPslg, Refusal> valid =
-      validated(std::move(*domain), {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads});
-  if (!valid) return valid.error().error;
-  Result<Goal> goal = make_goal(arguments.goal, *sizes, *valid);
-  if (!goal) return goal.error();
-  return Input{std::move(*valid), std::move(*goal)};
 }
 
 Status write(const Arguments& arguments, const MeshPiece& piece, Job& job) {
@@ -144,7 +123,7 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   if (Status fine = job.agree(check_arguments(arguments)); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
-  const Result<Input> input = read(arguments);
+  const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
   if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();
   seconds.read = watch.lap();
   const Result<MeshPiece> piece = mesh(input->domain, input->goal, arguments.options, job.ranks());

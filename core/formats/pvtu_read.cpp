@@ -45,14 +45,11 @@ void unite_regions(std::vector<NumberedMesh>& pieces) {
 }  // namespace
 
 Result<Mesh> read_pvtu(const std::filesystem::path& file) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  const std::vector<std::string> sources = sources_of_pieces(*text);
-  if (sources.empty())
-    return Error{ErrorKind::invalid_input, file.string() + ": expected elements <Piece Source=\"...\">, found none"};
+  const auto sources = files_of_pieces(file);
+  if (!sources) return sources.error();
   std::vector<NumberedMesh> pieces;
-  for (const std::string& source : sources) {
-    Result<NumberedMesh> piece = read_vtu_piece(file.parent_path() / source);
+  for (const std::filesystem::path& source : *sources) {
+    Result<NumberedMesh> piece = read_vtu_piece(source);
     if (!piece) return piece.error();
     pieces.push_back(std::move(*piece));
   }
@@ -63,3 +60,17 @@ Result<Mesh> read_pvtu(const std::filesystem::path& file) {
 }
 
 }  // namespace pardel::files
+
+namespace pardel {
+
+Result<std::vector<std::filesystem::path>> files_of_pieces(const std::filesystem::path& pvtu) {
+  const auto text = files::read_file(pvtu);
+  if (!text) return text.error();
+  std::vector<std::filesystem::path> files;
+  for (const std::string& source : files::sources_of_pieces(*text)) files.push_back(pvtu.parent_path() / source);
+  if (files.empty())
+    return Error{ErrorKind::invalid_input, pvtu.string() + ": expected elements <Piece Source=\"...\">, found none"};
+  return files;
+}
+
+}  // namespace pardel

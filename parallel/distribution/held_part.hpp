@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "../../core/support/message.hpp"
 #include "../concurrency/index_allocator.hpp"
 #include "../triangulation/triangulation.hpp"
-#include "message.hpp"
 #include "names.hpp"
 
 namespace pardel::engine {

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
+#include "../../core/support/collective.hpp"
 #include "../../core/support/stopwatch.hpp"
 #include "../conversion/domain_triangulation.hpp"
 #include "../distributed.hpp"
@@ -71,15 +71,6 @@ Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options&
   });
 }
 
-Digest digest(const MeshPiece& piece, Ranks& ranks) {
-  const Digest here = digest(piece.mesh);
-  // Halves of words, so that the carry from the lower word is not lost.
-  constexpr std::uint64_t half = 0xffffffffU;
-  std::array parts{here.low & half, here.low >> 32U, here.high & half, here.high >> 32U};
-  ranks.add_up(parts);
-  const std::uint64_t second = parts[1] + (parts[0] >> 32U);
-  const std::uint64_t third = parts[2] + (second >> 32U);
-  return {(parts[3] + (third >> 32U)) << 32U | (third & half), second << 32U | (parts[0] & half)};
-}
+Digest digest(const MeshPiece& piece, Ranks& ranks) { return sum_of(ranks, digest(piece.mesh)); }
 
 }  // namespace pardel

@@ -5,12 +5,12 @@
 #include <bit>
 #include <utility>
 
+#include "../../core/support/collective.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
 #include "../triangulation/compact.hpp"
 #include "members.hpp"
-#include "share_of_rank.hpp"
 #include "vertex_data.hpp"
 
 namespace pardel::engine {
@@ -171,7 +171,7 @@ class PieceMaker {
   }
 
   void add_totals() {
-    const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
+    const ShareOfRank triangles = share_of_rank(ranks_, piece_.mesh.triangles.size());
     piece_.first_triangle = triangles.before;
     piece_.triangles = triangles.all;
     piece_.points = data_.count;

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "../../core/support/collective.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
-#include "share_of_rank.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -125,7 +125,7 @@ VerticesOfCells Collector::take_vertices_of_cells() {
 void Collector::number_own() {
   VerticesOfCells of_cells = take_vertices_of_cells();
   const std::size_t inputs = domain_.input_of_vertex.size();
-  const ShareOfRank share = share_of_rank(of_cells.vertices.size(), ranks_);
+  const ShareOfRank share = share_of_rank(ranks_, of_cells.vertices.size());
   data_.count = inputs + share.all;
   std::uint64_t next = inputs + share.before;
   const std::span<const Index> curve = distribution_.ownership().curve();

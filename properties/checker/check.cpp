@@ -1,9 +1,10 @@
 #include "check.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "stages/faces_of_triangles.hpp"
 #include "stages/stages.hpp"
+#include "stages/verdict.hpp"
 
 namespace pardel {
 
@@ -12,21 +13,24 @@ using namespace checker;
 namespace {
 
 void run_stages(const Subject& subject, Findings& found, Certificate& certificate) {
-  const auto& [pslg, mesh, goal, options] = subject;
+  const Pslg& pslg = subject.pslg;
+  const Mesh& mesh = subject.mesh;
   ScanBounds bounds = bounds_of(subject);
   bounds.boundary = !lacks_neighbours(subject);
   Scan scanned = scan(mesh.points.span(), mesh.triangles.span(), bounds, found.stop());
+  const bool input_usable = check_input(pslg, found);
   const Sanity sanity = check_sanity(subject, scanned, found);
-  if (!sanity.geometry) return;
+  if (!input_usable || !sanity.geometry) return;
   const Adjacency adjacency = check_topology(subject, sanity.neighbours, scanned, found);
-  const Domain domain(pslg, goal.convex_hull, found.stop());
+  const Domain domain(pslg, subject.goal.convex_hull, found.stop());
   const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
   const Chains chains = check_segments(subject, domain, adjacency, inputs, scanned, found);
-  check_coverage(subject, domain, adjacency, chains, found);
+  check_holes(subject, domain, check_coverage(subject, domain, adjacency, chains, found), found);
   std::vector<Index> faces;
   if (!pslg.regions.empty()) faces = paint_faces(domain, adjacency, chains, found.stop());
   if (sanity.labels) {
-    check_labels(subject, domain, adjacency, chains, inputs, faces, found);
+    check_labels(subject, domain, adjacency, chains, inputs, found);
+    check_regions(subject, domain, faces, found);
     certificate.digest = digest(mesh);
   }
   check_delaunay(subject, adjacency, chains, scanned, found);
@@ -38,14 +42,10 @@ void run_stages(const Subject& subject, Findings& found, Certificate& certificat
 }  // namespace
 
 Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options) {
-  Certificate certificate;
-  certificate.goal = goal;
-  for (const Region& region : pslg.regions)
-    if (goal.region_caps) certificate.region_caps.push_back(region.max_area);
+  Certificate certificate = empty_certificate(pslg, goal);
   certificate.vertices = mesh.points.size();
   certificate.triangles = mesh.triangles.size();
   certificate.constrained_edges = mesh.constrained_edges.size();
-  certificate.angle_histogram.assign(18, 0);
 
   StopSignal stop(StopSignal::unless(options.go_on));
   Findings found(options.max_violations, &stop);
@@ -54,10 +54,7 @@ Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const Ch
   } catch (const Stopped&) {
     certificate.cancelled = true;
   }
-  certificate.violation_counts = found.counts();
-  certificate.valid = !certificate.cancelled &&
-                      std::ranges::all_of(certificate.violation_counts, [](auto count) { return count == 0; });
-  certificate.violations = std::move(found).sorted();
+  set_verdict(certificate, std::move(found));
   return certificate;
 }
 

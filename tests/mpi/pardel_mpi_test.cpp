@@ -47,6 +47,36 @@ TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
   EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(*whole)), "ranks   3, with 1 threads each"}));
 }
 
+TEST_F(PardelMpi, check_writes_the_certificate_of_one_process_on_any_number_of_ranks) {
+  ASSERT_EQ(on_ranks(3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4"}).exit_code, 0);
+  ASSERT_EQ(
+      run(PARDEL_PROGRAM, {"check", "pipe.poly", "out.pvtu", "--max-area", "1e-4", "--json", "one.json"}).exit_code, 0);
+  for (const int ranks : {1, 2, 3, 5}) {
+    const Ran ran = on_ranks(ranks, {"check", "pipe.poly", "out.pvtu", "--max-area", "1e-4", "--json", "ranks.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_TRUE(holds(ran.out, {"valid: ", "ranks   " + std::to_string(ranks) + ", "})) << ran;
+    EXPECT_EQ(read("ranks.json"), read("one.json")) << ranks;
+  }
+}
+
+TEST_F(PardelMpi, check_lists_what_is_wrong) {
+  ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3"}).exit_code, 0);
+  const Ran ran = on_ranks(2, {"check", "pipe.poly", "out.pvtu", "--max-area", "9e-4", "--min-angle", "25"});
+  EXPECT_EQ(ran.exit_code, 1) << ran;
+  EXPECT_TRUE(holds(ran.out, {"NOT VALID", "large area: ", "small angle: "})) << ran;
+}
+
+TEST_F(PardelMpi, check_refuses_pieces_that_do_not_belong_together) {
+  ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4"}).exit_code, 0);
+  ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "other.pvtu", "--max-area", "2e-4"}).exit_code, 0);
+  fs::rename(folder_ / "work" / "other_0001.vtu", folder_ / "work" / "out_0001.vtu");
+  const Ran ran = on_ranks(2, {"check", "pipe.poly", "out.pvtu"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"out.pvtu: "})) << ran;
+  EXPECT_EQ(on_ranks(2, {"check", "pipe.poly", "missing.pvtu"}).exit_code, 5);
+  EXPECT_EQ(on_ranks(2, {"check", "pipe.poly", "out_0000.vtu"}).exit_code, 2);
+}
+
 TEST_F(PardelMpi, says_how_many_triangles_miss_a_bound) {
   const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--min-edge", "0.1"});
   EXPECT_EQ(ran.exit_code, 4) << ran;

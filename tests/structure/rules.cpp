@@ -33,7 +33,7 @@ const std::vector<Layer>& layers() {
       {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
       {"cli", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"cli/harness", {"core", "properties/checker", "properties/domains", "cli"}},
-      {"mpi", {"core", "parallel", "cli"}},
+      {"mpi", {"core", "parallel", "properties/checker", "cli"}},
       {"fuzz", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli", "mpi"}},
       {"examples", {"core", "parallel", "properties/checker", "properties/domains"}},
@@ -82,6 +82,7 @@ const std::vector<Room>& rooms() {
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
       {"properties/checker", "properties/checker/model", 1, "pardel::checker"},
       {"properties/checker", "properties/checker/stages", 2, "pardel::checker"},
+      {"properties/checker", "properties/checker/pieces", 3, "pardel::checker"},
   };
   return table;
 }

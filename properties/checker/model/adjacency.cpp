@@ -1,5 +1,7 @@
 #include "adjacency.hpp"
 
+#include <numeric>
+
 namespace pardel::checker {
 
 void rebuild_neighbours(std::span<Triangle> triangles, std::vector<NonManifoldEdge>& non_manifold, StopSignal* stop) {
@@ -121,6 +123,23 @@ TriangleEdge Adjacency::left_of(Index a, Index b) const {
     if (triangles_[t].v[next(corner)] == b) found = {t, previous(corner)};
   });
   return found;
+}
+
+std::vector<Index> boundary_vertices(const Adjacency& adjacency) {
+  std::vector<Index> vertices;
+  for (const BoundaryEdge& edge : adjacency.boundary())
+    if (vertices.empty() || vertices.back() != edge.from) vertices.push_back(edge.from);
+  return vertices;
+}
+
+std::uint64_t count_used_vertices(const Adjacency& adjacency, std::size_t vertices, StopSignal* stop) {
+  std::vector<std::uint64_t> counts(static_cast<std::size_t>(omp_get_max_threads()), 0);
+  for_each_run(vertices, stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
+    std::uint64_t used = 0;
+    for (std::size_t v = first; v < last; ++v) used += adjacency.has_triangle(static_cast<Index>(v)) ? 1 : 0;
+    counts[thread] += used;
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
 ExactSum covered_area(std::span<const Point> points, const Adjacency& adjacency) {

@@ -146,6 +146,12 @@ class Adjacency {
   std::vector<std::pair<Index, Index>> irregular_;  ///< (vertex, triangle), sorted
 };
 
+/// The vertices with boundary edges, ascending.
+[[nodiscard]] std::vector<Index> boundary_vertices(const Adjacency& adjacency);
+
+/// How many of the first `vertices` vertices have triangles.
+[[nodiscard]] std::uint64_t count_used_vertices(const Adjacency& adjacency, std::size_t vertices, StopSignal* stop);
+
 /// Twice the exact sum of the areas of all triangles. In the sum of a x b over the edges of all triangles, the two
 /// directions of an edge cancel exactly; the boundary remains.
 [[nodiscard]] ExactSum covered_area(std::span<const Point> points, const Adjacency& adjacency);

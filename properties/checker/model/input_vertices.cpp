@@ -7,6 +7,12 @@
 
 namespace pardel::checker {
 
+InputVertices::InputVertices(Array<Index> vertex, std::size_t vertices) : vertex_(std::move(vertex)) {
+  input_.resize(std::max<std::size_t>(vertices, 1), no_index);
+  for (std::size_t i = 0; i < vertex_.size(); ++i)
+    if (vertex_[i] != no_index) input_[vertex_[i]] = static_cast<Index>(i);
+}
+
 InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) {
   InputVertices result;
   result.vertex_.resize(inputs, no_index);
@@ -16,9 +22,7 @@ InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) 
 
 InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
                                             const Adjacency& adjacency, StopSignal* stop) {
-  InputVertices result;
-  result.vertex_.resize(inputs.size(), no_index);
-  result.input_.resize(std::max<std::size_t>(vertices.size(), 1), no_index);
+  Array<Index> vertex(inputs.size(), no_index);
   std::vector<Index> sorted(inputs.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
   const auto less = [&](Index a, Index b) { return lexicographically_less(inputs[a], inputs[b]); };
@@ -29,14 +33,12 @@ InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), vertices[v],
                                      [&](Index i, Point p) { return lexicographically_less(inputs[i], p); });
     if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;
-    Index& match = result.vertex_[*at];
+    Index& match = vertex[*at];
     if (match != no_index && (adjacency.has_triangle(match) || !adjacency.has_triangle(static_cast<Index>(v))))
       continue;
     match = static_cast<Index>(v);
   }
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-    if (result.vertex_[i] != no_index) result.input_[result.vertex_[i]] = static_cast<Index>(i);
-  return result;
+  return {std::move(vertex), vertices.size()};
 }
 
 }  // namespace pardel::checker

@@ -11,6 +11,8 @@ namespace pardel::checker {
 
 class InputVertices {
  public:
+  /// `vertex`: per input point its vertex, or no_index. `vertices`: the number of vertices of the mesh.
+  InputVertices(Array<Index> vertex, std::size_t vertices);
   /// Input point i is vertex i.
   [[nodiscard]] static InputVertices by_index(std::size_t inputs, std::size_t vertices);
   /// Input points and vertices with equal coordinates correspond. If several vertices are at one place, the first
@@ -27,6 +29,8 @@ class InputVertices {
   }
 
  private:
+  InputVertices() = default;
+
   Array<Index> vertex_;  ///< per input point
   Array<Index> input_;   ///< per vertex; empty when matched by index
 };

@@ -22,6 +22,7 @@ namespace {
 
 /// A chain edge must have a triangle on each side that belongs to the domain, and none on the other sides.
 void check_sides(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+  const Numbering& names = subject.names;
   SparseAsk ask(found.stop());
   for (const ChainEdge& edge : chains.edges) {
     ask();
@@ -30,14 +31,16 @@ void check_sides(const Subject& subject, const Domain& domain, const Chains& cha
       const bool expected = domain.inside(edge.segment, side);
       if (triangle.exists() == expected) continue;
       const std::string place = std::string(side == Side::left ? "left" : "right") + " of edge " +
-                                edge_text(edge.from, edge.to) + " of segment " + to_text(edge.segment);
+                                names.edge_text(edge.from, edge.to) + " of segment " + to_text(edge.segment);
       const std::vector<Point> where{subject.mesh.points[edge.from], subject.mesh.points[edge.to]};
       if (expected)
-        found.add(ViolationKind::uncovered_domain, {edge.from, edge.to, edge.segment}, where,
-                  "no triangle on the " + place + ", where the domain is");
+        found.add(ViolationKind::uncovered_domain, {names.vertex(edge.from), names.vertex(edge.to), edge.segment},
+                  where, "no triangle on the " + place + ", where the domain is");
       else
-        found.add(ViolationKind::covered_exterior, {triangle.triangle, edge.from, edge.to, edge.segment}, where,
-                  "triangle " + to_text(triangle.triangle) + " on the " + place + ", outside the domain");
+        found.add(
+            ViolationKind::covered_exterior,
+            {names.triangle(triangle.triangle), names.vertex(edge.from), names.vertex(edge.to), edge.segment}, where,
+            "triangle " + to_text(names.triangle(triangle.triangle)) + " on the " + place + ", outside the domain");
     }
   }
 }
@@ -66,9 +69,9 @@ void check_faces(const Subject& subject, const Domain& domain, const Chains& cha
   }
 }
 
-/// Reports an overlap if two boundary edges have more than an end in common. vertex[i] is the vertex of the mesh
-/// at points[i].
-void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> vertex,
+/// Reports an overlap if two boundary edges have more than an end in common. name[i] is the name of
+/// the vertex at points[i].
+void check_simple(std::span<const Point> points, std::span<const Segment> edges, std::span<const Index> name,
                   Findings& found) {
   std::vector<BoundingBox> boxes(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -100,8 +103,8 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
                (p == q || exactly::progress(points[pivot], points[p], points[pivot], points[q]) > 0);
       }
       if (!meet) continue;
-      mine.add(ViolationKind::overlap, {vertex[s.a], vertex[s.b], vertex[t.a], vertex[t.b]}, {a, b, c, d},
-               "boundary edges " + edge_text(vertex[s.a], vertex[s.b]) + " and " + edge_text(vertex[t.a], vertex[t.b]) +
+      mine.add(ViolationKind::overlap, {name[s.a], name[s.b], name[t.a], name[t.b]}, {a, b, c, d},
+               "boundary edges " + edge_text(name[s.a], name[s.b]) + " and " + edge_text(name[t.a], name[t.b]) +
                    " intersect: the ends of each lie on sides " + to_text(side_c) + ", " + to_text(side_d) + " and " +
                    to_text(side_a) + ", " + to_text(side_b) + " of the other");
     }
@@ -161,6 +164,7 @@ std::vector<Index> holes_not_excluded(const Subject& subject, const PlanarFaces&
 /// with seeds that triangles may contain.
 std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                   const Chains& chains, Findings& found) {
+  const Numbering& names = subject.names;
   // Build a planar graph of the boundary edges and their vertices.
   const auto boundary = adjacency.boundary();
   std::vector<Point> points;
@@ -182,7 +186,9 @@ std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, 
     edges.push_back({local(edge.from), local(edge.to), 0});
   }
 
-  check_simple(points, edges, vertex, found);
+  std::vector<Index> name_of_vertex;
+  for (const Index v : vertex) name_of_vertex.push_back(names.vertex(v));
+  check_simple(points, edges, name_of_vertex, found);
   const bool simple = found.count(ViolationKind::overlap) == 0;
 
   const PlanarFaces faces(points, edges, found.stop());
@@ -192,22 +198,24 @@ std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, 
     const auto e = static_cast<Index>(i);
     const BoundaryEdge& edge = boundary[i];
     const std::vector<Point> where{subject.mesh.points[edge.from], subject.mesh.points[edge.to]};
+    const std::vector<Index> in_names{names.triangle(edge.left.triangle), names.vertex(edge.from),
+                                      names.vertex(edge.to)};
     const int left = winding[faces.face(e, Side::left)];
     const int right = winding[faces.face(e, Side::right)];
     if (simple && (left != 1 || right != 0)) {
-      found.add(ViolationKind::overlap, {edge.left.triangle, edge.from, edge.to}, where,
-                "the triangles cover the left of boundary edge " + edge_text(edge.from, edge.to) + " " + to_text(left) +
-                    " times and its right " + to_text(right) + " times");
+      found.add(ViolationKind::overlap, in_names, where,
+                "the triangles cover the left of boundary edge " + names.edge_text(edge.from, edge.to) + " " +
+                    to_text(left) + " times and its right " + to_text(right) + " times");
     }
     if (chains.has(edge.left.triangle, edge.left.edge)) continue;
     if (domain.inside(domain.faces().face_at(midpoint(where[0], where[1])))) {
       if (!simple || right == 0)
-        found.add(ViolationKind::uncovered_domain, {edge.left.triangle, edge.from, edge.to}, where,
-                  "edge " + edge_text(edge.from, edge.to) + " of triangle " + to_text(edge.left.triangle) +
+        found.add(ViolationKind::uncovered_domain, in_names, where,
+                  "edge " + names.edge_text(edge.from, edge.to) + " of triangle " + to_text(in_names[0]) +
                       " has no neighbour although it lies inside the domain and on no segment");
     } else {
-      found.add(ViolationKind::covered_exterior, {edge.left.triangle, edge.from, edge.to}, where,
-                "triangle " + to_text(edge.left.triangle) + " ends at edge " + edge_text(edge.from, edge.to) +
+      found.add(ViolationKind::covered_exterior, in_names, where,
+                "triangle " + to_text(in_names[0]) + " ends at edge " + names.edge_text(edge.from, edge.to) +
                     ", which lies on no chain and not inside the domain");
     }
   }
@@ -220,8 +228,8 @@ bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
          !exactly::line_distance_exceeds(p, c, a, tolerance);
 }
 
-/// Reports triangles that contain the seed of one of these holes, unless the seed is so near to an edge of the
-/// triangle.
+}  // namespace
+
 void check_holes(const Subject& subject, const Domain& domain, std::span<const Index> suspects, Findings& found) {
   const auto& holes = subject.pslg.holes;
   std::vector<Index> by_x;
@@ -240,11 +248,14 @@ void check_holes(const Subject& subject, const Domain& domain, std::span<const I
       if (exactly::orientation(a, b, p) < 0 || exactly::orientation(b, c, p) < 0 || exactly::orientation(c, a, p) < 0)
         continue;
       if (within_rounding(p, a, b, c, domain.tolerance())) continue;
-      mine.add(ViolationKind::covered_exterior, {static_cast<Index>(t), *hole}, {p},
-               "triangle " + to_text(t) + " contains the seed of hole " + to_text(*hole));
+      const Index name = subject.names.triangle(static_cast<Index>(t));
+      mine.add(ViolationKind::covered_exterior, {name, *hole}, {p},
+               "triangle " + to_text(name) + " contains the seed of hole " + to_text(*hole));
     }
   });
 }
+
+namespace {
 
 /// The exact sum of the triangles' areas must be the exact area within the chains that bound the domain.
 void check_area(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
@@ -273,13 +284,13 @@ void check_area(const Subject& subject, const Domain& domain, const Adjacency& a
 
 }  // namespace
 
-void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                    Findings& found) {
+std::vector<Index> check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
+                                  const Chains& chains, Findings& found) {
   check_sides(subject, domain, chains, found);
   check_faces(subject, domain, chains, found);
-  const std::vector<Index> suspects = check_boundary(subject, domain, adjacency, chains, found);
-  check_holes(subject, domain, suspects, found);
+  std::vector<Index> suspects = check_boundary(subject, domain, adjacency, chains, found);
   if (chains.broken.empty()) check_area(subject, domain, adjacency, chains, found);
+  return suspects;
 }
 
 }  // namespace pardel::checker

@@ -10,6 +10,7 @@ namespace pardel::checker {
 void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, const Scan& scan,
                     Findings& found) {
   const auto triangles = adjacency.triangles();
+  const Numbering& names = subject.names;
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
   const std::vector<Index> open = scan.open_for(Test::delaunay);
   check_each(open.size(), found, [&](std::size_t i, Findings& mine) {
@@ -29,10 +30,11 @@ void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Ch
       const ViolationKind kind = chains.has(t, edge) ? ViolationKind::not_conforming : ViolationKind::not_delaunay;
       if (mine.admit(kind))
         mine.keep({kind,
-                   {from, to, t, other},
+                   {names.vertex(from), names.vertex(to), names.triangle(t), names.triangle(other)},
                    {subject.mesh.points[from], subject.mesh.points[to]},
-                   "edge " + edge_text(from, to) + " of triangles " + to_text(t) + " and " + to_text(other) +
-                       " is not locally Delaunay: vertex " + to_text(apex) + " " + to_text(d) +
+                   "edge " + names.edge_text(from, to) + " of triangles " + to_text(names.triangle(t)) + " and " +
+                       to_text(names.triangle(other)) + " is not locally Delaunay: vertex " +
+                       to_text(names.vertex(apex)) + " " + to_text(d) +
                        " lies inside the circumcircle, in-circle determinant " + exactly::in_circle_text(a, b, c, d)});
     }
   });

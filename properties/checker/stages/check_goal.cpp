@@ -81,6 +81,7 @@ class GoalCheck {
     if (sharp < 0) return;
     if (const auto reason = justification(t, subject_, domain_, adjacency_, chains_, inputs_)) {
       justified.push_back(*reason);
+      justified.back().triangle = names().triangle(t);
       return;
     }
     if (!found.admit(ViolationKind::small_angle)) return;
@@ -88,8 +89,8 @@ class GoalCheck {
     found.keep({ViolationKind::small_angle,
                 ids(t),
                 {p[sharp], a, b},
-                "triangle " + to_text(t) + " has an angle of " + to_text(angle_deg(p[sharp], a, b)) + " degrees < " +
-                    to_text(subject_.goal.min_angle_deg) + ": its squared cosine " +
+                "triangle " + to_text(names().triangle(t)) + " has an angle of " + to_text(angle_deg(p[sharp], a, b)) +
+                    " degrees < " + to_text(subject_.goal.min_angle_deg) + ": its squared cosine " +
                     exactly::squared_cosine_text(p[sharp], a, b) + " exceeds the square of " + to_text(cosine_bound_) +
                     ", and no small input angle justifies it"});
   }
@@ -112,8 +113,9 @@ class GoalCheck {
     }
   }
 
-  static std::string area_description(Index t, const std::array<Point, 3>& p, double cap) {
-    return "triangle " + to_text(t) + " has area " + exactly::area_text(p[0], p[1], p[2]) + " > " + to_text(cap);
+  [[nodiscard]] std::string area_description(Index t, const std::array<Point, 3>& p, double cap) const {
+    return "triangle " + to_text(names().triangle(t)) + " has area " + exactly::area_text(p[0], p[1], p[2]) + " > " +
+           to_text(cap);
   }
 
   void check_edges(Index t, const std::array<Point, 3>& p, Findings& found) const {
@@ -121,16 +123,16 @@ class GoalCheck {
     if (!std::isfinite(cap)) return;
     for (int k = 0; k < 3; ++k) {
       const Index across = adjacency_.triangles()[t].n[k];
-      if (across < t) continue;  // the other triangle checks this edge
+      if (across < t || names().has_earlier_neighbour(t, k)) continue;  // the other triangle checks this edge
       const Point a = p[next(k)], b = p[previous(k)];
       if (!exactly::length_exceeds(a, b, std::max(cap, 0.0)) || !found.admit(ViolationKind::long_edge)) continue;
       const Triangle& triangle = adjacency_.triangles()[t];
       found.keep({ViolationKind::long_edge,
-                  {triangle.v[next(k)], triangle.v[previous(k)], t},
+                  {names().vertex(triangle.v[next(k)]), names().vertex(triangle.v[previous(k)]), names().triangle(t)},
                   {a, b},
-                  "edge " + edge_text(triangle.v[next(k)], triangle.v[previous(k)]) + " of triangle " + to_text(t) +
-                      " has squared length " + exactly::squared_length_text(a, b) + ", more than the square of " +
-                      to_text(cap)});
+                  "edge " + names().edge_text(triangle.v[next(k)], triangle.v[previous(k)]) + " of triangle " +
+                      to_text(names().triangle(t)) + " has squared length " + exactly::squared_length_text(a, b) +
+                      ", more than the square of " + to_text(cap)});
     }
   }
 
@@ -147,7 +149,7 @@ class GoalCheck {
       found.keep({ViolationKind::size_exceeded,
                   ids(t),
                   {p.begin(), p.end()},
-                  "triangle " + to_text(t) + " has an edge of length " + to_text(longest) +
+                  "triangle " + to_text(names().triangle(t)) + " has an edge of length " + to_text(longest) +
                       (size ? " > " + to_text(*size) + ", the size at its centroid"
                             : ", and the size function threw an exception at its centroid")});
   }
@@ -177,15 +179,15 @@ class GoalCheck {
       found.keep({ViolationKind::large_circumradius,
                   ids(t),
                   {p.begin(), p.end()},
-                  "triangle " + to_text(t) + " has squared circumradius " +
+                  "triangle " + to_text(names().triangle(t)) + " has squared circumradius " +
                       exactly::squared_circumradius_text(p[0], p[1], p[2]) + ", more than the square of " +
                       to_text(bound)});
   }
 
   [[nodiscard]] std::vector<Index> ids(Index t) const {
-    const auto& v = adjacency_.triangles()[t].v;
-    return {t, v[0], v[1], v[2]};
+    return names().triangle_and_corners(t, adjacency_.triangles()[t]);
   }
+  [[nodiscard]] const Numbering& names() const { return subject_.names; }
 
   const Subject& subject_;
   const Domain& domain_;

@@ -18,7 +18,7 @@ int expected_marker(const Domain& domain, Index segment) {
 class ConstrainedEdges {
  public:
   ConstrainedEdges(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found)
-      : mesh_(subject.mesh), foreign_(subject.options.foreign), domain_(domain), found_(found) {
+      : mesh_(subject.mesh), names_(subject.names), foreign_(subject.options.foreign), domain_(domain), found_(found) {
     for (const ChainEdge& edge : chains.edges)
       expected_.push_back({std::min(edge.from, edge.to), std::max(edge.from, edge.to), edge.segment, false});
     const auto less = [](const Expected& x, const Expected& y) {
@@ -54,9 +54,10 @@ class ConstrainedEdges {
   void report_unlisted() {
     for (const Expected& edge : expected_)
       if (!edge.listed)
-        found_.add(ViolationKind::missing_constrained_edge, {edge.low, edge.high, edge.segment},
+        found_.add(ViolationKind::missing_constrained_edge,
+                   {names_.vertex(edge.low), names_.vertex(edge.high), edge.segment},
                    {mesh_.points[edge.low], mesh_.points[edge.high]},
-                   "edge " + edge_text(edge.low, edge.high) + " is part of segment " + to_text(edge.segment) +
+                   "edge " + names_.edge_text(edge.low, edge.high) + " is part of segment " + to_text(edge.segment) +
                        " but is not listed as constrained");
   }
 
@@ -70,11 +71,14 @@ class ConstrainedEdges {
   static std::string id_text(Index segment) { return segment == no_index ? "none" : to_text(segment); }
 
   void report(ViolationKind kind, const ConstrainedEdge& edge, Index position, const std::string& what) {
-    found_.add(kind, {position, edge.a, edge.b}, {mesh_.points[edge.a], mesh_.points[edge.b]},
-               "constrained edge " + to_text(position) + " (" + edge_text(edge.a, edge.b) + ") " + what);
+    found_.add(kind, {names_.listed_edge(position), names_.vertex(edge.a), names_.vertex(edge.b)},
+               {mesh_.points[edge.a], mesh_.points[edge.b]},
+               "constrained edge " + to_text(names_.listed_edge(position)) + " (" + names_.edge_text(edge.a, edge.b) +
+                   ") " + what);
   }
 
   const Mesh& mesh_;
+  const Numbering& names_;
   bool foreign_;
   bool check_markers_ = true;
   const Domain& domain_;
@@ -145,8 +149,9 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
         expected += (expected.empty() ? "" : " or ") + to_text(at->second);
       }
     }
-    mine.add(ViolationKind::wrong_vertex_marker, {vertex}, {mesh.points[v]},
-             "vertex " + to_text(v) + " has marker " + to_text(given) + " instead of " + expected);
+    mine.add(ViolationKind::wrong_vertex_marker, {subject.names.vertex(vertex)}, {mesh.points[v]},
+             "vertex " + to_text(subject.names.vertex(vertex)) + " has marker " + to_text(given) + " instead of " +
+                 expected);
   });
 }
 
@@ -169,13 +174,14 @@ void check_origins(const Subject& subject, const Domain& domain, const Chains& c
                            : domain.is_hull_piece(segment)  ? hull_vertex
                                                             : origin_on_segment(segment);
     if (mesh.origin[v] != expected)
-      mine.add(
-          ViolationKind::wrong_origin, {vertex}, {mesh.points[v]},
-          "vertex " + to_text(v) + " is listed as " + origin_text(mesh.origin[v]) + " but is " + origin_text(expected));
+      mine.add(ViolationKind::wrong_origin, {subject.names.vertex(vertex)}, {mesh.points[v]},
+               "vertex " + to_text(subject.names.vertex(vertex)) + " is listed as " + origin_text(mesh.origin[v]) +
+                   " but is " + origin_text(expected));
   });
 }
 
-/// A triangle must have the attribute of its region. A mesh that is not foreign must have the region's number, too.
+}  // namespace
+
 void check_regions(const Subject& subject, const Domain& domain, std::span<const Index> faces, Findings& found) {
   const Mesh& mesh = subject.mesh;
   const auto& regions = subject.pslg.regions;
@@ -197,12 +203,15 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
     const std::string is = given == no_index ? "no region" : describe(given, mesh.region_attributes[given]);
     const std::string belongs =
         seeded.empty() ? "no region" : describe(seeded[0].second, regions[seeded[0].second].attribute);
-    mine.add(ViolationKind::wrong_region, {static_cast<Index>(t), given},
+    mine.add(ViolationKind::wrong_region, {subject.names.triangle(static_cast<Index>(t)), given},
              {subject.corner(mesh.triangles[t], 0), subject.corner(mesh.triangles[t], 1),
               subject.corner(mesh.triangles[t], 2)},
-             "triangle " + to_text(t) + " is listed in " + is + " but lies in " + belongs);
+             "triangle " + to_text(subject.names.triangle(static_cast<Index>(t))) + " is listed in " + is +
+                 " but lies in " + belongs);
   });
 }
+
+namespace {
 
 void check_attributes(const Subject& subject, const InputVertices& inputs, Findings& found) {
   const Mesh& mesh = subject.mesh;
@@ -217,9 +226,9 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
       const double given = mesh.point_attributes[v * n + k];
       const double belongs = subject.pslg.point_attributes[i * n + k];
       if (given == belongs || (given != given && belongs != belongs)) continue;
-      found.add(ViolationKind::wrong_attribute, {v}, {mesh.points[v]},
-                "attribute " + to_text(k) + " of vertex " + to_text(v) + " is " + to_text(given) + " instead of " +
-                    to_text(belongs));
+      found.add(ViolationKind::wrong_attribute, {subject.names.vertex(v)}, {mesh.points[v]},
+                "attribute " + to_text(k) + " of vertex " + to_text(subject.names.vertex(v)) + " is " + to_text(given) +
+                    " instead of " + to_text(belongs));
     }
   }
 }
@@ -227,11 +236,10 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
 }  // namespace
 
 void check_labels(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                  const InputVertices& inputs, std::span<const Index> faces, Findings& found) {
+                  const InputVertices& inputs, Findings& found) {
   check_constrained_edges(subject, domain, adjacency, chains, found);
   check_vertex_markers(subject, domain, chains, adjacency, inputs, found);
   check_origins(subject, domain, chains, inputs, found);
-  check_regions(subject, domain, faces, found);
   check_attributes(subject, inputs, found);
 }
 

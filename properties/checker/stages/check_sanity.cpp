@@ -7,9 +7,18 @@
 namespace pardel::checker {
 namespace {
 
+/// How many problems with points and corners were found.
+std::uint64_t problems_of_geometry(const Findings& found) {
+  return found.count(ViolationKind::non_finite_coordinate) + found.count(ViolationKind::index_out_of_range) +
+         found.count(ViolationKind::degenerate_triangle);
+}
+
 bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-void check_pslg(const Pslg& pslg, Findings& found) {
+}  // namespace
+
+bool check_input(const Pslg& pslg, Findings& found) {
+  const std::uint64_t before = problems_of_geometry(found);
   SparseAsk ask(found.stop());
   for (std::size_t i = 0; i < pslg.points.size(); ++i) {
     ask();
@@ -31,31 +40,31 @@ void check_pslg(const Pslg& pslg, Findings& found) {
     found.add(ViolationKind::index_out_of_range, {static_cast<Index>(s), a, b}, {},
               "segment " + to_text(s) + " of the input refers to a point that does not exist");
   }
+  return problems_of_geometry(found) == before;
 }
 
-void check_corners(const Mesh& mesh, Findings& found) {
+namespace {
+
+void check_corners(const Subject& subject, Findings& found) {
+  const Mesh& mesh = subject.mesh;
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
-    if (!is_finite(mesh.points[v]))
-      mine.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(v)}, {mesh.points[v]},
-               "vertex " + to_text(v) + " is not finite");
+    if (is_finite(mesh.points[v])) return;
+    const Index name = subject.names.vertex(static_cast<Index>(v));
+    mine.add(ViolationKind::non_finite_coordinate, {name}, {mesh.points[v]},
+             "vertex " + to_text(name) + " is not finite");
   });
   check_each(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const auto [a, b, c] = mesh.triangles[t].v;
     const std::size_t n = mesh.points.size();
+    const Index name = subject.names.triangle(static_cast<Index>(t));
     if (a >= n || b >= n || c >= n)
-      mine.add(ViolationKind::index_out_of_range, {static_cast<Index>(t), a, b, c}, {},
-               "triangle " + to_text(t) + " refers to a vertex that does not exist (there are " + to_text(n) + ")");
+      mine.add(ViolationKind::index_out_of_range, {name, a, b, c}, {},
+               "triangle " + to_text(name) + " refers to a vertex that does not exist (there are " + to_text(n) + ")");
     else if (a == b || b == c || c == a)
-      mine.add(ViolationKind::degenerate_triangle, {static_cast<Index>(t), a, b, c}, {mesh.points[a]},
-               "triangle " + to_text(t) + " has two equal corners");
+      mine.add(ViolationKind::degenerate_triangle,
+               subject.names.triangle_and_corners(static_cast<Index>(t), mesh.triangles[t]), {mesh.points[a]},
+               "triangle " + to_text(name) + " has two equal corners");
   });
-}
-
-/// True if there were no problems with the points and corners of the input and of the mesh. Precondition: nothing else
-/// was checked yet.
-bool geometry_is_usable(const Findings& found) {
-  return found.count(ViolationKind::non_finite_coordinate) == 0 &&
-         found.count(ViolationKind::index_out_of_range) == 0 && found.count(ViolationKind::degenerate_triangle) == 0;
 }
 
 bool neighbours_are_usable(const Mesh& mesh, Findings& found) {
@@ -121,9 +130,8 @@ Sanity check_sanity(const Subject& subject, const Scan& scan, Findings& found) {
   const bool corners_usable = scan.points_finite && scan.corners_usable;
   const bool neighbours_usable = corners_usable && scan.neighbours_in_range;
   Sanity sanity;
-  check_pslg(subject.pslg, found);
-  if (!corners_usable) check_corners(subject.mesh, found);
-  sanity.geometry = geometry_is_usable(found);
+  if (!corners_usable) check_corners(subject, found);
+  sanity.geometry = corners_usable;
   sanity.neighbours = neighbours_usable || neighbours_are_usable(subject.mesh, found);
   sanity.labels = labels_are_usable(subject, found);
   return sanity;

@@ -37,7 +37,8 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
     if (vertex == no_index) {
       if (needed) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
-      report(" was moved or renumbered: vertex " + to_text(vertex) + " is " + to_text(mesh.points[vertex]));
+      report(" was moved or renumbered: vertex " + to_text(subject.names.vertex(vertex)) + " is " +
+             to_text(mesh.points[vertex]));
     } else if (needed && !adjacency.has_triangle(vertex)) {
       report(" of the domain has no triangle");
     }
@@ -45,8 +46,8 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {
     const auto vertex = static_cast<Index>(v);
     if (!adjacency.has_triangle(vertex) && inputs.input(vertex) == no_index)
-      mine.add(ViolationKind::unused_vertex, {vertex}, {mesh.points[v]},
-               "vertex " + to_text(v) + " has no triangle and is not an input point");
+      mine.add(ViolationKind::unused_vertex, {subject.names.vertex(vertex)}, {mesh.points[v]},
+               "vertex " + to_text(subject.names.vertex(vertex)) + " has no triangle and is not an input point");
   });
   return inputs;
 }
@@ -68,8 +69,8 @@ void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subj
   const Point a = subject.mesh.points[chain.front().from];
   const Point b = subject.mesh.points[chain.back().to];
   for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Index vertex = chain[i].from;
-    const Point p = subject.mesh.points[vertex];
+    const Point p = subject.mesh.points[chain[i].from];
+    const Index vertex = subject.names.vertex(chain[i].from);
     if (!exactly::line_distance_exceeds(p, a, b, domain.tolerance())) continue;
     found.add(ViolationKind::chain_off_segment, {vertex, chain[i].segment}, {p},
               "vertex " + to_text(vertex) + " on segment " + to_text(chain[i].segment) +

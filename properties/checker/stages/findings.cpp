@@ -5,6 +5,12 @@
 
 namespace pardel::checker {
 
+Findings::Findings(std::size_t limit, std::span<const std::uint64_t> counts, std::vector<Violation> kept)
+    : Findings(limit) {
+  std::copy_n(counts.begin(), std::min(counts.size(), counts_.size()), counts_.begin());
+  kept_ = std::move(kept);
+}
+
 void Findings::append(Findings other) {
   for (Violation& violation : other.kept_) {
     // A violation is kept if fewer than limit_ violations of its kind come before it.

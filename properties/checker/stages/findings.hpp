@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class Findings {
  public:
   /// Keeps at most `limit` violations of each kind. The search ends if `stop`, which may be null, says so.
   explicit Findings(std::size_t limit, StopSignal* stop = nullptr) : limit_(limit), stop_(stop) {}
+
+  /// Findings that were made elsewhere: counts() and kept().
+  Findings(std::size_t limit, std::span<const std::uint64_t> counts, std::vector<Violation> kept);
 
   /// Counts a violation. True if the list still has room for it; then the caller describes it and calls keep().
   [[nodiscard]] bool admit(ViolationKind kind) { return counts_[index(kind)]++ < limit_; }
@@ -32,6 +36,8 @@ class Findings {
   [[nodiscard]] std::uint64_t count(ViolationKind kind) const { return counts_[index(kind)]; }
   /// One entry for each kind.
   [[nodiscard]] std::vector<std::uint64_t> counts() const;
+  /// The violations that were kept, in the order of discovery.
+  [[nodiscard]] const std::vector<Violation>& kept() const { return kept_; }
   [[nodiscard]] std::size_t limit() const { return limit_; }
   [[nodiscard]] StopSignal* stop() const { return stop_; }
 

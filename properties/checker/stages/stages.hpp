@@ -11,6 +11,7 @@
 #include "../model/chains.hpp"
 #include "../model/domain.hpp"
 #include "../model/input_vertices.hpp"
+#include "../model/numbering.hpp"
 #include "../model/scan.hpp"
 #include "findings.hpp"
 
@@ -22,12 +23,13 @@ struct Subject {
   const Mesh& mesh;
   const Goal& goal;
   const CheckOptions& options;
+  Numbering names{};
   [[nodiscard]] Point corner(const Triangle& t, int i) const { return mesh.points[t.v[i]]; }
 };
 
-/// Which parts of the mesh and of the input the later stages may read.
+/// Which parts of the mesh the later stages may read.
 struct Sanity {
-  bool geometry = true;    ///< points, segments and corners of triangles
+  bool geometry = true;    ///< points and corners of triangles
   bool neighbours = true;  ///< neighbour ids
   bool labels = true;      ///< constrained edges, regions, origins, markers and attributes
 };
@@ -37,14 +39,28 @@ struct Sanity {
 /// The bounds of the goal and of the options, for the scan.
 [[nodiscard]] ScanBounds bounds_of(const Subject& subject);
 
-/// Checks that ids are in range, that arrays have the right length, and that coordinates are finite. `scan` is the scan
-/// of the mesh.
+/// Checks the points, seeds and segments of the input. True if later stages may read them.
+[[nodiscard]] bool check_input(const Pslg& pslg, Findings& found);
+
+/// Checks the mesh: that ids are in range, that arrays have the right length, and that coordinates are finite. `scan`
+/// is the scan of the mesh.
 [[nodiscard]] Sanity check_sanity(const Subject& subject, const Scan& scan, Findings& found);
 
 /// Checks orientation, neighbours, manifold edges and vertices, duplicates and the Euler characteristic. `scan` is the
 /// scan of the mesh. If the neighbours are rebuilt, it becomes the scan of the triangles with these neighbours. Moves
 /// `start` and `boundary` out of the scan.
 [[nodiscard]] Adjacency check_topology(const Subject& subject, bool neighbours_usable, Scan& scan, Findings& found);
+
+/// The part of check_topology() that one piece of a mesh can decide for itself: orientation, and neighbours in the
+/// piece. Vertices, and edges with too many triangles, are not reported.
+[[nodiscard]] Adjacency check_topology_of_piece(const Subject& subject, bool neighbours_usable, Scan& scan,
+                                                Findings& found);
+
+/// Reports edges with too many triangles, and the equal triangles among these.
+void report_non_manifold(const Subject& subject, std::span<const NonManifoldEdge> edges, Findings& found);
+
+/// Reports the vertices at boundary edges whose triangles do not form open fans.
+void check_boundary_vertices(const Subject& subject, Adjacency& adjacency, Findings& found);
 
 /// Checks that every input point of the domain is a vertex, and that every vertex is used.
 [[nodiscard]] InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
@@ -54,13 +70,22 @@ struct Sanity {
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                     const InputVertices& inputs, const Scan& scan, Findings& found);
 
-/// Checks that the triangles cover the domain exactly once, and cover nothing else.
-void check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                    Findings& found);
+/// Checks that the triangles cover the domain exactly once, and cover nothing else, except for check_holes(). Returns
+/// the holes with seeds that triangles may contain.
+[[nodiscard]] std::vector<Index> check_coverage(const Subject& subject, const Domain& domain,
+                                                const Adjacency& adjacency, const Chains& chains, Findings& found);
 
-/// Checks the data that the mesh lists: constrained edges, markers, origins, regions, attributes.
+/// Reports triangles that contain the seed of one of these holes, unless the seed is so near to an edge of the
+/// triangle that rounding may have moved the edge across it.
+void check_holes(const Subject& subject, const Domain& domain, std::span<const Index> suspects, Findings& found);
+
+/// Checks the data that the mesh lists, except for regions: constrained edges, markers, origins, attributes.
 void check_labels(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
-                  const InputVertices& inputs, std::span<const Index> faces, Findings& found);
+                  const InputVertices& inputs, Findings& found);
+
+/// A triangle must have the attribute of its region. A mesh that is not foreign must have the region's number, too.
+/// `faces`: per triangle, or empty if the input has no regions.
+void check_regions(const Subject& subject, const Domain& domain, std::span<const Index> faces, Findings& found);
 
 /// Checks that every unconstrained edge (for a conforming goal: every edge) is locally Delaunay.
 void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Chains& chains, const Scan& scan,

@@ -1,9 +1,9 @@
 // Messages contain the lists that were written, in their order. A message that does not fit is an error.
-#include "../../../parallel/distribution/message.hpp"
+#include "../../../core/support/message.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pardel::engine {
+namespace pardel {
 namespace {
 
 TEST(Message, has_the_lists_that_were_written) {
@@ -41,4 +41,4 @@ TEST(Message, with_an_impossible_length_is_an_error) {
 }
 
 }  // namespace
-}  // namespace pardel::engine
+}  // namespace pardel

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "../../core/ranks.hpp"
-#include "../../core/support/stop_signal.hpp"
+#include "../ranks.hpp"
+#include "stop_signal.hpp"
 
-namespace pardel::engine {
+namespace pardel {
 
 /// Writes a message.
 class Writer {
@@ -69,4 +69,4 @@ class Reader {
   std::span<const std::byte> rest_;
 };
 
-}  // namespace pardel::engine
+}  // namespace pardel

@@ -1,0 +1,27 @@
+#include "certificate_report.hpp"
+
+#include <fmt/core.h>
+
+#include <string>
+
+#include "centroid.hpp"
+#include "findings_text.hpp"
+
+namespace pardel::cli {
+
+Status require_sizes(const Mesh& mesh, const Goal& goal, const Certificate& certificate) try {
+  const bool too_large = certificate.violation_counts[static_cast<std::size_t>(ViolationKind::size_exceeded)] > 0;
+  if (!too_large || !goal.size) return Done{};
+  for (const Triangle& triangle : mesh.triangles) (void)goal.size(centroid(mesh, triangle));
+  return Done{};
+} catch (const Error& no_size) {
+  return no_size;
+}
+
+void print_certificate(const Certificate& certificate, const std::filesystem::path& json, double max_circumradius) {
+  const std::string all_in = json.empty() ? "the file of --json" : json.string();
+  fmt::print("{}", summary_text(certificate));
+  if (!certificate.valid) fmt::print("{}\n", findings_text(certificate, all_in, max_circumradius));
+}
+
+}  // namespace pardel::cli

@@ -1,0 +1,140 @@
+#include "check_command.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../cli/certificate_report.hpp"
+#include "../cli/distinct_files.hpp"
+#include "../cli/memory.hpp"
+#include "../cli/memory_watch.hpp"
+#include "../cli/output.hpp"
+#include "../cli/threads_option.hpp"
+#include "../cli/verdict.hpp"
+#include "../core/formats.hpp"
+#include "../core/support/collective.hpp"
+#include "../core/support/open_file.hpp"
+#include "../core/support/stopwatch.hpp"
+#include "../properties/checker/check_pieces.hpp"
+#include "problem.hpp"
+
+namespace pardel::mpi {
+namespace {
+
+using namespace cli;
+
+constexpr const char* check_footer =
+    R"(The certificate is that of 'pardel check', but no rank holds the whole mesh. The number of ranks may differ from the
+number of pieces. Exit status 0: the mesh is right; 1: it is wrong, and the violations are listed with their places.
+
+Example:
+  mpirun -n 4 pardel-mpi check pipe.poly pipe.pvtu --max-area 1e-6 --json certificate.json)";
+
+struct CheckArguments {
+  std::filesystem::path domain, mesh;
+  GoalOptions goal;
+  double max_circumradius = 0;
+  std::filesystem::path json;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void add_check_options(CLI::App& app, CheckArguments& arguments) {
+  app.add_option("IN.poly", arguments.domain, "The domain: .poly or .node")->required()->type_name("");
+  app.add_option("MESH.pvtu", arguments.mesh, "The mesh: a .pvtu with its pieces")->required()->type_name("");
+  add_goal_options(app, arguments.goal, largest_angle_to_check);
+  app.add_option("--max-circumradius", arguments.max_circumradius, "No circumradius above this, compared exactly")
+      ->check(positive_number("a radius"))
+      ->type_name("LENGTH")
+      ->group("Goal");
+  app.add_option("--json", arguments.json, "Write the certificate as JSON, with all violations; - is standard output")
+      ->type_name("FILE|-");
+  add_threads_option(app, arguments.threads, "the certificate")
+      ->description("Number of threads of each rank; 0 or all (default): its share of the processors of its machine");
+  app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the certificate of --json -");
+  app.footer(check_footer);
+}
+
+Status check_arguments_of(const CheckArguments& arguments) {
+  if (arguments.mesh.extension() != ".pvtu")
+    return Error{ErrorKind::usage, fmt::format("the mesh {} must be a .pvtu", arguments.mesh.string())};
+  const std::array outputs = {NamedFile{"--json", arguments.json}};
+  const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
+                             NamedFile{{}, arguments.goal.sizes, false}};
+  if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
+  return check_folder(arguments.json);
+}
+
+/// Reads the pieces of this rank, which follow each other in the .pvtu, and makes one piece of them.
+Result<NumberedMesh> read_pieces(const std::filesystem::path& pvtu, const Ranks& ranks) {
+  const Result<std::vector<std::filesystem::path>> files = files_of_pieces(pvtu);
+  if (!files) return files.error();
+  const auto count = static_cast<std::size_t>(ranks.count()), rank = static_cast<std::size_t>(ranks.rank());
+  std::vector<NumberedMesh> pieces;
+  for (std::size_t i = files->size() * rank / count; i < files->size() * (rank + 1) / count; ++i) {
+    Result<NumberedMesh> piece = read_vtu_piece((*files)[i]);
+    if (!piece) return piece.error();
+    pieces.push_back(std::move(*piece));
+  }
+  Result<NumberedMesh> joined = join_some_pieces(std::move(pieces));
+  if (!joined) return Error{joined.error().kind, pvtu.string() + ": " + joined.error().message};
+  return joined;
+}
+
+template <class T>
+Status status_of(const Result<T>& result) {
+  if (result) return Done{};
+  return result.error();
+}
+
+Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
+  const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
+  if (Status fine = job.agree(check_arguments_of(arguments)); !fine) return fine.error();
+  use_threads(arguments.threads > 0 ? arguments.threads : job.threads_per_rank());
+  Stopwatch watch;
+  const Result<Problem> problem = read_problem(arguments.domain, arguments.goal, arguments.threads);
+  if (Status all = job.agree(status_of(problem)); !all) return all.error();
+  const Result<NumberedMesh> piece = read_pieces(arguments.mesh, job.ranks());
+  if (Status all = job.agree(status_of(piece)); !all) return all.error();
+  const double read_seconds = watch.lap();
+  const CheckOptions options{
+      .max_violations = most_kept(arguments.json), .max_circumradius = arguments.max_circumradius, .foreign = true};
+  const Result<Certificate> checked = check(problem->domain.pslg(), *piece, problem->goal, options, job.ranks());
+  if (!checked) return Error{checked.error().kind, arguments.mesh.string() + ": " + checked.error().message};
+  const double check_seconds = watch.lap();
+  const Certificate& certificate = *checked;
+  if (Status sized = job.agree(require_sizes(piece->mesh, problem->goal, certificate)); !sized) return sized.error();
+
+  const Job::Range memory = job.range_of(peak_memory());
+  Status written = Done{};
+  if (job.is_first()) {
+    if (!arguments.quiet && !is_standard_output(arguments.json)) {
+      constexpr double mib = 0x1p20;
+      print_certificate(certificate, arguments.json, arguments.max_circumradius);
+      fmt::print("ranks   {}, {:.0f} to {:.0f} MiB of memory\n", job.ranks().count(),
+                 static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
+      fmt::print("time    {:.3f} s (read {:.3f}, check {:.3f})\n", read_seconds + check_seconds, read_seconds,
+                 check_seconds);
+    }
+    if (!arguments.json.empty()) written = write_text(to_json(certificate) + "\n", arguments.json);
+  }
+  if (Status all = job.agree(written); !all) return all.error();
+  return certificate.valid ? ExitCode::done : ExitCode::violations;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program, Job& job) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* app = program.add_subcommand("check", "Prove that a mesh in pieces is right for its domain");
+  add_check_options(*app, *arguments);
+  return {app, [arguments, &job] { return run_check(*arguments, job); }};
+}
+
+}  // namespace pardel::mpi

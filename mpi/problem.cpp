@@ -1,0 +1,25 @@
+#include "problem.hpp"
+
+#include <utility>
+
+#include "../cli/input.hpp"
+#include "../cli/refusal.hpp"
+
+namespace pardel::mpi {
+
+using namespace cli;
+
+Result<Problem> read_problem(const std::filesystem::path& file, const GoalOptions& options, int threads) {
+  Result<Domain> domain = read_domain(file);
+  if (!domain) return domain.error();
+  const Result<SizeField> sizes = read_size_field(options.sizes);
+  if (!sizes) return sizes.error();
+  Result<ValidPslg, Refusal> valid =
+      validated(std::move(*domain), {.convex_hull = options.convex_hull, .threads = threads});
+  if (!valid) return valid.error().error;
+  Result<Goal> goal = make_goal(options, *sizes, *valid);
+  if (!goal) return goal.error();
+  return Problem{std::move(*valid), std::move(*goal)};
+}
+
+}  // namespace pardel::mpi

@@ -1,0 +1,68 @@
+#include "judgement.hpp"
+
+#include "../../../core/support/message.hpp"
+
+namespace pardel::checker {
+namespace {
+
+/// The neighbours in the skeleton. Sides between two vertices that are not special have no neighbour there, but are no
+/// boundary edges: the triangle beyond them is not in the skeleton. Reports edges with too many triangles: sides
+/// of these are boundary edges, so all of them are here.
+Adjacency adjacency_of(const Skeleton& skeleton, const Subject& subject, Findings& found) {
+  Array<Triangle> triangles = skeleton.mesh.triangles;
+  std::vector<NonManifoldEdge> non_manifold;
+  rebuild_neighbours(triangles.span(), non_manifold, found.stop());
+  report_non_manifold(subject, non_manifold, found);
+  Scan scanned = scan(skeleton.mesh.points.span(), std::as_const(triangles).span(), {}, found.stop());
+  std::erase_if(scanned.boundary, [&](const BoundaryEdge& edge) {
+    return skeleton.is_special[edge.from] == 0 && skeleton.is_special[edge.to] == 0;
+  });
+  return {std::move(triangles), std::move(scanned.start), std::move(scanned.boundary)};
+}
+
+}  // namespace
+
+Judgement judge(const Skeleton& skeleton, const Subject& of_piece, const Domain& domain, bool labels, Findings& found) {
+  const Subject subject{of_piece.pslg,
+                        skeleton.mesh,
+                        of_piece.goal,
+                        of_piece.options,
+                        {.vertices = skeleton.vertices, .triangles = skeleton.triangles}};
+  Adjacency adjacency = adjacency_of(skeleton, subject, found);
+  check_boundary_vertices(subject, adjacency, found);
+  const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
+  const Chains chains = check_segments(subject, domain, adjacency, inputs, Scan{}, found);
+
+  Judgement judgement;
+  judgement.suspects = check_coverage(subject, domain, adjacency, chains, found);
+  if (labels) check_labels(subject, domain, adjacency, chains, inputs, found);
+  for (const ChainEdge& edge : chains.edges)
+    judgement.chains.push_back({skeleton.vertices[edge.from], skeleton.vertices[edge.to], edge.segment});
+  for (Index i = 0; i < subject.pslg.points.size(); ++i) {
+    const Index v = inputs.vertex(i);
+    judgement.vertex_of_input.push_back(v == no_index ? Judgement::no_vertex : skeleton.vertices[v]);
+  }
+  judgement.area = covered_area(skeleton.mesh.points.span(), adjacency).rounded() / 2;
+  return judgement;
+}
+
+Ranks::Bytes Judgement::message() const {
+  Writer message;
+  message.list(chains);
+  message.list(vertex_of_input);
+  message.list(suspects);
+  message.list(std::vector<double>{area});
+  return message.take();
+}
+
+Judgement Judgement::read(const Ranks::Bytes& message) {
+  Reader reader(message);
+  Judgement judgement;
+  judgement.chains = reader.list<NumberedChainEdge>();
+  judgement.vertex_of_input = reader.list<std::uint64_t>();
+  judgement.suspects = reader.list<Index>();
+  judgement.area = reader.list<double>().at(0);
+  return judgement;
+}
+
+}  // namespace pardel::checker

@@ -1,0 +1,34 @@
+// What the first rank decides on the skeleton, and all ranks need.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "skeleton.hpp"
+
+namespace pardel::checker {
+
+/// A mesh edge on a segment, by the numbers of its ends in the whole mesh.
+struct NumberedChainEdge {
+  std::uint64_t from, to;
+  Index segment;
+};
+
+struct Judgement {
+  std::vector<NumberedChainEdge> chains;
+  std::vector<std::uint64_t> vertex_of_input;  ///< the number of the vertex at each input point, or no_vertex
+  std::vector<Index> suspects;                 ///< holes with seeds that triangles may contain
+  double area = 0;                             ///< the area of the triangles, rounded once
+  static constexpr std::uint64_t no_vertex = UINT64_MAX;
+
+  [[nodiscard]] Ranks::Bytes message() const;
+  [[nodiscard]] static Judgement read(const Ranks::Bytes& message);
+};
+
+/// Checks on the skeleton what the stages of check() check on a whole mesh: the vertices of the boundary, input
+/// vertices, chains, coverage, and labels if they are usable on all ranks. `subject` has the input and the goal; its
+/// mesh is not used.
+[[nodiscard]] Judgement judge(const Skeleton& skeleton, const Subject& subject, const Domain& domain, bool labels,
+                              Findings& found);
+
+}  // namespace pardel::checker

@@ -1,0 +1,216 @@
+// The certificate of a mesh in pieces is that of the joined mesh.
+#include "../../../properties/checker/check_pieces.hpp"
+
+#include <string>
+#include <vector>
+
+#include "../../../core/support/collective.hpp"
+#include "../../../parallel/mesher.hpp"
+#include "../../../properties/checker/check.hpp"
+#include "../../../properties/defects/defects.hpp"
+#include "../../../properties/domains/domains.hpp"
+#include "../../../properties/domains/generators/goals.hpp"
+#include "../../../properties/theorems/framework/local_ranks.hpp"
+#include "../../../properties/theorems/framework/property.hpp"
+#include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
+#include "../../../properties/theorems/framework/shares.hpp"
+#include "cut_mesh.hpp"
+#include "written_mesh.hpp"
+
+namespace pardel {
+namespace {
+
+struct MeshedCase {
+  Pslg pslg;
+  Mesh mesh;
+  Goal goal;
+};
+
+/// How a mesh is cut into pieces.
+struct Cut {
+  std::vector<std::size_t> owner;  ///< per triangle
+  std::size_t count = 1;
+};
+
+/// Vertical slabs, blocks of consecutive triangles, or single triangles at random places.
+Cut some_cut(const Mesh& mesh) {
+  Cut cut;
+  cut.count = *rc::gen::inRange<std::size_t>(1, 6);
+  const int way = *rc::gen::inRange(0, 3);
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  double left = INFINITY, right = -INFINITY;
+  for (const Point& p : mesh.points) {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double share = (mesh.points[mesh.triangles[t].v[0]].x - left) / (right - left);
+    const auto slab = static_cast<std::size_t>(share * static_cast<double>(cut.count));
+    cut.owner.push_back(way == 0   ? std::min(slab, cut.count - 1)
+                        : way == 1 ? t * cut.count / mesh.triangles.size()
+                                   : random.below(cut.count));
+  }
+  return cut;
+}
+
+struct Checked {
+  std::string fault;  ///< what the ranks do not agree on
+  Certificate certificate;
+};
+
+Checked check_on_ranks(const Pslg& pslg, const std::vector<NumberedMesh>& pieces, const Goal& goal,
+                       const CheckOptions& options) {
+  std::vector<Certificate> certificates(pieces.size());
+  std::vector<std::string> errors(pieces.size());
+  properties::on_ranks(static_cast<int>(pieces.size()), [&](Ranks& ranks) {
+    const auto rank = static_cast<std::size_t>(ranks.rank());
+    Result<Certificate> result = check(pslg, pieces[rank], goal, options, ranks);
+    if (result)
+      certificates[rank] = std::move(*result);
+    else
+      errors[rank] = result.error().message;
+  });
+  Checked checked{errors.front(), certificates.front()};
+  for (std::size_t rank = 1; rank < pieces.size() && checked.fault.empty(); ++rank)
+    if (errors[rank] != errors.front() || to_json(certificates[rank]) != to_json(certificates.front()))
+      checked.fault = "rank " + std::to_string(rank) + " has another certificate";
+  return checked;
+}
+
+MeshedCase lattice_mesh(properties::Exhibit& exhibit) {
+  const auto simpler = [](const generators::Case& c) { return generators::shrinks(c); };
+  const generators::Case c = *generators::generator(generators::any_case, simpler);
+  MeshedCase made{to_pslg(c.domain), {}, to_goal(c.goal, c.domain)};
+  exhibit.show(made.pslg);
+  Result<Meshed> meshed = mesh(made.pslg, made.goal);
+  RC_ASSERT(meshed.ok());
+  made.mesh = std::move(meshed->mesh);
+  return made;
+}
+
+PARDEL_PROPERTY(
+    Pieces, have_the_certificate_of_the_whole_mesh,
+    {.statement = "However a mesh is cut into pieces, the ranks that check them give the certificate of the joined "
+                  "mesh, character by character; if bounds are missed, with the same numbers of violations.",
+     .source = "properties/checker/check_pieces.hpp",
+     .families = "lattice domains of every family; slabs, blocks of triangles, and triangles at random places"}) {
+  const MeshedCase made = lattice_mesh(exhibit);
+  const Cut cut = some_cut(made.mesh);
+  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
+  const Result<Mesh> joined = join_pieces(pieces);
+  RC_ASSERT(joined.ok());
+  const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
+  const Certificate whole = check(made.pslg, *joined, made.goal, options);
+  const Checked checked = check_on_ranks(made.pslg, pieces, made.goal, options);
+  properties::classify(whole.valid, "valid", 50);
+  properties::classify(!made.pslg.regions.empty(), "with regions", 10);
+  properties::classify(!whole.justified.empty(), "with justified triangles", 5);
+  RC_ASSERT(checked.fault == "");
+  RC_ASSERT(testing::verdict(checked.certificate) == testing::verdict(whole));
+  if (whole.valid) RC_ASSERT(to_json(checked.certificate) == to_json(whole));
+}
+
+/// True if cut_mesh() can cut the mesh, and if join_pieces() can put the pieces together.
+bool can_be_cut(const Mesh& mesh) {
+  const std::size_t n = mesh.points.size();
+  const auto fits = [](std::size_t size, std::size_t expected) { return size == 0 || size == expected; };
+  return fits(mesh.origin.size(), n) && fits(mesh.point_markers.size(), n) &&
+         fits(mesh.region.size(), mesh.triangles.size()) &&
+         mesh.point_attributes.size() == n * mesh.attributes_per_point && !mesh.triangles.empty() &&
+         std::ranges::all_of(
+             mesh.triangles,
+             [&](const Triangle& t) { return std::ranges::all_of(t.v, [&](Index v) { return v < n; }); }) &&
+         std::ranges::all_of(mesh.constrained_edges, [&](const ConstrainedEdge& e) { return std::max(e.a, e.b) < n; });
+}
+
+PARDEL_PROPERTY(
+    Pieces, with_a_defect_are_refused,
+    {.statement = "However a mesh with a defect is cut into pieces, the ranks refuse it if the checker of the joined "
+                  "mesh does.",
+     .source = "properties/checker/check_pieces.hpp",
+     .families = "lattice domains of every family, every defect of properties/defects"}) {
+  MeshedCase made = lattice_mesh(exhibit);
+  RC_PRE(check(made.pslg, made.mesh, made.goal).valid);
+  const defects::Defect& defect =
+      *rc::gen::elementOf(std::vector<defects::Defect>(defects::all().begin(), defects::all().end()));
+  RC_PRE(defect.inject(made.pslg, made.mesh, made.goal, *rc::gen::arbitrary<std::uint32_t>()));
+  RC_PRE(can_be_cut(made.mesh));
+  const Cut cut = some_cut(made.mesh);
+  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
+  const Result<Mesh> joined = join_pieces(pieces);
+  RC_PRE(joined.ok());  // not if a coordinate is not a number
+  const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
+  const Certificate whole = check(made.pslg, *joined, made.goal, options);
+  const Checked checked = check_on_ranks(made.pslg, pieces, made.goal, options);
+  properties::classify(!whole.valid, "refused", 50);
+  RC_LOG() << defect.name << ", " << cut.count << " pieces\nwhole: " << testing::verdict(whole)
+           << "\npieces: " << testing::verdict(checked.certificate) << '\n';
+  RC_ASSERT(checked.fault == "");
+  RC_ASSERT(checked.certificate.valid == whole.valid);
+}
+
+/// The square [0, 1] x [0, 1] in eight triangles around nine points. Each piece has four; with
+/// second = 0, the first piece has all.
+std::vector<NumberedMesh> two_halves(Index second = 1) {
+  Mesh mesh;
+  for (const double y : {0.0, 0.5, 1.0})
+    for (const double x : {0.0, 0.5, 1.0}) mesh.points.push_back({x, y});
+  std::vector<std::size_t> owner;
+  for (const Index row : {0u, 1u})
+    for (const Index column : {0u, 1u}) {
+      const Index a = 3 * row + column;
+      mesh.triangles.push_back({{a, a + 1, a + 4}});
+      mesh.triangles.push_back({{a, a + 4, a + 3}});
+      owner.insert(owner.end(), 2, row * second);
+    }
+  return testing::cut_mesh(mesh, owner, 2);
+}
+
+/// What the check of the pieces says about their numbers; empty if it is no error.
+std::string error_of(const std::vector<NumberedMesh>& pieces) {
+  return check_on_ranks(domains::square(), pieces, Goal{}, {.foreign = true}).fault;
+}
+
+PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
+            {.statement = "pieces with a number that is missing, or belongs to different points, are no mesh",
+             .source = "properties/checker/check_pieces.hpp",
+             .families = "a square in two pieces"}) {
+  EXPECT_EQ(error_of(two_halves()), "");
+  const auto number = [](NumberedMesh& piece, double x, double y) -> std::uint64_t& {
+    const auto at = std::ranges::find(piece.mesh.points, Point{x, y});
+    return piece.number[static_cast<std::size_t>(at - piece.mesh.points.begin())];
+  };
+  {
+    std::vector<NumberedMesh> pieces = two_halves();
+    number(pieces[0], 0, 0) = 100;
+    EXPECT_EQ(error_of(pieces), "a point has the number 100, but the pieces have only 12 points");
+  }
+  {
+    std::vector<NumberedMesh> pieces = two_halves();
+    number(pieces[0], 0, 0) = 9;
+    EXPECT_EQ(error_of(pieces), "rank 0: no piece has the point with the number 0");
+  }
+  {
+    std::vector<NumberedMesh> pieces = two_halves();
+    std::swap(number(pieces[1], 0, 0.5), number(pieces[1], 0.5, 0.5));
+    EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different points with the number 3");
+  }
+  {
+    std::vector<NumberedMesh> pieces = two_halves();
+    pieces[0].number.pop_back();
+    EXPECT_EQ(error_of(pieces), "rank 0: a piece has points without numbers");
+  }
+  {
+    // The vertex in the middle is in the interior of the first piece.
+    std::vector<NumberedMesh> pieces = two_halves(0);
+    pieces[1].mesh.points.push_back({0.5, 0.5});
+    pieces[1].number.push_back(4);
+    EXPECT_EQ(error_of(pieces), "");
+    pieces[1].mesh.points[0] = {0.5, 0.25};
+    EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different points with the number 4");
+  }
+  facts.cases += 7;
+}
+
+}  // namespace
+}  // namespace pardel
