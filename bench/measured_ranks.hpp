@@ -19,8 +19,8 @@ struct MeasuredRank {
   double seconds = 0;            ///< from start to end
 };
 
-/// Makes a mesh with one thread per rank. Collective. Returns the ranks' results on the first rank, and an empty list on
-/// the others. If the mesh cannot be made, the job ends.
+/// Makes a mesh with one thread per rank. Collective. Returns the ranks' results on the first rank, and an empty list
+/// on the others. If the mesh cannot be made, the job ends.
 [[nodiscard]] std::vector<MeasuredRank> measure_ranks(const ValidPslg& domain, const Goal& goal, mpi::MpiRanks& ranks);
 
 }  // namespace pardel::bench

@@ -1,5 +1,5 @@
-// mpi_model: predicts the time of `pardel-mpi mesh` on more ranks than this machine has processors, from a traced run of
-// one process and a network with a latency and a bandwidth. Started by mpirun -n R, it also measures R ranks, and
+// mpi_model: predicts the time of `pardel-mpi mesh` on more ranks than this machine has processors, from a traced run
+// of one process and a network with a latency and a bandwidth. Started by mpirun -n R, it also measures R ranks, and
 // compares them with the model. See --help.
 #include <fmt/format.h>
 #include <mpi.h>
@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,7 @@ constexpr const char* source_names[] = {"traced", "coarse traced", "extended"};
 struct Row {
   int ranks = 1;
   double triangles = 0;
-  double tiles = 0;
+  double tiles = 0, coarse_triangles = 0;
   Prediction predicted;
   std::size_t exchanges = 0;
   std::uint64_t most_bytes_out = 0;  ///< that a rank sends
@@ -92,7 +93,7 @@ class Model {
   }
   [[nodiscard]] Trace traced(double triangles, const std::vector<int>& ranks, Extent extent = Extent::whole) const {
     Result<Trace> result = trace(*domain_, goal(triangles), {}, ranks, extent);
-    if (!result) throw CLI::RuntimeError(result.error().message, 1);
+    if (!result) throw std::runtime_error(result.error().message);
     if (result->rest > 0)
       fmt::print(stderr, "{} triangles that the first rank refines alone are not in the model\n", result->rest);
     return std::move(*result);
@@ -113,6 +114,7 @@ class Model {
     Row row = row_of(each.replay.ranks(), each.replay.steps(), costs(trace, each.alone), settings_.network);
     row.triangles = static_cast<double>(trace.triangles);
     row.tiles = static_cast<double>(trace.promised.size());
+    row.coarse_triangles = static_cast<double>(trace.coarse_triangles);
     row.margin = static_cast<double>(each.replay.held()) / row.triangles - 1;
     return row;
   }
@@ -147,26 +149,35 @@ std::vector<Row> Model::weak() const {
     Row row = row_of(ranks, steps, costs, settings_.network);
     row.triangles = by_traced * static_cast<double>(largest->triangles);
     row.tiles = tiles;
+    row.coarse_triangles = larger * static_cast<double>(measured.coarse_triangles);
     row.source = is_coarse ? Source::coarse : Source::extended;
     rows.push_back(row);
   }
   return rows;
 }
 
+/// The times, and then what is sent.
 void print(const std::vector<Row>& rows, bool is_weak) {
-  fmt::print("| ranks | triangles, millions | tiles | seconds | efficiency | coarse levels | division | phases | work "
-             "| messages | waiting | announcements | sums | transfer | exchanges | MB sent, at most | margin | basis |\n");
-  fmt::print("|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n");
+  fmt::print(
+      "| ranks | triangles, millions | seconds | efficiency | coarse levels | division | phases | work | messages "
+      "| waiting | network | basis |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n");
   const double first = rows.front().predicted.seconds * (is_weak ? 1 : rows.front().ranks);
   for (const Row& row : rows) {
     const Prediction& p = row.predicted;
-    fmt::print("| {} | {:.1f} | {:.0f} | {:.3f} | {:.0f} % | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} "
-               "| {:.3f} | {:.3f} | {} | {:.2f} | {} | {} |\n",
-               row.ranks, row.triangles / 1e6, row.tiles, p.seconds, 100 * first / p.seconds / (is_weak ? 1 : row.ranks),
-               p.before, p.divide, p.phases, p.work, p.messages, p.waiting, p.announcements, p.sums, p.transfer,
-               row.exchanges, static_cast<double>(row.most_bytes_out) / 1e6,
-               row.margin ? fmt::format("{:.0f} %", 100 * *row.margin) : "",
-               source_names[static_cast<int>(row.source)]);
+    fmt::print(
+        "| {} | {:.1f} | {:.3f} | {:.0f} % | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {} |\n",
+        row.ranks, row.triangles / 1e6, p.seconds, 100 * first / p.seconds / (is_weak ? 1 : row.ranks), p.before,
+        p.divide, p.phases, p.work, p.messages, p.waiting, p.network(), source_names[static_cast<int>(row.source)]);
+  }
+  fmt::print(
+      "\n| ranks | tiles | coarse triangles, thousands | exchanges | announcements, ms | sums, ms | transfer, ms | "
+      "MB sent by a rank, at most | margin |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (const Row& row : rows) {
+    const Prediction& p = row.predicted;
+    fmt::print("| {} | {:.0f} | {:.0f} | {} | {:.2f} | {:.2f} | {:.2f} | {:.1f} | {} |\n", row.ranks, row.tiles,
+               row.coarse_triangles / 1e3, row.exchanges, 1e3 * p.announcements, 1e3 * p.sums, 1e3 * p.transfer,
+               static_cast<double>(row.most_bytes_out) / 1e6,
+               row.margin ? fmt::format("{:.0f} %", 100 * *row.margin) : "");
   }
 }
 
@@ -177,6 +188,7 @@ Json to_json(const std::vector<Row>& rows) {
     Json one{{"ranks", row.ranks},
              {"triangles", row.triangles},
              {"tiles", row.tiles},
+             {"coarse_triangles", row.coarse_triangles},
              {"basis", source_names[static_cast<int>(row.source)]},
              {"seconds", p.seconds},
              {"parts",
@@ -198,23 +210,30 @@ Json to_json(const std::vector<Row>& rows) {
 }
 
 Json print_balance(const Trace& trace, const std::vector<int>& ranks) {
-  const std::vector<double> measured = inserted_per_cell(trace);
-  fmt::print("\nThe most of a rank, divided by the mean, if the tiles are divided by the promised work or by the number "
-             "of vertices that were inserted in them:\n\n");
-  fmt::print("| ranks | promised | vertices | processor time | vertices, phase by phase | divided by vertices: vertices "
-             "| phase by phase |\n|---:|---:|---:|---:|---:|---:|---:|\n");
+  struct Division {
+    const char* by;
+    std::vector<double> work;
+  };
+  const Division divisions[] = {{"promised work", trace.promised},
+                                {"promised work of tasks", promised_by_task(trace)},
+                                {"vertices inserted", inserted_per_cell(trace)}};
+  fmt::print(
+      "\nThe most of a rank, divided by the mean:\n\n"
+      "| ranks | tiles divided by | promised work | vertices | processor time | vertices, phase by phase |\n"
+      "|---:|---|---:|---:|---:|---:|\n");
   Json list = Json::array();
-  for (const int count : ranks) {
-    const Balance p = balance(trace, trace.promised, count), m = balance(trace, measured, count);
-    fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", count, p.promised, p.inserted,
-               p.seconds, p.phases, m.inserted, m.phases);
-    list.push_back({{"ranks", count},
-                    {"promised", p.promised},
-                    {"vertices", p.inserted},
-                    {"seconds", p.seconds},
-                    {"vertices_by_phase", p.phases},
-                    {"by_vertices", {{"vertices", m.inserted}, {"vertices_by_phase", m.phases}}}});
-  }
+  for (const int count : ranks)
+    for (const Division& division : divisions) {
+      const Balance b = balance(trace, division.work, count);
+      fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", count, division.by, b.promised, b.inserted,
+                 b.seconds, b.phases);
+      list.push_back({{"ranks", count},
+                      {"divided_by", division.by},
+                      {"promised", b.promised},
+                      {"vertices", b.inserted},
+                      {"seconds", b.seconds},
+                      {"vertices_by_phase", b.phases}});
+    }
   return list;
 }
 
@@ -283,7 +302,7 @@ void run_model(const Settings& settings, const Model& model, const std::vector<M
   if (!settings.json.empty()) std::ofstream(settings.json) << json.dump(1) << '\n';
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv) try {
   Settings settings;
   CLI::App app("Predicts the time of pardel-mpi on many ranks. Started by mpirun -n R, measures R ranks, too");
   app.add_option("--domain", settings.task.domain, "square, pipe, radial (graded) or points")
@@ -295,9 +314,11 @@ int run(int argc, char** argv) {
   app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',')->capture_default_str();
   app.add_option("--latency", settings.network.latency, "of a message, in seconds")->capture_default_str();
   app.add_option("--bandwidth", settings.network.bandwidth, "of each rank, in bytes per second")->capture_default_str();
-  app.add_option("--most-triangles", settings.most_triangles, "weak scaling: larger meshes repeat the largest traced one")
+  app.add_option("--most-triangles", settings.most_triangles,
+                 "weak scaling: larger meshes repeat the largest traced one")
       ->capture_default_str();
-  app.add_option("--most-coarse", settings.most_coarse, "weak scaling: coarse levels are made for meshes up to this size")
+  app.add_option("--most-coarse", settings.most_coarse,
+                 "weak scaling: coarse levels are made for meshes up to this size")
       ->capture_default_str();
   app.add_flag("--balance", settings.balance, "print how even the work of the ranks is");
   app.add_option("--json", settings.json, "also write the results to this file");
@@ -308,6 +329,9 @@ int run(int argc, char** argv) {
   if (ranks.count() > 1) measured = measure_ranks(model.domain(), model.goal(settings.triangles), ranks);
   if (ranks.rank() == 0) run_model(settings, model, measured);
   return 0;
+} catch (const std::runtime_error& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 1;
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <tuple>
 
 #include "../../core/support/point_order.hpp"
+#include "thread_time.hpp"
 
 namespace pardel::bench {
 
@@ -82,7 +84,7 @@ void Replay::deliver(const std::vector<PlannedTask>& tasks, const std::function<
 void Replay::exchange_changes(const std::vector<PlannedTask>& tasks, std::span<const double> seconds,
                               const Triangulation& t, TriangleId common) {
   if (is_known_elsewhere_.size() < t.slots.size()) is_known_elsewhere_.resize(t.slots.size());
-  std::vector<double> work(static_cast<std::size_t>(ranks_));
+  std::vector<double> work(static_cast<std::size_t>(ranks_)), selection = work;
   std::map<Pair, Message> messages;
   std::vector<TriangleId> sent;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -90,42 +92,49 @@ void Replay::exchange_changes(const std::vector<PlannedTask>& tasks, std::span<c
     work[static_cast<std::size_t>(owner)] += seconds[i];
     const std::vector<int>& watchers = watchers_[tasks[i].cell];
     if (watchers.size() == 1) continue;
+    std::vector<Message*> message_to;
+    for (const int rank : watchers) message_to.push_back(rank == owner ? nullptr : &messages[{owner, rank}]);
+    ThreadWatch watch;  // a real rank makes the same tests
     for (const QueuedTriangle triangle : tasks[i].result.changed) {
       if (!triangle.is_current(t)) continue;
       const TriangleId id = triangle.id();
       const auto& v = t.slots[id].v;
-      for (const int rank : watchers) {
-        if (rank == owner) continue;
-        if (std::ranges::any_of(v, [&](VertexId corner) { return ownership_.watches(rank, t.points[corner]); })) {
-          messages[{owner, rank}].triangles.push_back(id);
+      for (std::size_t k = 0; k < watchers.size(); ++k) {
+        if (message_to[k] == nullptr) continue;
+        if (std::ranges::any_of(v,
+                                [&](VertexId corner) { return ownership_.watches(watchers[k], t.points[corner]); })) {
+          message_to[k]->triangles.push_back(id);
           sent.push_back(id);
         } else if (id < common || is_known_elsewhere_[id]) {
-          ++messages[{owner, rank}].dropped;
+          ++message_to[k]->dropped;
         }
       }
     }
+    selection[static_cast<std::size_t>(owner)] += watch.lap();
   }
   for (const TriangleId id : sent) is_known_elsewhere_[id] = true;
   std::map<Pair, std::uint64_t> bytes;
   for (const auto& [pair, message] : messages)
-    bytes[pair] = bytes_of_changes(message.triangles, message.dropped, t);
+    if (!message.triangles.empty() || message.dropped > 0)
+      bytes[pair] = bytes_of_changes(message.triangles, message.dropped, t);
   add_exchange(Step::Kind::changes, std::move(work), bytes);
+  steps_.back().selection = std::move(selection);
 }
 
-/// The number of ranks that hold a triangle.
-std::size_t Replay::held_by(const Slot& slot, const Triangulation& t) const {
+/// The ranks that hold a triangle.
+std::vector<int> Replay::holders(const Slot& slot, const Triangulation& t) const {
   std::vector<int> ranks;
   for (const VertexId v : slot.v) {
     const Point p = t.points[v];
     for (const int rank : watchers_[ownership_.cell_of(p)])
       if (ownership_.watches(rank, p)) ranks.push_back(rank);
   }
-  return without_repetitions(std::move(ranks)).size();
+  return without_repetitions(std::move(ranks));
 }
 
 void Replay::finish(const Triangulation& t, const HeldPart& all) {
-  std::vector<double> triangles(static_cast<std::size_t>(ranks_));
-  std::vector<std::pair<VertexId, int>> in_piece_of_other;  // vertices, and the ranks that do not own them
+  std::vector<double> held(static_cast<std::size_t>(ranks_));  // triangles; a piece is selected among them
+  std::vector<std::pair<VertexId, int>> in_piece_of_other;     // vertices, and the ranks that do not own them
   double count = 0;
   all.for_each_triangle([&](TriangleId id) {
     const Slot& slot = t.slots[id];
@@ -133,19 +142,18 @@ void Replay::finish(const Triangulation& t, const HeldPart& all) {
     std::array<Index, 3> cells{};
     std::ranges::transform(slot.v, cells.begin(), [&](VertexId v) { return ownership_.cell_of(t.points[v]); });
     if (std::ranges::all_of(cells, [&](Index cell) { return watchers_[cell].size() == 1; })) {
-      ++held_;
-      ++triangles[static_cast<std::size_t>(ownership_.owner(cells[0]))];
+      ++held[static_cast<std::size_t>(ownership_.owner(cells[0]))];
       return;
     }
-    held_ += held_by(slot, t);
+    for (const int rank : holders(slot, t)) ++held[static_cast<std::size_t>(rank)];
     const VertexId least = *std::ranges::min_element(
         slot.v, [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
     const int owner = ownership_.owner(ownership_.cell_of(t.points[least]));
-    ++triangles[static_cast<std::size_t>(owner)];
     for (unsigned i = 0; i < 3; ++i)
       if (ownership_.owner(cells[i]) != owner) in_piece_of_other.emplace_back(slot.v[i], owner);
   });
-  for (double& own : triangles) own /= count;
+  held_ = static_cast<std::uint64_t>(std::accumulate(held.begin(), held.end(), 0.0));
+  for (double& share : held) share /= count;
   in_piece_of_other = without_repetitions(std::move(in_piece_of_other));
 
   std::map<Pair, std::uint64_t> questions, answers;
@@ -163,7 +171,7 @@ void Replay::finish(const Triangulation& t, const HeldPart& all) {
   // share_of_rank() of the vertices; questions and answers; then three sums in PieceMaker and mesh_in_ranks().
   first_of_pieces_ = steps_.size();
   steps_.push_back({.kind = Step::Kind::rank_sum, .bytes = sizeof(std::uint64_t) * static_cast<std::uint64_t>(ranks_)});
-  steps_.back().work = std::move(triangles);
+  steps_.back().work = std::move(held);
   add_exchange_of_all(bytes_of_list, questions);
   add_exchange_of_all(2 * bytes_of_list, answers);
   steps_.push_back({.kind = Step::Kind::rank_sum, .bytes = sizeof(std::uint64_t) * static_cast<std::uint64_t>(ranks_)});

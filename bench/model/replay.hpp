@@ -38,7 +38,8 @@ class Replay {
                         const engine::Triangulation& t, engine::TriangleId common);
   /// The ranks make their pieces. `all`: the triangles of the mesh.
   void finish(const engine::Triangulation& t, const engine::HeldPart& all);
-  /// To be called after finish(): the processor time that all ranks together take for their pieces.
+  /// To be called after finish(): the processor time that one rank would take for the whole mesh. The
+  /// ranks take it in proportion to the triangles that they hold.
   void set_piece_seconds(double seconds);
 
  private:
@@ -49,7 +50,7 @@ class Replay {
   };
   using Pair = std::pair<int, int>;  ///< sender and receiver
 
-  [[nodiscard]] std::size_t held_by(const engine::Slot& slot, const engine::Triangulation& t) const;
+  [[nodiscard]] std::vector<int> holders(const engine::Slot& slot, const engine::Triangulation& t) const;
   void add_exchange(Step::Kind kind, std::vector<double> work, const std::map<Pair, std::uint64_t>& bytes);
   void add_exchange_of_all(std::uint64_t least, const std::map<Pair, std::uint64_t>& more);
 

@@ -46,6 +46,10 @@ class Clocks {
       clock_[rank] += step.work[rank];
       p_.work += step.work[rank];
     }
+    for (std::size_t rank = 0; rank < step.selection.size(); ++rank) {
+      clock_[rank] += step.selection[rank];
+      p_.messages += step.selection[rank];
+    }
     for (std::size_t rank = 0; rank < step.traffic.size(); ++rank) {
       const double written = costs_.write_byte * static_cast<double>(step.traffic[rank].bytes_out);
       clock_[rank] += written;
@@ -90,6 +94,7 @@ std::vector<Step> repeated(const std::vector<Step>& steps, int traced_ranks, int
     if (step.kind == Step::Kind::rank_sum) more.bytes = sizeof(std::uint64_t) * wanted;
     for (std::size_t rank = 0; rank < wanted; ++rank) {
       if (!step.work.empty()) more.work.push_back(step.work[rank % traced]);
+      if (!step.selection.empty()) more.selection.push_back(step.selection[rank % traced]);
       if (!step.traffic.empty()) more.traffic.push_back(step.traffic[rank % traced]);
     }
     if (step.kind == Step::Kind::piece)

@@ -20,8 +20,10 @@ struct Step {
   };
   Kind kind = Kind::sum;
   std::uint64_t bytes = 0;  ///< of a sum: the length of the list of values
-  std::vector<double> work = {};  ///< per rank: processor seconds before the step that the ranks share; empty: none
-  std::vector<Traffic> traffic = {};  ///< of an exchange, per rank; empty: all messages are empty
+  // Per rank, or empty for none:
+  std::vector<double> work = {};       ///< processor seconds before the step that the ranks share
+  std::vector<double> selection = {};  ///< processor seconds to find what has to be sent
+  std::vector<Traffic> traffic = {};   ///< of an exchange; none: all messages are empty
 
   [[nodiscard]] bool is_sum() const { return kind <= Kind::rank_sum; }
 };
@@ -47,11 +49,13 @@ struct Prediction {
   double divide = 0;         ///< RankCosts::divide
   double phases = 0;         ///< RankCosts::phase, in all phases
   double work = 0;           ///< Step::work
-  double messages = 0;       ///< to write and to read messages
+  double messages = 0;       ///< to select, to write and to read what is sent
   double waiting = 0;        ///< for ranks with more work
   double announcements = 0;  ///< in the network: who will send how much to whom (MPI_Alltoall)
   double sums = 0;           ///< in the network: MPI_Allreduce
   double transfer = 0;       ///< in the network: the messages
+
+  [[nodiscard]] double network() const { return announcements + sums + transfer; }
 };
 
 /// Gives each rank a clock. A rank that communicates waits for the last one, since all exchanges begin with an

@@ -77,14 +77,16 @@ class TracedDistribution : public Distribution {
       const Triangulation copy = compacted_copy(t_, runner.vertices(), runner.triangles(), Threads(1));
       trace_.messages = measure_messages(copy);
       for (const int count : ranks_)
-        trace_.for_ranks.push_back(
-            {Replay(tiles, work, count), measure_lone_rank(copy, tiles, work, problem_, count)});
+        trace_.for_ranks.push_back({Replay(tiles, work, count), measure_lone_rank(copy, tiles, work, problem_, count)});
     }
     if (extent_ == Extent::coarse) throw CoarseIsEnough{};
     Distribution::divide(tiles, work, runner);
     cell_with_.assign(t_.slots.size(), no_index);
     watch_.lap();
   }
+
+  /// How many ranks have room for the triangles.
+  [[nodiscard]] int ranks() const override { return extent_ == Extent::coarse ? std::ranges::max(ranks_) : 1; }
 
   void add_up(std::span<std::uint64_t> values) override {
     outside_tasks_ += watch_.lap();
