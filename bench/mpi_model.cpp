@@ -145,6 +145,8 @@ std::vector<Row> Model::weak() const {
     const double tiles = larger * static_cast<double>(measured.promised.size());
     RankCosts costs = this->costs(measured, {alone.divide_seconds * larger, alone.phase_seconds * larger});
     costs.before *= larger;
+    costs.write_byte = largest->messages.write_byte;
+    costs.read_byte = largest->messages.read_byte;
     const auto steps = repeated(like.steps(), like.ranks(), ranks, static_cast<std::uint64_t>(tiles));
     Row row = row_of(ranks, steps, costs, settings_.network);
     row.triangles = by_traced * static_cast<double>(largest->triangles);

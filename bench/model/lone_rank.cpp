@@ -74,16 +74,20 @@ MessageCosts measure_messages(const Triangulation& t) {
   Side sender(t, 0), receiver(t, 1);
   std::vector<TriangleId> ids(std::min(t.slots.size(), most));
   std::iota(ids.begin(), ids.end(), TriangleId{0});
-  ThreadWatch watch;
-  Writer writer;
-  sender.part.write(ids, {}, writer);
-  const Ranks::Bytes message = writer.take();
-  const double written = watch.lap();
-  std::vector<Reader> readers{Reader(message)};
-  receiver.part.read(readers);
-  const double read = watch.lap();
-  const auto bytes = static_cast<double>(message.size());
-  return {written / bytes, read / bytes};
+  std::vector<double> write, read;
+  constexpr int rounds = 5;
+  for (int round = 0; round < rounds; ++round) {
+    ThreadWatch watch;
+    Writer writer;
+    sender.part.write(ids, {}, writer);
+    const Ranks::Bytes message = writer.take();
+    const auto bytes = static_cast<double>(message.size());
+    write.push_back(watch.lap() / bytes);
+    std::vector<Reader> readers{Reader(message)};
+    receiver.part.read(readers);
+    read.push_back(watch.lap() / bytes);
+  }
+  return {median(write), median(read)};
 }
 
 }  // namespace pardel::bench
