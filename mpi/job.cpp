@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
+#include <string>
 #include <thread>
-#include <utility>
+
+#include "../core/support/agree.hpp"
 
 namespace pardel::mpi {
 
@@ -33,24 +34,7 @@ Job::Job() {
 
 Job::~Job() { MPI_Finalize(); }
 
-Status Job::agree(const Status& here) {
-  Ranks::Bytes message;
-  if (!here) {
-    const std::string& text = here.error().message;
-    message.resize(text.size() + 1);
-    message[0] = static_cast<std::byte>(here.error().kind);
-    std::memcpy(message.data() + 1, text.data(), text.size());
-  }
-  const std::vector<Ranks::Bytes> all =
-      ranks_.exchange(std::vector<Ranks::Bytes>(static_cast<std::size_t>(ranks_.count()), message));
-  const auto failed = std::ranges::find_if(all, [](const Ranks::Bytes& from) { return !from.empty(); });
-  if (failed == all.end()) return Done{};
-  Error error{static_cast<ErrorKind>((*failed)[0]), {}};
-  const bool is_everywhere = std::ranges::none_of(all, [](const Ranks::Bytes& from) { return from.empty(); });
-  if (!is_everywhere) error.message = "rank " + std::to_string(failed - all.begin()) + ": ";
-  for (std::size_t i = 1; i < failed->size(); ++i) error.message += static_cast<char>((*failed)[i]);
-  return error;
-}
+Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 
 Job::Range Job::range_of(std::uint64_t value) {
   Range range{};

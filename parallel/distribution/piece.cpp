@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
+#include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
 #include "../triangulation/compact.hpp"
 #include "members.hpp"
-#include "share_of_rank.hpp"
 #include "vertex_data.hpp"
 
 namespace pardel::engine {
@@ -174,6 +174,7 @@ class PieceMaker {
     const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
     piece_.first_triangle = triangles.before;
     piece_.triangles = triangles.all;
+    piece_.first_point = data_.first;
     piece_.points = data_.count;
     piece_.constrained_edges = piece_.mesh.constrained_edges.size();
     ranks_.add_up({&piece_.constrained_edges, 1});

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
+#include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
-#include "share_of_rank.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -127,7 +127,8 @@ void Collector::number_own() {
   const std::size_t inputs = domain_.input_of_vertex.size();
   const ShareOfRank share = share_of_rank(of_cells.vertices.size(), ranks_);
   data_.count = inputs + share.all;
-  std::uint64_t next = inputs + share.before;
+  data_.first = inputs + share.before;
+  std::uint64_t next = data_.first;
   const std::span<const Index> curve = distribution_.ownership().curve();
   std::vector<std::uint64_t> first_of_place;
   for (const Index cell : curve) {

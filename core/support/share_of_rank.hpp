@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "../../core/ranks.hpp"
+#include "../ranks.hpp"
 
-namespace pardel::engine {
+namespace pardel {
 
 /// Of things that are numbered rank by rank: how many belong to the ranks before this one, and to all ranks.
 struct ShareOfRank {
@@ -26,4 +26,4 @@ struct ShareOfRank {
   return share;
 }
 
-}  // namespace pardel::engine
+}  // namespace pardel
