@@ -1,5 +1,4 @@
 // The program pardel-mpi from outside: files, messages and exit codes.
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -10,7 +9,7 @@
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
-#include "../cli/program.hpp"
+#include "mpi_workshop.hpp"
 
 namespace pardel {
 namespace {
@@ -20,19 +19,11 @@ using testing::Files;
 using testing::holds;
 using testing::Ran;
 
-class PardelMpi : public testing::Workshop {
+class PardelMpi : public testing::MpiWorkshop {
  protected:
-  PardelMpi() {
-    // Open MPI does not start as root unless it is told to.
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
-  }
+  PardelMpi() { EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly")); }
   Ran on_ranks(int ranks, const std::vector<std::string>& arguments) const {
-    std::vector<std::string> all{"--oversubscribe",     "--bind-to",       "none", "-n",
-                                 std::to_string(ranks), PARDEL_MPI_PROGRAM};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return run(PARDEL_MPIRUN, all);
+    return MpiWorkshop::on_ranks(ranks, PARDEL_MPI_PROGRAM, arguments);
   }
 };
 
