@@ -128,7 +128,7 @@ struct TriangleFiles {
 /// Elements have tags rank by rank, the constrained edges of all ranks first, so these tags depend on the number of
 /// ranks. All files have the same physical groups, chosen as by write_msh() for the whole mesh. Each rank has
 ///   - per physical group a partitioned entity, whose parent is the only entity of the group,
-///   - for each set of ranks that share vertices a curve without elements, which has these vertices, in all their files,
+///   - for each set of ranks that share vertices a curve without elements, which has these vertices in all their files,
 ///   - a ghost surface: the triangles of other ranks that have a vertex in this piece, without their regions.
 /// Either all files get their names or none; all ranks return the error of the first rank that failed.
 [[nodiscard]] Status write_msh_piece(const PieceOfMesh& piece, const std::filesystem::path& file, MshEncoding encoding,

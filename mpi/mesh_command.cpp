@@ -29,6 +29,7 @@ using namespace cli;
 
 constexpr const char* mesh_footer =
     R"(The mesh is that of 'pardel mesh --interior refine' with the same options, on any number of ranks and threads.
+
 Output:
   OUT.pvtu           a list of the pieces OUT_0000.vtu, OUT_0001.vtu, ..., one per rank, for ParaView
   OUT.msh            pieces for Gmsh: OUT_1.msh, OUT_2.msh, ..., one per rank, with ghost triangles

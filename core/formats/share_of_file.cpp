@@ -89,7 +89,7 @@ ShareOfFile::Corners ShareOfFile::corners_of(Index triangle) const {
   if (triangle >= own) return arrived_triangles_[triangle - own].corners;
   const auto& v = piece_.mesh.triangles[triangle].v;
   Corners corners{piece_.number[v[0]], piece_.number[v[1]], piece_.number[v[2]]};
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 

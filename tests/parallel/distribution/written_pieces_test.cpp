@@ -104,7 +104,7 @@ std::multiset<std::vector<double>> content(const Mesh& mesh, bool with_points) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::vector<std::array<double, 2>> corners;
     for (const Index v : mesh.triangles[t].v) corners.push_back({mesh.points[v].x, mesh.points[v].y});
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     std::vector<double> about{
         2, mesh.region.empty() || mesh.region[t] == no_index ? 0.0 : mesh.region_attributes[mesh.region[t]]};
     for (const auto& p : corners) about.insert(about.end(), p.begin(), p.end());
