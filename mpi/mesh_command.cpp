@@ -12,12 +12,12 @@
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
-#include "../cli/output.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "outputs.hpp"
 #include "problem.hpp"
 
 namespace pardel::mpi {
@@ -27,25 +27,36 @@ using namespace cli;
 
 constexpr const char* mesh_footer =
     R"(The mesh is that of 'pardel mesh --interior refine' with the same options, on any number of ranks and threads.
-Every rank writes a file OUT_RANK.vtu beside OUT.pvtu, which ParaView opens. Files appear under their names only
-when all pieces are complete. 'pardel convert OUT.pvtu FILE' makes one file of the pieces; 'pardel check' and
-'pardel draw' read OUT.pvtu, too.
+
+Output:
+  OUT.pvtu           a list of the pieces OUT_0000.vtu, OUT_0001.vtu, ..., one per rank, for ParaView
+  OUT.msh            pieces for Gmsh: OUT_1.msh, OUT_2.msh, ..., one per rank, with ghost triangles
+  OUT.node, OUT.ele  the files OUT.node, OUT.ele and OUT.poly of the whole mesh, as Triangle writes them; all ranks
+                     write them together, and they do not depend on the number of ranks
+Files appear under their names only when all ranks have finished. 'pardel check', 'draw' and 'convert' read OUT.pvtu
+and OUT.node, and OUT.msh, which stands for all its pieces.
 
 Example:
   mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6)";
 
 struct Arguments {
-  std::filesystem::path input, output;
+  std::filesystem::path input;
+  std::vector<std::filesystem::path> outputs;
   GoalOptions goal;
   Options options{.placement = Placement::automatic};  // the interior is refined
   std::vector<Index> cells;
   int threads = 0;
-  bool quiet = false;
+  bool msh_ascii = false, quiet = false;
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("IN", arguments.input, "The domain: .poly or .node")->required()->type_name("");
-  app.add_option("-o,--output", arguments.output, "The file to write (required)")->required()->type_name("OUT.pvtu");
+  app.add_option("-o,--output", arguments.outputs,
+                 "The mesh to write (required); the suffix sets the format: .pvtu, .msh, .node;\n"
+                 "may be repeated")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("OUT");
   add_goal_options(app, arguments.goal, largest_min_angle_deg);
   add_ways_to_work(app, arguments.options, arguments.cells);
   app.add_option("--min-edge", arguments.options.min_edge,
@@ -56,32 +67,17 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->description(
           "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
           "the mesh does not depend on it");
+  app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output");
   app.footer(mesh_footer);
 }
 
-/// The file of a piece, in the folder of the .pvtu.
-std::filesystem::path file_of_piece(const std::filesystem::path& pvtu, int rank) {
-  std::filesystem::path file = pvtu;
-  file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), rank));
-  return file;
-}
-
-Status write(const Arguments& arguments, const MeshPiece& piece, Job& job) {
-  // A rank without triangles has no regions either.
-  const bool have_regions = job.range_of(piece.mesh.region.empty() ? 0 : 1).most > 0;
-  const auto agree = [&](const Status& here) { return job.agree(here); };
-  const Status written =
-      write_vtu_piece(piece.mesh, piece.number.span(), file_of_piece(arguments.output, job.ranks().rank()), agree);
-  if (Status all = job.agree(written); !all) return all;
-  Status index = Done{};
-  if (job.is_first()) {
-    PiecesOfMesh pieces{{}, have_regions, piece.mesh.attributes_per_point};
-    for (int rank = 0; rank < job.ranks().count(); ++rank)
-      pieces.files.push_back(file_of_piece(arguments.output, rank).filename().string());
-    index = write_pvtu(pieces, arguments.output);
-  }
-  return job.agree(index);
+/// Collective.
+Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& pslg, Job& job) {
+  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
+  for (const std::filesystem::path& output : arguments.outputs)
+    if (Status written = write_pieces(piece, pslg, output, msh, job); !written) return written;
+  return Done{};
 }
 
 struct Seconds {
@@ -103,16 +99,11 @@ void print(const Arguments& arguments, const MeshPiece& piece, const Seconds& se
   fmt::print("time    {:.3f} s (read {:.3f}, refine {:.3f}, pieces {:.3f}, write {:.3f})\n",
              seconds.read + seconds.mesh + seconds.write, seconds.read, piece.report.refine_seconds, piece.seconds,
              seconds.write);
-  fmt::print("output  {}\n", arguments.output.string());
+  fmt::print("output  {}\n", names_of(arguments.outputs));
 }
 
 Status check_arguments(Arguments& arguments) {
-  if (arguments.output.extension() != ".pvtu")
-    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu", arguments.output.string())};
-  if (arguments.output.filename().string().find_first_of("<>&\"") != std::string::npos)
-    return Error{ErrorKind::usage,
-                 fmt::format("the name of the output {} must not contain <, >, & or \"", arguments.output.string())};
-  if (Status fine = check_folder(arguments.output); !fine) return fine;
+  if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);
 }
 
@@ -129,7 +120,7 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   const Result<MeshPiece> piece = mesh(input->domain, input->goal, arguments.options, job.ranks());
   if (!piece) job.abort(piece.error());
   seconds.mesh = watch.lap();
-  if (Status written = write(arguments, *piece, job); !written) return written.error();
+  if (Status written = write(arguments, *piece, input->domain.pslg(), job); !written) return written.error();
   seconds.write = watch.lap();
   print(arguments, *piece, seconds, job);
   if (piece->missed == 0) return ExitCode::done;

@@ -7,19 +7,13 @@
 #include "../core/digest.hpp"
 #include "../core/goal.hpp"
 #include "../core/mesh.hpp"
+#include "../core/piece_of_mesh.hpp"
 #include "../core/ranks.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "validate.hpp"
 
 namespace pardel {
-
-/// The vertices that the pieces of two ranks have in common.
-struct SharedVertices {
-  int rank = 0;  ///< the other rank
-  std::vector<Index>
-      vertices;  ///< points of this piece, in the order of their numbers; the other rank has the same list
-};
 
 /// The part of a mesh that belongs to one rank. Each triangle, and each constrained edge, belongs to one rank.
 struct MeshPiece {
@@ -29,6 +23,7 @@ struct MeshPiece {
   /// numbers depend on the domain, the goal and the options only, not on the number of ranks.
   Array<std::uint64_t> number;
   std::vector<SharedVertices> shared;  ///< in ascending order of ranks
+  std::uint64_t first_point = 0;       ///< see PieceOfMesh
   std::uint64_t first_triangle = 0;    ///< the number of triangles of the ranks before this one
   // Of the whole mesh:
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0;
@@ -52,6 +47,11 @@ struct MeshPiece {
 /// for one process. Errors of validation and of the coarse levels occur on all ranks alike. If a later error occurs on
 /// one rank only, the other ranks wait for it; the caller has to end them (MPI_Abort).
 [[nodiscard]] Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks);
+
+/// The piece as the writers of files need it. The piece must not be moved while the result is used.
+[[nodiscard]] inline PieceOfMesh view_of(const MeshPiece& piece) {
+  return {piece.mesh, piece.number.span(), piece.shared, piece.first_point, piece.points};
+}
 
 /// The digest of the whole mesh (core/digest.hpp). Collective.
 [[nodiscard]] Digest digest(const MeshPiece& piece, Ranks& ranks);

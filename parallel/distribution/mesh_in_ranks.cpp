@@ -71,6 +71,6 @@ Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options&
   });
 }
 
-Digest digest(const MeshPiece& piece, Ranks& ranks) { return sum_of(ranks, digest(piece.mesh)); }
+Digest digest(const MeshPiece& piece, Ranks& ranks) { return sum_of(digest(piece.mesh), ranks); }
 
 }  // namespace pardel

@@ -36,7 +36,7 @@ const std::vector<Layer>& layers() {
       {"mpi", {"core", "parallel", "properties/checker", "cli"}},
       {"fuzz", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli", "mpi"}},
-      {"examples", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"examples", {"core", "parallel", "properties/checker", "properties/domains", "mpi"}},
       {"scripts", {}},
       {"tests",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",

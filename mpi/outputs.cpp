@@ -1,0 +1,82 @@
+#include "outputs.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "../cli/distinct_files.hpp"
+#include "../cli/output.hpp"
+
+namespace pardel::mpi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file of a piece, in the folder of the .pvtu.
+fs::path vtu_of_rank(const fs::path& pvtu, int rank) {
+  fs::path file = pvtu;
+  file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), rank));
+  return file;
+}
+
+bool is_of_triangle(const fs::path& output) { return mesh_format(output) == MeshFormat::triangle; }
+
+Status check_output(const fs::path& output) {
+  const std::string name = output.string();
+  const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
+  if (!is_pvtu && !is_msh && !is_of_triangle(output))
+    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele", name)};
+  if (is_pvtu && output.filename().string().find_first_of("<>&\"") != std::string::npos)
+    return Error{ErrorKind::usage, fmt::format("the name of the output {} must not contain <, >, & or \"", name)};
+  if (std::error_code ignored; is_msh && fs::exists(output, ignored))
+    return Error{ErrorKind::usage, fmt::format("{}: this file exists, and would hide the pieces {}, ...; remove it or "
+                                               "choose another name",
+                                               name, msh_of_piece(output, 1).string())};
+  return cli::check_folder(output);
+}
+
+Status write_pvtu_pieces(const MeshPiece& piece, const fs::path& output, Job& job) {
+  // A rank without triangles has no regions either.
+  const bool have_regions = job.range_of(piece.mesh.region.empty() ? 0 : 1).most > 0;
+  const auto agree = [&](const Status& here) { return job.agree(here); };
+  const Status written =
+      write_vtu_piece(piece.mesh, piece.number.span(), vtu_of_rank(output, job.ranks().rank()), agree);
+  if (Status all = job.agree(written); !all) return all;
+  Status index = Done{};
+  if (job.is_first()) {
+    PiecesOfMesh pieces{{}, have_regions, piece.mesh.attributes_per_point};
+    for (int rank = 0; rank < job.ranks().count(); ++rank)
+      pieces.files.push_back(vtu_of_rank(output, rank).filename().string());
+    index = write_pvtu(pieces, output);
+  }
+  return job.agree(index);
+}
+
+}  // namespace
+
+std::string names_of(std::span<const fs::path> outputs) {
+  std::vector<std::string> names;
+  for (const fs::path& output : outputs) names.push_back(output.string());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Status check_outputs(std::span<const fs::path> outputs, const fs::path& input, const fs::path& sizes) {
+  std::vector<cli::NamedFile> named;
+  for (const fs::path& output : outputs) {
+    if (Status fine = check_output(output); !fine) return fine;
+    named.push_back({"-o", output});
+  }
+  return cli::check_distinct(named, std::array{cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}});
+}
+
+Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const fs::path& output, MshEncoding msh, Job& job) {
+  if (output.extension() == ".msh") return write_msh_piece(view_of(piece), output, msh, job.ranks());
+  if (is_of_triangle(output))
+    return write_triangle_pieces(view_of(piece), pslg, fs::path(output).replace_extension(), job.ranks());
+  return write_pvtu_pieces(piece, output, job);
+}
+
+}  // namespace pardel::mpi

@@ -1,0 +1,27 @@
+// The output files of a mesh in pieces.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "../core/formats.hpp"
+#include "../parallel/distributed.hpp"
+#include "job.hpp"
+
+namespace pardel::mpi {
+
+/// The names for messages: "out.pvtu, out.msh".
+[[nodiscard]] std::string names_of(std::span<const std::filesystem::path> outputs);
+
+/// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output would replace or hide another file;
+/// `io` if a folder is not writable.
+[[nodiscard]] Status check_outputs(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input,
+                                   const std::filesystem::path& sizes);
+
+/// Collective. The suffix sets the format. Each rank writes its own file of OUT.pvtu and OUT.msh, and its part of
+/// OUT.node, OUT.ele and OUT.poly. The files get their names when all ranks have finished.
+[[nodiscard]] Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const std::filesystem::path& output,
+                                  MshEncoding msh, Job& job);
+
+}  // namespace pardel::mpi
