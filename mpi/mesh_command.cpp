@@ -88,10 +88,24 @@ Result<Input> read(const Arguments& arguments) {
   return Input{std::move(*valid), std::move(*goal)};
 }
 
+/// Collective. An earlier .pvtu must not name pieces of two meshes, also if a rank is killed while they get their
+/// names.
+Status remove_index(const std::filesystem::path& pvtu, Job& job) {
+  std::error_code failure;
+  const auto status = std::filesystem::symlink_status(pvtu, failure);
+  if (job.is_first() && std::filesystem::is_regular_file(status)) std::filesystem::remove(pvtu, failure);
+  if (!job.is_first() || !std::filesystem::exists(status)) failure.clear();
+  return job.agree(failure ? Status(Error{ErrorKind::io, fmt::format("{}: {}", pvtu.string(), failure.message())})
+                           : Status(Done{}));
+}
+
 Status write(const Arguments& arguments, const MeshPiece& piece, Job& job) {
   // A rank without triangles has no regions either.
   const bool have_regions = job.range_of(piece.mesh.region.empty() ? 0 : 1).most > 0;
-  const auto agree = [&](const Status& here) { return job.agree(here); };
+  const auto agree = [&](const Status& here) {
+    const Status all = job.agree(here);
+    return all ? remove_index(arguments.output, job) : all;
+  };
   const Status written =
       write_vtu_piece(piece.mesh, piece.number.span(), file_of_piece(arguments.output, job.ranks().rank()), agree);
   if (Status all = job.agree(written); !all) return all;
@@ -127,13 +141,14 @@ void print(const Arguments& arguments, const MeshPiece& piece, const Seconds& se
   fmt::print("output  {}\n", arguments.output.string());
 }
 
-Status check_arguments(Arguments& arguments) {
+Status check_arguments(Arguments& arguments, int rank) {
   if (arguments.output.extension() != ".pvtu")
     return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu", arguments.output.string())};
   if (arguments.output.filename().string().find_first_of("<>&\"") != std::string::npos)
     return Error{ErrorKind::usage,
                  fmt::format("the name of the output {} must not contain <, >, & or \"", arguments.output.string())};
   if (Status fine = check_folder(arguments.output); !fine) return fine;
+  if (Status fine = check_folder(file_of_piece(arguments.output, rank)); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);
 }
 
@@ -141,7 +156,7 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
   Seconds seconds;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_arguments(arguments)); !fine) return fine.error();
+  if (Status fine = job.agree(check_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
   const Result<Input> input = read(arguments);
