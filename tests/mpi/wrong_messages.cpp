@@ -4,7 +4,7 @@
 //   number   the rank announces another number in its step N (an exchange or a sum)
 //   longer, shorter   it announces messages that are 8 bytes longer, or shorter, from its step N on
 //   skip     it does not take part in its step N
-//   repeat   it takes part in its step N twice
+//   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
 //   reorder  on all ranks: messages start in random order, after random delays; this is no mistake (RANK is the seed)
 #include <mpi.h>
 
