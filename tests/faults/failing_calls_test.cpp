@@ -27,7 +27,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
       {"mesh", {"mesh", "key.poly", "-o", "out.vtu", "--threads", "2", "--json", "out.json"}, {"out.vtu", "out.json"}},
       {"mesh_and_check",
-       {"mesh", "key.poly", "-o", "out.node", "--max-area", "0.003", "--threads", "2", "--check"},
+       {"mesh", "key.poly", "-o", "out.node", "--max-area", "0.0001", "--threads", "2", "--check"},
        {"out.node", "out.ele", "out.poly"}},
       {"check", {"check", "key.poly", "key.off", "--json", "out.json"}, {"out.json"}},
       {"convert", {"convert", "key.off", "out.msh"}, {"out.msh"}},
