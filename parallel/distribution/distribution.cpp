@@ -41,7 +41,7 @@ Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
 }  // namespace
 
 void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
-  ownership_.emplace(tiles, work, ranks_.count());
+  ownership_.emplace(ownership_of(tiles, work));
   const HeldPart::Common common{runner.vertices().end(), runner.triangles().end()};
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common);
   for (Index cell = 0; cell < tiles.cells(); ++cell) {

@@ -35,6 +35,12 @@ class Distribution : public Partners {
   /// The rank to whose piece a triangle belongs: the owner of its lexicographically least corner.
   [[nodiscard]] int owner_of_triangle(TriangleId id) const;
 
+ protected:
+  /// Who owns the cells. The refinement works with any owners; the numbers of vertices in a piece follow the curve.
+  [[nodiscard]] virtual Ownership ownership_of(const Tiles& tiles, std::span<const double> work) const {
+    return {tiles, work, ranks_.count()};
+  }
+
  private:
   /// For each rank: triangles, and the names of slots whose triangles it no longer holds.
   struct Outgoing {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "../concurrency/hilbert_order.hpp"
 
@@ -51,7 +52,10 @@ void sort_without_repetitions(std::vector<int>& ranks) {
 }  // namespace
 
 Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks)
-    : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(owners(curve_, work, ranks)) {
+    : Ownership(tiles, owners(cells_on_curve(tiles), work, ranks)) {}
+
+Ownership::Ownership(const Tiles& tiles, std::vector<int> owner)
+    : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(std::move(owner)) {
   for (Index cell = 0; cell < tiles.cells(); ++cell) {
     touching_.push_back(cells_touching(tiles, cell));
     std::vector<int>& near = near_.emplace_back(1, owner_[cell]);

@@ -18,6 +18,8 @@ class Ownership {
  public:
   /// `work`: per cell; >= 0. All ranks pass the same arguments, and get the same result.
   Ownership(const Tiles& tiles, std::span<const double> work, int ranks);
+  /// With any owners. `owner`: a rank per cell, the same on all ranks.
+  Ownership(const Tiles& tiles, std::vector<int> owner);
 
   [[nodiscard]] Index cells() const { return static_cast<Index>(owner_.size()); }
   [[nodiscard]] Index cell_of(Point p) const { return tiles_.cell_of(p); }
