@@ -30,9 +30,7 @@ class HeldPart {
   [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
   /// The same for any slot: false if it is not in use.
   [[nodiscard]] bool has(TriangleId id) const {
-    const std::vector<IndexRange>& holes = triangles_->holes();
-    const auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= id; });
-    return id < triangles_->end() && (hole == holes.end() || id < hole->begin) && holds(id);
+    return triangles_->uses(id) && holds(id);
   }
   /// Calls visit(id) for all triangles of the part. Precondition: no phase runs.
   template <class Visit>
@@ -50,6 +48,8 @@ class HeldPart {
   [[nodiscard]] bool is_beyond(EdgeRef across) const { return !across.none() && across.triangle() == beyond_; }
   [[nodiscard]] Name name_of(TriangleId id) const { return triangle_names_.of(id); }
   [[nodiscard]] Name name_of_vertex(VertexId v) const { return vertex_names_.of(v); }
+  /// The vertices that other ranks have named.
+  [[nodiscard]] const std::vector<VertexId>& vertices_of_others() const { return vertices_of_others_; }
   /// no_index if the rank does not hold it.
   [[nodiscard]] TriangleId triangle(Name name) const { return triangle_names_.index_of(name); }
   [[nodiscard]] VertexId vertex(Name name) const { return vertex_names_.index_of(name); }
@@ -93,6 +93,7 @@ class HeldPart {
   TriangleId beyond_;
   VertexId nowhere_;
   IndexPool new_vertices_;
+  std::vector<VertexId> vertices_of_others_;
   std::vector<TriangleId> spare_;  ///< slots without triangles
   SparseArray<char> is_known_elsewhere_;
   SparseArray<Index> place_in_message_;  ///< scratch memory of write(): per vertex its place plus 1, or 0

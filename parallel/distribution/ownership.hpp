@@ -1,7 +1,6 @@
 // Which rank refines which cells, and which ranks hold the triangles there.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -31,15 +30,17 @@ class Ownership {
   [[nodiscard]] std::span<const Index> curve() const { return curve_; }
 
  private:
-  [[nodiscard]] bool is_near(Index cell, int rank) const {
-    return std::find(near_[cell].begin(), near_[cell].end(), rank) != near_[cell].end();
-  }
+  struct BoxOfRank {
+    int rank;
+    Box box;
+  };
 
   Tiles tiles_;
   std::vector<Index> curve_;
   std::vector<int> owner_;
   std::vector<std::vector<Index>> touching_;
   std::vector<std::vector<int>> near_;  ///< per cell: the ranks that own it or a cell that touches it, ascending
+  std::vector<std::vector<BoxOfRank>> boxes_near_;  ///< per cell: those of cells that touch it and have other owners
 };
 
 }  // namespace pardel::engine
