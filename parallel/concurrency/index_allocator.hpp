@@ -68,6 +68,18 @@ class IndexAllocator {
     const auto hole = std::partition_point(free_.begin(), free_.end(), [&](IndexRange h) { return h.end <= index; });
     return index < end_ && (hole == free_.end() || index < hole->begin);
   }
+  /// Calls visit(range) for the ranges in use among the indices from `first` to `last` - 1, in ascending order.
+  /// Precondition: settled.
+  template <class Visit>
+  void for_each_used(Index first, Index last, const Visit& visit) const {
+    Index begin = first;
+    auto hole = std::partition_point(free_.begin(), free_.end(), [&](IndexRange h) { return h.end <= first; });
+    for (; hole != free_.end() && hole->begin < last; ++hole) {
+      if (begin < hole->begin) visit(IndexRange{begin, hole->begin});
+      begin = hole->end;
+    }
+    if (begin < std::min(last, end_)) visit(IndexRange{begin, std::min(last, end_)});
+  }
 
   /// Appends ranges with `count` indices to `ranges`. If fewer indices are available, appends all of them.
   void allocate(std::size_t count, std::vector<IndexRange>& ranges);

@@ -124,11 +124,15 @@ void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
     task.free.vertices.for_each_taken([&](IndexRange inserted) {
       if (inserted.size() > 0) insertions_.push_back({task.cell, inserted});
     });
+    const auto is_held = [&](int rank, TriangleId id) {  // the corners lie in the box of the task
+      return std::ranges::any_of(t_.slots[id].v,
+                                 [&](VertexId v) { return ownership_->watches(rank, t_.points[v], task.cell); });
+    };
     for (const QueuedTriangle triangle : std::exchange(task.result.changed, {})) {
       if (!triangle.is_current(t_)) continue;
       const TriangleId id = triangle.id();
       for (const int rank : other_watchers_[task.cell]) {
-        if (is_held_by(rank, t_, id))
+        if (is_held(rank, id))
           outgoing[rank].triangles.push_back(id);
         else if (part_->is_known_elsewhere(id))
           outgoing[rank].dropped.push_back(part_->name_of(id));

@@ -45,6 +45,8 @@ class Distribution : public Partners {
   /// The vertices that refine_rest() has inserted, as the first rank has named them; in the order of coordinates, on
   /// the first rank only.
   [[nodiscard]] std::span<const Name> inserted_in_excerpt() const { return inserted_in_excerpt_; }
+  /// True if all that the tasks of the cell insert lies in cells of this rank.
+  [[nodiscard]] bool is_interior(Index cell) const { return other_watchers_[cell].empty(); }
   /// The rank to whose piece a triangle belongs: the owner of its lexicographically least corner.
   [[nodiscard]] int owner_of_triangle(TriangleId id) const;
 

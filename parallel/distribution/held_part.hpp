@@ -29,9 +29,7 @@ class HeldPart {
   /// True if the slot contains a triangle of the part. Precondition: no phase runs.
   [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
   /// The same for any slot: false if it is not in use.
-  [[nodiscard]] bool has(TriangleId id) const {
-    return triangles_->uses(id) && holds(id);
-  }
+  [[nodiscard]] bool has(TriangleId id) const { return triangles_->uses(id) && holds(id); }
   /// Calls visit(id) for all triangles of the part. Precondition: no phase runs.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {
@@ -101,15 +99,13 @@ class HeldPart {
 
 template <class Visit>
 void HeldPart::for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const {
-  const std::vector<IndexRange>& holes = triangles_->holes();
-  auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= first; });
-  for (TriangleId id = first; id < std::min(last, triangles_->end()); ++id) {
-    if (hole != holes.end() && id >= hole->begin) {
-      id = (hole++)->end - 1;
-      continue;
-    }
-    if (holds(id)) visit(id);
-  }
+  // Copies, because the compiler would load the originals again after each visit.
+  const Slot* const slots = t_.slots.data();
+  const VertexId nowhere = nowhere_;
+  triangles_->for_each_used(first, last, [&](IndexRange used) {
+    for (TriangleId id = used.begin; id < used.end; ++id)
+      if (slots[id].v[0] != nowhere) visit(id);
+  });
 }
 
 }  // namespace pardel::engine

@@ -60,8 +60,14 @@ Members::Members(const Triangulation& t, std::size_t inputs, const Distribution&
 }
 
 void Members::find_home(const Triangulation& t, const Distribution& distribution, const Threads& threads) {
-  vertex_ = make_array(threads, t.points.size(), [&](std::size_t v) {
-    return distribution.owner_of(static_cast<VertexId>(v)) == distribution.network().rank() ? at_home : char{0};
+  vertex_ = Array<char>::zeroes(t.points.size());
+  for (const Distribution::Insertions& each : distribution.insertions())
+    if (distribution.is_interior(each.cell))
+      std::fill(vertex_.begin() + each.vertices.begin, vertex_.begin() + each.vertices.end, at_home);
+  parallel_blocks(threads, vertex_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v)
+      if (vertex_[v] == 0 && distribution.owner_of(static_cast<VertexId>(v)) == distribution.network().rank())
+        vertex_[v] = at_home;
   });
 }
 
@@ -72,17 +78,18 @@ void Members::classify_triangles(const Triangulation& t, const Distribution& dis
   parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
     Unused gaps(unused[block]);
     auto next = static_cast<TriangleId>(first);
-    const auto classify = [&](TriangleId id) {
-      const Slot& slot = t.slots[id];
-      const int common = marks_of(slot.v[0]) & marks_of(slot.v[1]) & marks_of(slot.v[2]);
+    const Slot* const slots = t.slots.data();
+    const auto classify = [&, slots](TriangleId id) {
+      const Slot& slot = slots[id];
+      const int a = marks_of(slot.v[0]), b = marks_of(slot.v[1]), c = marks_of(slot.v[2]);
       bool is_member = true;
-      if ((common & at_home) == 0) {
-        is_member = distribution.owner_of_triangle(id) == distribution.network().rank();
+      if ((a & b & c & at_home) == 0) {
+        is_member = ((a | b | c) & at_home) != 0 && distribution.owner_of_triangle(id) == distribution.network().rank();
         (is_member ? at_border : of_others)[block].push_back(id);
       }
-      gaps.add({next, is_member ? id : id + 1});
+      if (id != next || !is_member) gaps.add({next, is_member ? id : id + 1});
       next = id + 1;
-      if (common != (exists | in_piece | at_home))
+      if ((a & b & c) != (exists | in_piece | at_home))
         for (const VertexId corner : slot.v) mark(corner, is_member ? exists | in_piece : exists);
       if (!slot.any_constrained()) return;
       for (unsigned side = 0; side < 3; ++side)

@@ -67,9 +67,8 @@ Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks
 bool Ownership::watches(int rank, Point p) const {
   const Index cell = cell_of(p);
   if (owner_[cell] == rank) return true;
-  return std::ranges::any_of(boxes_near_[cell], [&](const BoxOfRank& near) {
-    return near.rank == rank && (tiles_.lattice() == nullptr || near.box.contains_half_open(p));
-  });
+  if (tiles_.lattice() != nullptr) return is_in_box_near(cell, rank, p);
+  return std::ranges::any_of(boxes_near_[cell], [&](const BoxOfRank& near) { return near.rank == rank; });
 }
 
 std::vector<int> Ownership::watchers_of_box(Index cell) const {

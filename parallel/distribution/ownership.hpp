@@ -1,6 +1,7 @@
 // Which rank refines which cells, and which ranks hold the triangles there.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,10 @@ class Ownership {
   [[nodiscard]] std::span<const Index> touching(Index cell) const { return touching_[cell]; }
   /// True if the point lies in the area that the rank watches.
   [[nodiscard]] bool watches(int rank, Point p) const;
+  /// The same for a point in the box of a cell that the rank does not own; faster on a lattice.
+  [[nodiscard]] bool watches(int rank, Point p, Index box) const {
+    return tiles_.lattice() != nullptr ? is_in_box_near(box, rank, p) : watches(rank, p);
+  }
   /// The ranks that watch a part of the cell's box, in ascending order: they may hold what its task changes.
   [[nodiscard]] std::vector<int> watchers_of_box(Index cell) const;
   /// The cells in the order of the curve.
@@ -34,6 +39,12 @@ class Ownership {
     int rank;
     Box box;
   };
+  /// True if the point lies in the box of a cell of the rank that touches the given cell. (Boxes of other cells do not
+  /// meet the box of this cell.)
+  [[nodiscard]] bool is_in_box_near(Index cell, int rank, Point p) const {
+    return std::ranges::any_of(
+        boxes_near_[cell], [&](const BoxOfRank& near) { return near.rank == rank && near.box.contains_half_open(p); });
+  }
 
   Tiles tiles_;
   std::vector<Index> curve_;

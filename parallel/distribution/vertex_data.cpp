@@ -1,6 +1,7 @@
 #include "vertex_data.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "share_of_rank.hpp"
@@ -127,9 +128,7 @@ std::vector<Reason> Collector::reasons_for_markers(std::span<const int> input_ma
 
 void Collector::mark_own(std::span<const int> input_markers) {
   std::vector<Reason> reasons = reasons_for_markers(input_markers);
-  std::ranges::sort(reasons, [](const Reason& a, const Reason& b) {
-    return a.v != b.v ? a.v < b.v : a.rank < b.rank;
-  });
+  std::ranges::sort(reasons, [](const Reason& a, const Reason& b) { return a.v != b.v ? a.v < b.v : a.rank < b.rank; });
   for (const Reason& reason : reasons)
     if (data_.markers.empty() || data_.markers.back().v != reason.v) data_.markers.push_back({reason.v, reason.marker});
 }
@@ -141,12 +140,10 @@ int Collector::marker_of(VertexId v) const {
 
 /// A vertex of this rank lies in a triangle of another piece only if that triangle has a corner of another rank.
 void Collector::find_pieces() {
-  const auto add = [&](TriangleId id, int owner) {
-    for (const VertexId v : t_.slots[id].v)
-      if (members_.owns_vertex(v)) data_.pieces[v].push_back(owner);
-  };
-  for (const TriangleId id : members_.at_border()) add(id, ranks_.rank());
-  for (const TriangleId id : members_.of_others()) add(id, distribution_.owner_of_triangle(id));
+  for (const std::vector<TriangleId>& list : {std::cref(members_.at_border()), std::cref(members_.of_others())})
+    for (const TriangleId id : list)
+      for (const VertexId v : t_.slots[id].v)
+        if (members_.owns_vertex(v)) data_.pieces[v].push_back(distribution_.owner_of_triangle(id));
   for (auto& [v, ranks] : data_.pieces) {
     if (members_.has_vertex(v)) ranks.push_back(ranks_.rank());
     std::sort(ranks.begin(), ranks.end());

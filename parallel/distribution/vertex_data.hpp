@@ -13,12 +13,12 @@
 
 namespace pardel::engine {
 
-/// The data of the vertices of a piece. The owner of a vertex (Distribution::owner_of) holds all triangles around it, so
-/// it knows its marker and its pieces. The rank that has inserted it knows its number. Each rank asks the others about
-/// the vertices that it does not own, or has not inserted.
+/// The data of the vertices of a piece. The owner of a vertex (Distribution::owner_of) holds all triangles around it,
+/// so it knows its marker and its pieces. The rank that has inserted it knows its number. Each rank asks the others
+/// about the vertices that it does not own, or has not inserted.
 struct VertexData {
-  /// For all vertices of the piece except input points, which have the numbers of the input. Then follow the vertices of
-  /// the coarse levels, then, cell by cell along the curve of the ownership, those that the tasks of the cell have
+  /// For all vertices of the piece except input points, which have the numbers of the input. Then follow the vertices
+  /// of the coarse levels, then, cell by cell along the curve of the ownership, those that the tasks of the cell have
   /// inserted, in the order of the insertions; last those for which a larger box was needed, in the order of
   /// coordinates. The numbers do not depend on the number of ranks.
   VertexNumbers numbers;
