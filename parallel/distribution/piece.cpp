@@ -10,7 +10,7 @@
 #include "../interpolation/background.hpp"
 #include "../triangulation/compact.hpp"
 #include "members.hpp"
-#include "share_of_rank.hpp"
+#include "numbering.hpp"
 #include "vertex_data.hpp"
 
 namespace pardel::engine {

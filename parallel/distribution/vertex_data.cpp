@@ -4,8 +4,6 @@
 #include <functional>
 #include <utility>
 
-#include "share_of_rank.hpp"
-
 namespace pardel::engine {
 namespace {
 

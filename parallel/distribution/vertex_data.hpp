@@ -9,7 +9,7 @@
 #include "../conversion/domain_triangulation.hpp"
 #include "distribution.hpp"
 #include "members.hpp"
-#include "vertex_numbers.hpp"
+#include "numbering.hpp"
 
 namespace pardel::engine {
 

@@ -40,7 +40,6 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"distribution/members", {"distribution/pieces_test"}},
     {"distribution/mesh_in_ranks", {"distribution/pieces_test"}},
     {"distribution/piece", {"distribution/pieces_test"}},
-    {"distribution/share_of_rank", {"distribution/pieces_test"}},
     {"distribution/vertex_data", {"distribution/pieces_test"}},
     {"diagnosis/far_part", {"diagnosis/warnings_test"}},
     {"diagnosis/narrowest_part", {"input/repair_test"}},

@@ -1,13 +1,32 @@
-// The numbers of vertices in the whole mesh.
+// Numbers in the whole mesh.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "../../core/ranks.hpp"
 #include "../concurrency/index_allocator.hpp"
 
 namespace pardel::engine {
+
+/// Of things that are numbered rank by rank: how many belong to the ranks before this one, and to all ranks.
+struct ShareOfRank {
+  std::uint64_t before = 0, all = 0;
+};
+
+/// Collective. `here`: how many belong to this rank.
+[[nodiscard]] inline ShareOfRank share_of_rank(std::uint64_t here, Ranks& ranks) {
+  std::vector<std::uint64_t> of_rank(ranks.count(), 0);
+  of_rank[ranks.rank()] = here;
+  ranks.add_up(of_rank);
+  ShareOfRank share;
+  for (int rank = 0; rank < ranks.count(); ++rank) {
+    if (rank < ranks.rank()) share.before += of_rank[rank];
+    share.all += of_rank[rank];
+  }
+  return share;
+}
 
 /// Vertices that were inserted one after the other have consecutive indices, and consecutive numbers in the whole mesh.
 /// So the numbers are kept as ranges, which take little memory.

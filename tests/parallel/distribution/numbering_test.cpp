@@ -1,5 +1,5 @@
 // Ranges of vertices with consecutive numbers.
-#include "../../../parallel/distribution/vertex_numbers.hpp"
+#include "../../../parallel/distribution/numbering.hpp"
 
 #include <gtest/gtest.h>
 
