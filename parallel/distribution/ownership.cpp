@@ -61,16 +61,18 @@ Ownership::Ownership(const Tiles& tiles, std::vector<int> owner)
     std::vector<int>& near = near_.emplace_back(1, owner_[cell]);
     for (const Index other : touching_.back()) near.push_back(owner_[other]);
     sort_without_repetitions(near);
+    std::vector<BoxOfRank>& boxes = boxes_near_.emplace_back();
+    if (near.size() == 1) continue;
+    for (const Index other : touching_.back())
+      if (owner_[other] != owner_[cell]) boxes.push_back({owner_[other], tiles.box_of(other)});
   }
 }
 
 bool Ownership::watches(int rank, Point p) const {
   const Index cell = cell_of(p);
   if (owner_[cell] == rank) return true;
-  if (near_[cell].size() == 1 || !is_near(cell, rank)) return false;
-  return tiles_.lattice() == nullptr || std::ranges::any_of(touching_[cell], [&](Index other) {
-           return owner_[other] == rank && tiles_.box_of(other).contains_half_open(p);
-         });
+  if (tiles_.lattice() != nullptr) return is_in_box_near(cell, rank, p);
+  return std::ranges::any_of(boxes_near_[cell], [&](const BoxOfRank& near) { return near.rank == rank; });
 }
 
 std::vector<int> Ownership::watchers_of_box(Index cell) const {
