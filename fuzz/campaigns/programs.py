@@ -38,8 +38,10 @@ class Target:
     def command(self, *arguments, mutated=False):
         """The libFuzzer program with the options of this target."""
         command = [str(self.program(mutated)), f"-max_len={LONGEST[self.mutator]}", "-timeout=30",
-                   "-rss_limit_mb=3000", "-malloc_limit_mb=1000", "-use_value_profile=1", "-len_control=0",
-                   "-print_final_stats=1"]
+                   "-rss_limit_mb=3000", "-malloc_limit_mb=1000", "-len_control=0", "-print_final_stats=1"]
+        if not self.draws:
+            # The values that are compared guide the search in files. In a mesh nearly every value is new.
+            command.append("-use_value_profile=1")
         dictionary = DICTIONARIES / f"{self.name}.dict"
         if dictionary.exists():
             command.append(f"-dict={dictionary}")
@@ -47,8 +49,8 @@ class Target:
 
 
 def environment(**more):
-    """Waiting threads sleep: there are often more threads than cores."""
-    result = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="2",
+    """One thread, but for the targets that ask for more. Waiting threads sleep: they may be more than the cores."""
+    result = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1",
                   UBSAN_OPTIONS="print_stacktrace=1", **more)
     result["ASAN_OPTIONS"] = "detect_leaks=0:handle_abort=1"
     return result
