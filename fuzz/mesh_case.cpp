@@ -198,6 +198,7 @@ void decode_options(Supply& header, int side, Options& options) {
 MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   Supply all(bytes), header(all.take(header_bytes));
   MeshCase drawn;
+  drawn.seed = Supply(header.take(seed_bytes)).word();
   drawn.pslg.has_segment_markers = true;
   const int side = 4 << header.below(4), position = header.below(4), outline = header.below(6);
   const int family = header.byte(), size = header.below(32);
@@ -206,7 +207,6 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   drawn.ranks = 2 + header.below(4);
   decode_bounds(header, side, drawn.goal);
   decode_options(header, side, drawn.options);
-  drawn.seed = Supply(header.take(4)).word();
 
   Drawing drawing(drawn, side);
   // A family takes its random numbers from the first stroke.

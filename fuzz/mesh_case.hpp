@@ -16,7 +16,8 @@
 
 namespace pardel::fuzz {
 
-inline constexpr std::size_t header_bytes = 32, stroke_bytes = 8, most_strokes = 24;
+/// The header begins with the seed.
+inline constexpr std::size_t seed_bytes = 4, header_bytes = 32, stroke_bytes = 8, most_strokes = 24;
 
 struct MeshCase {
   Pslg pslg;  ///< before the repair: segments may cross and overlap

@@ -68,11 +68,21 @@ void move(Bytes& stroke, Random& random) {
   }
 }
 
+/// Random bytes. In one of two cases most bytes remain zero: then most options keep their defaults.
+void draw_header(Bytes& header, Random& random) {
+  const bool few = random.chance(2);
+  for (std::uint8_t& byte : header) byte = few && !random.chance(6) ? byte : static_cast<std::uint8_t>(random.next());
+}
+
 void mutate(Strokes& drawn, Random& random) {
   auto& strokes = drawn.strokes;
   const auto place = [&] { return strokes.begin() + static_cast<std::ptrdiff_t>(random.below(strokes.size() + 1)); };
-  const std::size_t kind = random.below(8);
-  if (kind == 0 || strokes.empty()) {
+  const std::size_t kind = random.below(10);
+  if (kind == 9) {
+    for (std::size_t i = 0; i < seed_bytes; ++i) drawn.header[i] = static_cast<std::uint8_t>(random.next());
+  } else if (kind == 8 && random.chance(3)) {
+    draw_header(drawn.header, random);
+  } else if (kind == 0 || kind == 8 || strokes.empty()) {
     change_one_byte(drawn.header, random);
   } else if (kind == 1) {
     strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(random.below(strokes.size())));
@@ -99,6 +109,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   Random random(seed);
   if (random.chance(8)) return LLVMFuzzerMutate(data, size, max_size);
   Strokes drawn(data, size);
+  if (size < header_bytes) draw_header(drawn.header, random);
   do mutate(drawn, random);
   while (random.chance(2));
   if (drawn.strokes.size() > most_strokes) drawn.strokes.resize(most_strokes);

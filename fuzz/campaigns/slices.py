@@ -1,5 +1,7 @@
 """Slices: runs of libFuzzer of limited length, and what their logs say."""
+import ctypes
 import re
+import signal
 import subprocess
 import time
 from pathlib import Path
@@ -27,6 +29,11 @@ def numbers(log):
     return result
 
 
+def end_with_parent():
+    """Linux sends this process SIGINT when the campaign dies, even by SIGKILL; libFuzzer then ends with its figures."""
+    ctypes.CDLL(None).prctl(1, signal.SIGINT)
+
+
 def start(target, corpus, work, seconds, seed):
     """Starts a slice. Its log is WORK/log, and a failing input is left in WORK."""
     work.mkdir(parents=True, exist_ok=True)
@@ -36,7 +43,7 @@ def start(target, corpus, work, seconds, seed):
         return subprocess.Popen(
             target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
                            *folders),
-            stdout=log, stderr=subprocess.STDOUT, cwd=work, env=programs.environment())
+            stdout=log, stderr=subprocess.STDOUT, cwd=work, env=programs.environment(), preexec_fn=end_with_parent)
 
 
 def artifacts(work):

@@ -55,9 +55,9 @@ TEST(MeshCase, a_stroke_adds_to_the_domain_and_leaves_the_goal_alone) {
 TEST(MeshCase, every_family_draws_a_domain) {
   for (std::uint8_t family = 0; family < 11; ++family) {
     Bytes bytes(header_bytes);
-    bytes[2] = 3;  // the outline: a domain of a family
-    bytes[3] = family;
-    bytes[4] = 20;  // its size
+    bytes[6] = 3;  // the outline: a domain of a family
+    bytes[7] = family;
+    bytes[8] = 20;  // its size
     const Prepared prepared = prepare(decode_mesh_case(bytes));
     EXPECT_TRUE(prepared.usable) << int(family);
     EXPECT_GE(prepared.pslg.points.size(), 3U) << int(family);

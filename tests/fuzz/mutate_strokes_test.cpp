@@ -35,7 +35,7 @@ Bytes mutated_by_seed(Bytes bytes, unsigned seed, std::size_t most) {
   return bytes;
 }
 
-TEST(MutateStrokes, a_mutation_keeps_the_header_and_whole_strokes) {
+TEST(MutateStrokes, a_mutation_gives_a_header_and_whole_strokes) {
   constexpr std::size_t most = header_bytes + most_strokes * stroke_bytes;
   for (unsigned seed = 0; seed < 500; ++seed) {
     const Bytes after = mutated_by_seed(strokes(50, 4), seed, most);
