@@ -11,11 +11,13 @@
 
 namespace pardel::fuzz {
 
-/// The coordinates that ref/constrained.hpp takes: multiples of 2^-50 of absolute value at most 2^50. The box around the
-/// domain (triangulation_by_definition()) must be in this range too.
+/// The coordinates that ref/constrained.hpp takes: multiples of 2^-50 of absolute value at most 2^50. The box around
+/// the domain (triangulation_by_definition()) must be in this range too.
 [[nodiscard]] inline bool has_plain_coordinates(const Pslg& pslg) {
   return std::ranges::all_of(pslg.points, [](Point p) {
-    const auto is_plain = [](double x) { return std::abs(x) <= 0x1p47 && std::ldexp(x, 50) == std::floor(std::ldexp(x, 50)); };
+    const auto is_plain = [](double x) {
+      return std::abs(x) <= 0x1p47 && std::ldexp(x, 50) == std::floor(std::ldexp(x, 50));
+    };
     return is_plain(p.x) && is_plain(p.y);
   });
 }
@@ -30,10 +32,9 @@ namespace pardel::fuzz {
   const double width = std::exp2(std::ceil(std::log2(std::max(right.x - left.x, high.y - low.y))));
   const double x = std::floor(left.x / width) * width, y = std::floor(low.y / width) * width;
   std::vector<Point> points = pslg.points;
-  points.insert(points.end(), {{x - width, y - width},
-                               {x + 3 * width, y - width},
-                               {x + 3 * width, y + 3 * width},
-                               {x - width, y + 3 * width}});
+  points.insert(
+      points.end(),
+      {{x - width, y - width}, {x + 3 * width, y - width}, {x + 3 * width, y + 3 * width}, {x - width, y + 3 * width}});
   ref::PlainMesh mesh = ref::constrained_delaunay(points, walls);
   ref::carve(mesh, ref::exact(points.back()), pslg.holes);
   return mesh;

@@ -188,7 +188,8 @@ void compare(const Pslg& pslg, const Mesh& mesh, const Goal& goal) {
   if (goal.conforming)
     require_same(edges_of(certificate, ViolationKind::not_conforming), found.not_conforming,
                  ViolationKind::not_conforming);
-  // Delaunay's lemma: a triangulation of the whole domain is constrained Delaunay if all its edges are locally Delaunay.
+  // Delaunay's lemma: a triangulation of the whole domain is constrained Delaunay if all its edges are locally
+  // Delaunay.
   if (has_any(certificate, {uncovered_domain, covered_exterior, area_mismatch, non_manifold_vertex})) return;
   if (ref::is_constrained_delaunay(plain) != found.not_delaunay.empty()) fail("Delaunay's lemma does not hold");
 }

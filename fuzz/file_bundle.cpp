@@ -14,9 +14,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view mark = "== ";
 
 bool is_name(std::string_view name) {
-  return !name.empty() && name.size() < 60 && name.front() != '.' && std::ranges::all_of(name, [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '.';
-  });
+  return !name.empty() && name.size() < 60 && name.front() != '.' &&
+         std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; });
 }
 
 }  // namespace
@@ -31,8 +30,8 @@ std::vector<NamedText> files_of(std::span<const std::uint8_t> bytes, const std::
     part.remove_prefix(mark.size());
     const std::size_t line = std::min(part.find('\n'), part.size());
     const std::string_view name = part.substr(0, line);
-    files.push_back({is_name(name) ? std::string(name) : otherwise,
-                     std::string(part.substr(std::min(line + 1, part.size())))});
+    files.push_back(
+        {is_name(name) ? std::string(name) : otherwise, std::string(part.substr(std::min(line + 1, part.size())))});
     begin = end == std::string_view::npos ? text.size() : end + 1;
   }
   return files;
@@ -40,7 +39,8 @@ std::vector<NamedText> files_of(std::span<const std::uint8_t> bytes, const std::
 
 Scratch::Scratch() {
   const fs::path memory = "/dev/shm";
-  folder_ = (fs::is_directory(memory) ? memory : fs::temp_directory_path()) / ("pardel-fuzz-" + std::to_string(getpid()));
+  folder_ =
+      (fs::is_directory(memory) ? memory : fs::temp_directory_path()) / ("pardel-fuzz-" + std::to_string(getpid()));
   fs::create_directories(folder_);
 }
 
@@ -49,8 +49,6 @@ Scratch::~Scratch() {
   fs::remove_all(folder_, ignored);
 }
 
-void Scratch::write(const NamedText& file) const {
-  std::ofstream(folder_ / file.name, std::ios::binary) << file.text;
-}
+void Scratch::write(const NamedText& file) const { std::ofstream(folder_ / file.name, std::ios::binary) << file.text; }
 
 }  // namespace pardel::fuzz

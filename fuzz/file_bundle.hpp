@@ -21,8 +21,8 @@ struct NamedText {
   std::string text;
 };
 
-/// The files of the bytes. A line `== NAME` begins a file; the line feed before it does not belong to the file in front.
-/// Bytes that do not begin in this way are one file, with the name `otherwise`.
+/// The files of the bytes. A line `== NAME` begins a file; the line feed before it does not belong to the file in
+/// front. Bytes that do not begin in this way are one file, with the name `otherwise`.
 [[nodiscard]] std::vector<NamedText> files_of(std::span<const std::uint8_t> bytes, const std::string& otherwise);
 
 /// A folder of this process, in memory if the machine has such a folder. Its files are removed with the object.

@@ -1,6 +1,6 @@
-// The lattice refiner of ref/, one cell after the other and in the interleaving that the bytes select: in each step, any
-// of the unfinished cells of a colour insert a point. Every interleaving must give the same mesh, and the checker must
-// certify it.
+// The lattice refiner of ref/, one cell after the other and in the interleaving that the bytes select: in each step,
+// any of the unfinished cells of a colour insert a point. Every interleaving must give the same mesh, and the checker
+// must certify it.
 #include "../properties/checker/check.hpp"
 #include "../properties/theorems/refinement/channels.hpp"
 #include "../ref/decomposition/cell_refiner.hpp"

@@ -1,8 +1,8 @@
 // Decodes bytes to a meshing problem. The bytes are a header, which selects the goal, the options and the outline, and
-// strokes of eight bytes each: points, segments, fans, holes, regions, blocks of cocircular points. The outline may also
-// be a domain of one of the families of the tests. Coordinates lie on a small integer lattice, so crossings, overlaps,
-// touching holes, cocircular points and small angles are frequent; some points are moved off the lattice by a few units
-// in the last place. repair() splits segments where they cross; no case is discarded because it is invalid.
+// strokes of eight bytes each: points, segments, fans, holes, regions, blocks of cocircular points. The outline may
+// also be a domain of one of the families of the tests. Coordinates lie on a small integer lattice, so crossings,
+// overlaps, touching holes, cocircular points and small angles are frequent; some points are moved off the lattice by a
+// few units in the last place. repair() splits segments where they cross; no case is discarded because it is invalid.
 //
 // The mutator (mutate_strokes.cpp) inserts, removes, moves and exchanges whole strokes.
 #pragma once

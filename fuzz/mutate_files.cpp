@@ -82,7 +82,8 @@ std::string any_grid(Random& random) {
                      (random.chance(2) ? "\nXLLCORNER 1\nYLLCORNER -2\n" : "\nXLLCENTER 0.5\nYLLCENTER 3\n") +
                      (random.chance(2) ? "CELLSIZE 0.5\n" : "DX 2\nDY 0.25\n");
   if (random.chance(2)) text += "NODATA_VALUE 7\n";
-  for (int i = columns * rows; i > 0; --i) text += std::to_string(random.between(1, 9)) + (i % columns == 1 ? "\n" : " ");
+  for (int i = columns * rows; i > 0; --i)
+    text += std::to_string(random.between(1, 9)) + (i % columns == 1 ? "\n" : " ");
   return text;
 }
 
@@ -90,9 +91,9 @@ std::string any_grid(Random& random) {
 std::string any_array(Random& random) {
   const int columns = random.between(1, 3), rows = random.between(1, 3);
   const bool is_single = random.chance(2);
-  std::string header = std::string("{'descr': '<") + (is_single ? "f4" : "f8") + "', 'fortran_order': " +
-                       (random.chance(4) ? "True" : "False") + ", 'shape': (" + std::to_string(rows) + ", " +
-                       std::to_string(columns) + "), }";
+  std::string header = std::string("{'descr': '<") + (is_single ? "f4" : "f8") +
+                       "', 'fortran_order': " + (random.chance(4) ? "True" : "False") + ", 'shape': (" +
+                       std::to_string(rows) + ", " + std::to_string(columns) + "), }";
   header.resize(117, ' ');
   header += '\n';
   std::string array("\x93NUMPY\x01\x00", 8);
@@ -110,7 +111,8 @@ std::string any_array(Random& random) {
 std::string any_text_vtu(Random& random) {
   const std::string type = random.chance(2) ? "Float64" : "Float32";
   return "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-         "<UnstructuredGrid><Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n<Points><DataArray type=\"" + type +
+         "<UnstructuredGrid><Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n<Points><DataArray type=\"" +
+         type +
          "\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 0.1 0</DataArray></Points>\n<Cells>"
          "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>"
          "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
@@ -143,11 +145,13 @@ std::string any_input(Random& random) {
   if (suffix == ".vtu" && random.chance(2)) return any_text_vtu(random);
   if (suffix == ".poly") return write_poly(any_pslg(random), file, random.between(0, 1)) ? contents(file) : "";
   if (suffix == ".ele") {
-    const TriangleFiles files{.base = random.between(0, 1), .write_edge = random.chance(2), .write_neigh = random.chance(2)};
+    const TriangleFiles files{
+        .base = random.between(0, 1), .write_edge = random.chance(2), .write_neigh = random.chance(2)};
     if (!write_triangle_files(any_mesh(random), {}, scratch / "mesh", files)) return {};
     std::string bundle;
     for (const char* each : {"mesh.node", "mesh.ele", "mesh.poly", "mesh.edge", "mesh.neigh"})
-      if (std::filesystem::exists(scratch / each)) bundle += std::string("== ") + each + "\n" + contents(scratch / each);
+      if (std::filesystem::exists(scratch / each))
+        bundle += std::string("== ") + each + "\n" + contents(scratch / each);
     return bundle;
   }
   const MshEncoding encoding = random.chance(2) ? MshEncoding::ascii : MshEncoding::binary;

@@ -1,6 +1,6 @@
 // The mutator and the cross-over of the targets that decode a meshing problem (mesh_case.hpp). They treat strokes as
-// wholes: segments, fans, holes and regions are inserted, copied, removed, exchanged and moved, and the cross-over draws
-// strokes of two domains into one. Most mutations of libFuzzer itself shift the bytes behind them, and so draw an
+// wholes: segments, fans, holes and regions are inserted, copied, removed, exchanged and moved, and the cross-over
+// draws strokes of two domains into one. Most mutations of libFuzzer itself shift the bytes behind them, and so draw an
 // unrelated domain.
 #include <algorithm>
 #include <cstring>
@@ -61,7 +61,8 @@ void change_one_byte(Bytes& bytes, Random& random) {
 
 /// Bytes 1 to 4 are the coordinates of most strokes.
 void move(Bytes& stroke, Random& random) {
-  const auto dx = static_cast<std::uint8_t>(random.between(-2, 2)), dy = static_cast<std::uint8_t>(random.between(-2, 2));
+  const auto dx = static_cast<std::uint8_t>(random.between(-2, 2)),
+             dy = static_cast<std::uint8_t>(random.between(-2, 2));
   for (const std::size_t i : {1U, 3U}) {
     stroke[i] = static_cast<std::uint8_t>(stroke[i] + dx);
     stroke[i + 1] = static_cast<std::uint8_t>(stroke[i + 1] + dy);

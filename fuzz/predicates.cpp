@@ -1,6 +1,6 @@
 // The exact predicates and expansions against rational arithmetic (GMP). The bytes make doubles with any sign, exponent
-// and mantissa, and points that are degenerate or nearly so by construction: on one line, on one circle, equal, moved by
-// a few units in the last place.
+// and mantissa, and points that are degenerate or nearly so by construction: on one line, on one circle, equal, moved
+// by a few units in the last place.
 #include "../parallel/arithmetic/predicates.hpp"
 
 #include <gmpxx.h>
@@ -60,8 +60,7 @@ std::array<Point, 4> any_points(Supply& bytes) {
   if (position == 1) p[2] = p[0];
   if (position == 2 || position == 3) {  // on a line: a + k (b - a)
     const double k = small_integer(bytes) / 4;
-    for (const int i : {2, 3})
-      p[i] = {p[0].x + k * i * (p[1].x - p[0].x), p[0].y + k * i * (p[1].y - p[0].y)};
+    for (const int i : {2, 3}) p[i] = {p[0].x + k * i * (p[1].x - p[0].x), p[0].y + k * i * (p[1].y - p[0].y)};
   }
   if (position == 4 || position == 5) {  // on a circle: the symmetric images of one vector
     const Point c = p[0], v = p[1];
@@ -72,7 +71,8 @@ std::array<Point, 4> any_points(Supply& bytes) {
     p[3] = {p[0].x, p[1].y};
   }
   for (Point& each : p)
-    if (!engine::is_usable(each)) each = {engine::is_usable(each.x) ? each.x : 0, engine::is_usable(each.y) ? each.y : 0};
+    if (!engine::is_usable(each))
+      each = {engine::is_usable(each.x) ? each.x : 0, engine::is_usable(each.y) ? each.y : 0};
   if (position % 2 == 1 || position == 6) nudge(p[bytes.byte() % 4], bytes);
   return p;
 }
@@ -83,8 +83,8 @@ int true_orientation(Point a, Point b, Point c) {
 }
 
 int true_incircle(Point a, Point b, Point c, Point d) {
-  const Rational ax = Rational(a.x) - d.x, ay = Rational(a.y) - d.y, bx = Rational(b.x) - d.x,
-                 by = Rational(b.y) - d.y, cx = Rational(c.x) - d.x, cy = Rational(c.y) - d.y;
+  const Rational ax = Rational(a.x) - d.x, ay = Rational(a.y) - d.y, bx = Rational(b.x) - d.x, by = Rational(b.y) - d.y,
+                 cx = Rational(c.x) - d.x, cy = Rational(c.y) - d.y;
   const Rational a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   return sgn(Rational(ax * (by * c2 - b2 * cy) - ay * (bx * c2 - b2 * cx) + a2 * (bx * cy - by * cx)));
 }

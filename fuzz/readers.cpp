@@ -19,10 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail_at(const fs::path& file, const std::string& what) { fail(file.filename().string() + ": " + what); }
+[[noreturn]] void fail_at(const fs::path& file, const std::string& what) {
+  fail(file.filename().string() + ": " + what);
+}
 
 void check_error(const Error& error, const fs::path& folder) {
-  if (error.message.find(folder.string()) == std::string::npos) fail("a message without the file's name: " + error.message);
+  if (error.message.find(folder.string()) == std::string::npos)
+    fail("a message without the file's name: " + error.message);
   if (error.kind == ErrorKind::internal || error.kind == ErrorKind::cancelled || error.kind == ErrorKind::usage)
     fail("an error of the wrong kind: " + error.message);
 }
@@ -86,8 +89,10 @@ void round_trip(const Mesh& mesh, const fs::path& file, bool keeps_regions, cons
 void round_trip(const Mesh& mesh, const Scratch& scratch) {
   check_ranges(mesh);
   using Encoding = MshEncoding;
-  round_trip(mesh, scratch / "text.msh", true, [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::ascii); });
-  round_trip(mesh, scratch / "binary.msh", true, [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::binary); });
+  round_trip(mesh, scratch / "text.msh", true,
+             [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::ascii); });
+  round_trip(mesh, scratch / "binary.msh", true,
+             [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::binary); });
   round_trip(mesh, scratch / "again.vtu", true, [](const Mesh& m, const fs::path& f) { return write_vtu(m, f); });
   round_trip(mesh, scratch / "again.off", false, [](const Mesh& m, const fs::path& f) { return write_off(m, f); });
   round_trip(mesh, scratch / "again.ele", true, [](const Mesh& m, const fs::path& f) {
@@ -139,8 +144,10 @@ void round_trip_of_sizes(const std::vector<double>& sizes, const Scratch& scratc
   std::string lines = std::to_string(sizes.size()) + "\n";
   for (std::size_t i = 0; i < sizes.size(); ++i) lines += std::to_string(i + 1) + " " + text(sizes[i]) + "\n";
   scratch.write({"again.sizes", lines});
-  if (!std::ranges::all_of(sizes, [](double size) { return size > 0 && std::isfinite(size); })) fail("a size is not positive");
-  if (read_back(read_sizes(scratch / "again.sizes"), scratch / "again.sizes") != sizes) fail("the sizes read back differently");
+  if (!std::ranges::all_of(sizes, [](double size) { return size > 0 && std::isfinite(size); }))
+    fail("a size is not positive");
+  if (read_back(read_sizes(scratch / "again.sizes"), scratch / "again.sizes") != sizes)
+    fail("the sizes read back differently");
 }
 
 /// Calls use(value) if the result has one.

@@ -61,7 +61,8 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     return -1;
   }
   if (!engine->report.exempt.empty()) fail("the engine misses a goal that is proven to be reached");
-  for (const auto& [name, found] : {std::pair("the engine's", &engine->mesh), std::pair("the reference's", &*reference)}) {
+  for (const auto& [name, found] :
+       {std::pair("the engine's", &engine->mesh), std::pair("the reference's", &*reference)}) {
     const Certificate certificate = check(pslg, *found, goal);
     if (!certificate.valid) fail(name + std::string(" mesh: ") + certificate.violations.front().message());
     if (!certificate.justified.empty()) fail(name + std::string(" mesh has a small angle without a cause"));

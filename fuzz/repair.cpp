@@ -1,10 +1,11 @@
 // Validation and repair. On a lattice, validate() must agree with the definition in exact integers. A repaired domain
 // must be valid, its maps must be in range, and repairing it again must change nothing.
+#include "../parallel/repair.hpp"
+
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "../parallel/repair.hpp"
 #include "../properties/domains/generators/lattice_domain.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"

@@ -34,7 +34,8 @@ void compare_with_ranks(const Pslg& pslg, const MeshCase& drawn, Options options
   Goal goal = drawn.goal;
   goal.min_angle_deg = std::min(goal.min_angle_deg, 28.0);
   options.threads = 1;
-  if (const auto limited = mesh(pslg, goal, options); !limited || limited->report.count(ExemptReason::budget) > 0) return;
+  if (const auto limited = mesh(pslg, goal, options); !limited || limited->report.count(ExemptReason::budget) > 0)
+    return;
   options.max_vertices = 0;
   const Result<Meshed> whole = mesh(pslg, goal, options);
   const auto domain = validate(pslg, {.convex_hull = goal.convex_hull});

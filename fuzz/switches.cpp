@@ -2,12 +2,11 @@
 // written behind each other in any grouping; the parser must find exactly these. Bytes that begin with a minus are
 // parsed as a command line; an error must be one of usage, and the switches that were found, written in a fixed order,
 // must be found again.
-#include "../cli/triangle_switches.hpp"
-
 #include <charconv>
 #include <sstream>
 #include <string>
 
+#include "../cli/triangle_switches.hpp"
 #include "fuzz_one.hpp"
 #include "supply.hpp"
 
@@ -18,16 +17,23 @@ using cli::TriangleSwitches;
 using Flag = bool TriangleSwitches::*;
 
 /// The switches without a number.
-constexpr std::pair<char, Flag> flags[] = {
-    {'p', &TriangleSwitches::poly},         {'r', &TriangleSwitches::refine},
-    {'A', &TriangleSwitches::region_attributes}, {'c', &TriangleSwitches::convex_hull},
-    {'j', &TriangleSwitches::jettison},     {'e', &TriangleSwitches::edges},
-    {'n', &TriangleSwitches::neighbours},   {'g', &TriangleSwitches::off},
-    {'B', &TriangleSwitches::no_markers},   {'P', &TriangleSwitches::no_poly},
-    {'N', &TriangleSwitches::no_node},      {'E', &TriangleSwitches::no_ele},
-    {'I', &TriangleSwitches::no_iteration}, {'O', &TriangleSwitches::no_holes},
-    {'z', &TriangleSwitches::zero_based},   {'C', &TriangleSwitches::check},
-    {'Q', &TriangleSwitches::quiet}};
+constexpr std::pair<char, Flag> flags[] = {{'p', &TriangleSwitches::poly},
+                                           {'r', &TriangleSwitches::refine},
+                                           {'A', &TriangleSwitches::region_attributes},
+                                           {'c', &TriangleSwitches::convex_hull},
+                                           {'j', &TriangleSwitches::jettison},
+                                           {'e', &TriangleSwitches::edges},
+                                           {'n', &TriangleSwitches::neighbours},
+                                           {'g', &TriangleSwitches::off},
+                                           {'B', &TriangleSwitches::no_markers},
+                                           {'P', &TriangleSwitches::no_poly},
+                                           {'N', &TriangleSwitches::no_node},
+                                           {'E', &TriangleSwitches::no_ele},
+                                           {'I', &TriangleSwitches::no_iteration},
+                                           {'O', &TriangleSwitches::no_holes},
+                                           {'z', &TriangleSwitches::zero_based},
+                                           {'C', &TriangleSwitches::check},
+                                           {'Q', &TriangleSwitches::quiet}};
 
 /// The shortest decimal that gives the same double, without an exponent: Triangle's numbers have none.
 std::string decimal(double x) {
@@ -55,7 +61,8 @@ std::vector<std::string> arguments_of(const TriangleSwitches& s) {
   if (s.area_caps) text += "a";
   if (s.conforming) text += "D";
   if (s.second_order) text += "o2";
-  text += std::string(static_cast<std::size_t>(s.no_splits), 'Y') + std::string(static_cast<std::size_t>(s.verbose), 'V');
+  text +=
+      std::string(static_cast<std::size_t>(s.no_splits), 'Y') + std::string(static_cast<std::size_t>(s.verbose), 'V');
   if (s.max_steiner_points) text += "S" + std::to_string(*s.max_steiner_points);
   // With an angle of zero, q differs from nothing only in that points may be added, which a and D allow as well.
   if (s.quality && (s.min_angle_deg > 0 || (!s.max_area && !s.area_caps && !s.conforming)))

@@ -45,7 +45,8 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   if (!ref::is_constrained_delaunay(found)) fail("the triangulation is not constrained Delaunay by definition");
   if (!has_plain_coordinates(pslg)) return 0;
   const ref::PlainMesh expected = triangulation_by_definition(pslg);
-  if (found.triangles.size() != expected.triangles.size()) fail("the number of triangles is not that of the definition");
+  if (found.triangles.size() != expected.triangles.size())
+    fail("the number of triangles is not that of the definition");
   if (properties::has_cocircular_neighbours(expected)) return 0;
   if (sorted(meshed->mesh.triangles, [](const Triangle& t) { return t.v; }) !=
       sorted(expected.triangles, [](const ref::Corners& t) { return t; }))

@@ -10,12 +10,12 @@ from pathlib import Path
 from . import programs
 
 FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
-UNINTERESTING = ("pardel::fuzz::fail(", "fuzz_one(", "LLVMFuzzer", "fuzzer::", "__", "std::", "abort", "raise", "gsignal",
-                 "main", "_start", "operator")
+UNINTERESTING = ("pardel::fuzz::fail(", "fuzz_one(", "LLVMFuzzer", "fuzzer::", "__", "std::", "abort", "raise",
+                 "gsignal", "main", "_start", "operator")
 
 
 def signature(output):
-    """The verdict of a failed run and its innermost functions. Numbers are left out: they differ from input to input."""
+    """The verdict of a failed run and its innermost functions, without numbers, which differ from input to input."""
     verdict = "crash"
     for pattern in (r"fuzz: the property failed: (.*)", r"runtime error: (.*)", r"ERROR: (AddressSanitizer: [\w-]+)",
                     r"ERROR: (libFuzzer: .*)", r"terminate called after throwing (.*)", r"(assertion .*failed.*)"):

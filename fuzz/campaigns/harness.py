@@ -14,7 +14,8 @@ def add_options(parser):
     parser.add_argument("--harness", metavar="MESHER", help="run pardel-harness with this mesher, not the fuzz targets")
     parser.add_argument("--harness-program", type=Path, default=programs.ROOT / "build/release/cli/pardel-harness",
                         help="the harness (default build/release/cli/pardel-harness)")
-    parser.add_argument("--harness-options", default="", help="further options of pardel-harness, such as '--format vtu'")
+    parser.add_argument("--harness-options", default="",
+                        help="further options of pardel-harness, such as '--format vtu'")
     parser.add_argument("--cases", type=int, default=220, help="cases of a round of the harness (default 220)")
 
 
@@ -27,9 +28,9 @@ class Rounds:
             "families": {}, "finds": [], "history": []}
 
     def command(self, work):
-        return [str(self.options.harness_program), "--mesher", self.state["mesher"], "--cases", str(self.options.cases),
-                "--seed", str(self.state["seed"]), "--jobs", str(self.options.jobs), "--json", str(work / "report.json"),
-                "--report", str(work / "report.md"), "--failures", str(work / "failures"),
+        return [str(self.options.harness_program), "--mesher", self.state["mesher"],
+                "--cases", str(self.options.cases), "--seed", str(self.state["seed"]),
+                "--jobs", str(self.options.jobs), "--json", str(work / "report.json"), "--report", str(work / "report.md"), "--failures", str(work / "failures"),
                 *self.options.harness_options.split()]
 
     def stop(self, *_):
@@ -76,7 +77,8 @@ class Rounds:
             json.dumps({"schema": "pardel.campaign/1", **self.state}, indent=1) + "\n")
         verdicts = sorted(self.state["verdicts"])
         text = [f"# Campaign: `{self.state['mesher']}`", "",
-                f"{self.state['cases']:,} cases in {self.state['rounds']} rounds, {self.state['seconds'] / 3600:.2f} hours, "
+                f"{self.state['cases']:,} cases in {self.state['rounds']} rounds, "
+                f"{self.state['seconds'] / 3600:.2f} hours, "
                 f"{len(self.state['finds'])} kinds of failures.", "",
                 "| family | " + " | ".join(verdicts) + " |", "|---|" + "---:|" * len(verdicts)]
         for family, counts in self.state["families"].items():

@@ -12,20 +12,21 @@ PULSE = re.compile(r"^#(\d+)\s+(\w+)\s+cov: (\d+) ft: (\d+)(?: corp: (\d+)/\S+)?
 
 
 def numbers(log):
-    """Executions, covered edges, features and inputs of the corpus, from the last line that has them; the features at
-    the start, after the corpus was read."""
-    result = {"executions": 0, "coverage": 0, "features": 0, "inputs": 0, "features_before": 0}
+    """Executions, covered edges, features and inputs of the corpus, from the last line that has them; the features when
+    the corpus had been read, and how many inputs were read. Reading an input again is no new execution."""
+    result = {"executions": 0, "coverage": 0, "features": 0, "inputs": 0, "features_before": 0, "read": 0}
     for count, event, coverage, features, inputs in PULSE.findall(log):
         result.update(executions=int(count), coverage=int(coverage), features=int(features),
                       inputs=int(inputs or result["inputs"]))
         if event == "INITED":
             result["features_before"] = int(features)
-            result["executions_before"] = int(count)
+            result["read"] = int(count)
     total = re.search(r"stat::number_of_executed_units: (\d+)", log)
     if total:
         result["executions"] = max(result["executions"], int(total.group(1)))
-    # Reading the corpus again is no new execution.
-    result["executions"] = max(0, result["executions"] - result.pop("executions_before", 0))
+    if not result["read"]:
+        result["read"] = result["executions"]  # the slice ended before the corpus was read
+    result["executions"] -= min(result["read"], result["executions"])
     return result
 
 

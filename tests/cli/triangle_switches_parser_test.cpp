@@ -16,9 +16,7 @@ TEST(SwitchParser, reads_numbers_up_to_the_next_letter) {
   EXPECT_TRUE(parsed->conforming);
 }
 
-TEST(SwitchParser, an_integer_ends_before_a_point) {
-  EXPECT_FALSE(parse_triangle_switches({"-pS1.5", "square"}).ok());
-}
+TEST(SwitchParser, an_integer_ends_before_a_point) { EXPECT_FALSE(parse_triangle_switches({"-pS1.5", "square"}).ok()); }
 
 }  // namespace
 }  // namespace pardel::cli
