@@ -1,11 +1,13 @@
 // paper_tables: repeats the workload of Tables 1 and 2 of [CC] (Chernikov and Chrisochoides 2004) on this machine. The
 // area bound is inversely proportional to the number of threads. So every thread has the same amount of work, and with
-// ideal scaling the time is constant. See --help.
+// ideal scaling the time is constant. Prints the results of the paper beside those of this machine. See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "../cli/choice.hpp"
@@ -20,20 +22,30 @@
 namespace pardel::bench {
 namespace {
 
+/// A row of [CC].
+struct TheirRun {
+  int table, processors;
+  double millions;           ///< triangles
+  const char *mpi, *openmp;  ///< seconds
+};
 struct Table {
   const char* title;
   const char* domain;
   double area;
-  const char* theirs;  ///< the results of [CC] for this domain
+  std::vector<TheirRun> theirs;
 };
-constexpr Table tables[] = {
-    {"The pipe cross-section (Tables 1 and 2)", "pipe", 2.486,
-     "Table 1, MPI: 4 processors, 14.6 million triangles in 179.1 s; 64 processors, 233.3 million in 273.6 s; "
-     "121 processors, 441.1 million in 212.7 s. Table 2, 4 processors, 14.6 million triangles: MPI 220.3 s, OpenMP "
-     "214.1 s"},
-    {"The unit square (Table 1)", "square", 1,
-     "Table 1, MPI: 4 processors, 23.8 million triangles in 293.7 s; 64 processors, 470.7 million in 300.1 s; "
-     "121 processors, 873.5 million in 293.7 s"},
+const Table tables[] = {
+    {"The pipe cross-section (Tables 1 and 2)",
+     "pipe",
+     2.486,
+     {{1, 4, 14.6, "179.1", ""},
+      {1, 64, 233.3, "273.6", ""},
+      {1, 121, 441.1, "212.7", ""},
+      {2, 4, 14.6, "220.3", "214.1"}}},
+    {"The unit square (Table 1)",
+     "square",
+     1,
+     {{1, 4, 23.8, "293.7", ""}, {1, 64, 470.7, "300.1", ""}, {1, 121, 873.5, "293.7", ""}}},
 };
 
 struct Timed {
@@ -48,12 +60,17 @@ struct Settings {
   double per_thread = 5e6;
   int runs = 3;
   Decomposition decomposition = Decomposition::automatic;
+  std::string mpirun;  ///< empty: no ranks are measured
+
+  [[nodiscard]] double max_area(const Table& table, int processors) const {
+    return triangles_per_cap * table.area / (per_thread * processors);
+  }
 };
 
 std::optional<Timed> run(const Table& table, const Settings& settings, int threads) {
   return run_in_child<Timed>([&] {
     const Pslg pslg = *domains::generate(table.domain, 0, 1);
-    const Goal goal{.max_area = triangles_per_cap * table.area / (settings.per_thread * threads)};
+    const Goal goal{.max_area = settings.max_area(table, threads)};
     const Stopwatch watch;
     const Result<Meshed> meshed = mesh(pslg, goal, {.threads = threads, .decomposition = settings.decomposition});
     if (!meshed) return Timed{};
@@ -75,23 +92,56 @@ std::optional<Timed> median_run(const Table& table, const Settings& settings, in
   return all[all.size() / 2];
 }
 
+/// The median time of ranks of one thread, as text; empty if no ranks are measured. `like`: the run with threads.
+std::string seconds_of_ranks(const Table& table, const Settings& settings, int ranks, const Timed& like) {
+  if (settings.mpirun.empty()) return "";
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::vector<std::string> command = {settings.mpirun,
+                                            "--oversubscribe",
+                                            "--bind-to",
+                                            "none",
+                                            "-n",
+                                            std::to_string(ranks),
+                                            (here / "paper_ranks").string(),
+                                            table.domain,
+                                            fmt::format("{}", settings.max_area(table, ranks)),
+                                            std::to_string(like.peak_rss_bytes)};
+  std::vector<double> all;
+  for (int i = 0; i < settings.runs; ++i) {
+    const std::string output = run_program(command).output;
+    double seconds = 0;
+    unsigned long long triangles = 0;
+    const std::size_t line = output.find("ranks ");
+    if (line == std::string::npos || std::sscanf(&output[line], "ranks %lf %llu", &seconds, &triangles) != 2 ||
+        triangles != like.triangles)
+      return "failed";
+    all.push_back(seconds);
+  }
+  return fmt::format("{:.2f}", median(all));
+}
+
 void print(const Table& table, const Settings& settings) {
   fmt::print("### {}\n\n", table.title);
-  fmt::print("| threads | cells | triangles, millions | seconds | millions/s | millions/s/thread | bytes/triangle |\n");
-  fmt::print("|---:|---:|---:|---:|---:|---:|---:|\n");
+  fmt::print(
+      "| | threads or ranks | cells | triangles, millions | seconds, MPI | seconds, OpenMP | millions/s | "
+      "millions/s/thread | bytes/triangle |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (const TheirRun& run : table.theirs)
+    fmt::print("| the paper, Table {} | {} | | {:.1f} | {} | {} | | | |\n", run.table, run.processors, run.millions,
+               run.mpi, run.openmp);
   for (const int threads : settings.threads) {
     const std::optional<Timed> one = median_run(table, settings, threads);
     if (!one) {
-      fmt::print("| {} | | | failed | | | |\n", threads);
+      fmt::print("| here | {} | | | | failed | | | |\n", threads);
       continue;
     }
     const double millions = static_cast<double>(one->triangles) / 1e6;
-    fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.1f} |\n", threads, one->cells, millions,
-               one->seconds, millions / one->seconds, millions / one->seconds / threads,
+    fmt::print("| here | {} | {} | {:.1f} | {} | {:.2f} | {:.2f} | {:.2f} | {:.1f} |\n", threads, one->cells, millions,
+               seconds_of_ranks(table, settings, threads, *one), one->seconds, millions / one->seconds,
+               millions / one->seconds / threads,
                static_cast<double>(one->peak_rss_bytes) / static_cast<double>(one->triangles));
     std::fflush(stdout);
   }
-  fmt::print("\nThe paper, 2004. {}.\n\n", table.theirs);
+  fmt::print("\n");
 }
 
 }  // namespace
@@ -108,6 +158,7 @@ int main(int argc, char** argv) {
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
   app.add_option("--decomposition", settings.decomposition, "auto, paper or none")
       ->transform(cli::choice(cli::decomposition_names));
+  app.add_option("--mpirun", settings.mpirun, "Also measure ranks of one thread, started by this program (Open MPI)");
   CLI11_PARSE(app, argc, argv);
   for (const bench::Table& table : bench::tables) bench::print(table, settings);
   return 0;

@@ -1,5 +1,6 @@
-# Installation in two parts. The package `pardel` needs the standard library, OpenMP and zlib only. Its component `properties`
-# (the checker, the domains and their generators) also needs CGAL, so users of the mesher alone do not need CGAL.
+# Installation in parts. The package `pardel` needs the standard library, OpenMP and zlib only. Its component `properties`
+# (the checker, the domains and their generators) also needs CGAL, so users of the mesher alone do not need CGAL. The
+# component `mpi` (the ranks of an MPI job) needs MPI.
 include(CMakePackageConfigHelpers)
 set(PARDEL_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pardel)
 
@@ -15,6 +16,11 @@ install(FILES ${PROJECT_SOURCE_DIR}/parallel/pardel.hpp DESTINATION ${CMAKE_INST
 if(TARGET pardel_checker)
   pardel_install_libraries(pardelCheckerTargets pardel_checker pardel_domains pardel_generators pardel_properties)
   pardel_install_headers(${PARDEL_CHECKER_FOLDERS})
+endif()
+
+if(TARGET pardel_mpi)
+  pardel_install_libraries(pardelMpiTargets pardel_mpi)
+  install(FILES ${PROJECT_SOURCE_DIR}/mpi/mpi_ranks.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel/mpi)
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pardelConfig.cmake.in

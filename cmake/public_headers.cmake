@@ -14,7 +14,7 @@ endfunction()
 # Makes the folder for #include <pardel/...> in the build tree. It contains a link to every public header and nothing
 # else.
 function(pardel_link_public_headers include)
-  file(REMOVE_RECURSE ${include}/pardel)
+  file(REMOVE_RECURSE ${include}/pardel)  # mpi/ adds its header later
   foreach(folder ${PARDEL_MESHER_FOLDERS} ${PARDEL_CHECKER_FOLDERS})
     file(MAKE_DIRECTORY ${include}/pardel/${folder})
     pardel_public_headers(${folder} headers)

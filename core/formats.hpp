@@ -7,7 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,7 +16,9 @@
 
 #include "join_pieces.hpp"
 #include "mesh.hpp"
+#include "piece_of_mesh.hpp"
 #include "pslg.hpp"
+#include "ranks.hpp"
 #include "raster.hpp"
 #include "result.hpp"
 
@@ -91,6 +93,14 @@ struct TriangleFiles {
 [[nodiscard]] Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& stem,
                                           const TriangleFiles& files);
 
+/// Writes stem.node, stem.ele and stem.poly of a mesh in pieces. Collective: all ranks write these files together, into
+/// a folder that all of them see. The files do not depend on the number of ranks: points are in the order of their
+/// numbers; a triangle begins with its least number; triangles are in the lexicographic order of their three numbers,
+/// and constrained edges in the order of their lesser and their greater number. Either all files get their names or
+/// none; all ranks return the error of the first rank that failed. A rank needs about 8 bytes per triangle for this.
+[[nodiscard]] Status write_triangle_pieces(const PieceOfMesh& piece, const Pslg& pslg,
+                                           const std::filesystem::path& stem, Ranks& ranks);
+
 /// Reads Triangle's .area file: one area cap per triangle. A value <= 0 means no cap and becomes +infinity.
 [[nodiscard]] Result<std::vector<double>> read_area(const std::filesystem::path& file);
 /// Writes an .area file. Cap i belongs to triangle base + i; +infinity is written as -1. Precondition: caps are
@@ -111,6 +121,18 @@ struct TriangleFiles {
 /// triangles without a region are in the group `domain`. The tag of a group is the attribute or marker itself if that
 /// is a positive int. Tags of vertices are in the order of the mesh; triangles are grouped by region.
 [[nodiscard]] Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding);
+/// The file of partition 1, 2, ... of FILE.msh, as Gmsh names it: FILE_1.msh.
+[[nodiscard]] std::filesystem::path msh_of_piece(const std::filesystem::path& file, int partition);
+/// Writes a mesh in pieces as MSH 4.1, one file msh_of_piece(file, rank + 1) per rank, with the sections
+/// $PartitionedEntities and $GhostElements. Collective. The tag of a vertex is its number in the whole mesh, plus 1.
+/// Elements have tags rank by rank, the constrained edges of all ranks first, so these tags depend on the number of
+/// ranks. All files have the same physical groups, chosen as by write_msh() for the whole mesh. Each rank has
+///   - per physical group a partitioned entity, whose parent is the only entity of the group,
+///   - for each set of ranks that share vertices a curve without elements, which has these vertices in all their files,
+///   - a ghost surface: the triangles of other ranks that have a vertex in this piece, without their regions.
+/// Either all files get their names or none; all ranks return the error of the first rank that failed.
+[[nodiscard]] Status write_msh_piece(const PieceOfMesh& piece, const std::filesystem::path& file, MshEncoding encoding,
+                                     Ranks& ranks);
 /// Writes VTU version 1.0 with raw appended data and UInt64 headers. The cells are the triangles, then the
 /// constrained edges as lines. Cell arrays: `region` (the attribute; 0 for lines), `marker` (of the edge; 0 for
 /// triangles) and `quality` (the smallest angle, in degrees; NaN for lines). Point arrays: `marker` and `attributes`.
@@ -118,14 +140,28 @@ struct TriangleFiles {
 
 /// The name of the point array in which a .vtu of one piece has the numbers of its points in the whole mesh.
 inline constexpr const char* vtu_vertex_numbers = "GlobalNodeId";
-/// Writes one piece of a mesh that several processes have made: as write_vtu(), with one number per point. The file
-/// gets its name if agree() returns no error. agree() is called with the outcome for this file, when the file is
-/// complete under another name. A process there asks the others, so that either all pieces get their names or none.
-[[nodiscard]] Status write_vtu_piece(const Mesh& mesh, std::span<const std::uint64_t> numbers,
-                                     const std::filesystem::path& file, const std::function<Status(Status)>& agree);
+/// Writes pieces of a mesh that several processes have made: as write_vtu(), with one number per point. The files get
+/// their names together. Processes agree before that, so that either all pieces get their names or none.
+class VtuPieces {
+ public:
+  VtuPieces();
+  VtuPieces(const VtuPieces&) = delete;
+  VtuPieces& operator=(const VtuPieces&) = delete;
+  /// Removes the files that have not got their names.
+  ~VtuPieces();
+
+  /// Writes a piece, under another name than `file`.
+  [[nodiscard]] Status add(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file);
+  /// Gives all files their names.
+  [[nodiscard]] Status commit();
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
 /// The files of the pieces that a .pvtu names, in its order. Error: invalid_input if it names none.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> files_of_pieces(const std::filesystem::path& pvtu);
-/// Reads a file of write_vtu_piece().
+/// Reads a file of VtuPieces.
 [[nodiscard]] Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file);
 /// What the .pvtu of a mesh in pieces names.
 struct PiecesOfMesh {

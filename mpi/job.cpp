@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <thread>
 
-#include "../core/support/collective.hpp"
+#include "../core/support/agree.hpp"
 
 namespace pardel::mpi {
 
@@ -33,7 +34,7 @@ Job::Job() {
 
 Job::~Job() { MPI_Finalize(); }
 
-Status Job::agree(const Status& here) { return pardel::agree(ranks_, here); }
+Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 
 Job::Range Job::range_of(std::uint64_t value) {
   Range range{};

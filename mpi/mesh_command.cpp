@@ -3,21 +3,26 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "../cli/choice.hpp"
 #include "../cli/goal_options.hpp"
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
-#include "../cli/output.hpp"
+#include "../cli/names.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
+#include "../core/support/collective.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "outputs.hpp"
 #include "problem.hpp"
 
 namespace pardel::mpi {
@@ -26,28 +31,54 @@ namespace {
 using namespace cli;
 
 constexpr const char* mesh_footer =
-    R"(The mesh is that of 'pardel mesh --interior refine' with the same options, on any number of ranks and threads.
-Every rank writes a file OUT_RANK.vtu beside OUT.pvtu, which ParaView opens. Files appear under their names only
-when all pieces are complete. 'pardel convert OUT.pvtu FILE' makes one file of the pieces; 'pardel check' and
-'pardel draw' read OUT.pvtu, too.
+    R"(The mesh is that of 'pardel mesh' with the same options and the same --interior, on any number of ranks and
+threads. By default the interior is refined. With --interior fill, --pieces lets a rank make several pieces one after
+another, so that the mesh can be larger than the memory of all ranks.
 
-Example:
-  mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6)";
+Output:
+  OUT.pvtu           a list of the pieces OUT_0000.vtu, OUT_0001.vtu, ..., one per rank, for ParaView
+  OUT.msh            pieces for Gmsh: OUT_1.msh, OUT_2.msh, ..., one per rank, with ghost triangles
+  OUT.node, OUT.ele  the files OUT.node, OUT.ele and OUT.poly of the whole mesh, as Triangle writes them; all ranks
+                     write them together, and they do not depend on the number of ranks
+Files appear under their names only when all ranks have finished. 'pardel check', 'draw' and 'convert' read OUT.pvtu
+and OUT.node, and OUT.msh, which stands for all its pieces.
+
+Examples:
+  mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
+  mpirun -n 2 pardel-mpi mesh pipe.poly -o large.pvtu --max-area 1e-8 --interior fill --pieces 32)";
+
+constexpr int most_pieces = 10'000;  // their numbers have four digits
 
 struct Arguments {
-  std::filesystem::path input, output;
+  std::filesystem::path input;
+  std::vector<std::filesystem::path> outputs;
   GoalOptions goal;
   Options options{.placement = Placement::automatic};  // the interior is refined
   std::vector<Index> cells;
-  int threads = 0;
-  bool quiet = false;
+  int threads = 0, pieces = 0;  ///< pieces: 0 for one per rank
+  bool msh_ascii = false, quiet = false;
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("IN", arguments.input, "The domain: .poly or .node")->required()->type_name("");
-  app.add_option("-o,--output", arguments.output, "The file to write (required)")->required()->type_name("OUT.pvtu");
+  app.add_option("-o,--output", arguments.outputs,
+                 "The mesh to write (required); the suffix sets the format: .pvtu, .msh, .node;\n"
+                 "may be repeated")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("OUT");
   add_goal_options(app, arguments.goal, largest_min_angle_deg);
   add_ways_to_work(app, arguments.options, arguments.cells);
+  app.add_option("--interior", arguments.options.interior,
+                 "What fills the interior where areas and edges have constant bounds: refine (default); fill and\n"
+                 "auto: see 'pardel mesh --help'")
+      ->transform(choice(interior_names))
+      ->type_name("WHAT");
+  app.add_option("--pieces", arguments.pieces,
+                 "Number of pieces, at least one per rank (default: one per rank). A rank makes and writes its pieces\n"
+                 "one after another. Only with --interior fill and for one OUT.pvtu")
+      ->check(CLI::Range(1, most_pieces).description(""))
+      ->type_name("N");
   app.add_option("--min-edge", arguments.options.min_edge,
                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
       ->check(positive_number("a length"))
@@ -56,86 +87,116 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->description(
           "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
           "the mesh does not depend on it");
+  app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output");
   app.footer(mesh_footer);
 }
 
-/// The file of a piece, in the folder of the .pvtu.
-std::filesystem::path file_of_piece(const std::filesystem::path& pvtu, int rank) {
-  std::filesystem::path file = pvtu;
-  file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), rank));
-  return file;
-}
-
-Status write(const Arguments& arguments, const MeshPiece& piece, Job& job) {
-  // A rank without triangles has no regions either.
-  const bool have_regions = job.range_of(piece.mesh.region.empty() ? 0 : 1).most > 0;
-  const auto agree = [&](const Status& here) { return job.agree(here); };
-  const Status written =
-      write_vtu_piece(piece.mesh, piece.number.span(), file_of_piece(arguments.output, job.ranks().rank()), agree);
-  if (Status all = job.agree(written); !all) return all;
-  Status index = Done{};
-  if (job.is_first()) {
-    PiecesOfMesh pieces{{}, have_regions, piece.mesh.attributes_per_point};
-    for (int rank = 0; rank < job.ranks().count(); ++rank)
-      pieces.files.push_back(file_of_piece(arguments.output, rank).filename().string());
-    index = write_pvtu(pieces, arguments.output);
-  }
-  return job.agree(index);
+/// Collective.
+Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& pslg, Job& job) {
+  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
+  for (const std::filesystem::path& output : arguments.outputs)
+    if (Status written = write_pieces(piece, pslg, output, msh, job); !written) return written;
+  return Done{};
 }
 
 struct Seconds {
-  double read = 0, mesh = 0, write = 0;
+  double read = 0, refine = 0, pieces = 0, write = 0, all = 0;
 };
 
-void print(const Arguments& arguments, const MeshPiece& piece, const Seconds& seconds, Job& job) {
-  const Digest all = digest(piece, job.ranks());
-  const Job::Range triangles = job.range_of(piece.mesh.triangles.size());
+/// The mesh, and what this rank has of it.
+struct Made {
+  std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
+  std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
+  Digest digest;                                                               ///< of the pieces of this rank
+  Seconds seconds;
+
+  void add(const MeshPiece& piece) {
+    points = piece.points;
+    triangles = piece.triangles;
+    constrained_edges = piece.constrained_edges;
+    missed = piece.missed;
+    least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
+    most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
+    digest = digest + pardel::digest(piece.mesh);
+    seconds.refine = piece.report.refine_seconds;
+    seconds.pieces += piece.seconds;
+  }
+};
+
+/// One piece per rank.
+Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
+  const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
+  if (!piece) job.abort(piece.error());
+  Made made;
+  made.add(*piece);
+  const Stopwatch watch;
+  if (Status written = write(arguments, *piece, input.domain.pslg(), job); !written) return written.error();
+  made.seconds.write = watch.seconds();
+  return made;
+}
+
+/// Each piece is written before the rank makes the next one.
+Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job& job) {
+  PvtuFiles files(arguments.outputs.front());
+  Made made;
+  Status written = Done{};
+  const Status ended = mesh_in_pieces(input.domain, input.goal, arguments.options, job.ranks(), arguments.pieces,
+                                      [&](MeshPiece&& piece, int number) {
+                                        made.add(piece);
+                                        const Stopwatch watch;
+                                        written = files.add(piece, number);
+                                        made.seconds.write += watch.seconds();
+                                        return written;
+                                      });
+  if (!ended && written) job.abort(ended.error());
+  if (Status placed = files.commit(written, arguments.pieces, job); !placed) return placed.error();
+  return made;
+}
+
+void print(const Arguments& arguments, const Made& made, Job& job) {
+  const Digest all = sum_of(made.digest, job.ranks());
+  const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
   const Job::Range memory = job.range_of(peak_memory());
   if (!job.is_first() || arguments.quiet) return;
   constexpr double mib = 0x1p20;
   fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), arguments.options.threads);
-  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", piece.points, piece.triangles,
-             piece.constrained_edges);
-  fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", triangles.least, triangles.most,
+  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points, made.triangles,
+             made.constrained_edges);
+  fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
              static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
   fmt::print("digest  {}\n", to_string(all));
-  fmt::print("time    {:.3f} s (read {:.3f}, refine {:.3f}, pieces {:.3f}, write {:.3f})\n",
-             seconds.read + seconds.mesh + seconds.write, seconds.read, piece.report.refine_seconds, piece.seconds,
-             seconds.write);
-  fmt::print("output  {}\n", arguments.output.string());
+  fmt::print("time    {:.3f} s (read {:.3f}, refine {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
+             made.seconds.read, made.seconds.refine, made.seconds.pieces, made.seconds.write);
+  fmt::print("output  {}\n", names_of(arguments.outputs));
 }
 
 Status check_arguments(Arguments& arguments) {
-  if (arguments.output.extension() != ".pvtu")
-    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu", arguments.output.string())};
-  if (arguments.output.filename().string().find_first_of("<>&\"") != std::string::npos)
-    return Error{ErrorKind::usage,
-                 fmt::format("the name of the output {} must not contain <, >, & or \"", arguments.output.string())};
-  if (Status fine = check_folder(arguments.output); !fine) return fine;
+  if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes); !fine) return fine;
+  if (arguments.pieces > 0 && (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu"))
+    return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
   return set_cells(arguments.cells, arguments.options);
 }
 
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
-  Seconds seconds;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
   if (Status fine = job.agree(check_arguments(arguments)); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
   const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
   if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();
-  seconds.read = watch.lap();
-  const Result<MeshPiece> piece = mesh(input->domain, input->goal, arguments.options, job.ranks());
-  if (!piece) job.abort(piece.error());
-  seconds.mesh = watch.lap();
-  if (Status written = write(arguments, *piece, job); !written) return written.error();
-  seconds.write = watch.lap();
-  print(arguments, *piece, seconds, job);
-  if (piece->missed == 0) return ExitCode::done;
+  const double read_seconds = watch.seconds();
+  Result<Made> made =
+      arguments.pieces > 0 ? make_in_turn(arguments, *input, job) : make_together(arguments, *input, job);
+  if (!made) return made.error();
+  made->seconds.read = read_seconds;
+  made->seconds.all = watch.seconds();
+  print(arguments, *made, job);
+  if (made->missed == 0) return ExitCode::done;
   if (job.is_first())
     warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; 'pardel check' lists them",
-                     arguments.input.string(), piece->missed));
+                     arguments.input.string(), made->missed));
   return ExitCode::goal_missed;
 }
 

@@ -8,19 +8,13 @@
 #include "../core/digest.hpp"
 #include "../core/goal.hpp"
 #include "../core/mesh.hpp"
+#include "../core/piece_of_mesh.hpp"
 #include "../core/ranks.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "validate.hpp"
 
 namespace pardel {
-
-/// The vertices that two pieces have in common.
-struct SharedVertices {
-  int rank = 0;  ///< the rank that has the other piece; in mesh_in_pieces(), the number of the other piece
-  std::vector<Index>
-      vertices;  ///< points of this piece, in the order of their numbers; the other piece has the same list
-};
 
 /// The part of a mesh that belongs to one rank. Each triangle, and each constrained edge, belongs to one rank.
 struct MeshPiece {
@@ -31,6 +25,7 @@ struct MeshPiece {
   /// interior is filled, they are those of the mesh of one process.
   Array<std::uint64_t> number;
   std::vector<SharedVertices> shared;  ///< in ascending order of ranks
+  std::uint64_t first_point = 0;       ///< see PieceOfMesh
   std::uint64_t first_triangle = 0;    ///< the number of triangles of the pieces before this one
   // Of the whole mesh:
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0;
@@ -52,12 +47,13 @@ struct MeshPiece {
 /// domain for comparison, or because the filling has to be given up, the ranks do so, too, as described above.
 ///
 /// Memory of a rank: its share of the mesh, a margin around it (half a tile wide on a lattice, the neighbouring leaves
-/// of a quadtree), the input, and the coarse levels; if the interior is filled, the mesh around the equilateral triangles.
-/// options.max_memory is a limit for each rank.
+/// of a quadtree), the input, and the coarse levels; if the interior is filled, the mesh around the equilateral
+/// triangles. options.max_memory is a limit for each rank.
 ///
 /// Errors, beside those of mesh(): `usage` for options.max_vertices and options.after_sweep, which are for one process;
-/// `resources` for a filled interior with more triangles or points than an Index can number. Errors of validation and of the coarse levels occur on all ranks alike. If a later error occurs on
-/// one rank only, the other ranks wait for it; the caller has to end them (MPI_Abort).
+/// `resources` for a filled interior with more triangles or points than an Index can number. Errors of validation and
+/// of the coarse levels occur on all ranks alike. If a later error occurs on one rank only, the other ranks wait for
+/// it; the caller has to end them (MPI_Abort).
 [[nodiscard]] Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks);
 
 /// Makes the mesh in more pieces than there are ranks, one after another, so that a rank needs the memory of one piece
@@ -73,6 +69,11 @@ struct MeshPiece {
 /// and the goal do not fill the interior: options.interior, and constant bounds on areas or edges.
 [[nodiscard]] Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks,
                                     int pieces, const std::function<Status(MeshPiece&& piece, int number)>& visit);
+
+/// The piece as the writers of files need it. The piece must not be moved while the result is used.
+[[nodiscard]] inline PieceOfMesh view_of(const MeshPiece& piece) {
+  return {piece.mesh, piece.number.span(), piece.shared, piece.first_point, piece.points};
+}
 
 /// The digest of the whole mesh (core/digest.hpp). Collective.
 [[nodiscard]] Digest digest(const MeshPiece& piece, Ranks& ranks);

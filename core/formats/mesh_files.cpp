@@ -76,6 +76,9 @@ Result<Mesh> read_mesh(const fs::path& file) {
   if (file.extension() == ".pvtu") return read_pvtu(file);
   if (format == MeshFormat::svg || (!format && file.has_extension()))
     return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu and .off");
+  if (std::error_code ignored;
+      format == MeshFormat::msh && !fs::exists(file, ignored) && fs::exists(msh_of_piece(file, 1), ignored))
+    return read_msh_pieces(file);
   const auto text = read_file(file);
   if (!text) return text.error();
   if (!format) format = format_of_text(*text);

@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "../join_pieces.hpp"
 #include "../mesh.hpp"
 #include "../pslg.hpp"
 #include "../result.hpp"
@@ -16,7 +18,15 @@ namespace pardel::files {
 [[nodiscard]] Result<Mesh> read_triangle_mesh(const std::filesystem::path& file);
 /// Reads all pieces, and joins them.
 [[nodiscard]] Result<Mesh> read_pvtu(const std::filesystem::path& file);
+/// Reads the pieces of `file` (msh_of_piece), and joins them.
+[[nodiscard]] Result<Mesh> read_msh_pieces(const std::filesystem::path& file);
 [[nodiscard]] Result<Mesh> parse_msh(std::string_view text, const std::string& name);
+/// A piece of a partitioned mesh; NumberedMesh::number is the tag of a vertex, minus 1.
+struct MshPiece : NumberedMesh {
+  std::size_t partitions = 1;  ///< of the whole mesh
+};
+/// Lines that several pieces have are read from the first of them. `partition`: that of the file, from 1 on.
+[[nodiscard]] Result<MshPiece> parse_msh_piece(std::string_view text, const std::string& name, int partition);
 [[nodiscard]] Result<Mesh> parse_vtu(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_off(std::string_view text, const std::string& name);
 
@@ -26,5 +36,8 @@ namespace pardel::files {
 /// Sets mesh.region and mesh.region_attributes: one region per distinct attribute, in ascending order. attributes[t] is
 /// the attribute of triangle t, or NaN if it has no region.
 void set_regions(Mesh& mesh, std::span<const double> attributes);
+
+/// Joins pieces of which each has its own list of regions. `file`: for messages.
+[[nodiscard]] Result<Mesh> join_read_pieces(std::vector<NumberedMesh> pieces, const std::filesystem::path& file);
 
 }  // namespace pardel::files

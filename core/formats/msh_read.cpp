@@ -1,10 +1,12 @@
 // Reads Gmsh's MSH: versions 4.1 and 2.x, in ASCII and binary. Triangles become the mesh, lines become its
 // constrained edges. A physical group named `region X` or `marker N` gives the attribute X or the marker N; a group
-// `domain` means no region; any other group gives its tag. Vertices are in the order of their tags; z is ignored.
+// `domain` means no region; any other group gives its tag. Vertices are in the order of their tags; z is ignored. Of a
+// partitioned mesh, ghost elements and the lines on interfaces of partitions are left out.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"
@@ -24,9 +26,11 @@ std::size_t corners_of(std::int64_t type) {
 
 class MshReader {
  public:
-  MshReader(std::string_view text, const std::string& name) : in_(text, name), source_(in_) {}
+  /// `partition`: of the file that is read, 0 for a file of a whole mesh.
+  MshReader(std::string_view text, const std::string& name, int partition)
+      : in_(text, name), source_(in_), partition_(partition) {}
 
-  Result<Mesh> read() {
+  Result<MshPiece> read() {
     in_.expect_line("$MeshFormat");
     if (const std::string_view word = in_.word(); word != "$MeshFormat") {
       in_.fail("expected $MeshFormat, found " + in_quotes(word));
@@ -37,12 +41,16 @@ class MshReader {
     if (!in_.failed() && !has_elements_) in_.fail("expected $Elements, found the end of the file");
     if (in_.failed()) return in_.error();
     mesh_.points.resize(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) mesh_.points[i] = nodes_[i];
+    Array<std::uint64_t> number(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      mesh_.points[i] = nodes_[i];
+      number[i] = nodes_.tag(i) - 1;
+    }
     const auto has_region = [](double attribute) { return !std::isnan(attribute); };
     if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     mesh_.first_id = {1};
-    return std::move(mesh_);
+    return MshPiece{{std::move(mesh_), std::move(number)}, partitions_};
   }
 
  private:
@@ -67,6 +75,7 @@ class MshReader {
   void read_section(std::string_view section) {
     if (section == "$PhysicalNames") return read_names();
     if (section == "$Entities" && version_ > 4) return read_entities();
+    if (section == "$PartitionedEntities" && version_ > 4) return read_partitioned_entities();
     if (section == "$Nodes") return version_ > 4 ? read_nodes() : read_nodes_2();
     if (section == "$Elements") return version_ > 4 ? read_elements() : read_elements_2();
     if (section == "$NodeData" && has_nodes_ && mesh_.point_attributes.empty()) return read_node_data();
@@ -115,9 +124,44 @@ class MshReader {
     return v >= static_cast<double>(any_marker_low) && v <= static_cast<double>(any_marker_high) && v == std::floor(v);
   }
 
-  /// Per entity: its tag, a point or a box, its physical tags and, except for points, the entities on its boundary.
   void read_entities() {
     source_.open_section();
+    read_entities_by_dimension([](int, std::int64_t) {});
+    expect_end("$EndEntities");
+  }
+
+  /// The number of partitions, the ghost entities, and entities that also have a parent and the partitions to which
+  /// they belong.
+  void read_partitioned_entities() {
+    source_.open_section();
+    source_.row("the number of partitions");
+    partitions_ = source_.size("the number of partitions");
+    source_.row("the number of ghost entities");
+    const std::size_t ghosts = source_.size("the number of ghost entities");
+    for (std::size_t i = 0; i < ghosts && !in_.failed(); ++i) {
+      source_.row("a ghost entity");
+      const std::int64_t tag = source_.integer("an entity's tag", any_marker_low, any_marker_high);
+      source_.integer("a partition", 1, any_marker_high);
+      left_out_.insert({2, tag});
+    }
+    read_entities_by_dimension([&](int dimension, std::int64_t tag) {
+      const std::int64_t parent_dimension = source_.integer("the dimension of a parent", 0, 3);
+      source_.integer("a parent's tag", any_marker_low, any_marker_high);
+      const std::size_t count = source_.size("the number of partitions of an entity");
+      std::int64_t least = any_marker_high;
+      for (std::size_t k = 0; k < count && !in_.failed(); ++k)
+        least = std::min(least, source_.integer("a partition", 1, any_marker_high));
+      // What several files have is taken from the first of them.
+      const bool is_elsewhere = partition_ != 0 && count > 1 && least != partition_;
+      if (dimension == 1 && (parent_dimension != 1 || is_elsewhere)) left_out_.insert({dimension, tag});
+    });
+    expect_end("$EndPartitionedEntities");
+  }
+
+  /// Per entity: its tag, what read_more(dimension, tag) reads, a point or a box, its physical tags and, except for
+  /// points, the entities on its boundary.
+  template <class ReadMore>
+  void read_entities_by_dimension(const ReadMore& read_more) {
     source_.row("the numbers of entities");
     std::array<std::size_t, 4> n{};
     for (std::size_t& count : n) count = source_.size("a number of entities");
@@ -125,6 +169,7 @@ class MshReader {
       for (std::size_t i = 0; i < n[dimension] && !in_.failed(); ++i) {
         source_.row("an entity");
         const std::int64_t tag = source_.integer("an entity's tag", any_marker_low, any_marker_high);
+        read_more(dimension, tag);
         for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) source_.number("an entity's coordinate");
         const std::size_t physicals = source_.size("the number of physical tags");
         for (std::size_t k = 0; k < physicals && !in_.failed(); ++k) {
@@ -138,7 +183,6 @@ class MshReader {
         }
       }
     }
-    expect_end("$EndEntities");
   }
 
   void read_nodes() {
@@ -150,13 +194,16 @@ class MshReader {
     source_.size("the greatest tag");
     if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
     Array<std::size_t> tags;
+    std::size_t found = 0;
     for (std::size_t b = 0; b < blocks && !in_.failed(); ++b) {
       source_.row("a node block");
       const std::int64_t dimension = source_.integer("a dimension", 0, 3);
-      source_.integer("an entity's tag", any_marker_low, any_marker_high);
+      const std::int64_t entity = source_.integer("an entity's tag", any_marker_low, any_marker_high);
+      const bool is_ghost = dimension == 2 && left_out_.contains({dimension, entity});
       const bool parametric = source_.integer("0 or 1", 0, 1) == 1;
       const std::size_t in_block = source_.size("the number of nodes in the block");
       if (!source_.room_for(in_block, 4, "nodes")) return;
+      found += in_block;
       tags.clear();
       for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
         source_.row("a node's tag");
@@ -164,11 +211,12 @@ class MshReader {
       }
       for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
         source_.row("a node's coordinates");
-        read_node(tags[i]);
+        const Point point = read_point();
+        if (!is_ghost) nodes_.add(tags[i], point);
         for (std::int64_t k = 0; parametric && k < dimension; ++k) source_.number("a node's parameter");
       }
     }
-    finish_nodes(n);
+    finish_nodes(n, found);
   }
 
   std::size_t node_tag() {
@@ -177,18 +225,18 @@ class MshReader {
     return tag;
   }
 
-  void read_node(std::size_t tag) {
+  Point read_point() {
     const double x = source_.number("an x coordinate");
     const double y = source_.number("a y coordinate");
     source_.number("a z coordinate");
-    nodes_.add(tag, {x, y});
+    return {x, y};
   }
 
-  void finish_nodes(std::size_t announced) {
+  void finish_nodes(std::size_t announced, std::size_t found) {
     has_nodes_ = true;
     nodes_.sort();
-    if (nodes_.size() != announced) {
-      in_.fail("expected " + std::to_string(announced) + " nodes, found " + std::to_string(nodes_.size()));
+    if (found != announced) {
+      in_.fail("expected " + std::to_string(announced) + " nodes, found " + std::to_string(found));
     }
     if (const std::size_t tag = nodes_.repeated()) in_.fail("two nodes have the tag " + std::to_string(tag));
     expect_end("$EndNodes");
@@ -209,12 +257,17 @@ class MshReader {
       const std::size_t corners = read_type();
       const std::size_t in_block = source_.size("the number of elements in the block");
       if (!source_.room_for(in_block, 1 + corners, "elements")) return;
+      const bool is_left_out = left_out_.contains({dimension, entity});
       const auto physical = physical_.find({dimension, entity});
       const double value = physical == physical_.end() ? no_region : group_value(dimension, physical->second);
       for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
         source_.row("an element");
         source_.size("an element's tag");
-        read_corners(corners, value);
+        if (is_left_out) {
+          for (std::size_t k = 0; k < corners; ++k) source_.size("a node's tag");
+        } else {
+          read_corners(corners, value);
+        }
       }
       found += in_block;
     }
@@ -308,9 +361,10 @@ class MshReader {
     if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
     source_.open_section();
     for (std::size_t i = 0; i < n && source_.record("node", i, n); ++i) {
-      read_node(static_cast<std::size_t>(source_.integer("a node's tag", 1, any_marker_high)));
+      const auto tag = static_cast<std::size_t>(source_.integer("a node's tag", 1, any_marker_high));
+      nodes_.add(tag, read_point());
     }
-    finish_nodes(n);
+    finish_nodes(n, nodes_.size());
   }
 
   /// Version 2: `tag type number-of-tags tags... corners`. In binary files, type and number of tags are given once for
@@ -353,9 +407,12 @@ class MshReader {
 
   TextReader in_;
   MshSource source_;
+  int partition_;
+  std::size_t partitions_ = 1;
   double version_ = 0;
   std::map<Key, double> value_;           ///< the values of physical groups that have a name
   std::map<Key, std::int64_t> physical_;  ///< the first physical group of each entity
+  std::set<Key> left_out_;                ///< entities whose elements are not read
   MshNodes nodes_;
   bool has_nodes_ = false;
   bool has_elements_ = false;
@@ -365,6 +422,14 @@ class MshReader {
 
 }  // namespace
 
-Result<Mesh> parse_msh(std::string_view text, const std::string& name) { return MshReader(text, name).read(); }
+Result<Mesh> parse_msh(std::string_view text, const std::string& name) {
+  Result<MshPiece> whole = MshReader(text, name, 0).read();
+  if (!whole) return whole.error();
+  return std::move(whole->mesh);
+}
+
+Result<MshPiece> parse_msh_piece(std::string_view text, const std::string& name, int partition) {
+  return MshReader(text, name, partition).read();
+}
 
 }  // namespace pardel::files

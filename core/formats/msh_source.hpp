@@ -79,6 +79,7 @@ class MshNodes {
   }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }
+  [[nodiscard]] std::size_t tag(std::size_t i) const { return nodes_[i].tag; }
   /// A tag that occurs twice; 0 (not a valid tag) if there is none. Precondition: sort() was called last.
   [[nodiscard]] std::size_t repeated() const {
     const auto same =

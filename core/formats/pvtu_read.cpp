@@ -1,10 +1,9 @@
 // Reads PVTU, the list of the pieces of a mesh, and the pieces.
-#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../formats.hpp"
-#include "../join_pieces.hpp"
 #include "mesh_readers.hpp"
 #include "text_reader.hpp"
 
@@ -25,23 +24,6 @@ std::vector<std::string> sources_of_pieces(std::string_view text) {
   return sources;
 }
 
-/// A mesh has one list of regions; each piece has its own.
-void unite_regions(std::vector<NumberedMesh>& pieces) {
-  std::vector<double> all;
-  for (const NumberedMesh& piece : pieces)
-    all.insert(all.end(), piece.mesh.region_attributes.begin(), piece.mesh.region_attributes.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  for (NumberedMesh& piece : pieces) {
-    for (Index& region : piece.mesh.region)
-      if (region != no_index) {
-        const auto found = std::lower_bound(all.begin(), all.end(), piece.mesh.region_attributes[region]);
-        region = static_cast<Index>(found - all.begin());
-      }
-    piece.mesh.region_attributes = all;
-  }
-}
-
 }  // namespace
 
 Result<Mesh> read_pvtu(const std::filesystem::path& file) {
@@ -53,10 +35,7 @@ Result<Mesh> read_pvtu(const std::filesystem::path& file) {
     if (!piece) return piece.error();
     pieces.push_back(std::move(*piece));
   }
-  unite_regions(pieces);
-  Result<Mesh> whole = join_pieces(pieces);
-  if (!whole) return Error{whole.error().kind, file.string() + ": " + whole.error().message};
-  return whole;
+  return join_read_pieces(std::move(pieces), file);
 }
 
 }  // namespace pardel::files

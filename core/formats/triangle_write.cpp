@@ -4,6 +4,7 @@
 #include "../formats.hpp"
 #include "../support/mesh_edges.hpp"
 #include "records.hpp"
+#include "triangle_records.hpp"
 
 namespace pardel {
 using namespace files;
@@ -11,20 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `<point #> <x> <y> [attributes] [marker]`
-void put_point(Bytes& to, std::size_t number, const Point& p, std::span<const double> attributes, const int* marker) {
-  to.numbers(number, p.x, p.y);
-  for (const double attribute : attributes) to << ' ' << attribute;
-  if (marker != nullptr) to << ' ' << *marker;
-  to << '\n';
-}
-
 /// Writes the point section of a Pslg or a Mesh. `total` includes points that the caller adds afterwards.
 template <class PointSet>
 void write_points(OutputFile& out, const PointSet& set, std::span<const int> markers, int base, std::size_t total) {
   const std::size_t k = set.attributes_per_point;
   Bytes header;
-  header << total << " 2 " << k << (markers.empty() ? " 0\n" : " 1\n");
+  put_point_header(header, total, k, !markers.empty());
   out.write(header.view());
   const std::span<const double> attributes(set.point_attributes.data(), set.point_attributes.size());
   write_records(out, set.points.size(), [&](Bytes& to, std::size_t i) {
@@ -32,36 +25,22 @@ void write_points(OutputFile& out, const PointSet& set, std::span<const int> mar
   });
 }
 
-/// `<# of records> <# of markers>`, then `<record #> <end> <end> [marker]`: segments, constrained edges, edges.
+/// Segments, constrained edges, or edges.
 template <class Edges>
 void write_edges(OutputFile& out, const Edges& edges, bool markers, int base) {
   Bytes header;
-  header << edges.size() << (markers ? " 1\n" : " 0\n");
+  put_edge_header(header, edges.size(), markers);
   out.write(header.view());
   write_records(out, edges.size(), [&](Bytes& to, std::size_t i) {
     const auto& edge = edges[i];
-    to.numbers(i + base, std::uint64_t{edge.a} + base, std::uint64_t{edge.b} + base);
-    if (markers) to << ' ' << edge.marker;
-    to << '\n';
+    put_edge(to, i + base, std::uint64_t{edge.a} + base, std::uint64_t{edge.b} + base,
+             markers ? &edge.marker : nullptr);
   });
 }
 
-void write_holes(OutputFile& out, std::span<const Point> holes, int base) {
+void write_holes_and_regions(OutputFile& out, const Pslg& pslg, int base) {
   Bytes to;
-  to << holes.size() << '\n';
-  for (std::size_t i = 0; i < holes.size(); ++i) put_point(to, i + base, holes[i], {}, nullptr);
-  out.write(to.view());
-}
-
-/// Writes the regions, if there are any. The area -1 means that a region has no area cap.
-void write_regions(OutputFile& out, std::span<const Region> regions, int base) {
-  if (regions.empty()) return;
-  Bytes to;
-  to << regions.size() << '\n';
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const Region& r = regions[i];
-    to.numbers(i + base, r.seed.x, r.seed.y, r.attribute, std::isinf(r.max_area) ? -1.0 : r.max_area) << '\n';
-  }
+  put_holes_and_regions(to, pslg, base);
   out.write(to.view());
 }
 
@@ -93,7 +72,7 @@ void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const
 void write_ele(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const bool regions = !mesh.region.empty();
   Bytes header;
-  header << mesh.triangles.size() << (files.second_order ? " 6" : " 3") << (regions ? " 1\n" : " 0\n");
+  put_triangle_header(header, mesh.triangles.size(), files.second_order ? 6 : 3, regions);
   out.write(header.view());
   write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
     const auto corner = [&](std::size_t i) { return std::uint64_t{mesh.triangles[t].v[i]} + files.base; };
@@ -119,12 +98,22 @@ void write_neigh(OutputFile& out, const Mesh& mesh, int base) {
 
 }  // namespace
 
+void files::put_holes_and_regions(Bytes& to, const Pslg& pslg, int base) {
+  to << pslg.holes.size() << '\n';
+  for (std::size_t i = 0; i < pslg.holes.size(); ++i) put_point(to, i + base, pslg.holes[i], {}, nullptr);
+  if (pslg.regions.empty()) return;
+  to << pslg.regions.size() << '\n';
+  for (std::size_t i = 0; i < pslg.regions.size(); ++i) {
+    const Region& r = pslg.regions[i];
+    to.numbers(i + base, r.seed.x, r.seed.y, r.attribute, std::isinf(r.max_area) ? -1.0 : r.max_area) << '\n';
+  }
+}
+
 Status write_poly(const Pslg& pslg, const fs::path& file, int base) {
   OutputFile out(file);
   write_points(out, pslg, pslg.point_markers, base, pslg.points.size());
   write_edges(out, pslg.segments, pslg.has_segment_markers, base);
-  write_holes(out, pslg.holes, base);
-  write_regions(out, pslg.regions, base);
+  write_holes_and_regions(out, pslg, base);
   return out.commit();
 }
 
@@ -148,11 +137,10 @@ Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const fs::path& 
   if (files.write_poly) {
     OutputFile& out = open(".poly");
     Bytes header;
-    header << "0 2 " << mesh.attributes_per_point << (files.markers ? " 1\n" : " 0\n");
+    put_point_header(header, 0, mesh.attributes_per_point, files.markers);
     out.write(header.view());
     write_edges(out, mesh.constrained_edges, files.markers, files.base);
-    write_holes(out, pslg.holes, files.base);
-    write_regions(out, pslg.regions, files.base);
+    write_holes_and_regions(out, pslg, files.base);
   }
   if (files.write_edge) write_edges(open(".edge"), table.edges, files.markers, files.base);
   if (files.write_neigh) write_neigh(open(".neigh"), mesh, files.base);

@@ -29,6 +29,8 @@ class OutputFile {
 
   /// False after a failure. Later writes then do nothing.
   [[nodiscard]] bool ok() const { return failure_.empty(); }
+  /// The file that is written before commit(); empty if it cannot be opened.
+  [[nodiscard]] const std::filesystem::path& written() const { return written_; }
   void write(std::string_view bytes);
   /// Flushes and closes the file. Every failure to write is reported here at the latest, as an `io` error.
   Status close();

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "../../core/support/collective.hpp"
-#include "../../core/support/message.hpp"
+#include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/stopwatch.hpp"
 #include "../conversion/domain_triangulation.hpp"
 #include "../distributed.hpp"
@@ -37,10 +37,8 @@ Status check_distributable(const Options& options) {
 /// What is around the patches is the same on all ranks, because the engine is deterministic. This verifies it.
 void check_alike(const Mesh& around, Ranks& ranks) {
   const Digest here = digest(around);
-  Writer message;
-  message.list(std::vector{here});
-  for (const Ranks::Bytes& from : from_all(ranks, message.take()))
-    if (Reader(from).list<Digest>() != std::vector{here})
+  for (const std::vector<Digest>& there : lists_of_all(std::vector{here}, ranks))
+    if (there != std::vector{here})
       throw Stopped{{ErrorKind::internal, "the ranks have different meshes around the equilateral triangles"}};
 }
 
@@ -147,7 +145,7 @@ class RunInRanks {
     empty.mesh.region_attributes = piece.mesh.region_attributes;
     empty.mesh.attributes_per_point = piece.mesh.attributes_per_point;
     empty.first_triangle = empty.triangles = piece.triangles;
-    empty.points = piece.points;
+    empty.first_point = empty.points = piece.points;
     empty.constrained_edges = piece.constrained_edges;
     empty.missed = piece.missed;
     empty.report = piece.report;
@@ -194,6 +192,6 @@ Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options&
   return piece;
 }
 
-Digest digest(const MeshPiece& piece, Ranks& ranks) { return sum_of(ranks, digest(piece.mesh)); }
+Digest digest(const MeshPiece& piece, Ranks& ranks) { return sum_of(digest(piece.mesh), ranks); }
 
 }  // namespace pardel

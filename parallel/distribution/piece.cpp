@@ -5,8 +5,8 @@
 #include <bit>
 #include <utility>
 
-#include "../../core/support/collective.hpp"
 #include "../../core/support/point_order.hpp"
+#include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
 #include "../triangulation/compact.hpp"
@@ -171,9 +171,10 @@ class PieceMaker {
   }
 
   void add_totals() {
-    const ShareOfRank triangles = share_of_rank(ranks_, piece_.mesh.triangles.size());
+    const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
     piece_.first_triangle = triangles.before;
     piece_.triangles = triangles.all;
+    piece_.first_point = data_.first;
     piece_.points = data_.count;
     piece_.constrained_edges = piece_.mesh.constrained_edges.size();
     ranks_.add_up({&piece_.constrained_edges, 1});

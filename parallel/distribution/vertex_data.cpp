@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "../../core/support/collective.hpp"
 #include "../../core/support/point_order.hpp"
+#include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
@@ -125,9 +125,10 @@ VerticesOfCells Collector::take_vertices_of_cells() {
 void Collector::number_own() {
   VerticesOfCells of_cells = take_vertices_of_cells();
   const std::size_t inputs = domain_.input_of_vertex.size();
-  const ShareOfRank share = share_of_rank(ranks_, of_cells.vertices.size());
+  const ShareOfRank share = share_of_rank(of_cells.vertices.size(), ranks_);
   data_.count = inputs + share.all;
-  std::uint64_t next = inputs + share.before;
+  data_.first = inputs + share.before;
+  std::uint64_t next = data_.first;
   const std::span<const Index> curve = distribution_.ownership().curve();
   std::vector<std::uint64_t> first_of_place;
   for (const Index cell : curve) {

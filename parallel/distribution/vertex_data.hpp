@@ -22,6 +22,7 @@ struct VertexData {
   Array<int> marker;  ///< per vertex, as Mesh::point_markers
   /// For vertices at the border: the ranks whose pieces contain the vertex, ascending.
   std::unordered_map<VertexId, std::vector<int>> pieces;
+  std::uint64_t first = 0;  ///< the first number of a vertex that this rank owns, except for input points
   std::uint64_t count = 0;  ///< the number of points of the whole mesh
 };
 

@@ -48,9 +48,7 @@ class LocalNumbers {
 
   [[nodiscard]] bool covers(Index point) const { return point >= first_ && point - first_ < local_.size(); }
   /// Thread-safe.
-  void mark(Index point) {
-    std::atomic_ref<Index>(local_[point - first_]).store(is_marked, std::memory_order_relaxed);
-  }
+  void mark(Index point) { std::atomic_ref<Index>(local_[point - first_]).store(is_marked, std::memory_order_relaxed); }
   /// Numbers the marked points, and appends them to the list.
   void number(Array<std::uint64_t>& points) {
     for (std::size_t i = 0; i < local_.size(); ++i) {
@@ -181,8 +179,7 @@ class FilledPieceMaker {
     for_each_list_of_inner_points([&](std::size_t i, const Piece& points) {
       std::size_t number = all_.places_[i].first_inner + points.first;
       for (int x = points.low; x <= points.high; x += 2, ++number)
-        if (const Index v = inner_points_[number]; v != no_index)
-          mesh.points[v] = patch(i).lattice().at(x, points.row);
+        if (const Index v = inner_points_[number]; v != no_index) mesh.points[v] = patch(i).lattice().at(x, points.row);
     });
   }
 
@@ -229,8 +226,25 @@ class FilledPieceMaker {
       if (!with[other].empty()) piece_.shared.push_back({static_cast<int>(other), std::move(with[other])});
   }
 
+  /// The inner points are numbered row by row. The other points are divided as evenly as the triangles among them.
+  [[nodiscard]] std::uint64_t first_point() const {
+    const std::uint64_t inputs = all_.input_.points.points.size(), around = all_.around_.triangles.size();
+    std::uint64_t point = inputs;
+    if (first_ < around) return point + (all_.around_.points.size() - inputs) * first_ / around;
+    for (std::size_t i = 0; i < strips_.size(); ++i) {
+      point = all_.places_[i].first_inner + patch(i).inner_points();
+      if (strips_[i].strips.empty()) continue;
+      for (const Piece& points : patch(i).pieces())
+        if (points.row >= strips_[i].strips.front().row && !points.on_border)
+          return all_.places_[i].first_inner + points.first;
+      return point;
+    }
+    return first_ > 0 ? point : inputs;
+  }
+
   void describe() {
     piece_.first_triangle = first_;
+    piece_.first_point = first_point();
     piece_.points = all_.around_.points.size() + all_.filling_.inner_points();
     piece_.triangles = all_.division_.triangles();
     piece_.constrained_edges = all_.around_.constrained_edges.size();
@@ -285,8 +299,7 @@ Result<FilledPieces> FilledPieces::make(FilledRound round, InputData input, Repo
                                            " million triangles; a mesh in pieces can have 2^32 - 1"};
   std::vector<PlacesOfPatch> places =
       places_of(filling.patches(), filling.first_border(), around.points.size(), around.triangles.size());
-  std::optional<std::vector<Seam>> seams =
-      join_to_patches(around, filling.patches(), filling.first_border(), threads);
+  std::optional<std::vector<Seam>> seams = join_to_patches(around, filling.patches(), filling.first_border(), threads);
   if (!seams) return border_missing();
   FilledPieces all(std::move(filling), std::move(around), std::move(places), std::move(*seams), std::move(input),
                    std::move(report), pieces, threads);

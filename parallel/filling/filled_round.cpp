@@ -80,4 +80,12 @@ Result<std::optional<FilledRound>> successful_round(const ToFill& what, const Do
   }
 }
 
+bool may_be_worse(const Candidate& filled, std::uint64_t laid) {
+  return 2 * laid < filled.triangles || !filled.goal_met;
+}
+
+bool is_better(const Candidate& refined, const Candidate& filled) {
+  return refined.goal_met != filled.goal_met ? refined.goal_met : refined.triangles < filled.triangles;
+}
+
 }  // namespace pardel::engine

@@ -75,11 +75,7 @@ struct Candidate {
 };
 /// True if a refinement without patches may make a better mesh than the one with patches. Where patches are small, they
 /// can make more triangles than they save.
-[[nodiscard]] inline bool may_be_worse(const Candidate& filled, std::uint64_t laid) {
-  return 2 * laid < filled.triangles || !filled.goal_met;
-}
-[[nodiscard]] inline bool is_better(const Candidate& refined, const Candidate& filled) {
-  return refined.goal_met != filled.goal_met ? refined.goal_met : refined.triangles < filled.triangles;
-}
+[[nodiscard]] bool may_be_worse(const Candidate& filled, std::uint64_t laid);
+[[nodiscard]] bool is_better(const Candidate& refined, const Candidate& filled);
 
 }  // namespace pardel::engine

@@ -8,8 +8,7 @@ namespace pardel::engine {
 
 Result<Mesh> refine_filled(const ToFill& what, DomainTriangulation domain, const Criteria& criteria,
                            const InputData& input, const Options& options, ProgressMonitor& progress, Report& report) {
-  Result<std::optional<FilledRound>> round =
-      successful_round(what, domain, criteria, input, options, progress, report);
+  Result<std::optional<FilledRound>> round = successful_round(what, domain, criteria, input, options, progress, report);
   if (!round) return round.error();
   if (!round->has_value()) return refine_domain(std::move(domain), criteria, input, options, progress, report);
   Report without_patches = report;

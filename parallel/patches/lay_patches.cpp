@@ -61,8 +61,7 @@ std::optional<std::vector<Seam>> join_to_patches(Mesh& around, std::span<const R
 bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_border, const Threads& threads) {
   const std::optional<std::vector<Seam>> seams = join_to_patches(mesh, patches, first_border, threads);
   if (!seams) return false;
-  const std::vector<PlacesOfPatch> places =
-      places_of(patches, first_border, mesh.points.size(), mesh.triangles.size());
+  const std::vector<PlacesOfPatch> places = places_of(patches, first_border, mesh.points.size(), mesh.triangles.size());
   std::size_t points = mesh.points.size(), triangles = mesh.triangles.size();
   for (const auto& [region, patch] : patches) {
     points += patch.inner_points();

@@ -4,7 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "../../core/support/agree.hpp"
 #include "../../core/support/collective.hpp"
+#include "../../core/support/share_of_rank.hpp"
 #include "pieces/border.hpp"
 #include "pieces/border_delaunay.hpp"
 #include "pieces/judgement.hpp"
@@ -43,7 +45,7 @@ class PieceCheck {
   }
 
   Result<Certificate> run() {
-    if (Status fits = agree(ranks_, count()); !fits) return fits.error();
+    if (Status fits = agree(count(), ranks_); !fits) return fits.error();
     if (Status judged = run_stages(); !judged) return judged.error();
     set_verdict(certificate_, merged(found_, ranks_));
     return std::move(certificate_);
@@ -52,8 +54,8 @@ class PieceCheck {
  private:
   /// Counts triangles and listed edges, which determines their names.
   Status count() {
-    const ShareOfRank triangles = share_of_rank(ranks_, piece_.mesh.triangles.size());
-    const ShareOfRank listed = share_of_rank(ranks_, piece_.mesh.constrained_edges.size());
+    const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
+    const ShareOfRank listed = share_of_rank(piece_.mesh.constrained_edges.size(), ranks_);
     certificate_.triangles = triangles.all;
     certificate_.constrained_edges = listed.all;
     if (piece_.number.size() != piece_.mesh.points.size())
@@ -66,7 +68,7 @@ class PieceCheck {
   }
 
   /// True if it is true on all ranks.
-  bool everywhere(bool here) { return sum_of(ranks_, here ? 0 : 1) == 0; }
+  bool everywhere(bool here) { return sum_of(here ? 0 : 1, ranks_) == 0; }
 
   Status run_stages() {
     const Mesh& mesh = piece_.mesh;
@@ -101,7 +103,7 @@ class PieceCheck {
     Ranks::Bytes message;
     if (const std::optional<Skeleton> skeleton = gather_skeleton(piece, special))
       message = judge(*skeleton, subject_, domain, labels, found_).message();
-    return Judgement::read(from_first(ranks_, message));
+    return Judgement::read(from_first(message, ranks_));
   }
 
   void check_piece(const Piece& piece, std::span<const BorderSide> border, const SpecialVertices& special,
@@ -121,8 +123,8 @@ class PieceCheck {
     merge_measures(certificate_, subject_.names.first_triangle, ranks_);
     certificate_.justified = merged(justified, ranks_);
     certificate_.area = judgement.area;
-    certificate_.decided_exactly = sum_of(ranks_, scanned.open.size() + open);
-    if (labels) certificate_.digest = sum_of(ranks_, digest(piece_.mesh));
+    certificate_.decided_exactly = sum_of(scanned.open.size() + open, ranks_);
+    if (labels) certificate_.digest = sum_of(digest(piece_.mesh), ranks_);
   }
 
   Subject subject_;

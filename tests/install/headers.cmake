@@ -1,5 +1,6 @@
-# cmake -DROOT= -DPREFIX= -DCOMPILER= -P headers.cmake: the installation in PREFIX has exactly the public headers. Each
-# of them compiles by itself; those of the mesher compile without CGAL. ROOT is the repository.
+# cmake -DROOT= -DPREFIX= -DCOMPILER= -DMPI= -P headers.cmake: the installation in PREFIX has exactly the public headers. Each
+# of them compiles by itself; those of the mesher compile without CGAL. ROOT is the repository. MPI: ON if the component
+# mpi is installed.
 set(include ${PREFIX}/include)
 
 # The public headers: those directly in these folders. parallel/pardel.hpp is installed as pardel/pardel.hpp.
@@ -10,6 +11,9 @@ foreach(folder core parallel properties/checker properties/domains properties/do
   list(APPEND expected ${headers})
 endforeach()
 list(REMOVE_ITEM expected pardel/parallel/pardel.hpp)
+if(MPI)
+  list(APPEND expected pardel/mpi/mpi_ranks.hpp)
+endif()
 list(SORT expected)
 
 file(GLOB_RECURSE installed RELATIVE ${include} ${include}/*)

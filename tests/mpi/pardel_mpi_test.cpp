@@ -1,14 +1,15 @@
 // The program pardel-mpi from outside: files, messages and exit codes.
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <utility>
 
 #include "../../core/digest.hpp"
 #include "../../core/formats.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
-#include "../cli/program.hpp"
+#include "mpi_workshop.hpp"
 
 namespace pardel {
 namespace {
@@ -18,19 +19,11 @@ using testing::Files;
 using testing::holds;
 using testing::Ran;
 
-class PardelMpi : public testing::Workshop {
+class PardelMpi : public testing::MpiWorkshop {
  protected:
-  PardelMpi() {
-    // Open MPI does not start as root unless it is told to.
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
-  }
+  PardelMpi() { EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly")); }
   Ran on_ranks(int ranks, const std::vector<std::string>& arguments) const {
-    std::vector<std::string> all{"--oversubscribe",     "--bind-to",       "none", "-n",
-                                 std::to_string(ranks), PARDEL_MPI_PROGRAM};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return run(PARDEL_MPIRUN, all);
+    return MpiWorkshop::on_ranks(ranks, PARDEL_MPI_PROGRAM, arguments);
   }
 };
 
@@ -75,6 +68,45 @@ TEST_F(PardelMpi, check_refuses_pieces_that_do_not_belong_together) {
   EXPECT_TRUE(holds(ran.err, {"out.pvtu: "})) << ran;
   EXPECT_EQ(on_ranks(2, {"check", "pipe.poly", "missing.pvtu"}).exit_code, 5);
   EXPECT_EQ(on_ranks(2, {"check", "pipe.poly", "out_0000.vtu"}).exit_code, 2);
+}
+
+TEST_F(PardelMpi, writes_the_same_files_of_triangle_on_any_number_of_ranks_and_threads) {
+  const Result<Meshed> whole = mesh(domains::pipe(), Goal{.max_area = 2e-4});
+  std::map<std::string, std::string> expected;
+  for (const auto& [ranks, threads] : {std::pair{1, "1"}, {2, "3"}, {3, "1"}, {4, "2"}, {8, "1"}}) {
+    const Ran ran =
+        on_ranks(ranks, {"mesh", "pipe.poly", "-o", "out.node", "--max-area", "2e-4", "--threads", threads});
+    ASSERT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_EQ(files(), (Files{"pipe.poly", "out.node", "out.ele", "out.poly"}));
+    for (const char* file : {"out.node", "out.ele", "out.poly"})
+      EXPECT_TRUE(expected.try_emplace(file, read(file)).first->second == read(file)) << file << ranks;
+  }
+  const Result<Mesh> together = read_mesh(folder_ / "work" / "out.ele");
+  ASSERT_TRUE(together) << together.error().message;
+  EXPECT_EQ(to_string(digest(*together)), to_string(digest(whole->mesh)));
+}
+
+TEST_F(PardelMpi, writes_several_outputs_and_pieces_for_gmsh_that_pardel_reads) {
+  const Ran ran = on_ranks(3, {"mesh", "pipe.poly", "-o", "out.msh", "-o", "out.ele", "--max-area", "1e-3"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(files(), (Files{"pipe.poly", "out_1.msh", "out_2.msh", "out_3.msh", "out.node", "out.ele", "out.poly"}));
+  for (const char* file : {"out.msh", "out.ele"}) {
+    const Ran checked = pardel({"check", "pipe.poly", file, "--max-area", "1e-3"});
+    EXPECT_EQ(checked.exit_code, 0) << checked;
+  }
+  const Ran converted = pardel({"convert", "out.msh", "whole.off"});
+  EXPECT_EQ(converted.exit_code, 0) << converted;
+  const Ran drawn = pardel({"draw", "out_2.msh", "piece.svg"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn;
+}
+
+TEST_F(PardelMpi, replaces_and_hides_no_other_file) {
+  EXPECT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "pipe.node"}).exit_code, 2);
+  write("out.msh", "a mesh of the user");
+  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.msh"});
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(holds(ran.err, {"out.msh: this file exists, and would hide the pieces out_1.msh, ..."})) << ran;
+  EXPECT_EQ(files(), (Files{"pipe.poly", "out.msh"}));
 }
 
 TEST_F(PardelMpi, says_how_many_triangles_miss_a_bound) {

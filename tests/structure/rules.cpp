@@ -36,11 +36,11 @@ const std::vector<Layer>& layers() {
       {"mpi", {"core", "parallel", "properties/checker", "cli"}},
       {"fuzz", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli", "mpi"}},
-      {"examples", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"examples", {"core", "parallel", "properties/checker", "properties/domains", "mpi"}},
       {"scripts", {}},
       {"tests",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",
-        "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz", "mpi"}},
+        "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz", "mpi", "bench"}},
   };
   return table;
 }
@@ -108,6 +108,7 @@ const std::vector<Exception>& exceptions() {
       {"tests/parallel", "properties/checker/arithmetic/exact.hpp", "compares the engine with exact arithmetic"},
       {"properties/defects", "properties/checker/arithmetic", "a defect is made, and proved, in exact arithmetic"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
+      {"bench/model", "parallel", "replays the run of one process as that of many ranks"},
       {"bench/gate_work.cpp", "parallel/arithmetic/predicates.hpp", "counts the instructions of the predicates alone"},
   };
   return table;

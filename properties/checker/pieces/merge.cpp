@@ -40,7 +40,7 @@ Findings findings_of(const Ranks::Bytes& message, std::size_t limit) {
 
 Findings merged(const Findings& here, Ranks& ranks) {
   Findings all(here.limit());
-  for (const Ranks::Bytes& from : from_all(ranks, message_of(here))) all.append(findings_of(from, here.limit()));
+  for (const Ranks::Bytes& from : from_all(message_of(here), ranks)) all.append(findings_of(from, here.limit()));
   return all;
 }
 
@@ -56,7 +56,7 @@ void merge_measures(Certificate& certificate, Index first_triangle, Ranks& ranks
   Writer message;
   message.list(here);
   std::vector<Extreme> all(here.size());
-  for (const Ranks::Bytes& from : from_all(ranks, message.take())) {
+  for (const Ranks::Bytes& from : from_all(message.take(), ranks)) {
     const auto of_rank = Reader(from).list<Extreme>();
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Extreme& extreme = of_rank.at(i);
@@ -68,14 +68,14 @@ void merge_measures(Certificate& certificate, Index first_triangle, Ranks& ranks
   for (std::size_t i = 0; i < least.size(); ++i) certificate.*least[i] = all[i];
   for (std::size_t i = 0; i < greatest.size(); ++i) certificate.*greatest[i] = all[least.size() + i];
   ranks.add_up(certificate.angle_histogram);
-  certificate.equilateral = sum_of(ranks, certificate.equilateral);
+  certificate.equilateral = sum_of(certificate.equilateral, ranks);
 }
 
 std::vector<Justified> merged(const std::vector<Justified>& here, Ranks& ranks) {
   Writer message;
   message.list(here);
   std::vector<Justified> all;
-  for (const Ranks::Bytes& from : from_all(ranks, message.take())) {
+  for (const Ranks::Bytes& from : from_all(message.take(), ranks)) {
     const auto list = Reader(from).list<Justified>();
     all.insert(all.end(), list.begin(), list.end());
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../../../core/support/agree.hpp"
 #include "../../../core/support/collective.hpp"
 #include "../../../core/support/message.hpp"
 #include "piece.hpp"
@@ -96,12 +97,12 @@ class Referee {
 
 /// The number of points of the whole mesh, from the largest number. All pieces together have at least as many points.
 Result<std::uint64_t> count_points(std::span<const std::uint64_t> number, Ranks& ranks) {
-  const std::uint64_t listed = sum_of(ranks, number.size());
+  const std::uint64_t listed = sum_of(number.size(), ranks);
   const std::vector<std::uint64_t> here{number.empty() ? 0 : *std::ranges::max_element(number)};
   Writer message;
   message.list(here);
   std::uint64_t largest = 0;
-  for (const Ranks::Bytes& from : from_all(ranks, message.take()))
+  for (const Ranks::Bytes& from : from_all(message.take(), ranks))
     largest = std::max(largest, Reader(from).list<std::uint64_t>().at(0));
   if (listed == 0) return std::uint64_t{0};
   if (largest >= listed)
@@ -176,21 +177,21 @@ Result<std::uint64_t> check_numbers(std::span<const Point> points, std::span<con
   const Referees referees(*count, ranks.count());
   const Witness witness(points, number, adjacency, referees, ranks);
   Result<std::vector<Ranks::Bytes>> statements = witness.statements();
-  if (Status all = agree(ranks, statements ? Status(Done{}) : statements.error()); !all) return all.error();
+  if (Status all = agree(statements ? Status(Done{}) : statements.error(), ranks); !all) return all.error();
 
   Referee referee(referees.first(ranks.rank()), std::min(*count, referees.first(ranks.rank() + 1)));
   for (const Ranks::Bytes& message : ranks.exchange(std::move(*statements))) referee.read(message);
   Writer message;
   message.list(referee.contested());
   std::vector<std::uint64_t> contested;
-  for (const Ranks::Bytes& from : from_all(ranks, message.take())) {
+  for (const Ranks::Bytes& from : from_all(message.take(), ranks)) {
     const auto more = Reader(from).list<std::uint64_t>();
     contested.insert(contested.end(), more.begin(), more.end());
   }
   std::ranges::sort(contested);
   for (const Ranks::Bytes& further : ranks.exchange(witness.further_statements(contested)))
     referee.add(Reader(further).list<BorderVertex>());
-  if (Status all = agree(ranks, referee.judge()); !all) return all.error();
+  if (Status all = agree(referee.judge(), ranks); !all) return all.error();
   return *count;
 }
 

@@ -154,7 +154,7 @@ std::vector<Index> faces_in_piece(const Piece& piece, const Domain& domain, cons
   Writer message;
   message.list(regions.face);
   message.list(links_of_piece(piece, chains, regions, border));
-  const std::vector<Ranks::Bytes> messages = to_first(piece.ranks, message.take());
+  const std::vector<Ranks::Bytes> messages = to_first(message.take(), piece.ranks);
   std::vector<Ranks::Bytes> answers(static_cast<std::size_t>(piece.ranks.count()));
   if (piece.ranks.rank() == 0) {
     Unions unions(messages);

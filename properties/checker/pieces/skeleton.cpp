@@ -175,7 +175,7 @@ SpecialVertices::SpecialVertices(const Piece& piece, std::span<const BorderSide>
   Writer message;
   message.list(numbers);
   std::vector<bool> is_special_number(piece.points);
-  for (const Ranks::Bytes& from : from_all(piece.ranks, message.take()))
+  for (const Ranks::Bytes& from : from_all(message.take(), piece.ranks))
     for (const std::uint64_t number : Reader(from).list<std::uint64_t>()) is_special_number.at(number) = true;
   for (Index v = 0; v < is_special_.size(); ++v) {
     if (!is_special_number[piece.number[v]]) continue;
@@ -191,7 +191,7 @@ Index SpecialVertices::find(std::uint64_t number) const {
 }
 
 std::optional<Skeleton> gather_skeleton(const Piece& piece, const SpecialVertices& special) {
-  const std::vector<Ranks::Bytes> messages = to_first(piece.ranks, contribution(piece, special));
+  const std::vector<Ranks::Bytes> messages = to_first(contribution(piece, special), piece.ranks);
   if (piece.ranks.rank() != 0) return std::nullopt;
   Assembly assembly;
   for (const Ranks::Bytes& message : messages) assembly.read(message);

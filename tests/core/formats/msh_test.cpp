@@ -379,6 +379,20 @@ std::string gmsh(const TemporaryFolder& folder, const std::string& options) {
   return std::system(command.c_str()) == 0 ? folder.read("log") : "gmsh failed: " + folder.read("log");
 }
 
+TEST(Msh, in_pieces_of_gmsh_is_read_by_the_name_without_the_numbers_of_partitions) {
+  const auto whole = read_mesh(PARDEL_FORMATS_DATA "/partitioned_by_gmsh.msh");
+  ASSERT_TRUE(whole.ok()) << whole.error().message;
+  EXPECT_EQ(whole->points.size(), 20u);
+  EXPECT_EQ(whole->triangles.size(), 26u);
+  EXPECT_EQ(whole->region_attributes, (std::vector<double>{7}));
+  // The twelve edges of the boundary, not the four between the partitions.
+  EXPECT_EQ(whole->constrained_edges.size(), 12u);
+  for (const ConstrainedEdge& e : whole->constrained_edges) EXPECT_EQ(e.marker, 3);
+  const auto first = read_mesh(PARDEL_FORMATS_DATA "/partitioned_by_gmsh_1.msh");
+  ASSERT_TRUE(first.ok()) << first.error().message;
+  EXPECT_EQ(first->triangles.size(), 14u);
+}
+
 TEST(Msh, is_opened_by_gmsh_without_a_warning_and_comes_back_the_same) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
   const TemporaryFolder folder;

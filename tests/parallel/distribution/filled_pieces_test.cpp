@@ -160,11 +160,12 @@ std::pair<std::optional<Error>, int> error_of(const Goal& goal, const Options& o
   std::pair<std::optional<Error>, int> result;
   on_ranks(ranks, [&](Ranks& of_rank) {
     int made = 0;
-    const Status status = mesh_in_pieces(domain, goal, options, of_rank, pieces, [&](MeshPiece&&, int number) -> Status {
-      if (number == failing) return Error{ErrorKind::io, "the disk is full"};
-      ++made;
-      return Done{};
-    });
+    const Status status =
+        mesh_in_pieces(domain, goal, options, of_rank, pieces, [&](MeshPiece&&, int number) -> Status {
+          if (number == failing) return Error{ErrorKind::io, "the disk is full"};
+          ++made;
+          return Done{};
+        });
     if (of_rank.rank() == 0) result = {status ? std::optional<Error>() : status.error(), made};
   });
   return result;
@@ -179,8 +180,8 @@ TEST(FilledPiecesAreRefused, if_they_are_fewer_than_the_ranks) {
 
 TEST(FilledPiecesAreRefused, if_the_interior_is_not_to_be_filled) {
   const Options refining{.interior = Interior::refine, .threads = 1};
-  for (const auto& [goal, options] : {std::pair<Goal, Options>({.max_area = 0.01}, refining),
-                                      std::pair<Goal, Options>({}, filling)}) {
+  for (const auto& [goal, options] :
+       {std::pair<Goal, Options>({.max_area = 0.01}, refining), std::pair<Goal, Options>({}, filling)}) {
     const auto [error, made] = error_of(goal, options, 2, 4);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->kind, ErrorKind::usage);

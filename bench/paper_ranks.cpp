@@ -1,0 +1,48 @@
+// paper_ranks: the MPI column of paper_tables, which starts it by mpirun. All ranks make one mesh, with one thread
+// each. The first one prints "ranks SECONDS TRIANGLES"; the time is that of the slowest rank, from the domain to the
+// pieces.
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "../core/support/stopwatch.hpp"
+#include "../mpi/mpi_ranks.hpp"
+#include "../parallel/distributed.hpp"
+#include "../properties/domains/domains.hpp"
+#include "warm_memory.hpp"
+
+namespace pardel::bench {
+namespace {
+
+int run(const std::string& domain, double max_area, std::size_t bytes_to_warm) {
+  mpi::MpiRanks ranks;
+  (void)touch_memory(bytes_to_warm / static_cast<std::size_t>(ranks.count()));
+  const Pslg pslg = *domains::generate(domain, 0, 1);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const Stopwatch watch;
+  const auto valid = validate(pslg);
+  if (!valid) return 1;
+  const Result<MeshPiece> piece = mesh(*valid, {.max_area = max_area}, {.threads = 1}, ranks);
+  if (!piece) MPI_Abort(MPI_COMM_WORLD, 1);
+  double seconds = watch.seconds();
+  MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  if (ranks.rank() == 0) fmt::print("ranks {} {}\n", seconds, piece->triangles);
+  return 0;
+}
+
+}  // namespace
+}  // namespace pardel::bench
+
+int main(int argc, char** argv) {
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+  int code = 2;
+  if (argc == 4)
+    code = pardel::bench::run(argv[1], std::strtod(argv[2], nullptr), std::strtoull(argv[3], nullptr, 10));
+  else
+    fmt::print(stderr, "usage: mpirun -n R paper_ranks DOMAIN MAX_AREA BYTES_TO_WARM\n");
+  MPI_Finalize();
+  return code;
+}

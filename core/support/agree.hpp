@@ -1,0 +1,13 @@
+// Ranks tell each other whether a step has succeeded.
+#pragma once
+
+#include "../ranks.hpp"
+#include "../result.hpp"
+
+namespace pardel {
+
+/// Collective. Done if all ranks pass Done. Otherwise the error of the first rank that failed; its message names the
+/// rank, unless all ranks failed.
+[[nodiscard]] Status agree(const Status& here, Ranks& ranks);
+
+}  // namespace pardel

@@ -1,0 +1,86 @@
+#include "outputs.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <vector>
+
+#include "../cli/distinct_files.hpp"
+#include "../cli/output.hpp"
+
+namespace pardel::mpi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file of a piece, in the folder of the .pvtu.
+fs::path vtu_of_piece(const fs::path& pvtu, int number) {
+  fs::path file = pvtu;
+  file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), number));
+  return file;
+}
+
+bool is_of_triangle(const fs::path& output) { return mesh_format(output) == MeshFormat::triangle; }
+
+Status check_output(const fs::path& output) {
+  const std::string name = output.string();
+  const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
+  if (!is_pvtu && !is_msh && !is_of_triangle(output))
+    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele", name)};
+  if (is_pvtu && output.filename().string().find_first_of("<>&\"") != std::string::npos)
+    return Error{ErrorKind::usage, fmt::format("the name of the output {} must not contain <, >, & or \"", name)};
+  if (std::error_code ignored; is_msh && fs::exists(output, ignored))
+    return Error{ErrorKind::usage, fmt::format("{}: this file exists, and would hide the pieces {}, ...; remove it or "
+                                               "choose another name",
+                                               name, msh_of_piece(output, 1).string())};
+  return cli::check_folder(output);
+}
+
+}  // namespace
+
+std::string names_of(std::span<const fs::path> outputs) {
+  std::vector<std::string> names;
+  for (const fs::path& output : outputs) names.push_back(output.string());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Status check_outputs(std::span<const fs::path> outputs, const fs::path& input, const fs::path& sizes) {
+  std::vector<cli::NamedFile> named;
+  for (const fs::path& output : outputs) {
+    if (Status fine = check_output(output); !fine) return fine;
+    named.push_back({"-o", output});
+  }
+  return cli::check_distinct(named, std::array{cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}});
+}
+
+Status PvtuFiles::add(const MeshPiece& piece, int number) {
+  have_regions_ = have_regions_ || !piece.mesh.region.empty();
+  attributes_per_point_ = piece.mesh.attributes_per_point;
+  return files_.add(piece.mesh, piece.number.span(), vtu_of_piece(pvtu_, number));
+}
+
+Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
+  if (Status written = job.agree(here); !written) return written;
+  // A piece without triangles has no regions either.
+  const bool have_regions = job.range_of(have_regions_ ? 1 : 0).most > 0;
+  if (Status placed = job.agree(files_.commit()); !placed) return placed;
+  Status index = Done{};
+  if (job.is_first()) {
+    PiecesOfMesh list{{}, have_regions, attributes_per_point_};
+    for (int number = 0; number < pieces; ++number)
+      list.files.push_back(vtu_of_piece(pvtu_, number).filename().string());
+    index = write_pvtu(list, pvtu_);
+  }
+  return job.agree(index);
+}
+
+Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const fs::path& output, MshEncoding msh, Job& job) {
+  if (output.extension() == ".msh") return write_msh_piece(view_of(piece), output, msh, job.ranks());
+  if (is_of_triangle(output))
+    return write_triangle_pieces(view_of(piece), pslg, fs::path(output).replace_extension(), job.ranks());
+  PvtuFiles files(output);
+  return files.commit(files.add(piece, job.ranks().rank()), job.ranks().count(), job);
+}
+
+}  // namespace pardel::mpi

@@ -1,0 +1,45 @@
+// The output files of a mesh in pieces.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "../core/formats.hpp"
+#include "../parallel/distributed.hpp"
+#include "job.hpp"
+
+namespace pardel::mpi {
+
+/// The names for messages: "out.pvtu, out.msh".
+[[nodiscard]] std::string names_of(std::span<const std::filesystem::path> outputs);
+
+/// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output would replace or hide another file;
+/// `io` if a folder is not writable.
+[[nodiscard]] Status check_outputs(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input,
+                                   const std::filesystem::path& sizes);
+
+/// The files of OUT.pvtu. A rank can write several pieces.
+class PvtuFiles {
+ public:
+  explicit PvtuFiles(std::filesystem::path pvtu) : pvtu_(std::move(pvtu)) {}
+  /// Writes OUT_NUMBER.vtu, under another name.
+  [[nodiscard]] Status add(const MeshPiece& piece, int number);
+  /// Collective. Writes OUT.pvtu, and gives the files of all ranks their names, or none if a rank has failed. `here`:
+  /// the outcome of add(). `pieces`: their number on all ranks.
+  [[nodiscard]] Status commit(const Status& here, int pieces, Job& job);
+
+ private:
+  std::filesystem::path pvtu_;
+  VtuPieces files_;
+  bool have_regions_ = false;
+  std::size_t attributes_per_point_ = 0;
+};
+
+/// Collective. The suffix sets the format. Each rank writes its own file of OUT.pvtu and OUT.msh, and its part of
+/// OUT.node, OUT.ele and OUT.poly. The files get their names when all ranks have finished.
+[[nodiscard]] Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const std::filesystem::path& output,
+                                  MshEncoding msh, Job& job);
+
+}  // namespace pardel::mpi

@@ -1,0 +1,26 @@
+// Runs programs on the ranks of an MPI job in a temporary folder. All ranks run on this machine.
+#pragma once
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "../cli/program.hpp"
+
+namespace pardel::testing {
+
+class MpiWorkshop : public Workshop {
+ protected:
+  MpiWorkshop() {
+    // Open MPI does not start as root unless it is told to.
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  }
+  Ran on_ranks(int ranks, const std::string& program, const std::vector<std::string>& arguments) const {
+    std::vector<std::string> all{"--oversubscribe", "--bind-to", "none", "-n", std::to_string(ranks), program};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run(PARDEL_MPIRUN, all);
+  }
+};
+
+}  // namespace pardel::testing
