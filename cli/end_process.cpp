@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <string_view>
 
 #include "../core/support/output_file.hpp"
 #include "exit_code.hpp"
@@ -25,13 +24,12 @@ void write_message(std::string_view message) {
 
 }  // namespace
 
-void end_process(const Error& error) {
+void end_process(ErrorKind kind, std::string_view message) {
   const auto lock = remove_partial_files();
   std::array<char, 512> text{};  // no memory is allocated, because there may be none left
-  const auto written =
-      fmt::format_to_n(text.data(), text.size(), "{}pardel: {}\n", erase_progress_line(), error.message);
+  const auto written = fmt::format_to_n(text.data(), text.size(), "{}pardel: {}\n", erase_progress_line(), message);
   write_message({text.data(), std::min(written.size, text.size())});
-  _exit(static_cast<int>(exit_code(error.kind)));
+  _exit(static_cast<int>(exit_code(kind)));
 }
 
 }  // namespace pardel::cli

@@ -25,12 +25,17 @@ ExitCode exit_code(ErrorKind kind) {
 }
 
 ExitCode report(const Error& error, std::string_view program) {
-  fmt::print(stderr, "{}: {}{}\n", program, error.kind == ErrorKind::internal ? "internal error: " : "", error.message);
+  print_on_stderr(
+      fmt::format("{}: {}{}\n", program, error.kind == ErrorKind::internal ? "internal error: " : "", error.message));
   return exit_code(error.kind);
 }
 
 const char* erase_progress_line() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
 
-void warn(const std::string& message) { fmt::print(stderr, "{}pardel: {}\n", erase_progress_line(), message); }
+void warn(const std::string& message) {
+  print_on_stderr(fmt::format("{}pardel: {}\n", erase_progress_line(), message));
+}
+
+void print_on_stderr(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace pardel::cli

@@ -30,4 +30,7 @@ ExitCode report(const Error& error, std::string_view program = "pardel");
 /// Prints `pardel: message` on stderr. The program continues.
 void warn(const std::string& message);
 
+/// Prints the text as it is. Ignores failures, for example because stderr is on a full disk: nothing could tell them.
+void print_on_stderr(std::string_view text);
+
 }  // namespace pardel::cli

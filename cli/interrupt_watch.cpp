@@ -34,7 +34,8 @@ void InterruptWatch::wait() {
   while (!finished_) {
     // sigwait also returns signals that are ignored, because they are blocked.
     if (sigwait(&signals_, &signal) != 0 || finished_ || is_ignored(signal)) continue;
-    end_process(signal == SIGXCPU ? out_of_time_ : interrupted_);
+    if (signal == SIGXCPU) end_process(ErrorKind::resources, "the process has reached the limit on its processor time");
+    end_process(ErrorKind::cancelled, "interrupted");
   }
 }
 

@@ -5,8 +5,6 @@
 #include <csignal>
 #include <thread>
 
-#include "../core/result.hpp"
-
 namespace pardel::cli {
 
 /// While an object of this class exists, SIGINT (Ctrl-C), SIGTERM, SIGHUP (the terminal was closed) and SIGXCPU (the
@@ -26,9 +24,6 @@ class InterruptWatch {
  private:
   void wait();
 
-  // The thread allocates no memory, because there may be none left. So its messages exist before it starts.
-  Error interrupted_{ErrorKind::cancelled, "interrupted"};
-  Error out_of_time_{ErrorKind::resources, "the process has reached the limit on its processor time"};
   sigset_t signals_{};
   std::atomic<bool> finished_{false};
   std::thread thread_;

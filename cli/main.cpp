@@ -16,6 +16,7 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
+#include "failure_watch.hpp"
 #include "help.hpp"
 #include "interrupt_watch.hpp"
 #include "processors.hpp"
@@ -96,6 +97,7 @@ ExitCode flushed(ExitCode code) {
 }
 
 ExitCode guarded(int argc, char** argv) {
+  const FailureWatch failure_watch;
   try {
     const InterruptWatch interrupt_watch;
     keep_to_processor_quota();

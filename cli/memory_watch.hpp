@@ -4,9 +4,8 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <string>
 #include <thread>
-
-#include "../core/result.hpp"
 
 namespace pardel::cli {
 
@@ -23,7 +22,7 @@ class MemoryWatch {
 
   std::uint64_t limit_;
   // The thread allocates no memory, because there may be none left. So all that it needs exists before it starts.
-  Error outgrown_;
+  std::string outgrown_;
   std::mutex mutex_;
   std::condition_variable_any stopped_;
   std::jthread thread_;  ///< the last member: the thread ends before the others are destroyed

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "exit_code.hpp"
+
 namespace pardel::cli {
 namespace {
 
@@ -83,7 +85,7 @@ void ProgressBar::finish() {
   enabled_ = false;
   thread_.request_stop();
   thread_.join();
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) print_on_stderr("\r\033[K");
   std::fflush(stderr);
 }
 
@@ -122,7 +124,7 @@ void ProgressBar::redraw_if_due() {
   const std::string line =
       step_.empty() ? progress_line(triangles_, estimate_, seconds, columns()) : step_line(step_, seconds, columns());
   drawn_ = true;
-  fmt::print(stderr, "\r\033[K{}", line);
+  print_on_stderr(fmt::format("\r\033[K{}", line));
   std::fflush(stderr);
 }
 

@@ -4,10 +4,12 @@
 
 # The folder of this copy, and the folders of the sources that it contains.
 set(PARDEL_MUTATED_SOURCES ${PROJECT_BINARY_DIR}/mutated_sources)
-set(PARDEL_MUTATED_FOLDERS core parallel properties ref tests)
+set(PARDEL_MUTATED_FOLDERS core parallel properties ref cli fuzz tests)
 
 # The libraries that have a mutated twin.
 set(PARDEL_MUTATED "core|formats|parallel|checker|domains|defects|generators|ref|framework|samples")
+# Libraries without the prefix `pardel_` that have one.
+set(PARDEL_MUTATED_SUPPORT "fuzz_support|fuzz_cases")
 
 # Defines the target mutated_sources, which makes the copy. The target runs again when a source, a patch or the registry
 # changes. It writes only the files that differ, so the build recompiles nothing else.
@@ -61,6 +63,7 @@ function(pardel_mutated_twin target)
     if(value)
       # The twin of the engine records accesses, so there is no other twin that does.
       string(REPLACE "pardel_watched" "pardel_parallel" value "${value}")
+      string(REGEX REPLACE "(${PARDEL_MUTATED_SUPPORT})" "\\1_mutated" value "${value}")
       string(REGEX REPLACE "pardel(::|_)(${PARDEL_MUTATED})([^a-z_]|$)" "pardel_\\2_mutated\\3" value "${value}")
       set_property(TARGET ${target}_mutated APPEND PROPERTY ${property} "${value}")
     endif()

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <vector>
+
+#include "support/exception_of.hpp"
 
 namespace pardel {
 namespace {
@@ -108,6 +111,7 @@ class PairedSides {
   bool join_falling() {
     for_each_triangle([&](Triangle& triangle) { triangle.n = {no_index, no_index, no_index}; });
     std::vector<std::vector<std::pair<Index, Index>>> alone(static_cast<std::size_t>(threads()));
+    std::vector<std::exception_ptr> thrown(alone.size());
     std::vector<std::size_t> joined(alone.size(), 0);
     std::atomic<bool> fine = true;
 #pragma omp parallel for num_threads(threads()) schedule(static)
@@ -120,7 +124,7 @@ class PairedSides {
         const auto match = std::find_if(sides.begin(), sides.end(), [=](const Rising& r) { return r.high == from; });
         const auto thread = static_cast<std::size_t>(omp_get_thread_num());
         if (match == sides.end()) {
-          alone[thread].emplace_back(to, from);
+          if (!thrown[thread]) thrown[thread] = exception_of([&] { alone[thread].emplace_back(to, from); });
           continue;
         }
         if (match->side / 3 == t) fine = false;
@@ -130,6 +134,8 @@ class PairedSides {
             .store(static_cast<Index>(t), std::memory_order_relaxed);
       }
     }
+    for (const std::exception_ptr& exception : thrown)
+      if (exception) std::rethrow_exception(exception);
     for (std::size_t k = 1; k < alone.size(); ++k) alone[0].insert(alone[0].end(), alone[k].begin(), alone[k].end());
     std::sort(alone[0].begin(), alone[0].end());
     for (const std::size_t each : joined) joined_ += each;

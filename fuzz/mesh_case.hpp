@@ -1,7 +1,10 @@
-// Decodes bytes to a meshing problem. Every sequence of bytes gives an outline. The bytes select further segments,
-// holes and regions. Coordinates lie on a small integer lattice, so crossings, overlaps, touching holes, cocircular
-// points and small angles are frequent. repair() splits segments where they cross; no case is discarded because it is
-// invalid.
+// Decodes bytes to a meshing problem. The bytes are a header, which selects the goal, the options and the outline, and
+// strokes of eight bytes each: points, segments, fans, holes, regions, blocks of cocircular points. The outline may
+// also be a domain of one of the families of the tests. Coordinates lie on a small integer lattice, so crossings,
+// overlaps, touching holes, cocircular points and small angles are frequent; some points are moved off the lattice by a
+// few units in the last place. repair() splits segments where they cross; no case is discarded because it is invalid.
+//
+// The mutator (mutate_strokes.cpp) inserts, removes, moves and exchanges whole strokes.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +16,18 @@
 
 namespace pardel::fuzz {
 
+/// The header begins with the seed.
+inline constexpr std::size_t seed_bytes = 4, header_bytes = 32, stroke_bytes = 8, most_strokes = 24;
+
 struct MeshCase {
   Pslg pslg;  ///< before the repair: segments may cross and overlap
   Goal goal;
   Options options;
+  bool nudged = false;        ///< some point was moved off the lattice
+  bool refine_again = false;  ///< the result has to be refined for other bounds on areas, as `--refine` does
+  int threads = 2;            ///< a second number of threads, 2 to 4
+  int ranks = 2;              ///< a number of ranks, 2 to 5
+  std::uint64_t seed = 0;     ///< 32 bits, for the choices of a target
 };
 
 /// Deterministic. Every sequence of bytes gives a case, and so does every prefix.
@@ -29,5 +40,8 @@ struct Prepared {
   bool reduced = false;  ///< true if the holes and regions were removed
 };
 [[nodiscard]] Prepared prepare(const MeshCase& drawn);
+
+/// The case of the first five strokes. For targets that compare with the definitions, which take cubic time.
+[[nodiscard]] MeshCase decode_small_case(std::span<const std::uint8_t> bytes);
 
 }  // namespace pardel::fuzz

@@ -20,7 +20,7 @@ Job::Started::Started() {
 
 Job::Job() {
   MPI_Comm here = MPI_COMM_NULL;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  check(MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here));
   int ranks_here = 1;
   MPI_Comm_size(here, &ranks_here);
   MPI_Comm_free(&here);
@@ -38,8 +38,8 @@ Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 
 Job::Range Job::range_of(std::uint64_t value) {
   Range range{};
-  MPI_Allreduce(&value, &range.least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
-  MPI_Allreduce(&value, &range.most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
+  check(MPI_Allreduce(&value, &range.least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD));
+  check(MPI_Allreduce(&value, &range.most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD));
   return range;
 }
 

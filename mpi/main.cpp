@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 
+#include "../cli/failure_watch.hpp"
 #include "../cli/help.hpp"
 #include "../cli/interrupt_watch.hpp"
 #include "../cli/processors.hpp"
@@ -51,9 +52,8 @@ ExitCode run(int argc, char** argv, Job& job) {
   return job.is_first() ? cli::report(result.error(), "pardel-mpi") : cli::exit_code(result.error().kind);
 }
 
-ExitCode guarded(int argc, char** argv) {
-  const cli::InterruptWatch interrupt_watch;  // first, because MPI starts threads
-  cli::keep_to_processor_quota();
+/// An error of one rank ends all of them.
+ExitCode run_in_job(int argc, char** argv) {
   Job job;
   try {
     return run(argc, argv, job);
@@ -65,6 +65,17 @@ ExitCode guarded(int argc, char** argv) {
     job.abort({ErrorKind::resources, "out of memory"});
   } catch (const std::exception& unexpected) {
     job.abort({ErrorKind::resources, unexpected.what()});
+  }
+}
+
+ExitCode guarded(int argc, char** argv) {
+  const cli::FailureWatch failure_watch;
+  try {
+    const cli::InterruptWatch interrupt_watch;  // before MPI starts threads
+    cli::keep_to_processor_quota();
+    return run_in_job(argc, argv);
+  } catch (const std::exception& unexpected) {  // the job has not started; mpirun ends the other ranks
+    return cli::report({ErrorKind::resources, unexpected.what()}, "pardel-mpi");
   }
 }
 

@@ -171,8 +171,8 @@ void print(const Arguments& arguments, const Made& made, Job& job) {
   fmt::print("output  {}\n", names_of(arguments.outputs));
 }
 
-Status check_arguments(Arguments& arguments) {
-  if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes); !fine) return fine;
+Status check_arguments(Arguments& arguments, int rank) {
+  if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes, rank); !fine) return fine;
   if (arguments.pieces > 0 && (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu"))
     return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
   return set_cells(arguments.cells, arguments.options);
@@ -181,7 +181,7 @@ Status check_arguments(Arguments& arguments) {
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_arguments(arguments)); !fine) return fine.error();
+  if (Status fine = job.agree(check_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
   const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);

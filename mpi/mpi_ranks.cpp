@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -13,11 +14,17 @@
 namespace pardel::mpi {
 namespace {
 
-/// What a rank tells another one before it sends a message.
-struct Announcement {
-  std::uint64_t exchange, bytes, checksum;
-};
+using Step = MpiRanks::Step;
+using Announcement = MpiRanks::Announcement;
 constexpr int numbers_per_announcement = sizeof(Announcement) / sizeof(std::uint64_t);
+
+std::uint64_t seal_of(const Announcement& a) {
+  return mixed(mixed(mixed(mixed(a.number) + static_cast<std::uint64_t>(a.step)) + a.bytes) + a.checksum);
+}
+
+std::string name_of(std::uint64_t number, Step step) {
+  return (step == Step::sum ? "sum " : "exchange ") + std::to_string(number);
+}
 
 /// MPI counts the elements of a message with an int, so long messages travel in parts.
 constexpr std::size_t bytes_per_part = std::size_t{1} << 30U;
@@ -50,21 +57,45 @@ Stopped does_not_match(int from, const std::string& what) {
 
 }  // namespace
 
+void check(int code) {
+  if (code == MPI_SUCCESS) return;
+  std::array<char, MPI_MAX_ERROR_STRING> text{};
+  int length = 0;
+  MPI_Error_string(code, text.data(), &length);
+  throw Stopped{{ErrorKind::internal, "MPI: " + std::string(text.data(), static_cast<std::size_t>(length))}};
+}
+
 MpiRanks::MpiRanks() {
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-  MPI_Comm_size(MPI_COMM_WORLD, &count_);
+  check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN));
+  check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_));
+  check(MPI_Comm_size(MPI_COMM_WORLD, &count_));
+}
+
+/// Fills in the number and the seals. Returns what the other ranks announce to this one.
+std::vector<Announcement> MpiRanks::announce(std::vector<Announcement> sent) {
+  ++steps_;
+  for (Announcement& one : sent) {
+    one.number = steps_;
+    one.seal = seal_of(one);
+  }
+  const Step step = sent.front().step;
+  std::vector<Announcement> announced(sent.size());
+  check(MPI_Alltoall(sent.data(), numbers_per_announcement, MPI_UINT64_T, announced.data(), numbers_per_announcement,
+                     MPI_UINT64_T, MPI_COMM_WORLD));
+  for (int from = 0; from < count_; ++from) {
+    const Announcement& theirs = announced[from];
+    if (theirs.seal != seal_of(theirs)) throw does_not_match(from, "is announced by damaged numbers");
+    if (theirs.number != steps_ || theirs.step != step)
+      throw does_not_match(from,
+                           "belongs to " + name_of(theirs.number, theirs.step) + ", not to " + name_of(steps_, step));
+  }
+  return announced;
 }
 
 std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
-  ++exchanges_;
-  std::vector<Announcement> sent, announced(count_);
-  for (const Bytes& message : messages) sent.push_back({exchanges_, message.size(), checksum(message)});
-  MPI_Alltoall(sent.data(), numbers_per_announcement, MPI_UINT64_T, announced.data(), numbers_per_announcement,
-               MPI_UINT64_T, MPI_COMM_WORLD);
-  for (int from = 0; from < count_; ++from)
-    if (announced[from].exchange != exchanges_)
-      throw does_not_match(from, "belongs to exchange " + std::to_string(announced[from].exchange) + ", not to " +
-                                     std::to_string(exchanges_));
+  std::vector<Announcement> sent;
+  for (const Bytes& message : messages) sent.push_back({0, Step::exchange, message.size(), checksum(message), 0});
+  const std::vector<Announcement> announced = announce(std::move(sent));
 
   // All memory is taken before a request starts: MPI may write into the buffers until it has ended.
   std::vector<Bytes> arrived(count_);
@@ -79,16 +110,16 @@ std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
   for (int other = 0; other < count_; ++other) {
     if (other == rank_) continue;
     for_each_part(arrived[other].data(), arrived[other].size(), [&](std::byte* data, int count, int tag) {
-      MPI_Irecv(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back());
+      check(MPI_Irecv(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back()));
     });
   }
   for (int other = 0; other < count_; ++other) {
     if (other == rank_) continue;
     for_each_part(messages[other].data(), messages[other].size(), [&](const std::byte* data, int count, int tag) {
-      MPI_Isend(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back());
+      check(MPI_Isend(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back()));
     });
   }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  check(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE));
   arrived[rank_] = std::move(messages[rank_]);
   for (int from = 0; from < count_; ++from)
     if (checksum(arrived[from]) != announced[from].checksum) throw does_not_match(from, "has another checksum");
@@ -96,7 +127,12 @@ std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
 }
 
 void MpiRanks::add_up(std::span<std::uint64_t> values) {
-  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+  const Announcement mine{0, Step::sum, values.size_bytes(), 0, 0};
+  const std::vector<Announcement> announced = announce(std::vector(static_cast<std::size_t>(count_), mine));
+  for (int from = 0; from < count_; ++from)
+    if (announced[from].bytes != mine.bytes) throw does_not_match(from, "has another number of terms");
+  check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_UINT64_T, MPI_SUM,
+                      MPI_COMM_WORLD));
 }
 
 }  // namespace pardel::mpi

@@ -23,7 +23,7 @@ fs::path vtu_of_piece(const fs::path& pvtu, int number) {
 
 bool is_of_triangle(const fs::path& output) { return mesh_format(output) == MeshFormat::triangle; }
 
-Status check_output(const fs::path& output) {
+Status check_output(const fs::path& output, int rank) {
   const std::string name = output.string();
   const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
   if (!is_pvtu && !is_msh && !is_of_triangle(output))
@@ -34,7 +34,21 @@ Status check_output(const fs::path& output) {
     return Error{ErrorKind::usage, fmt::format("{}: this file exists, and would hide the pieces {}, ...; remove it or "
                                                "choose another name",
                                                name, msh_of_piece(output, 1).string())};
-  return cli::check_folder(output);
+  if (is_of_triangle(output)) return cli::check_folder(output);
+  const fs::path piece = is_msh ? msh_of_piece(output, rank + 1) : vtu_of_piece(output, rank);
+  if (Status fine = cli::check_folder(piece); !fine) return fine;
+  return is_msh ? Status(Done{}) : cli::check_folder(output);
+}
+
+/// Collective. An earlier .pvtu must not name pieces of two meshes, also if a rank is killed while they get their
+/// names.
+Status remove_index(const fs::path& pvtu, Job& job) {
+  std::error_code failure;
+  const auto status = fs::symlink_status(pvtu, failure);
+  if (job.is_first() && fs::is_regular_file(status)) fs::remove(pvtu, failure);
+  if (!job.is_first() || !fs::exists(status)) failure.clear();
+  return job.agree(failure ? Status(Error{ErrorKind::io, fmt::format("{}: {}", pvtu.string(), failure.message())})
+                           : Status(Done{}));
 }
 
 }  // namespace
@@ -45,10 +59,10 @@ std::string names_of(std::span<const fs::path> outputs) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Status check_outputs(std::span<const fs::path> outputs, const fs::path& input, const fs::path& sizes) {
+Status check_outputs(std::span<const fs::path> outputs, const fs::path& input, const fs::path& sizes, int rank) {
   std::vector<cli::NamedFile> named;
   for (const fs::path& output : outputs) {
-    if (Status fine = check_output(output); !fine) return fine;
+    if (Status fine = check_output(output, rank); !fine) return fine;
     named.push_back({"-o", output});
   }
   return cli::check_distinct(named, std::array{cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}});
@@ -64,6 +78,7 @@ Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
   if (Status written = job.agree(here); !written) return written;
   // A piece without triangles has no regions either.
   const bool have_regions = job.range_of(have_regions_ ? 1 : 0).most > 0;
+  if (Status removed = remove_index(pvtu_, job); !removed) return removed;
   if (Status placed = job.agree(files_.commit()); !placed) return placed;
   Status index = Done{};
   if (job.is_first()) {

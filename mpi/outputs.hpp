@@ -16,9 +16,9 @@ namespace pardel::mpi {
 [[nodiscard]] std::string names_of(std::span<const std::filesystem::path> outputs);
 
 /// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output would replace or hide another file;
-/// `io` if a folder is not writable.
+/// `io` if a folder is not writable, or if the piece of this rank cannot get its name.
 [[nodiscard]] Status check_outputs(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input,
-                                   const std::filesystem::path& sizes);
+                                   const std::filesystem::path& sizes, int rank);
 
 /// The files of OUT.pvtu. A rank can write several pieces.
 class PvtuFiles {

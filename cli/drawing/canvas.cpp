@@ -141,11 +141,12 @@ void Canvas::paint(std::vector<std::uint32_t>& pixels, int columns, int rows) {
 void Canvas::leave_drawing() { cairo_restore(context()); }
 
 Status Canvas::finish() {
-  if (png_ && cairo_status(context()) == CAIRO_STATUS_SUCCESS)
-    cairo_surface_write_to_png_stream(surface_.get(), write_bytes, &out_);
-  const cairo_status_t drawn = cairo_status(context());
+  cairo_status_t drawn = cairo_status(context());
+  if (png_ && drawn == CAIRO_STATUS_SUCCESS)
+    drawn = cairo_surface_write_to_png_stream(surface_.get(), write_bytes, &out_);
   context_.reset();
   cairo_surface_finish(surface_.get());  // writes the SVG
+  if (drawn == CAIRO_STATUS_SUCCESS) drawn = cairo_surface_status(surface_.get());
   if (drawn != CAIRO_STATUS_SUCCESS && drawn != CAIRO_STATUS_WRITE_ERROR)
     return Error{ErrorKind::resources, fmt::format("{}: {}", name_, cairo_status_to_string(drawn))};
   return out_.commit();

@@ -59,13 +59,15 @@ void OutputFile::write_aside() {
   PartialFiles& files = partial_files();
   const std::scoped_lock lock(files.mutex);
   // "x": the file must not exist yet. So a file of another process, or of the user, is never replaced or removed.
+  // The name is on the list before the file exists: if there is no memory for it, no file stays behind.
   do {
     written_ = target_;
     written_ += "." + std::to_string(getpid()) + "-" + std::to_string(++files.made) + ".partial";
+    const auto name = files.names.insert(written_).first;
     stream_ = std::fopen(written_.c_str(), "wbx");
+    if (stream_ == nullptr) files.names.erase(name);
   } while (stream_ == nullptr && errno == EEXIST);
-  if (stream_ == nullptr) return written_.clear();
-  files.names.insert(written_);
+  if (stream_ == nullptr) written_.clear();
 }
 
 OutputFile::~OutputFile() {

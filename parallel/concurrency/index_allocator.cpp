@@ -18,10 +18,10 @@ void IndexAllocator::allocate(std::size_t count, std::vector<IndexRange>& ranges
 }
 
 void IndexAllocator::release(const IndexPool& pool) {
-  for (const IndexRange r : pool.rest()) {
+  pool.for_each_left([&](IndexRange r) {
     free_.push_back(r);
     free_count_ += r.size();
-  }
+  });
 }
 
 void IndexAllocator::settle() {
@@ -43,21 +43,18 @@ void IndexAllocator::settle() {
   first_free_ = 0;
 }
 
-std::vector<IndexMove> moves_into_holes(const IndexAllocator& allocator) {
+IndexMoves::IndexMoves(const IndexAllocator& allocator) : in_use_(allocator.in_use()) {
+  to_.reserve(allocator.end() - in_use_);
   const std::vector<IndexRange>& holes = allocator.holes();
-  const Index in_use = allocator.in_use();
-  std::vector<Index> targets;
+  auto above = std::find_if(holes.begin(), holes.end(), [&](IndexRange h) { return h.end > in_use_; });
+  Index from = in_use_;
   for (const IndexRange hole : holes)
-    for (Index n = hole.begin; n < std::min(hole.end, in_use); ++n) targets.push_back(n);
-
-  std::vector<IndexMove> moves;
-  moves.reserve(targets.size());
-  auto hole = std::find_if(holes.begin(), holes.end(), [&](IndexRange h) { return h.end > in_use; });
-  for (Index from = in_use; moves.size() < targets.size(); ++from) {
-    while (hole != holes.end() && from >= hole->begin && from < hole->end) from = (hole++)->end;
-    moves.push_back({from, targets[moves.size()]});
-  }
-  return moves;
+    for (Index to = hole.begin; to < std::min(hole.end, in_use_); ++to) {
+      while (above != holes.end() && from >= above->begin) from = (above++)->end;
+      to_.resize(from - in_use_, no_index);
+      to_.push_back(to);
+      ++from;
+    }
 }
 
 }  // namespace pardel::engine

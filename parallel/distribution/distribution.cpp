@@ -14,7 +14,7 @@ struct TravellingSeed {
   Index cell;
 };
 
-std::vector<TriangleId> without_repetitions(std::vector<TriangleId> ids) {
+std::vector<Index> without_repetitions(std::vector<Index> ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
@@ -41,8 +41,9 @@ Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
 }  // namespace
 
 void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
-  ownership_.emplace(tiles, work, ranks_.count());
+  ownership_.emplace(ownership_of(tiles, work));
   const HeldPart::Common common{runner.vertices().end(), runner.triangles().end()};
+  unused_common_ = runner.vertices().holes();
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common);
   for (Index cell = 0; cell < tiles.cells(); ++cell) {
     other_watchers_.push_back(ownership_->watchers_of_box(cell));
@@ -119,17 +120,25 @@ void Distribution::deliver(std::vector<PlannedTask>& tasks) {
 
 void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
   std::vector<Outgoing> outgoing(ranks_.count());
-  for (PlannedTask& task : tasks)
+  for (PlannedTask& task : tasks) {
+    task.free.vertices.for_each_taken([&](IndexRange inserted) {
+      if (inserted.size() > 0) insertions_.push_back({task.cell, inserted});
+    });
+    const auto is_held = [&](int rank, TriangleId id) {  // the corners lie in the box of the task
+      return std::ranges::any_of(t_.slots[id].v,
+                                 [&](VertexId v) { return ownership_->watches(rank, t_.points[v], task.cell); });
+    };
     for (const QueuedTriangle triangle : std::exchange(task.result.changed, {})) {
       if (!triangle.is_current(t_)) continue;
       const TriangleId id = triangle.id();
       for (const int rank : other_watchers_[task.cell]) {
-        if (is_held_by(rank, t_, id))
+        if (is_held(rank, id))
           outgoing[rank].triangles.push_back(id);
         else if (part_->is_known_elsewhere(id))
           outgoing[rank].dropped.push_back(part_->name_of(id));
       }
     }
+  }
   std::vector<Writer> messages(ranks_.count());
   for (int rank = 0; rank < ranks_.count(); ++rank) {
     const Outgoing& out = outgoing[rank];
@@ -208,7 +217,7 @@ bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std:
   const Index common_vertices = part_->common().vertices;
   Triangulation t = empty_excerpt(t_, common_vertices);
   std::optional<HeldPart> part;
-  const std::uint32_t creator = Name::rank(ranks_.count());
+  const std::uint32_t creator = Name::rank(ranks_.count());  // no rank
   const auto fill = [&](PhaseRunner& runner) {
     part.emplace(t, runner.vertices(), runner.triangles(), creator, HeldPart::Common{common_vertices, 0});
     part->forget(0);
@@ -233,6 +242,13 @@ bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std:
   for (const TriangleId id : changed)
     for (const EdgeRef across : t.slots[id].n)
       if (part->is_beyond(across)) return false;
+  std::vector<VertexId> inserted;
+  for (const TriangleId id : changed)
+    for (const VertexId v : t.slots[id].v)
+      if (part->name_of_vertex(v).creator == creator) inserted.push_back(v);
+  inserted = without_repetitions(std::move(inserted));
+  std::ranges::sort(inserted, [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
+  for (const VertexId v : inserted) inserted_in_excerpt_.push_back(part->name_of_vertex(v));
   for (int rank = 0; rank < ranks_.count(); ++rank) {
     Outgoing out;
     for (const TriangleId id : changed) {

@@ -32,8 +32,29 @@ class Distribution : public Partners {
   [[nodiscard]] Index cell_of(VertexId v) const { return ownership_->cell_of(t_.points[v]); }
   /// The rank that owns a vertex: the owner of its cell.
   [[nodiscard]] int owner_of(VertexId v) const { return ownership_->owner(cell_of(v)); }
+  /// What all ranks had in common at the division: the number of vertices, and the indices below it that no vertex had.
+  [[nodiscard]] Index common_vertices() const { return part_->common().vertices; }
+  [[nodiscard]] const std::vector<IndexRange>& unused_common() const { return unused_common_; }
+  /// The vertices that the tasks of a cell have inserted, in the order of the insertions.
+  struct Insertions {
+    Index cell;
+    IndexRange vertices;
+  };
+  /// Of this rank; in the order of the phases.
+  [[nodiscard]] std::span<const Insertions> insertions() const { return insertions_; }
+  /// The vertices that refine_rest() has inserted, as the first rank has named them; in the order of coordinates, on
+  /// the first rank only.
+  [[nodiscard]] std::span<const Name> inserted_in_excerpt() const { return inserted_in_excerpt_; }
+  /// True if all that the tasks of the cell insert lies in cells of this rank.
+  [[nodiscard]] bool is_interior(Index cell) const { return other_watchers_[cell].empty(); }
   /// The rank to whose piece a triangle belongs: the owner of its lexicographically least corner.
   [[nodiscard]] int owner_of_triangle(TriangleId id) const;
+
+ protected:
+  /// Who owns the cells. The refinement works with any owners; the numbers of vertices in a piece follow the curve.
+  [[nodiscard]] virtual Ownership ownership_of(const Tiles& tiles, std::span<const double> work) const {
+    return {tiles, work, ranks_.count()};
+  }
 
  private:
   /// For each rank: triangles, and the names of slots whose triangles it no longer holds.
@@ -52,6 +73,9 @@ class Distribution : public Partners {
   Triangulation& t_;
   std::optional<Ownership> ownership_;
   std::optional<HeldPart> part_;
+  std::vector<IndexRange> unused_common_;
+  std::vector<Insertions> insertions_;
+  std::vector<Name> inserted_in_excerpt_;
   std::vector<std::vector<int>> other_watchers_;  ///< per cell: Ownership::watchers_of_box() without this rank
 };
 

@@ -158,6 +158,7 @@ VertexId HeldPart::place(const TravellingVertex& vertex) {
   if (v == no_index) {
     v = new_vertex();
     vertex_names_.bind(name, v);
+    vertices_of_others_.push_back(v);
     t_.points[v] = vertex.at;
     t_.origin[v] = vertex.origin;
   }

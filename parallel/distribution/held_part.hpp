@@ -29,11 +29,7 @@ class HeldPart {
   /// True if the slot contains a triangle of the part. Precondition: no phase runs.
   [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
   /// The same for any slot: false if it is not in use.
-  [[nodiscard]] bool has(TriangleId id) const {
-    const std::vector<IndexRange>& holes = triangles_->holes();
-    const auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= id; });
-    return id < triangles_->end() && (hole == holes.end() || id < hole->begin) && holds(id);
-  }
+  [[nodiscard]] bool has(TriangleId id) const { return triangles_->uses(id) && holds(id); }
   /// Calls visit(id) for all triangles of the part. Precondition: no phase runs.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {
@@ -50,6 +46,8 @@ class HeldPart {
   [[nodiscard]] bool is_beyond(EdgeRef across) const { return !across.none() && across.triangle() == beyond_; }
   [[nodiscard]] Name name_of(TriangleId id) const { return triangle_names_.of(id); }
   [[nodiscard]] Name name_of_vertex(VertexId v) const { return vertex_names_.of(v); }
+  /// The vertices that other ranks have named.
+  [[nodiscard]] const std::vector<VertexId>& vertices_of_others() const { return vertices_of_others_; }
   /// no_index if the rank does not hold it.
   [[nodiscard]] TriangleId triangle(Name name) const { return triangle_names_.index_of(name); }
   [[nodiscard]] VertexId vertex(Name name) const { return vertex_names_.index_of(name); }
@@ -93,6 +91,7 @@ class HeldPart {
   TriangleId beyond_;
   VertexId nowhere_;
   IndexPool new_vertices_;
+  std::vector<VertexId> vertices_of_others_;
   std::vector<TriangleId> spare_;  ///< slots without triangles
   SparseArray<char> is_known_elsewhere_;
   SparseArray<Index> place_in_message_;  ///< scratch memory of write(): per vertex its place plus 1, or 0
@@ -100,15 +99,13 @@ class HeldPart {
 
 template <class Visit>
 void HeldPart::for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const {
-  const std::vector<IndexRange>& holes = triangles_->holes();
-  auto hole = std::partition_point(holes.begin(), holes.end(), [&](IndexRange h) { return h.end <= first; });
-  for (TriangleId id = first; id < std::min(last, triangles_->end()); ++id) {
-    if (hole != holes.end() && id >= hole->begin) {
-      id = (hole++)->end - 1;
-      continue;
-    }
-    if (holds(id)) visit(id);
-  }
+  // Copies, because the compiler would load the originals again after each visit.
+  const Slot* const slots = t_.slots.data();
+  const VertexId nowhere = nowhere_;
+  triangles_->for_each_used(first, last, [&](IndexRange used) {
+    for (TriangleId id = used.begin; id < used.end; ++id)
+      if (slots[id].v[0] != nowhere) visit(id);
+  });
 }
 
 }  // namespace pardel::engine

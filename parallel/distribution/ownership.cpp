@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "../concurrency/hilbert_order.hpp"
 
@@ -51,22 +52,27 @@ void sort_without_repetitions(std::vector<int>& ranks) {
 }  // namespace
 
 Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks)
-    : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(owners(curve_, work, ranks)) {
+    : Ownership(tiles, owners(cells_on_curve(tiles), work, ranks)) {}
+
+Ownership::Ownership(const Tiles& tiles, std::vector<int> owner)
+    : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(std::move(owner)) {
   for (Index cell = 0; cell < tiles.cells(); ++cell) {
     touching_.push_back(cells_touching(tiles, cell));
     std::vector<int>& near = near_.emplace_back(1, owner_[cell]);
     for (const Index other : touching_.back()) near.push_back(owner_[other]);
     sort_without_repetitions(near);
+    std::vector<BoxOfRank>& boxes = boxes_near_.emplace_back();
+    if (near.size() == 1) continue;
+    for (const Index other : touching_.back())
+      if (owner_[other] != owner_[cell]) boxes.push_back({owner_[other], tiles.box_of(other)});
   }
 }
 
 bool Ownership::watches(int rank, Point p) const {
   const Index cell = cell_of(p);
   if (owner_[cell] == rank) return true;
-  if (near_[cell].size() == 1 || !is_near(cell, rank)) return false;
-  return tiles_.lattice() == nullptr || std::ranges::any_of(touching_[cell], [&](Index other) {
-           return owner_[other] == rank && tiles_.box_of(other).contains_half_open(p);
-         });
+  if (tiles_.lattice() != nullptr) return is_in_box_near(cell, rank, p);
+  return std::ranges::any_of(boxes_near_[cell], [&](const BoxOfRank& near) { return near.rank == rank; });
 }
 
 std::vector<int> Ownership::watchers_of_box(Index cell) const {

@@ -18,6 +18,8 @@ class Ownership {
  public:
   /// `work`: per cell; >= 0. All ranks pass the same arguments, and get the same result.
   Ownership(const Tiles& tiles, std::span<const double> work, int ranks);
+  /// With any owners. `owner`: a rank per cell, the same on all ranks.
+  Ownership(const Tiles& tiles, std::vector<int> owner);
 
   [[nodiscard]] Index cells() const { return static_cast<Index>(owner_.size()); }
   [[nodiscard]] Index cell_of(Point p) const { return tiles_.cell_of(p); }
@@ -25,14 +27,25 @@ class Ownership {
   [[nodiscard]] std::span<const Index> touching(Index cell) const { return touching_[cell]; }
   /// True if the point lies in the area that the rank watches.
   [[nodiscard]] bool watches(int rank, Point p) const;
+  /// The same for a point in the box of a cell that the rank does not own; faster on a lattice.
+  [[nodiscard]] bool watches(int rank, Point p, Index box) const {
+    return tiles_.lattice() != nullptr ? is_in_box_near(box, rank, p) : watches(rank, p);
+  }
   /// The ranks that watch a part of the cell's box, in ascending order: they may hold what its task changes.
   [[nodiscard]] std::vector<int> watchers_of_box(Index cell) const;
   /// The cells in the order of the curve.
   [[nodiscard]] std::span<const Index> curve() const { return curve_; }
 
  private:
-  [[nodiscard]] bool is_near(Index cell, int rank) const {
-    return std::find(near_[cell].begin(), near_[cell].end(), rank) != near_[cell].end();
+  struct BoxOfRank {
+    int rank;
+    Box box;
+  };
+  /// True if the point lies in the box of a cell of the rank that touches the given cell. (Boxes of other cells do not
+  /// meet the box of this cell.)
+  [[nodiscard]] bool is_in_box_near(Index cell, int rank, Point p) const {
+    return std::ranges::any_of(
+        boxes_near_[cell], [&](const BoxOfRank& near) { return near.rank == rank && near.box.contains_half_open(p); });
   }
 
   Tiles tiles_;
@@ -40,6 +53,7 @@ class Ownership {
   std::vector<int> owner_;
   std::vector<std::vector<Index>> touching_;
   std::vector<std::vector<int>> near_;  ///< per cell: the ranks that own it or a cell that touches it, ascending
+  std::vector<std::vector<BoxOfRank>> boxes_near_;  ///< per cell: those of cells that touch it and have other owners
 };
 
 }  // namespace pardel::engine

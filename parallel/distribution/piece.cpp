@@ -11,6 +11,7 @@
 #include "../interpolation/background.hpp"
 #include "../triangulation/compact.hpp"
 #include "members.hpp"
+#include "numbering.hpp"
 #include "vertex_data.hpp"
 
 namespace pardel::engine {
@@ -24,40 +25,6 @@ bool lists_edge(const Triangulation& t, EdgeRef e) {
   return slot.n[e.side()].none() || lexicographically_less(a, b);
 }
 
-/// An allocator in which the indices that do not belong to the piece are unused.
-template <class IsIn>
-IndexAllocator used_indices(std::size_t n, const IsIn& is_in) {
-  std::vector<IndexRange> unused;
-  for (Index i = 0; i < n; ++i) {
-    if (is_in(i)) continue;
-    if (unused.empty() || unused.back().end != i) unused.push_back({i, i});
-    unused.back().end = i + 1;
-  }
-  IndexAllocator indices(static_cast<Index>(n), static_cast<Index>(n));
-  indices.release(IndexPool(std::move(unused)));
-  indices.settle();
-  return indices;
-}
-
-/// Where compact() moves vertices or triangles.
-class Moved {
- public:
-  explicit Moved(const IndexAllocator& indices) : moves_(moves_into_holes(indices)) {}
-  [[nodiscard]] Index now(Index before) const {
-    const auto move = std::ranges::lower_bound(moves_, before, {}, &IndexMove::from);
-    return move != moves_.end() && move->from == before ? move->to : before;
-  }
-  template <class T>
-  void apply(Array<T>& values, std::size_t count) const {
-    for (const IndexMove move : moves_) values[move.to] = values[move.from];
-    values.resize(count);
-    values.shrink_to_fit();
-  }
-
- private:
-  std::vector<IndexMove> moves_;
-};
-
 /// Uses the storage of the triangulation for the piece.
 class PieceMaker {
  public:
@@ -69,13 +36,12 @@ class PieceMaker {
         input_(std::move(input)),
         threads_(threads),
         members_(t_, domain.input_of_vertex.size(), distribution, threads),
-        data_(vertex_data(domain, distribution, members_, input_.points.markers, threads)) {}
+        data_(vertex_data(domain, distribution, members_, input_.points.markers)) {}
 
   [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {
     list_edges();
     cut_at_border();
     name_input_segments(domain_, threads_);
-    note_inputs();
     compact_all(exempt);
     add_attributes();
     add_shared_vertices();
@@ -88,46 +54,55 @@ class PieceMaker {
  private:
   void list_edges() {
     for (const EdgeRef e : members_.constrained_sides())
-      if (members_.has_triangle(e.triangle()) && lists_edge(t_, e))
+      if (members_.triangles().uses(e.triangle()) && lists_edge(t_, e))
         piece_.mesh.constrained_edges.push_back(constrained_edge(domain_, t_.slot(e), e.side()).value());
   }
 
-  /// The triangles of the piece no longer refer to others. Only triangles at the border do.
+  /// The triangles of the piece no longer refer to others. (Neither do others that will be removed.)
   void cut_at_border() {
+    for (const TriangleId id : members_.of_others())
+      for (const EdgeRef across : t_.slots[id].n)
+        if (!across.none()) t_.slots[across.triangle()].n[across.side()] = EdgeRef();
     for (const TriangleId id : members_.at_border())
-      for (EdgeRef& across : t_.slots[id].n) {
-        if (across.none()) continue;
-        if (members_.has_triangle(id)) {
-          if (part_.is_beyond(across)) across = EdgeRef();
-        } else if (members_.has_triangle(across.triangle())) {
-          t_.slots[across.triangle()].n[across.side()] = EdgeRef();
-        }
-      }
+      for (EdgeRef& across : t_.slots[id].n)
+        if (part_.is_beyond(across)) across = EdgeRef();
   }
 
-  /// Compaction moves vertices, so the input points among them are noted before, if they are needed.
-  void note_inputs() {
-    if (input_.points.attributes_per_point == 0) return;
-    input_point_ = make_array(threads_, t_.points.size(), [&](std::size_t v) {
-      return v < domain_.input_of_vertex.size() ? domain_.input_of_vertex[v] : no_index;
-    });
-  }
-
+  /// First the memory that others need no longer is released, so that arrays for the result take its place.
   void compact_all(std::vector<Exemption>& exempt) {
-    const IndexAllocator vertices = used_indices(t_.points.size(), [&](Index v) { return members_.has_vertex(v); });
-    const IndexAllocator triangles = used_indices(t_.slots.size(), [&](Index id) { return members_.has_triangle(id); });
-    const Moved moved(vertices), moved_triangles(triangles);
-    for (Exemption& e : exempt) e.triangle = moved_triangles.now(e.triangle);
-    compact(t_, vertices, triangles, threads_);
-    const std::size_t count = t_.points.size();
-    moved.apply(data_.number, count);
-    moved.apply(data_.marker, count);
-    if (!input_point_.empty()) moved.apply(input_point_, count);
-    for (ConstrainedEdge& e : piece_.mesh.constrained_edges) e = {moved.now(e.a), moved.now(e.b), e.segment, e.marker};
+    const IndexMoves vertices(members_.vertices()), triangles(members_.triangles());
+    for (Exemption& e : exempt) e.triangle = triangles.now(e.triangle);
+    for (ConstrainedEdge& e : piece_.mesh.constrained_edges)
+      e = {vertices.now(e.a), vertices.now(e.b), e.segment, e.marker};
+    std::erase_if(data_.markers, [&](VertexData::Marker m) { return !members_.has_vertex(m.v); });
+    for (VertexData::Marker& m : data_.markers) m.v = vertices.now(m.v);
     for (const auto& [v, ranks] : data_.pieces)
       if (members_.has_vertex(v))
         for (const int rank : ranks)
-          if (rank != ranks_.rank()) with_rank_[rank].push_back(moved.now(v));
+          if (rank != ranks_.rank()) with_rank_[rank].push_back(vertices.now(v));
+    for (VertexId v = 0; v < domain_.input_of_vertex.size(); ++v)
+      if (members_.has_vertex(v)) inputs_.push_back({vertices.now(v), domain_.input_of_vertex[v]});
+    members_.forget_vertices();
+    compact(t_, vertices, triangles, threads_);
+    number(vertices);
+    piece_.mesh.point_markers = Array<int>::zeroes(t_.points.size());
+    for (const VertexData::Marker m : data_.markers) piece_.mesh.point_markers[m.v] = m.marker;
+  }
+
+  /// Vertices that are not in the piece get numbers, too, which those that have moved into their places overwrite.
+  void number(const IndexMoves& vertices) {
+    piece_.number.resize_uninitialised(vertices.in_use());
+    const auto number_range = [&](Index begin, Index end) {
+      parallel_blocks(threads_, end - begin, [&](std::size_t first, std::size_t last, std::size_t) {
+        data_.numbers.for_each(begin + static_cast<Index>(first), begin + static_cast<Index>(last),
+                               [&](VertexId v, std::uint64_t number) {
+                                 if (const Index now = vertices.now(v); now != no_index) piece_.number[now] = number;
+                               });
+      });
+    };
+    number_range(0, vertices.in_use());
+    number_range(vertices.in_use(), vertices.end());
+    for (const InputVertex& input : inputs_) piece_.number[input.v] = input.point;
   }
 
   void add_attributes() {
@@ -138,8 +113,10 @@ class PieceMaker {
     mesh.attributes_per_point = k;
     const Background on(data.points, std::move(input_.background), threads_);
     LocationHint hint;
+    Array<Index> input_point(t_.points.size(), no_index);
+    for (const InputVertex& input : inputs_) input_point[input.v] = input.point;
     for (VertexId v = 0; v < t_.points.size(); ++v)
-      if (const Index point = input_point_[v]; point != no_index)
+      if (const Index point = input_point[v]; point != no_index)
         mesh.point_attributes.append(data.attributes.subspan(point * k, k));
       else
         append_attributes(on.locate(t_.points[v], hint), data, mesh.point_attributes);
@@ -149,7 +126,7 @@ class PieceMaker {
     for (int rank = 0; rank < ranks_.count(); ++rank) {
       std::vector<Index>& vertices = with_rank_[rank];
       if (vertices.empty()) continue;
-      std::ranges::sort(vertices, {}, [&](Index v) { return data_.number[v]; });
+      std::ranges::sort(vertices, {}, [&](Index v) { return piece_.number[v]; });
       piece_.shared.push_back({rank, std::move(vertices)});
     }
   }
@@ -166,15 +143,12 @@ class PieceMaker {
     mesh.points = std::move(t_.points);
     mesh.origin = std::move(t_.origin);
     mesh.region = std::move(t_.region);
-    mesh.point_markers = std::move(data_.marker);
-    piece_.number = std::move(data_.number);
   }
 
   void add_totals() {
     const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
     piece_.first_triangle = triangles.before;
     piece_.triangles = triangles.all;
-    piece_.first_point = data_.first;
     piece_.points = data_.count;
     piece_.constrained_edges = piece_.mesh.constrained_edges.size();
     ranks_.add_up({&piece_.constrained_edges, 1});
@@ -188,7 +162,12 @@ class PieceMaker {
   Threads threads_;
   Members members_;
   VertexData data_;
-  Array<Index> input_point_;  ///< per vertex, if there are attributes: the input point, or no_index
+  /// The input points of the piece: indices in the piece, and in the input.
+  struct InputVertex {
+    VertexId v;
+    Index point;
+  };
+  std::vector<InputVertex> inputs_;
   std::vector<std::vector<Index>> with_rank_ = std::vector<std::vector<Index>>(ranks_.count());
   MeshPiece piece_;
 };

@@ -1,154 +1,116 @@
 #include "vertex_data.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
+#include <functional>
 #include <utility>
 
-#include "../../core/support/point_order.hpp"
 #include "../../core/support/share_of_rank.hpp"
-#include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {
 
 /// What the owner says about a vertex. Its ranks follow in another list.
 struct TravellingData {
-  std::uint64_t number;
   int marker;
   std::uint32_t pieces;
 };
 
-/// Sorts vertices by row and column in a grid over the cell, and by coordinates where several lie in one square. Linear
-/// time if they are spread evenly.
-class SortInCell {
- public:
-  /// The order depends on the coordinates only, also that of the grid: it lies over the bounding box of the vertices.
-  void operator()(const Triangulation& t, std::span<VertexId> vertices) {
-    if (vertices.size() < 2) return;
-    Box bounds = empty_box;
-    for (const VertexId v : vertices) bounds.cover(Box::around(t.points[v]));
-    const auto along = static_cast<unsigned>(std::sqrt(static_cast<double>(vertices.size()))) + 1;
-    const double scale = along / std::max(bounds.extent(), std::numeric_limits<double>::min());
-    const auto square_of = [&](VertexId v) {
-      const Point p = t.points[v];
-      const auto column = std::min(along - 1, static_cast<unsigned>((p.x - bounds.min_x) * scale));
-      const auto row = std::min(along - 1, static_cast<unsigned>((p.y - bounds.min_y) * scale));
-      return row * along + column;
-    };
-    square_.clear();
-    start_.assign(std::size_t{along} * along + 1, 0);
-    for (const VertexId v : vertices) {
-      square_.push_back(square_of(v));
-      ++start_[square_.back() + 1];
-    }
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    sorted_.resize(vertices.size());
-    next_ = start_;
-    for (std::size_t i = 0; i < vertices.size(); ++i) sorted_[next_[square_[i]]++] = vertices[i];
-    for (std::size_t square = 0; square + 1 < start_.size(); ++square)
-      if (start_[square + 1] - start_[square] > 1)
-        std::sort(sorted_.begin() + start_[square], sorted_.begin() + start_[square + 1],
-                  [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
-    std::ranges::copy(sorted_, vertices.begin());
-  }
-
- private:
-  std::vector<unsigned> square_, start_, next_;
-  std::vector<VertexId> sorted_;
-};
-
-struct VerticesOfCells {
-  std::vector<std::size_t> start;  ///< those of cell c are vertices[start[c]] to vertices[start[c + 1] - 1]
-  Array<VertexId> vertices;
-  [[nodiscard]] std::span<VertexId> of(Index cell) {
-    return vertices.span().subspan(start[cell], start[cell + 1] - start[cell]);
-  }
+/// A reason for the marker of a vertex. Of several, that with the least rank counts.
+struct Reason {
+  VertexId v;
+  Index rank;
+  int marker;
 };
 
 class Collector {
  public:
-  Collector(const DomainTriangulation& domain, const Distribution& distribution, const Members& members,
-            Array<Index> cells, const Threads& threads)
+  Collector(const DomainTriangulation& domain, const Distribution& distribution, const Members& members)
       : domain_(domain),
         t_(domain.triangulation),
         distribution_(distribution),
         ranks_(distribution.network()),
         members_(members),
-        cells_(std::move(cells)),
-        threads_(threads) {
-    data_.marker = Array<int>::zeroes(t_.points.size());
-  }
+        asked_numbers_(ranks_.count()),
+        asked_data_(ranks_.count()) {}
 
   void number_own();
   void mark_own(std::span<const int> input_markers);
   void find_pieces();
-  void ask_owners();
+  void ask_others();
   [[nodiscard]] VertexData take() { return std::move(data_); }
 
  private:
-  [[nodiscard]] VerticesOfCells take_vertices_of_cells();
-  [[nodiscard]] Ranks::Bytes question_about(const std::vector<VertexId>& vertices) const;
+  [[nodiscard]] std::uint64_t number_common();
+  [[nodiscard]] std::vector<Reason> reasons_for_markers(std::span<const int> input_markers) const;
+  [[nodiscard]] int marker_of(VertexId v) const;
+  void plan_questions();
+  [[nodiscard]] Ranks::Bytes question_to(int rank) const;
   [[nodiscard]] Ranks::Bytes answer_to(const Ranks::Bytes& question) const;
-  void take_answer(const Ranks::Bytes& answer, const std::vector<VertexId>& vertices);
-  [[nodiscard]] bool is_input(VertexId v) const { return v < domain_.input_of_vertex.size(); }
+  [[nodiscard]] std::uint64_t number_of(Name name) const;
+  void take_answer(int rank, const Ranks::Bytes& answer);
 
   const DomainTriangulation& domain_;
   const Triangulation& t_;
   const Distribution& distribution_;
   Ranks& ranks_;
   const Members& members_;
-  Array<Index> cells_;  ///< per vertex
-  Threads threads_;
+  VertexNumbers numbers_in_excerpt_;  ///< of the vertices that the first rank has inserted in an excerpt
+  std::vector<std::vector<VertexId>> asked_numbers_, asked_data_;  ///< for each rank: what it is asked about
   VertexData data_;
 };
 
-/// Replaces the cells of the vertices by the vertices of each cell. Those that are input points, or belong to other
-/// ranks, are in no cell.
-VerticesOfCells Collector::take_vertices_of_cells() {
-  const std::size_t cells = distribution_.ownership().cells();
-  VerticesOfCells of_cells{std::vector<std::size_t>(cells + 1, 0), {}};
-  for (VertexId v = 0; v < cells_.size(); ++v) {
-    if (is_input(v) || !members_.owns_vertex(v)) cells_[v] = static_cast<Index>(cells);
-    if (cells_[v] < cells) ++of_cells.start[cells_[v] + 1];
+/// Numbers the vertices that all ranks have in common. Returns how many they are.
+std::uint64_t Collector::number_common() {
+  const auto inputs = static_cast<Index>(domain_.input_of_vertex.size());
+  Index begin = inputs;
+  std::uint64_t next = inputs;
+  const auto number_until = [&](Index end) {
+    data_.numbers.add({begin, end}, next);
+    next += end - begin;
+  };
+  for (const IndexRange unused : distribution_.unused_common()) {
+    number_until(unused.begin);
+    begin = unused.end;
   }
-  std::partial_sum(of_cells.start.begin(), of_cells.start.end(), of_cells.start.begin());
-  of_cells.vertices.resize_uninitialised(of_cells.start.back());
-  std::vector<std::size_t> next = of_cells.start;
-  for (VertexId v = 0; v < cells_.size(); ++v)
-    if (cells_[v] < cells) of_cells.vertices[next[cells_[v]]++] = v;
-  cells_ = {};
-  return of_cells;
+  number_until(distribution_.common_vertices());
+  return next;
 }
 
 void Collector::number_own() {
-  VerticesOfCells of_cells = take_vertices_of_cells();
-  const std::size_t inputs = domain_.input_of_vertex.size();
-  const ShareOfRank share = share_of_rank(of_cells.vertices.size(), ranks_);
-  data_.count = inputs + share.all;
-  data_.first = inputs + share.before;
-  std::uint64_t next = data_.first;
-  const std::span<const Index> curve = distribution_.ownership().curve();
-  std::vector<std::uint64_t> first_of_place;
-  for (const Index cell : curve) {
-    first_of_place.push_back(next);
-    next += of_cells.of(cell).size();
+  std::uint64_t next = number_common();
+  const Ownership& ownership = distribution_.ownership();
+  std::vector<Index> place_on_curve(ownership.cells());
+  for (Index place = 0; const Index cell : ownership.curve()) place_on_curve[cell] = place++;
+  const auto own = distribution_.insertions();
+  std::vector<Distribution::Insertions> insertions(own.begin(), own.end());
+  std::ranges::stable_sort(insertions, {}, [&](const auto& each) { return place_on_curve[each.cell]; });
+  std::uint64_t inserted = 0;
+  for (const auto& each : insertions) inserted += each.vertices.size();
+  const ShareOfRank share = share_of_rank(inserted, ranks_);
+  data_.count = next + share.all;
+  next += share.before;
+  data_.first = ranks_.rank() == 0 ? domain_.input_of_vertex.size() : next;
+  for (const auto& each : insertions) {
+    data_.numbers.add(each.vertices, next);
+    next += each.vertices.size();
   }
-  data_.number.resize_uninitialised(t_.points.size());
-  for (VertexId v = 0; v < inputs; ++v) data_.number[v] = domain_.input_of_vertex[v];
-  std::vector<SortInCell> sort(static_cast<std::size_t>(threads_.count));
-  parallel_for(threads_, curve.size(), [&](std::size_t place, int thread) {
-    const std::span<VertexId> vertices = of_cells.of(curve[place]);
-    sort[static_cast<std::size_t>(thread)](t_, vertices);
-    for (std::size_t i = 0; i < vertices.size(); ++i) data_.number[vertices[i]] = first_of_place[place] + i;
-  });
+  const auto in_excerpt = distribution_.inserted_in_excerpt();
+  for (std::size_t i = 0; i < in_excerpt.size(); ++i)
+    numbers_in_excerpt_.add({in_excerpt[i].id, in_excerpt[i].id + 1}, data_.count + i);
+  data_.count += share_of_rank(in_excerpt.size(), ranks_).all;
+  data_.numbers.settle();
+  numbers_in_excerpt_.settle();
 }
 
 /// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of the first segment
 /// with a marker on which the vertex lies. If there is none, it is 1 on the boundary and 0 elsewhere.
-void Collector::mark_own(std::span<const int> input_markers) {
-  std::unordered_map<VertexId, Index> first_segment;
+std::vector<Reason> Collector::reasons_for_markers(std::span<const int> input_markers) const {
+  std::vector<Reason> reasons;
+  const auto add = [&](VertexId v, Index rank, int marker) {
+    if (members_.owns_vertex(v)) reasons.push_back({v, rank, marker});
+  };
+  for (VertexId v = 0; !input_markers.empty() && v < domain_.input_of_vertex.size(); ++v)
+    if (const int given = input_markers[domain_.input_of_vertex[v]]; given != 0) add(v, 0, given);
   for (const EdgeRef e : members_.constrained_sides()) {
     const Slot& slot = t_.slot(e);
     const VertexId a = slot.from(e.side()), b = slot.to(e.side());
@@ -156,30 +118,33 @@ void Collector::mark_own(std::span<const int> input_markers) {
     if (segment == no_index) continue;
     const Index input = domain_.input_segment[segment];
     const int marker = domain_.segment_marker[segment];
-    for (const VertexId v : {a, b}) {
-      if (marker != 0 && input != no_index) {
-        const auto [found, is_new] = first_segment.try_emplace(v, input);
-        if (is_new || input < found->second) {
-          found->second = input;
-          data_.marker[v] = marker;
-        }
-      } else if (slot.n[e.side()].none() && data_.marker[v] == 0) {
-        data_.marker[v] = 1;
-      }
-    }
+    for (const VertexId v : {a, b})
+      if (marker != 0 && input != no_index)
+        add(v, 1 + input, marker);
+      else if (slot.n[e.side()].none())
+        add(v, no_index, 1);
   }
-  if (!input_markers.empty())
-    for (VertexId v = 0; is_input(v); ++v)
-      if (const int given = input_markers[domain_.input_of_vertex[v]]; given != 0) data_.marker[v] = given;
+  return reasons;
+}
+
+void Collector::mark_own(std::span<const int> input_markers) {
+  std::vector<Reason> reasons = reasons_for_markers(input_markers);
+  std::ranges::sort(reasons, [](const Reason& a, const Reason& b) { return a.v != b.v ? a.v < b.v : a.rank < b.rank; });
+  for (const Reason& reason : reasons)
+    if (data_.markers.empty() || data_.markers.back().v != reason.v) data_.markers.push_back({reason.v, reason.marker});
+}
+
+int Collector::marker_of(VertexId v) const {
+  const auto found = std::ranges::lower_bound(data_.markers, v, {}, &VertexData::Marker::v);
+  return found != data_.markers.end() && found->v == v ? found->marker : 0;
 }
 
 /// A vertex of this rank lies in a triangle of another piece only if that triangle has a corner of another rank.
 void Collector::find_pieces() {
-  for (const TriangleId id : members_.at_border()) {
-    const int owner = distribution_.owner_of_triangle(id);
-    for (const VertexId v : t_.slots[id].v)
-      if (members_.owns_vertex(v)) data_.pieces[v].push_back(owner);
-  }
+  for (const std::vector<TriangleId>& list : {std::cref(members_.at_border()), std::cref(members_.of_others())})
+    for (const TriangleId id : list)
+      for (const VertexId v : t_.slots[id].v)
+        if (members_.owns_vertex(v)) data_.pieces[v].push_back(distribution_.owner_of_triangle(id));
   for (auto& [v, ranks] : data_.pieces) {
     if (members_.has_vertex(v)) ranks.push_back(ranks_.rank());
     std::sort(ranks.begin(), ranks.end());
@@ -187,65 +152,92 @@ void Collector::find_pieces() {
   }
 }
 
-Ranks::Bytes Collector::question_about(const std::vector<VertexId>& vertices) const {
-  std::vector<Name> names;
-  for (const VertexId v : vertices) names.push_back(distribution_.part().name_of_vertex(v));
+/// The first rank is asked about vertices that were inserted in an excerpt.
+void Collector::plan_questions() {
+  for (const VertexId v : distribution_.part().vertices_of_others()) {
+    if (!members_.has_vertex(v)) continue;
+    const int rank = Name::rank_of(distribution_.part().name_of_vertex(v).creator);
+    asked_numbers_[rank < ranks_.count() ? rank : 0].push_back(v);
+  }
+  for (const VertexId v : members_.not_owned()) asked_data_[distribution_.owner_of(v)].push_back(v);
+}
+
+Ranks::Bytes Collector::question_to(int rank) const {
   Writer message;
-  message.list(names);
+  for (const std::vector<VertexId>& vertices : {asked_numbers_[rank], asked_data_[rank]}) {
+    std::vector<Name> names;
+    for (const VertexId v : vertices) names.push_back(distribution_.part().name_of_vertex(v));
+    message.list(names);
+  }
   return message.take();
 }
 
+std::uint64_t Collector::number_of(Name name) const {
+  const bool is_own = name.creator == Name::rank(ranks_.rank());
+  const VertexNumbers& numbers = is_own ? data_.numbers : numbers_in_excerpt_;
+  if (!numbers.has(name.id)) throw Reader::does_not_match();
+  return numbers.of(name.id);
+}
+
 Ranks::Bytes Collector::answer_to(const Ranks::Bytes& question) const {
+  Reader reader(question);
+  std::vector<std::uint64_t> numbers;
+  for (const Name name : reader.list<Name>()) numbers.push_back(number_of(name));
   std::vector<TravellingData> data;
   std::vector<int> all_pieces;
-  for (const Name name : Reader(question).list<Name>()) {
+  for (const Name name : reader.list<Name>()) {
     const VertexId v = distribution_.part().vertex(name);
     if (v == no_index || !members_.owns_vertex(v)) throw Reader::does_not_match();
     const std::vector<int>& pieces = data_.pieces.at(v);
-    data.push_back({data_.number[v], data_.marker[v], static_cast<std::uint32_t>(pieces.size())});
+    data.push_back({marker_of(v), static_cast<std::uint32_t>(pieces.size())});
     all_pieces.insert(all_pieces.end(), pieces.begin(), pieces.end());
   }
   Writer message;
+  message.list(numbers);
   message.list(data);
   message.list(all_pieces);
   return message.take();
 }
 
-void Collector::take_answer(const Ranks::Bytes& answer, const std::vector<VertexId>& vertices) {
+void Collector::take_answer(int rank, const Ranks::Bytes& answer) {
   Reader reader(answer);
+  const auto numbers = reader.list<std::uint64_t>();
   const auto data = reader.list<TravellingData>();
   const auto all_pieces = reader.list<int>();
-  if (data.size() != vertices.size()) throw Reader::does_not_match();
+  if (numbers.size() != asked_numbers_[rank].size() || data.size() != asked_data_[rank].size())
+    throw Reader::does_not_match();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const VertexId v = asked_numbers_[rank][i];
+    data_.numbers.add({v, v + 1}, numbers[i]);
+  }
   auto next = all_pieces.begin();
   for (std::size_t i = 0; i < data.size(); ++i) {
-    const VertexId v = vertices[i];
-    data_.number[v] = data[i].number;
-    data_.marker[v] = data[i].marker;
+    const VertexId v = asked_data_[rank][i];
+    if (data[i].marker != 0) data_.markers.push_back({v, data[i].marker});
     data_.pieces[v] = {next, next + data[i].pieces};
     next += data[i].pieces;
   }
 }
 
-void Collector::ask_owners() {
-  std::vector<std::vector<VertexId>> asked(ranks_.count());
-  for (VertexId v = 0; v < t_.points.size(); ++v)
-    if (members_.has_vertex(v) && !members_.owns_vertex(v)) asked[distribution_.owner_of(v)].push_back(v);
+void Collector::ask_others() {
+  plan_questions();
   std::vector<Ranks::Bytes> questions, answers;
-  for (const std::vector<VertexId>& of_rank : asked) questions.push_back(question_about(of_rank));
+  for (int rank = 0; rank < ranks_.count(); ++rank) questions.push_back(question_to(rank));
   for (const Ranks::Bytes& question : ranks_.exchange(std::move(questions))) answers.push_back(answer_to(question));
   const std::vector<Ranks::Bytes> arrived = ranks_.exchange(std::move(answers));
-  for (int rank = 0; rank < ranks_.count(); ++rank) take_answer(arrived[rank], asked[rank]);
+  for (int rank = 0; rank < ranks_.count(); ++rank) take_answer(rank, arrived[rank]);
+  data_.numbers.settle();
 }
 
 }  // namespace
 
-VertexData vertex_data(const DomainTriangulation& domain, const Distribution& distribution, Members& members,
-                       std::span<const int> input_markers, const Threads& threads) {
-  Collector collector(domain, distribution, members, members.take_cells(), threads);
+VertexData vertex_data(const DomainTriangulation& domain, const Distribution& distribution, const Members& members,
+                       std::span<const int> input_markers) {
+  Collector collector(domain, distribution, members);
   collector.number_own();
   collector.mark_own(input_markers);
   collector.find_pieces();
-  collector.ask_owners();
+  collector.ask_others();
   return collector.take();
 }
 

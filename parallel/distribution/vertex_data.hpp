@@ -9,25 +9,33 @@
 #include "../conversion/domain_triangulation.hpp"
 #include "distribution.hpp"
 #include "members.hpp"
+#include "numbering.hpp"
 
 namespace pardel::engine {
 
 /// The data of the vertices of a piece. The owner of a vertex (Distribution::owner_of) holds all triangles around it,
-/// so it knows everything about it. Each rank asks the owners about its other vertices.
+/// so it knows its marker and its pieces. The rank that has inserted it knows its number. Each rank asks the others
+/// about the vertices that it does not own, or has not inserted.
 struct VertexData {
-  /// Per vertex of the triangulation, its number in the whole mesh: input points first, in the order of the input, then
-  /// the others, cell by cell along the curve of the ownership, and by coordinates in each cell. The numbers do not
-  /// depend on the number of ranks. Undefined for vertices that are not in the piece.
-  Array<std::uint64_t> number;
-  Array<int> marker;  ///< per vertex, as Mesh::point_markers
+  /// For all vertices of the piece except input points, which have the numbers of the input. Then follow the vertices
+  /// of the coarse levels, then, cell by cell along the curve of the ownership, those that the tasks of the cell have
+  /// inserted, in the order of the insertions; last those for which a larger box was needed, in the order of
+  /// coordinates. The numbers do not depend on the number of ranks.
+  VertexNumbers numbers;
+  /// The vertices with a marker other than 0, as in Mesh::point_markers; some are not in the piece.
+  struct Marker {
+    VertexId v;
+    int marker;
+  };
+  std::vector<Marker> markers;
   /// For vertices at the border: the ranks whose pieces contain the vertex, ascending.
   std::unordered_map<VertexId, std::vector<int>> pieces;
-  std::uint64_t first = 0;  ///< the first number of a vertex that this rank owns, except for input points
+  std::uint64_t first = 0;  ///< as PieceOfMesh::first_point
   std::uint64_t count = 0;  ///< the number of points of the whole mesh
 };
 
-/// Collective. Takes the cells of `members`. `input_markers`: per input point, or empty.
+/// Collective. `input_markers`: per input point, or empty.
 [[nodiscard]] VertexData vertex_data(const DomainTriangulation& domain, const Distribution& distribution,
-                                     Members& members, std::span<const int> input_markers, const Threads& threads);
+                                     const Members& members, std::span<const int> input_markers);
 
 }  // namespace pardel::engine

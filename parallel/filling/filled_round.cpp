@@ -30,7 +30,7 @@ FilledRound::FilledRound(Filling filling, const Criteria& criteria, std::span<co
 
 Status FilledRound::refine(const InputData& input, ProgressMonitor& progress) {
   const Threads threads = progress.threads();
-  progress.set_aside(filling_.inner_points() / pieces_, filling_.triangles());
+  progress.set_aside(filling_.inner_points() / pieces_, filling_.triangles() / pieces_);  // what is in memory at once
   const auto convert = [&](DomainTriangulation&& snapshot) { return laid_into(std::move(snapshot), input, threads); };
   Result<RefineCounts> counts = refine_by_sweeps(domain_.triangulation, domain_.segments, criteria_, options_, progress,
                                                  {}, watcher(domain_, options_, convert));

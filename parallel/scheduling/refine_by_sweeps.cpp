@@ -83,7 +83,7 @@ class Refinement {
     else
       refine_in_lattice(bounds, finest);
     if (partners_ == nullptr) {
-      compact(t_, runner_.vertices(), runner_.triangles(), threads_);
+      compact(t_, IndexMoves(runner_.vertices()), IndexMoves(runner_.triangles()), threads_);
     } else {
       add_up_counts();
       partners_->finish();

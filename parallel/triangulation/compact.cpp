@@ -1,40 +1,11 @@
 #include "compact.hpp"
 
-#include <vector>
-
 #include "../concurrency/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {
 
-/// The moves into unused indices, and the new index of each element that has moved.
-class Moves {
- public:
-  explicit Moves(const IndexAllocator& indices) : moves_(moves_into_holes(indices)), in_use_(indices.in_use()) {
-    if (!moves_.empty()) moved_to_.resize(moves_.back().from + 1 - in_use_, no_index);
-    for (const IndexMove move : moves_) moved_to_[move.from - in_use_] = move.to;
-  }
-  [[nodiscard]] bool empty() const { return moves_.empty(); }
-  [[nodiscard]] Index in_use() const { return in_use_; }
-  [[nodiscard]] bool has_moved(Index index) const { return index >= in_use_; }
-  /// Precondition: has_moved(index).
-  [[nodiscard]] Index now(Index index) const { return moved_to_[index - in_use_]; }
-
-  template <class Body>
-  void for_each(const Threads& threads, const Body& body) const {
-    parallel_blocks(threads, moves_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) body(moves_[i].from, moves_[i].to);
-    });
-  }
-
- private:
-  std::vector<IndexMove> moves_;
-  Index in_use_;
-  std::vector<Index> moved_to_;
-};
-
-void compact_triangles(Triangulation& t, const IndexAllocator& indices, const Threads& threads) {
-  const Moves moves(indices);
+void compact_triangles(Triangulation& t, const IndexMoves& moves, const Threads& threads) {
   moves.for_each(threads, [&](TriangleId from, TriangleId to) {
     t.slots[to] = t.slots[from];
     if (!t.region.empty()) t.region[to] = t.region[from];
@@ -55,8 +26,7 @@ void compact_triangles(Triangulation& t, const IndexAllocator& indices, const Th
   if (!t.region.empty()) t.region.resize(moves.in_use());
 }
 
-void compact_vertices(Triangulation& t, const IndexAllocator& indices, const Threads& threads) {
-  const Moves moves(indices);
+void compact_vertices(Triangulation& t, const IndexMoves& moves, const Threads& threads) {
   moves.for_each(threads, [&](VertexId from, VertexId to) {
     t.points[to] = t.points[from];
     t.origin[to] = t.origin[from];
@@ -73,8 +43,7 @@ void compact_vertices(Triangulation& t, const IndexAllocator& indices, const Thr
 
 }  // namespace
 
-void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles,
-             const Threads& threads) {
+void compact(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles, const Threads& threads) {
   compact_triangles(t, triangles, threads);
   compact_vertices(t, vertices, threads);
   t.slots.shrink_to_fit();
@@ -86,7 +55,7 @@ void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAlloca
 Triangulation compacted_copy(const Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles,
                              const Threads& threads) {
   Triangulation copy = t;
-  compact(copy, vertices, triangles, threads);
+  compact(copy, IndexMoves(vertices), IndexMoves(triangles), threads);
   return copy;
 }
 

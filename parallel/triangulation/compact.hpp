@@ -8,10 +8,10 @@
 namespace pardel::engine {
 
 /// Moves the last vertices and triangles into the unused indices, shortens the arrays, and releases the memory that
-/// they no longer need. Precondition: both allocators are settled. Time: linear in the number of triangles.
-void compact(Triangulation& t, const IndexAllocator& vertices, const IndexAllocator& triangles, const Threads& threads);
+/// they no longer need. Time: linear in the number of triangles.
+void compact(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles, const Threads& threads);
 
-/// A copy of the triangulation, compacted. Precondition and time as for compact().
+/// A copy of the triangulation, compacted. Precondition: both allocators are settled.
 [[nodiscard]] Triangulation compacted_copy(const Triangulation& t, const IndexAllocator& vertices,
                                            const IndexAllocator& triangles, const Threads& threads);
 

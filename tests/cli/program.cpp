@@ -135,6 +135,10 @@ Ran Workshop::run(const std::string& program, const std::vector<std::string>& ar
     close(master);
   }
   if (!options.terminal && !options.interrupt_when.empty()) interrupt_once_seen(child, options, err);
+  if (options.interrupt_after) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(*options.interrupt_after));
+    kill(child, options.signal);  // has no effect if the program has ended
+  }
   int status = 0;
   rusage used{};
   wait4(child, &status, 0, &used);

@@ -42,6 +42,7 @@ struct RunOptions {
   std::optional<std::uint64_t> stack_size = {};       ///< bytes; also of each new thread
   std::optional<std::uint64_t> processor_time = {};   ///< seconds; then SIGXCPU
   std::string interrupt_when = {};                    ///< a signal is sent when standard error contains this text
+  std::optional<double> interrupt_after = {};         ///< seconds; a signal is sent then
   int signal = SIGINT;                                ///< that signal
   int ignored_signal = 0;                             ///< the program starts with this signal ignored
   bool terminal = false;                              ///< standard error is a terminal

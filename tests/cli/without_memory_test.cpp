@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 
 #include "../../cli/end_process.hpp"
 #include "../../cli/memory.hpp"
@@ -20,12 +21,12 @@ TEST(WithoutMemory, the_memory_in_use_is_known) {
 }
 
 TEST(WithoutMemory, the_process_ends_with_its_message) {
-  const Error error{ErrorKind::resources, "a message that is too long for the storage within a string object"};
+  const std::string message = "a message that is too long for the storage within a string object";
   const auto end = [&] {
     const testing::FullMemory full;
-    end_process(error);
+    end_process(ErrorKind::resources, message);
   };
-  EXPECT_EXIT(end(), ::testing::ExitedWithCode(5), error.message);
+  EXPECT_EXIT(end(), ::testing::ExitedWithCode(5), message);
 }
 
 }  // namespace

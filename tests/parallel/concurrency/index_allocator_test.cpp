@@ -32,8 +32,15 @@ class Phases {
       given += tasks.back().left();
     }
     for (IndexPool& pool : tasks) {
-      for (std::size_t left = random_.below(pool.left() + 1); pool.left() > left;)
-        EXPECT_TRUE(in_use_.insert(pool.take()).second) << "allocated twice";
+      std::vector<Index> taken, recorded;
+      for (std::size_t left = random_.below(pool.left() + 1); pool.left() > left;) {
+        taken.push_back(pool.take());
+        EXPECT_TRUE(in_use_.insert(taken.back()).second) << "allocated twice";
+      }
+      pool.for_each_taken([&](IndexRange r) {
+        for (Index n = r.begin; n < r.end; ++n) recorded.push_back(n);
+      });
+      EXPECT_EQ(recorded, taken);
       allocator_.release(pool);
     }
     allocator_.settle();
@@ -75,10 +82,16 @@ TEST(IndexMoves, fill_every_hole_with_an_element_from_above) {
     Phases phases(3, 10'000, seed);
     for (int phase = 0; phase < 10; ++phase) phases.phase();
     std::set<Index> numbers = phases.in_use();
-    for (const IndexMove move : moves_into_holes(phases.allocator())) {
-      ASSERT_EQ(numbers.erase(move.from), 1U) << "moves an index that is not in use";
-      ASSERT_TRUE(numbers.insert(move.to).second) << "moves to an index that is in use";
-    }
+    for (Index n = 0; n < phases.allocator().end(); ++n) ASSERT_EQ(phases.allocator().uses(n), numbers.contains(n));
+    const IndexMoves moves(phases.allocator());
+    Index last = 0;
+    moves.for_each(Threads(1), [&](Index from, Index to) {
+      EXPECT_EQ(numbers.erase(from), 1U) << "moves an index that is not in use";
+      EXPECT_TRUE(numbers.insert(to).second) << "moves to an index that is in use";
+      EXPECT_EQ(moves.now(from), to);
+      EXPECT_GT(from, last);
+      last = from;
+    });
     ASSERT_EQ(numbers.size(), phases.in_use().size());
     EXPECT_TRUE(numbers.empty() || *numbers.rbegin() == numbers.size() - 1);
   }

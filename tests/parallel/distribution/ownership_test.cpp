@@ -76,5 +76,19 @@ TEST(Ownership, lets_no_rank_watch_what_no_task_of_it_can_reach) {
       }
 }
 
+TEST(Ownership, lets_a_rank_watch_the_same_points_of_a_box_if_the_box_is_known) {
+  for (const Tiles& tiles : {lattice, some_quadtree()}) {
+    const Ownership ownership(tiles, std::vector<double>(tiles.cells(), 1), 4);
+    for (Index cell = 0; cell < tiles.cells(); ++cell)
+      for (double x = 0; x < 8; x += 0.25)
+        for (double y = 0; y < 8; y += 0.25)
+          for (int rank = 0; rank < 4; ++rank) {
+            const Point p = tiles.lattice() != nullptr ? Point{x, y} : Point{x / 8, y / 8};
+            if (rank == ownership.owner(cell) || !tiles.box_of(cell).contains_half_open(p)) continue;
+            EXPECT_EQ(ownership.watches(rank, p, cell), ownership.watches(rank, p));
+          }
+  }
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -44,7 +44,7 @@ struct PhaseScene : samples::AssessedSample {
       runner.run(tiles, tasks, {}, [](std::uint64_t) {});
       for (const PlannedTask& task : tasks) inserted += task.result.inserted;
     }
-    compact(sample.triangulation, runner.vertices(), runner.triangles(), Threads(1));
+    compact(sample.triangulation, IndexMoves(runner.vertices()), IndexMoves(runner.triangles()), Threads(1));
     return std::move(sample.triangulation);
   }
   std::uint64_t inserted = 0;

@@ -61,7 +61,7 @@ TEST(Compact, renumbers_and_changes_nothing_else) {
     const Triangulation whole = samples::triangulated(points).triangulation;
     WithHoles moved(whole);
     Triangulation& t = moved.t;
-    compact(t, moved.vertices, moved.triangles, 1);
+    compact(t, IndexMoves(moved.vertices), IndexMoves(moved.triangles), 1);
     EXPECT_EQ(samples::fault(t), "");
     ASSERT_EQ(t.points.size(), whole.points.size());
     ASSERT_EQ(t.slots.size(), whole.slots.size());
@@ -73,7 +73,7 @@ TEST(Compact, renumbers_and_changes_nothing_else) {
       ASSERT_EQ(t.region[id], t.origin[t.slots[id].v[0]]) << "triangle " << id;
 
     WithHoles again(whole);
-    compact(again.t, again.vertices, again.triangles, 3);
+    compact(again.t, IndexMoves(again.vertices), IndexMoves(again.triangles), 3);
     EXPECT_EQ(again.t.points, t.points);
     EXPECT_EQ(again.t.origin, t.origin);
     EXPECT_EQ(again.t.region, t.region);

@@ -1,0 +1,43 @@
+// The triangulation of a domain by definition, for the targets that compare the engine and the checker with it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../core/pslg.hpp"
+#include "../ref/constrained.hpp"
+#include "../ref/faces.hpp"
+
+namespace pardel::fuzz {
+
+/// The coordinates that ref/constrained.hpp takes: multiples of 2^-50 of absolute value at most 2^50. The box around
+/// the domain (triangulation_by_definition()) must be in this range too.
+[[nodiscard]] inline bool has_plain_coordinates(const Pslg& pslg) {
+  return std::ranges::all_of(pslg.points, [](Point p) {
+    const auto is_plain = [](double x) {
+      return std::abs(x) <= 0x1p47 && std::ldexp(x, 50) == std::floor(std::ldexp(x, 50));
+    };
+    return is_plain(p.x) && is_plain(p.y);
+  });
+}
+
+/// The constrained Delaunay triangulation of the domain in a larger box, without the faces of the exterior and of the
+/// holes. Preconditions: the Pslg is valid and has segments and plain coordinates.
+[[nodiscard]] inline ref::PlainMesh triangulation_by_definition(const Pslg& pslg) {
+  std::vector<ref::Edge> walls;
+  for (const Segment& s : pslg.segments) walls.push_back(ref::edge(s.a, s.b));
+  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
+  const double width = std::exp2(std::ceil(std::log2(std::max(right.x - left.x, high.y - low.y))));
+  const double x = std::floor(left.x / width) * width, y = std::floor(low.y / width) * width;
+  std::vector<Point> points = pslg.points;
+  points.insert(
+      points.end(),
+      {{x - width, y - width}, {x + 3 * width, y - width}, {x + 3 * width, y + 3 * width}, {x - width, y + 3 * width}});
+  ref::PlainMesh mesh = ref::constrained_delaunay(points, walls);
+  ref::carve(mesh, ref::exact(points.back()), pslg.holes);
+  return mesh;
+}
+
+}  // namespace pardel::fuzz

@@ -1,0 +1,115 @@
+"""Finds: failed runs, sorted by verdict and stack, and shrunk to the smallest input with the same verdict and stack."""
+import hashlib
+import json
+import re
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+from . import programs
+
+FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
+UNINTERESTING = ("pardel::fuzz::fail(", "fuzz_one(", "LLVMFuzzer", "fuzzer::", "__", "std::", "abort", "raise",
+                 "gsignal", "main", "_start", "operator")
+
+
+def signature(output):
+    """The verdict of a failed run and its innermost functions, without numbers, which differ from input to input."""
+    verdict = "crash"
+    for pattern in (r"fuzz: the property failed: (.*)", r"runtime error: (.*)", r"ERROR: (AddressSanitizer: [\w-]+)",
+                    r"ERROR: (libFuzzer: .*)", r"terminate called after throwing (.*)", r"(assertion .*failed.*)"):
+        found = re.search(pattern, output, re.IGNORECASE)
+        if found:
+            verdict = found.group(1)
+            break
+    message = verdict
+    verdict = re.sub(r"/\S+|\S*pardel-fuzz-\S*", "FILE", verdict)
+    verdict = re.sub(r"-?\d[\d.]*(e[+-]?\d+)?|\"[^\"]*\"", "N", verdict)[:160]
+    verdict = re.sub(r"(\(N, N\),? ?)+|(N )+N", "N", verdict)
+    frames = []
+    for name in FRAME.findall(output):
+        plain = re.sub(r"\(anonymous namespace\)::|\(.*|<.*", "", name)
+        if not any(name.startswith(word) or word in name for word in UNINTERESTING) and plain not in frames:
+            frames.append(plain)
+    return {"verdict": verdict, "stack": frames[:3], "message": message[:400]}
+
+
+def key(target, found):
+    text = json.dumps([target, found["verdict"], found["stack"]])
+    return hashlib.sha1(text.encode()).hexdigest()[:10]
+
+
+def replay(target, file, seconds=60):
+    """Runs one input. Returns the output of a failure, or None."""
+    command = [str(target.replay), str(file)]
+    try:
+        ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds,
+                             env=programs.environment(), check=False)
+    except subprocess.TimeoutExpired:
+        return "ERROR: libFuzzer: timeout"
+    return None if ran.returncode == 0 else ran.stdout.decode(errors="replace")
+
+
+def smaller(data, target, fails, until):
+    """Removes parts, and sets bytes to zero, as long as fails() holds: strokes of a domain, else lines and bytes."""
+    head, sizes = (32, [64, 16, 8]) if target.draws else (0, [256, 64, 16, 4, 1])
+    for size in sizes:
+        at = len(data) - (len(data) - head) % size
+        while at > head and time.time() < until:
+            at -= size
+            shorter = data[:at] + data[at + size:]
+            if at >= head and len(shorter) < len(data) and fails(shorter):
+                data = shorter
+    for i in range(len(data)):
+        if time.time() > until:
+            break
+        zeroed = data[:i] + b"\0" + data[i + 1:]
+        if zeroed != data and fails(zeroed):
+            data = zeroed
+    while data.endswith(b"\0") and fails(data[:-1]) and time.time() < until:
+        data = data[:-1]
+    return data
+
+
+def record(target, artifact, output, folder, seconds):
+    """Files a find below `folder`. Returns its entry, or None if one with the same verdict and stack is there.
+
+    If the replay program does not fail, the verdict is that of the fuzzer: the run depends on more than its input.
+    """
+    again = replay(target, artifact)
+    found = signature(again if again is not None else output)
+    name = key(target.name, found)
+    place = Path(folder) / target.name / name
+    if place.exists():
+        count = json.loads((place / "find.json").read_text())
+        count["times"] += 1
+        (place / "find.json").write_text(json.dumps(count, indent=1))
+        return None
+    place.mkdir(parents=True)
+    shutil.copy(artifact, place / "first")
+    (place / "output.txt").write_text(again if again is not None else output)
+    data = Path(artifact).read_bytes()
+    if again is not None and "timeout" not in found["verdict"]:
+        trial = place / "trial"
+
+        def fails(candidate):
+            trial.write_bytes(candidate)
+            text = replay(target, trial)
+            return text is not None and key(target.name, signature(text)) == name
+
+        data = smaller(data, target, fails, time.time() + seconds)
+        trial.unlink(missing_ok=True)
+    (place / "input").write_bytes(data)
+    if target.draws:
+        drawn = subprocess.run([str(target.folder / "draw_case"), str(place / "input"), str(place / "domain")],
+                               capture_output=True, text=True, check=False)
+        (place / "case.txt").write_text(drawn.stdout)
+    entry = {"target": target.name, "key": name, "times": 1, "bytes": len(data), "repeats": again is not None,
+             "replay": f"{target.replay} {place / 'input'}", "picture": target.draws, **found}
+    (place / "find.json").write_text(json.dumps(entry, indent=1))
+    return entry
+
+
+def all_in(folder):
+    return [json.loads(file.read_text()) for file in sorted(Path(folder).glob("*/*/find.json"))]

@@ -1,0 +1,119 @@
+"""Campaigns for any mesher: rounds of pardel-harness, with a new seed each. The finds are the failures that the harness
+shrinks; their replay lines are those of its report."""
+import json
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+from . import programs, summary
+
+
+def add_options(parser):
+    parser.add_argument("--harness", metavar="MESHER", help="run pardel-harness with this mesher, not the fuzz targets")
+    parser.add_argument("--harness-program", type=Path, default=programs.ROOT / "build/release/cli/pardel-harness",
+                        help="the harness (default build/release/cli/pardel-harness)")
+    parser.add_argument("--harness-options", default="",
+                        help="further options of pardel-harness, such as '--format vtu'")
+    parser.add_argument("--cases", type=int, default=220, help="cases of a round of the harness (default 220)")
+
+
+class Rounds:
+    def __init__(self, folder, options):
+        self.folder, self.options, self.stopping, self.process = folder, options, False, None
+        state = folder / "state.json"
+        self.state = json.loads(state.read_text()) if state.exists() else {
+            "mesher": options.harness, "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
+            "families": {}, "finds": [], "history": []}
+
+    def command(self, work):
+        return [str(self.options.harness_program), "--mesher", self.state["mesher"],
+                "--cases", str(self.options.cases), "--seed", str(self.state["seed"]),
+                "--jobs", str(self.options.jobs), "--json", str(work / "report.json"), "--report", str(work / "report.md"), "--failures", str(work / "failures"),
+                *self.options.harness_options.split()]
+
+    def stop(self, *_):
+        self.stopping = True
+        if self.process:
+            self.process.send_signal(signal.SIGINT)
+
+    def account(self, work, seconds):
+        report = json.loads((work / "report.json").read_text())
+        state = self.state
+        state["rounds"] += 1
+        state["seed"] += 1
+        state["seconds"] += seconds
+        for family, row in report["families"].items():
+            counts = state["families"].setdefault(family, {})
+            for verdict, count in row.items():
+                counts[verdict] = counts.get(verdict, 0) + count
+                state["verdicts"][verdict] = state["verdicts"].get(verdict, 0) + count
+                state["cases"] += count
+        replays = {failure["case"]: failure["replay"] for failure in report["failures"]}
+        known = {(f["verdict"], f["kind"]): f for f in state["finds"]}
+        for kind in report["kinds"]:
+            entry = known.get((kind["verdict"], kind["kind"]))
+            if entry:
+                entry["times"] += kind["cases"]
+                continue
+            state["finds"].append({"verdict": kind["verdict"], "kind": kind["kind"], "times": kind["cases"],
+                                   "case": kind["first"], "message": kind["message"],
+                                   "poly": Path(kind.get("smallest", {}).get("poly", "")).name,
+                                   "replay": replays.get(kind["first"], "")})
+        if (work / "failures").is_dir():
+            for file in (work / "failures").iterdir():
+                place = self.folder / "finds" / file.name
+                place.parent.mkdir(exist_ok=True)
+                if not place.exists():
+                    shutil.move(str(file), str(place))
+        state["history"].append([round(state["seconds"], 1), state["cases"], len(state["finds"])])
+
+    def save(self):
+        fresh = self.folder / "state.json.new"
+        fresh.write_text(json.dumps(self.state))
+        fresh.replace(self.folder / "state.json")
+        (self.folder / "summary.json").write_text(
+            json.dumps({"schema": "pardel.campaign/1", **self.state}, indent=1) + "\n")
+        verdicts = sorted(self.state["verdicts"])
+        text = [f"# Campaign: `{self.state['mesher']}`", "",
+                f"{self.state['cases']:,} cases in {self.state['rounds']} rounds, "
+                f"{self.state['seconds'] / 3600:.2f} hours, "
+                f"{len(self.state['finds'])} kinds of failures.", "",
+                "| family | " + " | ".join(verdicts) + " |", "|---|" + "---:|" * len(verdicts)]
+        for family, counts in self.state["families"].items():
+            text.append(f"| {family} | " + " | ".join(str(counts.get(v, 0)) for v in verdicts) + " |")
+        text += ["", "![kinds of failures over time](coverage.svg)", "", "## Failures", ""]
+        for find in self.state["finds"]:
+            text += [f"- **{find['verdict']}** {find['kind']}, {find['times']} times: {find['message']}",
+                     f"  - smallest: finds/{find['poly']}", f"  - replay: `{find['replay']}`"]
+        (self.folder / "summary.md").write_text("\n".join(text) + "\n")
+        (self.folder / "coverage.svg").write_text(summary.plot(
+            {"cases": [(s / 3600, c) for s, c, _ in self.state["history"]],
+             "kinds of failures": [(s / 3600, f) for s, _, f in self.state["history"]]}, "hours", ""))
+
+    def run(self):
+        end = time.time() + 3600 * self.options.hours
+        while not self.stopping and time.time() < end:
+            work = self.folder / "work"
+            shutil.rmtree(work, ignore_errors=True)
+            work.mkdir()
+            began = time.time()
+            self.process = subprocess.Popen(self.command(work), stdout=subprocess.DEVNULL)
+            code = self.process.wait()
+            if code not in (0, 1):  # interrupted, or the harness cannot run: nothing to count
+                if not self.stopping:
+                    print(f"campaign: {self.command(work)[0]} ended with exit code {code}")
+                break
+            self.account(work, time.time() - began)
+            self.save()
+        shutil.rmtree(self.folder / "work", ignore_errors=True)
+
+
+def run(folder, options):
+    rounds = Rounds(folder, options)
+    signal.signal(signal.SIGINT, rounds.stop)
+    signal.signal(signal.SIGTERM, rounds.stop)
+    rounds.run()
+    print(folder / "summary.md")
+    return 1 if rounds.state["finds"] or rounds.state["rounds"] == 0 else 0

@@ -1,0 +1,70 @@
+"""The fuzz programs of a build: their names, how they are built, and how libFuzzer is called."""
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+CORPUS = ROOT / "fuzz" / "corpus"
+DICTIONARIES = ROOT / "fuzz" / "dictionaries"
+
+# The longest input. Strokes: a header of 32 bytes and 24 strokes of 8 bytes.
+LONGEST = {"mutate_strokes.cpp": 224, "mutate_files.cpp": 2048, "": 256}
+
+
+class Target:
+    """One fuzz target. `mutator` is the source that changes its inputs, or empty."""
+
+    def __init__(self, name, mutator, folder):
+        self.name = name
+        self.mutator = mutator
+        self.folder = folder
+
+    @property
+    def draws(self):
+        """Is the input a domain that draw_case can draw?"""
+        return self.mutator == "mutate_strokes.cpp"
+
+    @property
+    def committed(self):
+        return CORPUS / self.name
+
+    def program(self, mutated=False):
+        return self.folder / f"fuzz_{self.name}{'_mutated' if mutated else ''}"
+
+    @property
+    def replay(self):
+        return self.folder / f"replay_{self.name}"
+
+    def command(self, *arguments, mutated=False):
+        """The libFuzzer program with the options of this target."""
+        command = [str(self.program(mutated)), f"-max_len={LONGEST[self.mutator]}", "-timeout=30",
+                   "-rss_limit_mb=3000", "-malloc_limit_mb=1000", "-len_control=0", "-print_final_stats=1"]
+        if not self.draws:
+            # The values that are compared guide the search in files. In a mesh nearly every value is new.
+            command.append("-use_value_profile=1")
+        dictionary = DICTIONARIES / f"{self.name}.dict"
+        if dictionary.exists():
+            command.append(f"-dict={dictionary}")
+        return command + [str(a) for a in arguments]
+
+
+def environment(**more):
+    """One thread, but for the targets that ask for more. Waiting threads sleep: they may be more than the cores."""
+    result = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1",
+                  UBSAN_OPTIONS="print_stacktrace=1", **more)
+    result["ASAN_OPTIONS"] = "detect_leaks=0:handle_abort=1"
+    return result
+
+
+def targets(build):
+    """The targets of a build folder, in the order of fuzz/CMakeLists.txt."""
+    folder = Path(build) / "fuzz"
+    lines = (folder / "targets").read_text().splitlines()
+    return [Target(line.split()[0], (line.split() + [""])[1], folder) for line in lines if line.strip()]
+
+
+def build(folder, goal, jobs):
+    """Configures the preset `fuzz` if necessary and builds a CMake target of it."""
+    if not (Path(folder) / "CMakeCache.txt").exists():
+        subprocess.run(["cmake", "--preset", "fuzz", "-B", str(folder)], cwd=ROOT, check=True)
+    subprocess.run(["cmake", "--build", str(folder), "--target", goal, "-j", str(jobs)], cwd=ROOT, check=True)

@@ -1,0 +1,99 @@
+"""Slices: runs of libFuzzer of limited length, and what their logs say."""
+import ctypes
+import re
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+from . import programs
+
+PULSE = re.compile(r"^#(\d+)\s+(\w+)\s+cov: (\d+) ft: (\d+)(?: corp: (\d+)/\S+)?", re.MULTILINE)
+
+
+def numbers(log):
+    """Executions, covered edges, features and inputs of the corpus, from the last line that has them; the features when
+    the corpus had been read, and how many inputs were read. Reading an input again is no new execution."""
+    result = {"executions": 0, "coverage": 0, "features": 0, "inputs": 0, "features_before": 0, "read": 0}
+    for count, event, coverage, features, inputs in PULSE.findall(log):
+        result.update(executions=int(count), coverage=int(coverage), features=int(features),
+                      inputs=int(inputs or result["inputs"]))
+        if event == "INITED":
+            result["features_before"] = int(features)
+            result["read"] = int(count)
+    total = re.search(r"stat::number_of_executed_units: (\d+)", log)
+    if total:
+        result["executions"] = max(result["executions"], int(total.group(1)))
+    if not result["read"]:
+        result["read"] = result["executions"]  # the slice ended before the corpus was read
+    result["executions"] -= min(result["read"], result["executions"])
+    return result
+
+
+def end_with_parent():
+    """Linux sends this process SIGINT when the campaign dies, even by SIGKILL; libFuzzer then ends with its figures."""
+    ctypes.CDLL(None).prctl(1, signal.SIGINT)
+
+
+def start(target, corpus, work, seconds, seed):
+    """Starts a slice. Its log is WORK/log, and a failing input is left in WORK."""
+    work.mkdir(parents=True, exist_ok=True)
+    corpus.mkdir(parents=True, exist_ok=True)
+    folders = [corpus] + ([target.committed] if target.committed.is_dir() else [])
+    with open(work / "log", "wb") as log:
+        return subprocess.Popen(
+            target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
+                           *folders),
+            stdout=log, stderr=subprocess.STDOUT, cwd=work, env=programs.environment(), preexec_fn=end_with_parent)
+
+
+def artifacts(work):
+    return [file for file in sorted(Path(work).iterdir()) if re.match(r"(crash|timeout|oom|leak)-", file.name)]
+
+
+def minimise(target, corpus, seconds):
+    """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one."""
+    merged, old = corpus.with_suffix(".merged"), corpus.with_suffix(".old")
+    for leftover in (merged, old):
+        remove(leftover)
+    merged.mkdir()
+    folders = [corpus] + ([target.committed] if target.committed.is_dir() else [])
+    try:
+        ran = subprocess.run(target.command("-merge=1", merged, *folders), stdout=subprocess.DEVNULL,
+                             stderr=subprocess.DEVNULL, timeout=seconds, env=programs.environment(), check=False)
+    except subprocess.TimeoutExpired:
+        ran = None
+    if ran is None or ran.returncode != 0 or not any(merged.iterdir()):
+        remove(merged)
+        return False
+    corpus.rename(old)
+    merged.rename(corpus)
+    remove(old)
+    return True
+
+
+def recover(corpus):
+    """Completes a replacement of the corpus that was interrupted between its two renames."""
+    old, merged = corpus.with_suffix(".old"), corpus.with_suffix(".merged")
+    if not corpus.exists() and merged.exists():
+        merged.rename(corpus)
+    if not corpus.exists() and old.exists():
+        old.rename(corpus)
+    for leftover in (old, merged):
+        remove(leftover)
+
+
+def remove(folder):
+    if folder.is_dir():
+        for file in folder.iterdir():
+            file.unlink()
+        folder.rmdir()
+
+
+def cpu_seconds(process, since):
+    """The processor time of a process that is running, or the time since it was started."""
+    try:
+        fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / 100
+    except (OSError, IndexError):
+        return time.time() - since

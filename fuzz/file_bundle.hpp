@@ -1,0 +1,44 @@
+// Several files in one sequence of bytes, for readers that read more than one file.
+//
+//     == mesh.node
+//     3 2 0 0
+//     ...
+//     == mesh.ele
+//     ...
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pardel::fuzz {
+
+struct NamedText {
+  std::string name;  ///< of letters, digits, underscores and points; it does not begin with a point
+  std::string text;
+};
+
+/// The files of the bytes. A line `== NAME` begins a file; the line feed before it does not belong to the file in
+/// front. Bytes that do not begin in this way are one file, with the name `otherwise`.
+[[nodiscard]] std::vector<NamedText> files_of(std::span<const std::uint8_t> bytes, const std::string& otherwise);
+
+/// A folder of this process, in memory if the machine has such a folder. Its files are removed with the object.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  void write(const NamedText& file) const;
+  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(folder_); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace pardel::fuzz

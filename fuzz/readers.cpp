@@ -1,0 +1,184 @@
+// Reads the bytes as a file, or as several (file_bundle.hpp). The reader must return a value or an error that names a
+// file. What was read is written in every format that can hold it and read again: it must have the same digest, and
+// another round must change nothing at all. This source is compiled once for each format; PARDEL_MAIN_FILE is the name
+// of the file that is read.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <tuple>
+
+#include "../core/digest.hpp"
+#include "../core/formats.hpp"
+#include "file_bundle.hpp"
+#include "fuzz_one.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail_at(const fs::path& file, const std::string& what) {
+  fail(file.filename().string() + ": " + what);
+}
+
+void check_error(const Error& error, const fs::path& folder) {
+  if (error.message.find(folder.string()) == std::string::npos)
+    fail("a message without the file's name: " + error.message);
+  if (error.kind == ErrorKind::internal || error.kind == ErrorKind::cancelled || error.kind == ErrorKind::usage)
+    fail("an error of the wrong kind: " + error.message);
+}
+
+template <class T>
+T read_back(Result<T> result, const fs::path& file) {
+  if (!result) fail_at(file, "the written file is rejected: " + result.error().message);
+  return std::move(result).value();
+}
+void require_written(const Status& written, const fs::path& file) {
+  if (!written) fail_at(file, "cannot be written: " + written.error().message);
+}
+
+void round_trip(const Pslg& pslg, const Scratch& scratch) {
+  const fs::path file = scratch / "again.poly";
+  for (const int base : {0, 1}) {
+    require_written(write_poly(pslg, file, base), file);
+    if (read_back(read_pslg(file), file) != pslg) fail_at(file, "the written file reads back differently");
+  }
+}
+
+/// The constrained edges as a file has them: it does not say to which segment an edge belongs.
+std::vector<std::tuple<Index, Index, int>> edges_of(const Mesh& mesh) {
+  std::vector<std::tuple<Index, Index, int>> edges;
+  for (const ConstrainedEdge& e : mesh.constrained_edges) edges.emplace_back(e.a, e.b, e.marker);
+  return edges;
+}
+
+/// Indices must be in range, as formats.hpp promises.
+void check_ranges(const Mesh& mesh) {
+  const auto is_point = [&](Index v) { return v < mesh.points.size(); };
+  for (const Triangle& t : mesh.triangles) {
+    if (!std::ranges::all_of(t.v, is_point)) fail("a triangle refers to a point that does not exist");
+    for (const Index n : t.n)
+      if (n != no_index && n >= mesh.triangles.size()) fail("a neighbour does not exist");
+  }
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    if (!is_point(e.a) || !is_point(e.b)) fail("an edge refers to a point that does not exist");
+  for (const Index r : mesh.region)
+    if (r != no_index && r >= mesh.region_attributes.size()) fail("a region does not exist");
+  for (const Point p : mesh.points)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) fail("a coordinate is not finite");
+  if (mesh.point_attributes.size() != mesh.points.size() * mesh.attributes_per_point) fail("attributes are missing");
+  if (!mesh.region.empty() && mesh.region.size() != mesh.triangles.size()) fail("regions are missing");
+  if (!mesh.point_markers.empty() && mesh.point_markers.size() != mesh.points.size()) fail("markers are missing");
+}
+
+using Write = std::function<Status(const Mesh&, const fs::path&)>;
+
+void round_trip(const Mesh& mesh, const fs::path& file, bool keeps_regions, const Write& write) {
+  require_written(write(mesh, file), file);
+  const Mesh once = read_back(read_mesh(file), file);
+  if (once.points != mesh.points) fail_at(file, "other points are read back");
+  if (keeps_regions && digest(once) != digest(mesh)) fail_at(file, "the mesh that is read back has another digest");
+  if (!keeps_regions && once.triangles != mesh.triangles) fail_at(file, "other triangles are read back");
+  if (!keeps_regions && edges_of(once) != edges_of(mesh)) fail_at(file, "other constrained edges are read back");
+  require_written(write(once, file), file);
+  if (read_back(read_mesh(file), file) != once) fail_at(file, "the second round changes the mesh");
+}
+
+void round_trip(const Mesh& mesh, const Scratch& scratch) {
+  check_ranges(mesh);
+  using Encoding = MshEncoding;
+  round_trip(mesh, scratch / "text.msh", true,
+             [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::ascii); });
+  round_trip(mesh, scratch / "binary.msh", true,
+             [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::binary); });
+  round_trip(mesh, scratch / "again.vtu", true, [](const Mesh& m, const fs::path& f) { return write_vtu(m, f); });
+  round_trip(mesh, scratch / "again.off", false, [](const Mesh& m, const fs::path& f) { return write_off(m, f); });
+  round_trip(mesh, scratch / "again.ele", true, [](const Mesh& m, const fs::path& f) {
+    return write_triangle_files(m, {}, fs::path(f).replace_extension(), {.write_neigh = true});
+  });
+}
+
+/// The same numbers, where NaN equals NaN.
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+std::string text(double x) {
+  char line[40];
+  std::snprintf(line, sizeof line, "%.17g", x);
+  return line;
+}
+
+/// Writes the raster as an .asc, for which the library has no writer.
+void round_trip(const Raster& raster, const Scratch& scratch) {
+  if (raster.values.size() != std::size_t{raster.columns} * raster.rows) fail("the raster lacks values");
+  if (!(raster.step_x > 0) || !(raster.step_y > 0)) fail("a step of the raster is not positive");
+  double missing = -9999;
+  while (std::ranges::find(raster.values, missing) != raster.values.end()) --missing;
+  std::string grid = "NCOLS " + std::to_string(raster.columns) + "\nNROWS " + std::to_string(raster.rows) +
+                     "\nXLLCENTER " + text(raster.first.x) + "\nYLLCENTER " + text(raster.first.y) + "\nDX " +
+                     text(raster.step_x) + "\nDY " + text(raster.step_y) + "\nNODATA_VALUE " + text(missing) + "\n";
+  for (std::size_t row = raster.rows; row-- > 0;)
+    for (std::size_t column = 0; column < raster.columns; ++column) {
+      const double value = raster.values[row * raster.columns + column];
+      if (std::isinf(value)) return;  // an .asc has no such value
+      grid += text(std::isnan(value) ? missing : value) + (column + 1 < raster.columns ? " " : "\n");
+    }
+  scratch.write({"again.asc", grid});
+  const Raster again = read_back(read_raster(scratch / "again.asc"), scratch / "again.asc");
+  if (again.columns != raster.columns || again.rows != raster.rows || again.first != raster.first ||
+      again.step_x != raster.step_x || again.step_y != raster.step_y || !same(again.values, raster.values))
+    fail("the raster reads back differently");
+}
+
+void round_trip_of_caps(const std::vector<double>& caps, const Scratch& scratch) {
+  const fs::path file = scratch / "again.area";
+  if (!std::ranges::all_of(caps, [](double cap) { return cap > 0; })) fail("a cap is not positive");
+  require_written(write_area(file, caps, 1), file);
+  if (read_back(read_area(file), file) != caps) fail_at(file, "the written file reads back differently");
+}
+
+void round_trip_of_sizes(const std::vector<double>& sizes, const Scratch& scratch) {
+  std::string lines = std::to_string(sizes.size()) + "\n";
+  for (std::size_t i = 0; i < sizes.size(); ++i) lines += std::to_string(i + 1) + " " + text(sizes[i]) + "\n";
+  scratch.write({"again.sizes", lines});
+  if (!std::ranges::all_of(sizes, [](double size) { return size > 0 && std::isfinite(size); }))
+    fail("a size is not positive");
+  if (read_back(read_sizes(scratch / "again.sizes"), scratch / "again.sizes") != sizes)
+    fail("the sizes read back differently");
+}
+
+/// Calls use(value) if the result has one.
+template <class T, class Use>
+void judge(const Result<T>& result, const fs::path& folder, const Use& use) {
+  if (!result)
+    check_error(result.error(), folder);
+  else
+    use(*result);
+}
+
+}  // namespace
+
+int fuzz_one(std::span<const std::uint8_t> bytes) {
+  const std::string main_file = PARDEL_MAIN_FILE;
+  const Scratch scratch;
+  for (const NamedText& file : files_of(bytes, main_file)) scratch.write(file);
+  const fs::path folder = (scratch / "").parent_path(), path = scratch / main_file;
+  const std::string suffix = path.extension().string();
+  if (suffix == ".asc" || suffix == ".npy") {
+    judge(read_raster(path), folder, [&](const Raster& raster) { round_trip(raster, scratch); });
+  } else if (suffix == ".area") {
+    judge(read_area(path), folder, [&](const auto& caps) { round_trip_of_caps(caps, scratch); });
+  } else if (suffix == ".sizes") {
+    judge(read_sizes(path), folder, [&](const auto& sizes) { round_trip_of_sizes(sizes, scratch); });
+  } else {
+    judge(read_pslg_or_mesh(path), folder, [&](const std::variant<Pslg, Mesh>& read) {
+      std::visit([&](const auto& value) { round_trip(value, scratch); }, read);
+    });
+  }
+  return 0;
+}
+
+}  // namespace pardel::fuzz

@@ -1,0 +1,95 @@
+// Validation and repair. On a lattice, validate() must agree with the definition in exact integers. A repaired domain
+// must be valid, its maps must be in range, and repairing it again must change nothing.
+#include "../parallel/repair.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "../properties/domains/generators/lattice_domain.hpp"
+#include "fuzz_one.hpp"
+#include "mesh_case.hpp"
+#include "supply.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+/// The Pslg on the lattice of a quarter of its unit, on which seeds of strokes are not. Empty if a coordinate is not on
+/// the lattice.
+std::optional<generators::LatticeDomain> on_lattice(const Pslg& pslg) {
+  generators::LatticeDomain domain;
+  const auto exact = [](Point p, double unit) -> std::optional<generators::LatticePoint> {
+    const double x = p.x / unit, y = p.y / unit;
+    if (x != std::floor(x) || y != std::floor(y) || std::abs(x) > 1e7 || std::abs(y) > 1e7) return {};
+    return generators::LatticePoint{static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
+  };
+  constexpr double unit = 1.0 / 64;
+  domain.exponent = 6;
+  for (const Point p : pslg.points) {
+    const auto q = exact(p, unit);
+    if (!q) return {};
+    domain.points.push_back(*q);
+  }
+  domain.segments = pslg.segments;
+  for (const Point hole : pslg.holes) {
+    const auto q = exact(hole, unit / 4);
+    if (!q) return {};
+    domain.holes.push_back(*q);
+  }
+  for (const Region& region : pslg.regions) {
+    const auto q = exact(region.seed, unit / 4);
+    if (!q) return {};
+    domain.regions.push_back({*q, region.attribute, region.max_area});
+  }
+  return domain;
+}
+
+void compare_with_the_definition(const Pslg& pslg) {
+  const auto domain = on_lattice(pslg);
+  if (!domain) return;
+  const std::vector<Problem> problems = find_problems(pslg);
+  if (is_valid(*domain) == problems.empty()) return;
+  fail(problems.empty() ? "validation finds no problem, but the domain is not valid by definition"
+                        : "the domain is valid by definition, but validation says: " + problems.front().message());
+}
+
+/// Every new index must be that of a point or segment.
+void check_maps(const Pslg& before, const Repaired& repaired) {
+  const Pslg& after = repaired.domain.pslg();
+  if (repaired.point_map.size() != before.points.size()) fail("the map of points has the wrong length");
+  for (const Index to : repaired.point_map)
+    if (to >= after.points.size()) fail("the map of points leads to no point");
+  if (repaired.segment_map.size() != after.segments.size()) fail("the map of segments has the wrong length");
+  for (const Index from : repaired.segment_map)
+    if (from >= before.segments.size()) fail("the map of segments leads to no segment");
+}
+
+}  // namespace
+
+int fuzz_one(std::span<const std::uint8_t> bytes) {
+  const MeshCase drawn = decode_mesh_case(bytes);
+  if (!drawn.goal.convex_hull) compare_with_the_definition(drawn.pslg);
+
+  RepairOptions options{.convex_hull = drawn.goal.convex_hull};
+  if (drawn.seed % 3 == 1) options.snap = 0;
+  if (drawn.seed % 3 == 2) options.snap = std::ldexp(default_snap(drawn.pslg), static_cast<int>(drawn.seed / 3 % 32));
+  const Result<Repaired> once = repair(drawn.pslg, options);
+  if (!once) {
+    if (once.error().kind == ErrorKind::internal || once.error().message.empty())
+      fail("repair ends with an internal error: " + once.error().message);
+    return 0;
+  }
+  const Pslg& repaired = once->domain.pslg();
+  if (const auto problems = find_problems(repaired, {.convex_hull = options.convex_hull}); !problems.empty())
+    fail("the repaired domain is not valid: " + problems.front().message());
+  check_maps(drawn.pslg, *once);
+
+  if (options.snap) options.snap = once->snap;
+  const Result<Repaired> twice = repair(repaired, options);
+  if (!twice) fail("a repaired domain cannot be repaired: " + twice.error().message);
+  if (!twice->log.empty()) fail("repairing again changes the domain: " + twice->log.front());
+  if (twice->domain.pslg() != repaired) fail("repairing again changes the domain and does not say so");
+  return 0;
+}
+
+}  // namespace pardel::fuzz

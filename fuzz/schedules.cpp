@@ -1,0 +1,76 @@
+// The mesh depends neither on the number of threads, nor on how ranks share the work, nor on the delays of their
+// messages: the same domain is meshed with one thread, with several threads, and on several ranks.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "../core/digest.hpp"
+#include "../parallel/distributed.hpp"
+#include "../parallel/mesher.hpp"
+#include "../properties/theorems/framework/local_ranks.hpp"
+#include "fuzz_one.hpp"
+#include "mesh_case.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options options) {
+  options.threads = 1;
+  const Result<Meshed> one = mesh(pslg, drawn.goal, options);
+  options.threads = drawn.threads;
+  const Result<Meshed> several = mesh(pslg, drawn.goal, options);
+  if (one.ok() != several.ok()) fail("the number of threads decides whether there is an error");
+  if (!one) {
+    if (one.error().message != several.error().message) fail("the error depends on the number of threads");
+    return;
+  }
+  if (digest(one->mesh) != digest(several->mesh)) fail("the mesh depends on the number of threads");
+  if (one->mesh != several->mesh) fail("the numbering of the mesh depends on the number of threads");
+  if (one->report.exempt.size() != several->report.exempt.size()) fail("the report depends on the number of threads");
+}
+
+/// The same for ranks, which have no limit on vertices: only where the mesh keeps it anyway.
+void compare_with_ranks(const Pslg& pslg, const MeshCase& drawn, Options options) {
+  Goal goal = drawn.goal;
+  goal.min_angle_deg = std::min(goal.min_angle_deg, 28.0);
+  options.threads = 1;
+  if (const auto limited = mesh(pslg, goal, options); !limited || limited->report.count(ExemptReason::budget) > 0)
+    return;
+  options.max_vertices = 0;
+  const Result<Meshed> whole = mesh(pslg, goal, options);
+  const auto domain = validate(pslg, {.convex_hull = goal.convex_hull});
+  if (!whole || !domain) fail("a valid Pslg was rejected");
+  std::vector<std::string> faults(static_cast<std::size_t>(drawn.ranks));
+  properties::on_ranks(
+      drawn.ranks,
+      [&](Ranks& ranks) {
+        std::string& fault = faults[static_cast<std::size_t>(ranks.rank())];
+        const Result<MeshPiece> piece = mesh(*domain, goal, options, ranks);
+        if (!piece)
+          fault = piece.error().message;
+        else if (digest(*piece, ranks) != digest(whole->mesh) || piece->triangles != whole->mesh.triangles.size())
+          fault = "another mesh";
+      },
+      drawn.seed % 4 == 0 ? drawn.seed + 1 : 0);
+  for (const std::string& fault : faults)
+    if (!fault.empty()) fail("on " + std::to_string(drawn.ranks) + " ranks: " + fault);
+}
+
+}  // namespace
+
+int fuzz_one(std::span<const std::uint8_t> bytes) {
+  const MeshCase drawn = decode_mesh_case(bytes);
+  const Prepared prepared = prepare(drawn);
+  if (!prepared.usable) return -1;
+  Options options = drawn.options;
+  // Many tiles, so that there is something to interleave.
+  options.triangles_per_tile = std::min(options.triangles_per_tile, 40U);
+  options.max_vertices = std::min<std::uint64_t>(options.max_vertices, prepared.pslg.points.size() + 400);
+  options.interior = drawn.seed % 3 == 0 ? Interior::fill : Interior::refine;
+  compare_with_threads(prepared.pslg, drawn, options);
+  options.interior = Interior::refine;
+  if (!drawn.nudged) compare_with_ranks(prepared.pslg, drawn, options);
+  return 0;
+}
+
+}  // namespace pardel::fuzz

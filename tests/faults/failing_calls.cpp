@@ -1,0 +1,164 @@
+// A library for LD_PRELOAD that lets calls of the system's functions fail. Two environment variables control it:
+//   PARDEL_FAULT=KIND:N   call number N of this kind fails (from 1; 0: none)
+//   PARDEL_FAULT=KIND:N+  that call and all later ones of this kind fail
+//   PARDEL_CALLS=FILE     when the process ends, the number of calls of the kind is written to FILE
+// Kinds: memory, map, open, write, short, close, rename, thread. `short` lets fwrite write only the first half of its
+// bytes. Calls are counted from the beginning of main() to its end, because a program has no say before and after.
+// Writing to standard error never fails: a test could not see the message.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+extern "C" {
+void* __libc_malloc(std::size_t bytes);
+void* __libc_calloc(std::size_t count, std::size_t bytes);
+void* __libc_realloc(void* block, std::size_t bytes);
+void* __libc_memalign(std::size_t alignment, std::size_t bytes);
+}
+
+namespace {
+
+/// What PARDEL_FAULT asks for. It is read at the beginning of main() and allocates nothing.
+struct Plan {
+  std::string_view kind = {};
+  long first = 0;
+  bool and_later = false;
+};
+Plan plan;
+std::atomic<long> calls{0};
+std::atomic<bool> counts{false};
+int (*real_main)(int, char**, char**) = nullptr;
+
+void read_plan() {
+  const char* text = std::getenv("PARDEL_FAULT");
+  const char* colon = text != nullptr ? std::strchr(text, ':') : nullptr;
+  if (colon == nullptr) return;
+  char* end = nullptr;
+  plan = {{text, static_cast<std::size_t>(colon - text)}, std::strtol(colon + 1, &end, 10), false};
+  plan.and_later = *end == '+';
+}
+
+/// Counts a call of this kind. True if it has to fail.
+bool fails(std::string_view kind) {
+  if (!counts.load(std::memory_order_relaxed) || kind != plan.kind) return false;
+  const long number = ++calls;
+  return plan.first > 0 && (plan.and_later ? number >= plan.first : number == plan.first);
+}
+
+bool fails(std::string_view kind, int error) {
+  if (!fails(kind)) return false;
+  errno = error;
+  return true;
+}
+
+/// The function of this name that the program would call without this library.
+template <class Function>
+Function* next(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+void write_number_of_calls() {
+  const char* file = std::getenv("PARDEL_CALLS");
+  if (file == nullptr) return;
+  const int fd = open(file, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (fd >= 0) dprintf(fd, "%ld\n", calls.load());
+}
+
+int counting_main(int argc, char** argv, char** environment) {
+  read_plan();
+  counts = true;
+  const int code = real_main(argc, argv, environment);
+  counts = false;
+  write_number_of_calls();
+  return code;
+}
+
+}  // namespace
+
+extern "C" {
+
+int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*init)(), void (*fini)(),
+                      void (*loader)(), void* stack_end) {
+  real_main = main;
+  return next<decltype(__libc_start_main)>("__libc_start_main")(counting_main, argc, argv, init, fini, loader,
+                                                                stack_end);
+}
+
+void* malloc(std::size_t bytes) { return fails("memory", ENOMEM) ? nullptr : __libc_malloc(bytes); }
+void* calloc(std::size_t count, std::size_t bytes) {
+  return fails("memory", ENOMEM) ? nullptr : __libc_calloc(count, bytes);
+}
+void* realloc(void* block, std::size_t bytes) {
+  return fails("memory", ENOMEM) ? nullptr : __libc_realloc(block, bytes);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t bytes) {
+  return fails("memory", ENOMEM) ? nullptr : __libc_memalign(alignment, bytes);
+}
+int posix_memalign(void** block, std::size_t alignment, std::size_t bytes) {
+  if (fails("memory")) return ENOMEM;
+  *block = __libc_memalign(alignment, bytes);
+  return *block == nullptr ? ENOMEM : 0;
+}
+
+void* mmap(void* place, std::size_t bytes, int protection, int flags, int fd, off_t offset) {
+  return fails("map", ENOMEM) ? MAP_FAILED : next<decltype(mmap)>("mmap")(place, bytes, protection, flags, fd, offset);
+}
+void* mremap(void* block, std::size_t old_bytes, std::size_t new_bytes, int flags, ...) {
+  return fails("map", ENOMEM) ? MAP_FAILED : next<decltype(mremap)>("mremap")(block, old_bytes, new_bytes, flags);
+}
+
+std::FILE* fopen(const char* file, const char* mode) {
+  return fails("open", EMFILE) ? nullptr : next<decltype(fopen)>("fopen")(file, mode);
+}
+std::FILE* fopen64(const char* file, const char* mode) {
+  return fails("open", EMFILE) ? nullptr : next<decltype(fopen)>("fopen64")(file, mode);
+}
+std::FILE* fdopen(int fd, const char* mode) {
+  return fails("open", ENOMEM) ? nullptr : next<decltype(fdopen)>("fdopen")(fd, mode);
+}
+int dup(int fd) { return fails("open", EMFILE) ? -1 : next<decltype(dup)>("dup")(fd); }
+int open(const char* file, int flags, ...) {
+  if (fails("open", EMFILE)) return -1;
+  va_list arguments;
+  va_start(arguments, flags);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+  va_end(arguments);
+  return next<decltype(open)>("open")(file, flags, mode);
+}
+
+std::size_t fwrite(const void* data, std::size_t size, std::size_t count, std::FILE* file) {
+  const auto write = next<decltype(fwrite)>("fwrite");
+  if (file == stderr) return write(data, size, count, file);
+  if (fails("write", ENOSPC)) return 0;
+  if (!fails("short")) return write(data, size, count, file);
+  const std::size_t half = write(data, size, count / 2, file);
+  errno = ENOSPC;
+  return half;
+}
+int fflush(std::FILE* file) { return fails("write", ENOSPC) ? EOF : next<decltype(fflush)>("fflush")(file); }
+/// A file that cannot be closed without an error is closed nevertheless.
+int fclose(std::FILE* file) {
+  const int result = next<decltype(fclose)>("fclose")(file);
+  return fails("close", EIO) ? EOF : result;
+}
+
+int rename(const char* from, const char* to) {
+  return fails("rename", EACCES) ? -1 : next<decltype(rename)>("rename")(from, to);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) {
+  return fails("thread") ? EAGAIN
+                         : next<decltype(pthread_create)>("pthread_create")(thread, attributes, work, argument);
+}
+
+}  // extern "C"

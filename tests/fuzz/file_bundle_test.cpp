@@ -1,0 +1,46 @@
+// Several files in one sequence of bytes.
+#include "../../fuzz/file_bundle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+namespace pardel::fuzz {
+namespace {
+
+std::vector<NamedText> files(std::string_view text) {
+  return files_of({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "main.poly");
+}
+
+TEST(FileBundle, bytes_without_a_mark_are_the_main_file) {
+  const auto found = files("3 2 0 0\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].name, "main.poly");
+  EXPECT_EQ(found[0].text, "3 2 0 0\n");
+}
+
+TEST(FileBundle, a_mark_begins_a_file_and_the_line_feed_before_it_is_not_part_of_the_file_in_front) {
+  const auto found = files("== a.node\none\n\n== a.ele\ntwo");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].name, "a.node");
+  EXPECT_EQ(found[0].text, "one\n");
+  EXPECT_EQ(found[1].name, "a.ele");
+  EXPECT_EQ(found[1].text, "two");
+}
+
+TEST(FileBundle, a_name_that_leaves_the_folder_is_replaced) {
+  for (const char* text : {"== ../../etc/x\nbad", "== .hidden\nbad", "== \nbad"}) {
+    const auto found = files(text);
+    ASSERT_EQ(found.size(), 1U) << text;
+    EXPECT_EQ(found[0].name, "main.poly") << text;
+  }
+}
+
+TEST(FileBundle, a_mark_at_the_end_is_an_empty_file) {
+  const auto found = files("== a.node");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].text, "");
+}
+
+}  // namespace
+}  // namespace pardel::fuzz

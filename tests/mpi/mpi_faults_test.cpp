@@ -1,0 +1,173 @@
+// Whatever happens to one rank, the job ends by itself, with a message and an exit code, and leaves no file under its
+// final name that is not complete.
+#include <chrono>
+#include <cstdlib>
+#include <map>
+
+#include "../../core/formats.hpp"
+#include "../../properties/domains/domains.hpp"
+#include "../../properties/domains/generators/random.hpp"
+#include "../cli/program.hpp"
+#include "../faults/selection.hpp"
+
+namespace pardel {
+namespace {
+
+using testing::fault_cases;
+using testing::fault_seed;
+using testing::Files;
+using testing::holds;
+using testing::Ran;
+
+constexpr int ranks = 3;
+constexpr const char* earlier = "an earlier file\n";
+const Files outputs = {"out.pvtu", "out_0000.vtu", "out_0001.vtu", "out_0002.vtu"};
+
+class MpiFaults : public testing::Workshop {
+ protected:
+  MpiFaults() {
+    // Open MPI does not start as root unless it is told to.
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    setenv("PARDEL_FAILING_CALLS", PARDEL_FAILING_CALLS, 1);
+    EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
+  }
+
+  /// Starts the ranks with a prefix before the program. A job that does not end within a minute gives exit code 137.
+  Ran job(const std::vector<std::string>& prefix, const std::string& max_area = "1e-4") const {
+    for (const std::string& file : outputs) write(file, earlier);
+    std::vector<std::string> all{"--signal=KILL", "60",   PARDEL_MPIRUN, "--oversubscribe",
+                                 "--bind-to",     "none", "-n",          std::to_string(ranks)};
+    all.insert(all.end(), prefix.begin(), prefix.end());
+    for (const char* word : {PARDEL_MPI_PROGRAM, "mesh", "pipe.poly", "-o", "out.pvtu", "--threads", "1", "--max-area"})
+      all.emplace_back(word);
+    all.push_back(max_area);
+    return run("timeout", all);
+  }
+  Ran with_faulty_rank(const std::string& how, const std::string& amount, const std::string& max_area = "1e-4",
+                       int victim = 1) const {
+    return job({PARDEL_FAULTY_RANK, std::to_string(victim), how, amount}, max_area);
+  }
+  Ran with_messages(const std::string& wrong, const std::string& max_area = "1e-4") const {
+    return job({"env", "LD_PRELOAD=" PARDEL_WRONG_MESSAGES, "PARDEL_WRONG=" + wrong}, max_area);
+  }
+
+  void expect_earlier_files() const {
+    for (const std::string& file : outputs) EXPECT_TRUE(read(file) == earlier) << file;
+  }
+  void expect_no_other_files() const {
+    Files expected = outputs;
+    expected.insert("pipe.poly");
+    EXPECT_EQ(files(), expected);
+  }
+};
+
+TEST_F(MpiFaults, a_rank_that_gets_a_signal_at_a_random_moment_ends_the_job) {
+  using Clock = std::chrono::steady_clock;
+  const std::string max_area = "3e-5";
+  const auto start = Clock::now();
+  const Ran normal = job({}, max_area);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  ASSERT_EQ(normal.exit_code, 0) << normal;
+  std::map<std::string, std::string> complete;
+  for (const std::string& file : outputs) complete[file] = read(file);
+
+  generators::Random random(fault_seed());
+  std::uint64_t ended = 0;
+  const std::uint64_t cases = fault_cases(4);
+  for (std::uint64_t i = 0; i < cases; ++i)
+    for (const auto& [name, signal] :
+         std::map<std::string, int>{{"INT", SIGINT}, {"KILL", SIGKILL}, {"TERM", SIGTERM}}) {
+      const std::string after = std::to_string(random.uniform(0, seconds));
+      const auto victim = static_cast<int>(random.below(ranks));
+      SCOPED_TRACE("SIG" + name + " to rank " + std::to_string(victim) + " after " + after + " s");
+      const Ran ran = with_faulty_rank(name, after, max_area, victim);
+      for (const std::string& file : outputs) {
+        // The .pvtu is removed while the pieces get their names.
+        if (file == "out.pvtu" && !exists(file)) continue;
+        const std::string text = read(file);
+        EXPECT_TRUE(text == earlier || text == complete[file]) << file << '\n' << ran;
+      }
+      for (const std::string& file : outputs)
+        EXPECT_TRUE(!exists("out.pvtu") || (read(file) == earlier) == (read("out.pvtu") == earlier)) << ran;
+      if (ran.exit_code == 0) continue;
+      ++ended;
+      // Before the program watches for it, a signal ends the rank in the usual way of the system.
+      EXPECT_TRUE(ran.exit_code == 128 + signal || ran.exit_code == 130) << ran;
+      EXPECT_NE(ran.err, "");
+      if (HasFailure()) return;
+    }
+  EXPECT_GT(ended, 0U) << "all jobs ended before the signal";
+}
+
+TEST_F(MpiFaults, a_rank_without_memory_ends_the_job) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer's shadow memory alone is larger than the limit";
+  const Ran ran = with_faulty_rank("memory", "340000", "1e-6");
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"memory"}));
+  expect_earlier_files();
+  expect_no_other_files();
+}
+
+TEST_F(MpiFaults, a_rank_with_a_full_disk_ends_the_job) {
+  const Ran ran = with_faulty_rank("disk", "9000", "1e-5");
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"rank 1: ", "out_0001.vtu", "File too large"}));
+  expect_earlier_files();
+  expect_no_other_files();
+}
+
+TEST_F(MpiFaults, a_rank_that_cannot_write_close_or_rename_its_file_ends_the_job) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer replaces the same functions";
+  for (const std::string call : {"write:1+", "short:2", "close:1+", "rename:1"}) {
+    const Ran ran = with_faulty_rank("call", call);
+    EXPECT_EQ(ran.exit_code, 5) << call << '\n' << ran;
+    EXPECT_TRUE(holds(ran.err, {"pardel-mpi: ", "out_0001.vtu"})) << call;
+    EXPECT_EQ(read("out.pvtu").find("out_0001"), std::string::npos) << "an index of pieces of two meshes";
+    if (call != "rename:1") expect_earlier_files();
+  }
+}
+
+TEST_F(MpiFaults, a_rank_without_threads_ends_the_job) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer replaces the same functions";
+  const Ran ran = with_faulty_rank("call", "thread:1");
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel-mpi: ", "cannot be started"}));
+  expect_earlier_files();
+}
+
+class WrongMessages : public MpiFaults, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(WrongMessages, end_the_job_with_an_internal_error) {
+  if (testing::sanitized) GTEST_SKIP() << "the library for messages is not built with the sanitizer";
+  const std::string kind = GetParam();
+  for (const int rank : {0, 2})
+    for (const int number : {2, kind == "repeat" ? 1 : 4}) {
+      const std::string wrong = kind + ":" + std::to_string(rank) + ":" + std::to_string(number);
+      const Ran ran = with_messages(wrong);
+      EXPECT_EQ(ran.exit_code, 6) << wrong << '\n' << ran;
+      EXPECT_TRUE(holds(ran.err, {"pardel-mpi: internal error: rank "})) << wrong;
+      expect_earlier_files();
+      expect_no_other_files();
+      if (HasFailure()) return;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(That, WrongMessages,
+                         ::testing::Values("byte", "number", "longer", "shorter", "skip", "repeat"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+TEST_F(MpiFaults, messages_in_another_order_and_with_delays_change_nothing) {
+  if (testing::sanitized) GTEST_SKIP() << "the library for messages is not built with the sanitizer";
+  const auto digest_in = [](const Ran& ran) { return ran.out.substr(ran.out.find("digest"), 40); };
+  const Ran normal = job({});
+  ASSERT_EQ(normal.exit_code, 0) << normal;
+  for (const std::string seed : {"1", "2", "3"}) {
+    const Ran ran = with_messages("reorder:" + seed + ":0");
+    ASSERT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_EQ(digest_in(ran), digest_in(normal));
+  }
+}
+
+}  // namespace
+}  // namespace pardel

@@ -1,0 +1,113 @@
+// A library for LD_PRELOAD that makes mistakes in the messages of one rank. It uses MPI's profiling interface: each
+// function MPI_X is replaced, and calls PMPI_X. PARDEL_WRONG=KIND:RANK:N names the mistake, and when it happens:
+//   byte     one byte of the N-th message that the rank sends is changed
+//   number   the rank announces another number in its step N (an exchange or a sum)
+//   longer, shorter   it announces messages that are 8 bytes longer, or shorter, from its step N on
+//   skip     it does not take part in its step N
+//   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
+//   reorder  on all ranks: messages start in random order, after random delays; this is no mistake (RANK is the seed)
+#include <mpi.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../../properties/domains/generators/random.hpp"
+
+namespace {
+
+/// A message that has not started.
+struct Waiting {
+  const void* data;
+  int count;
+  MPI_Datatype type;
+  int to, tag;
+  MPI_Request* request;
+};
+
+struct Plan {
+  std::string kind;
+  int rank = -1;
+  long number = 0;
+  int self = 0;
+  long steps = 0, messages = 0;
+  std::vector<char> changed;  ///< the message with the wrong byte, while it is sent
+  std::vector<Waiting> waiting;
+  pardel::generators::Random random{0};
+
+  Plan() {
+    const char* text = std::getenv("PARDEL_WRONG");
+    const std::string all = text == nullptr ? "none:0:0" : text;
+    const std::size_t first = all.find(':'), second = all.find(':', first + 1);
+    kind = all.substr(0, first);
+    rank = std::stoi(all.substr(first + 1, second - first - 1));
+    number = std::stol(all.substr(second + 1));
+    PMPI_Comm_rank(MPI_COMM_WORLD, &self);
+    random = pardel::generators::Random(static_cast<std::uint64_t>(rank * 100 + self));
+  }
+  [[nodiscard]] bool is(const char* what) const { return self == rank && kind == what; }
+};
+
+Plan& plan() {
+  static Plan only;
+  return only;
+}
+
+}  // namespace
+
+extern "C" {
+
+int MPI_Alltoall(const void* sent, int sent_count, MPI_Datatype sent_type, void* received, int received_count,
+                 MPI_Datatype received_type, MPI_Comm comm) {
+  Plan& p = plan();
+  const long step = ++p.steps;
+  const auto call = [&](const void* data) {
+    return PMPI_Alltoall(data, sent_count, sent_type, received, received_count, received_type, comm);
+  };
+  const bool is_now = step == p.number;
+  if (is_now && p.is("skip")) return MPI_SUCCESS;
+  if (is_now && p.is("repeat")) call(sent);
+  // An announcement has five numbers: number and kind of the step, bytes, and two checksums.
+  int ranks = 0;
+  PMPI_Comm_size(comm, &ranks);
+  std::vector<std::uint64_t> numbers(static_cast<std::size_t>(sent_count * ranks));
+  std::memcpy(numbers.data(), sent, numbers.size() * sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(sent_count)) {
+    if (is_now && p.is("number")) numbers[i] += 1;
+    if (numbers[i + 2] < 8 || step < p.number) continue;
+    if (p.is("longer")) numbers[i + 2] += 8;
+    if (p.is("shorter")) numbers[i + 2] -= 8;
+  }
+  return call(numbers.data());
+}
+
+int MPI_Isend(const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request) {
+  Plan& p = plan();
+  if (p.kind == "reorder") {
+    p.waiting.push_back({data, count, type, to, tag, request});
+    return MPI_SUCCESS;
+  }
+  if (++p.messages == p.number && p.is("byte")) {
+    p.changed.assign(static_cast<const char*>(data), static_cast<const char*>(data) + count);
+    p.changed[p.changed.size() / 2] ^= 1;
+    data = p.changed.data();
+  }
+  return PMPI_Isend(data, count, type, to, tag, comm, request);
+}
+
+int MPI_Waitall(int count, MPI_Request* requests, MPI_Status* statuses) {
+  Plan& p = plan();
+  p.random.shuffle(p.waiting);
+  for (const Waiting& message : p.waiting) {
+    std::this_thread::sleep_for(std::chrono::microseconds(p.random.below(200)));
+    PMPI_Isend(message.data, message.count, message.type, message.to, message.tag, MPI_COMM_WORLD, message.request);
+  }
+  p.waiting.clear();
+  return PMPI_Waitall(count, requests, statuses);
+}
+
+}  // extern "C"
