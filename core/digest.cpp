@@ -9,13 +9,14 @@
 #include "support/point_order.hpp"
 
 namespace pardel {
-namespace {
 
 Digest operator+(Digest a, const Digest& b) {
   a.low += b.low;
   a.high += b.high + (a.low < b.low ? 1 : 0);
   return a;
 }
+
+namespace {
 
 /// Two chains (lanes) of 64-bit mixes. They start from different values and multiply each word by different constants.
 class Hash {

@@ -27,6 +27,9 @@ struct Digest {
 /// Precondition: all indices are in range, as in the results of read_mesh and of the mesher.
 [[nodiscard]] Digest digest(const Mesh& mesh);
 
+/// The digest of a mesh whose two parts have these digests.
+[[nodiscard]] Digest operator+(Digest a, const Digest& b);
+
 /// 32 lower-case hexadecimal digits.
 [[nodiscard]] std::string to_string(const Digest& digest);
 

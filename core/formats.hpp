@@ -7,7 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -140,14 +140,28 @@ struct TriangleFiles {
 
 /// The name of the point array in which a .vtu of one piece has the numbers of its points in the whole mesh.
 inline constexpr const char* vtu_vertex_numbers = "GlobalNodeId";
-/// Writes one piece of a mesh that several processes have made: as write_vtu(), with one number per point. The file
-/// gets its name if agree() returns no error. agree() is called with the outcome for this file, when the file is
-/// complete under another name. A process there asks the others, so that either all pieces get their names or none.
-[[nodiscard]] Status write_vtu_piece(const Mesh& mesh, std::span<const std::uint64_t> numbers,
-                                     const std::filesystem::path& file, const std::function<Status(Status)>& agree);
+/// Writes pieces of a mesh that several processes have made: as write_vtu(), with one number per point. The files get
+/// their names together. Processes agree before that, so that either all pieces get their names or none.
+class VtuPieces {
+ public:
+  VtuPieces();
+  VtuPieces(const VtuPieces&) = delete;
+  VtuPieces& operator=(const VtuPieces&) = delete;
+  /// Removes the files that have not got their names.
+  ~VtuPieces();
+
+  /// Writes a piece, under another name than `file`.
+  [[nodiscard]] Status add(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file);
+  /// Gives all files their names.
+  [[nodiscard]] Status commit();
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
 /// The files of the pieces that a .pvtu names, in its order. Error: invalid_input if it names none.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> files_of_pieces(const std::filesystem::path& pvtu);
-/// Reads a file of write_vtu_piece().
+/// Reads a file of VtuPieces.
 [[nodiscard]] Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file);
 /// What the .pvtu of a mesh in pieces names.
 struct PiecesOfMesh {

@@ -9,11 +9,11 @@
 
 namespace pardel {
 
-/// The vertices that the pieces of two ranks have in common.
+/// The vertices that two pieces have in common.
 struct SharedVertices {
-  int rank = 0;  ///< the other rank
+  int rank = 0;  ///< the rank that has the other piece; the number of that piece, if ranks have several
   std::vector<Index>
-      vertices;  ///< points of this piece, in the order of their numbers; the other rank has the same list
+      vertices;  ///< points of this piece, in the order of their numbers; the other piece has the same list
 };
 
 /// A view of a piece. Each triangle, and each constrained edge, is in the piece of one rank; a vertex is in all pieces

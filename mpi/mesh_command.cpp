@@ -3,17 +3,22 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "../cli/choice.hpp"
 #include "../cli/goal_options.hpp"
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
+#include "../cli/names.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
+#include "../core/support/collective.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
@@ -26,7 +31,9 @@ namespace {
 using namespace cli;
 
 constexpr const char* mesh_footer =
-    R"(The mesh is that of 'pardel mesh --interior refine' with the same options, on any number of ranks and threads.
+    R"(The mesh is that of 'pardel mesh' with the same options and the same --interior, on any number of ranks and
+threads. By default the interior is refined. With --interior fill, --pieces lets a rank make several pieces one after
+another, so that the mesh can be larger than the memory of all ranks.
 
 Output:
   OUT.pvtu           a list of the pieces OUT_0000.vtu, OUT_0001.vtu, ..., one per rank, for ParaView
@@ -36,8 +43,11 @@ Output:
 Files appear under their names only when all ranks have finished. 'pardel check', 'draw' and 'convert' read OUT.pvtu
 and OUT.node, and OUT.msh, which stands for all its pieces.
 
-Example:
-  mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6)";
+Examples:
+  mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
+  mpirun -n 2 pardel-mpi mesh pipe.poly -o large.pvtu --max-area 1e-8 --interior fill --pieces 32)";
+
+constexpr int most_pieces = 10'000;  // their numbers have four digits
 
 struct Arguments {
   std::filesystem::path input;
@@ -45,7 +55,7 @@ struct Arguments {
   GoalOptions goal;
   Options options{.placement = Placement::automatic};  // the interior is refined
   std::vector<Index> cells;
-  int threads = 0;
+  int threads = 0, pieces = 0;  ///< pieces: 0 for one per rank
   bool msh_ascii = false, quiet = false;
 };
 
@@ -59,6 +69,16 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->type_name("OUT");
   add_goal_options(app, arguments.goal, largest_min_angle_deg);
   add_ways_to_work(app, arguments.options, arguments.cells);
+  app.add_option("--interior", arguments.options.interior,
+                 "What fills the interior where areas and edges have constant bounds: refine (default); fill and\n"
+                 "auto: see 'pardel mesh --help'")
+      ->transform(choice(interior_names))
+      ->type_name("WHAT");
+  app.add_option("--pieces", arguments.pieces,
+                 "Number of pieces, at least one per rank (default: one per rank). A rank makes and writes its pieces\n"
+                 "one after another. Only with --interior fill and for one OUT.pvtu")
+      ->check(CLI::Range(1, most_pieces).description(""))
+      ->type_name("N");
   app.add_option("--min-edge", arguments.options.min_edge,
                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
       ->check(positive_number("a length"))
@@ -81,52 +101,102 @@ Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& psl
 }
 
 struct Seconds {
-  double read = 0, mesh = 0, write = 0;
+  double read = 0, refine = 0, pieces = 0, write = 0, all = 0;
 };
 
-void print(const Arguments& arguments, const MeshPiece& piece, const Seconds& seconds, Job& job) {
-  const Digest all = digest(piece, job.ranks());
-  const Job::Range triangles = job.range_of(piece.mesh.triangles.size());
+/// The mesh, and what this rank has of it.
+struct Made {
+  std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
+  std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
+  Digest digest;                                                               ///< of the pieces of this rank
+  Seconds seconds;
+
+  void add(const MeshPiece& piece) {
+    points = piece.points;
+    triangles = piece.triangles;
+    constrained_edges = piece.constrained_edges;
+    missed = piece.missed;
+    least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
+    most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
+    digest = digest + pardel::digest(piece.mesh);
+    seconds.refine = piece.report.refine_seconds;
+    seconds.pieces += piece.seconds;
+  }
+};
+
+/// One piece per rank.
+Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
+  const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
+  if (!piece) job.abort(piece.error());
+  Made made;
+  made.add(*piece);
+  const Stopwatch watch;
+  if (Status written = write(arguments, *piece, input.domain.pslg(), job); !written) return written.error();
+  made.seconds.write = watch.seconds();
+  return made;
+}
+
+/// Each piece is written before the rank makes the next one.
+Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job& job) {
+  PvtuFiles files(arguments.outputs.front());
+  Made made;
+  Status written = Done{};
+  const Status ended = mesh_in_pieces(input.domain, input.goal, arguments.options, job.ranks(), arguments.pieces,
+                                      [&](MeshPiece&& piece, int number) {
+                                        made.add(piece);
+                                        const Stopwatch watch;
+                                        written = files.add(piece, number);
+                                        made.seconds.write += watch.seconds();
+                                        return written;
+                                      });
+  if (!ended && written) job.abort(ended.error());
+  if (Status placed = files.commit(written, arguments.pieces, job); !placed) return placed.error();
+  return made;
+}
+
+void print(const Arguments& arguments, const Made& made, Job& job) {
+  const Digest all = sum_of(made.digest, job.ranks());
+  const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
   const Job::Range memory = job.range_of(peak_memory());
   if (!job.is_first() || arguments.quiet) return;
   constexpr double mib = 0x1p20;
   fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), arguments.options.threads);
-  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", piece.points, piece.triangles,
-             piece.constrained_edges);
-  fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", triangles.least, triangles.most,
+  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points, made.triangles,
+             made.constrained_edges);
+  fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
              static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
   fmt::print("digest  {}\n", to_string(all));
-  fmt::print("time    {:.3f} s (read {:.3f}, refine {:.3f}, pieces {:.3f}, write {:.3f})\n",
-             seconds.read + seconds.mesh + seconds.write, seconds.read, piece.report.refine_seconds, piece.seconds,
-             seconds.write);
+  fmt::print("time    {:.3f} s (read {:.3f}, refine {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
+             made.seconds.read, made.seconds.refine, made.seconds.pieces, made.seconds.write);
   fmt::print("output  {}\n", names_of(arguments.outputs));
 }
 
 Status check_arguments(Arguments& arguments, int rank) {
   if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes, rank); !fine) return fine;
+  if (arguments.pieces > 0 && (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu"))
+    return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
   return set_cells(arguments.cells, arguments.options);
 }
 
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
-  Seconds seconds;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
   if (Status fine = job.agree(check_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
   const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
   if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();
-  seconds.read = watch.lap();
-  const Result<MeshPiece> piece = mesh(input->domain, input->goal, arguments.options, job.ranks());
-  if (!piece) job.abort(piece.error());
-  seconds.mesh = watch.lap();
-  if (Status written = write(arguments, *piece, input->domain.pslg(), job); !written) return written.error();
-  seconds.write = watch.lap();
-  print(arguments, *piece, seconds, job);
-  if (piece->missed == 0) return ExitCode::done;
+  const double read_seconds = watch.seconds();
+  Result<Made> made =
+      arguments.pieces > 0 ? make_in_turn(arguments, *input, job) : make_together(arguments, *input, job);
+  if (!made) return made.error();
+  made->seconds.read = read_seconds;
+  made->seconds.all = watch.seconds();
+  print(arguments, *made, job);
+  if (made->missed == 0) return ExitCode::done;
   if (job.is_first())
     warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; 'pardel check' lists them",
-                     arguments.input.string(), piece->missed));
+                     arguments.input.string(), made->missed));
   return ExitCode::goal_missed;
 }
 

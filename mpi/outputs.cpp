@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "../cli/distinct_files.hpp"
@@ -16,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The file of a piece, in the folder of the .pvtu.
-fs::path vtu_of_rank(const fs::path& pvtu, int rank) {
+fs::path vtu_of_piece(const fs::path& pvtu, int number) {
   fs::path file = pvtu;
-  file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), rank));
+  file.replace_filename(fmt::format("{}_{:04}.vtu", pvtu.stem().string(), number));
   return file;
 }
 
@@ -36,7 +35,7 @@ Status check_output(const fs::path& output, int rank) {
                                                "choose another name",
                                                name, msh_of_piece(output, 1).string())};
   if (is_of_triangle(output)) return cli::check_folder(output);
-  const fs::path piece = is_msh ? msh_of_piece(output, rank + 1) : vtu_of_rank(output, rank);
+  const fs::path piece = is_msh ? msh_of_piece(output, rank + 1) : vtu_of_piece(output, rank);
   if (Status fine = cli::check_folder(piece); !fine) return fine;
   return is_msh ? Status(Done{}) : cli::check_folder(output);
 }
@@ -50,26 +49,6 @@ Status remove_index(const fs::path& pvtu, Job& job) {
   if (!job.is_first() || !fs::exists(status)) failure.clear();
   return job.agree(failure ? Status(Error{ErrorKind::io, fmt::format("{}: {}", pvtu.string(), failure.message())})
                            : Status(Done{}));
-}
-
-Status write_pvtu_pieces(const MeshPiece& piece, const fs::path& output, Job& job) {
-  // A rank without triangles has no regions either.
-  const bool have_regions = job.range_of(piece.mesh.region.empty() ? 0 : 1).most > 0;
-  const auto agree = [&](const Status& here) {
-    const Status all = job.agree(here);
-    return all ? remove_index(output, job) : all;
-  };
-  const Status written =
-      write_vtu_piece(piece.mesh, piece.number.span(), vtu_of_rank(output, job.ranks().rank()), agree);
-  if (Status all = job.agree(written); !all) return all;
-  Status index = Done{};
-  if (job.is_first()) {
-    PiecesOfMesh pieces{{}, have_regions, piece.mesh.attributes_per_point};
-    for (int rank = 0; rank < job.ranks().count(); ++rank)
-      pieces.files.push_back(vtu_of_rank(output, rank).filename().string());
-    index = write_pvtu(pieces, output);
-  }
-  return job.agree(index);
 }
 
 }  // namespace
@@ -89,11 +68,34 @@ Status check_outputs(std::span<const fs::path> outputs, const fs::path& input, c
   return cli::check_distinct(named, std::array{cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}});
 }
 
+Status PvtuFiles::add(const MeshPiece& piece, int number) {
+  have_regions_ = have_regions_ || !piece.mesh.region.empty();
+  attributes_per_point_ = piece.mesh.attributes_per_point;
+  return files_.add(piece.mesh, piece.number.span(), vtu_of_piece(pvtu_, number));
+}
+
+Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
+  if (Status written = job.agree(here); !written) return written;
+  // A piece without triangles has no regions either.
+  const bool have_regions = job.range_of(have_regions_ ? 1 : 0).most > 0;
+  if (Status removed = remove_index(pvtu_, job); !removed) return removed;
+  if (Status placed = job.agree(files_.commit()); !placed) return placed;
+  Status index = Done{};
+  if (job.is_first()) {
+    PiecesOfMesh list{{}, have_regions, attributes_per_point_};
+    for (int number = 0; number < pieces; ++number)
+      list.files.push_back(vtu_of_piece(pvtu_, number).filename().string());
+    index = write_pvtu(list, pvtu_);
+  }
+  return job.agree(index);
+}
+
 Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const fs::path& output, MshEncoding msh, Job& job) {
   if (output.extension() == ".msh") return write_msh_piece(view_of(piece), output, msh, job.ranks());
   if (is_of_triangle(output))
     return write_triangle_pieces(view_of(piece), pslg, fs::path(output).replace_extension(), job.ranks());
-  return write_pvtu_pieces(piece, output, job);
+  PvtuFiles files(output);
+  return files.commit(files.add(piece, job.ranks().rank()), job.ranks().count(), job);
 }
 
 }  // namespace pardel::mpi

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "../core/formats.hpp"
 #include "../parallel/distributed.hpp"
@@ -18,6 +19,23 @@ namespace pardel::mpi {
 /// `io` if a folder is not writable, or if the piece of this rank cannot get its name.
 [[nodiscard]] Status check_outputs(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input,
                                    const std::filesystem::path& sizes, int rank);
+
+/// The files of OUT.pvtu. A rank can write several pieces.
+class PvtuFiles {
+ public:
+  explicit PvtuFiles(std::filesystem::path pvtu) : pvtu_(std::move(pvtu)) {}
+  /// Writes OUT_NUMBER.vtu, under another name.
+  [[nodiscard]] Status add(const MeshPiece& piece, int number);
+  /// Collective. Writes OUT.pvtu, and gives the files of all ranks their names, or none if a rank has failed. `here`:
+  /// the outcome of add(). `pieces`: their number on all ranks.
+  [[nodiscard]] Status commit(const Status& here, int pieces, Job& job);
+
+ private:
+  std::filesystem::path pvtu_;
+  VtuPieces files_;
+  bool have_regions_ = false;
+  std::size_t attributes_per_point_ = 0;
+};
 
 /// Collective. The suffix sets the format. Each rank writes its own file of OUT.pvtu and OUT.msh, and its part of
 /// OUT.node, OUT.ele and OUT.poly. The files get their names when all ranks have finished.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "../core/digest.hpp"
@@ -20,11 +21,12 @@ struct MeshPiece {
   /// The triangles, with all their corners, in numbers of the piece. Triangles have no neighbours in other pieces.
   Mesh mesh;
   /// For each point of `mesh`, its number in the whole mesh: input points first, in their order, then the others. The
-  /// numbers depend on the domain, the goal and the options only, not on the number of ranks.
+  /// numbers depend on the domain, the goal and the options only, not on the number of ranks or of pieces. If the
+  /// interior is filled, they are those of the mesh of one process.
   Array<std::uint64_t> number;
   std::vector<SharedVertices> shared;  ///< in ascending order of ranks
   std::uint64_t first_point = 0;       ///< see PieceOfMesh
-  std::uint64_t first_triangle = 0;    ///< the number of triangles of the ranks before this one
+  std::uint64_t first_triangle = 0;    ///< the number of triangles of the pieces before this one
   // Of the whole mesh:
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0;
   std::uint64_t missed = 0;  ///< triangles that miss the goal although no small input angle justifies it
@@ -40,13 +42,33 @@ struct MeshPiece {
 /// the tiles that it owns, which follow each other on a space-filling curve, and exchanges triangles near its border
 /// with the other ranks after each phase. The mesh depends neither on the number of ranks nor on threads.
 ///
-/// Memory of a rank: its share of the mesh, a margin around it (half a tile wide on a lattice, the neighbouring leaves
-/// of a quadtree), the input, and the coarse levels. options.max_memory is a limit for each rank.
+/// If the interior is filled (Options::interior), every rank refines what is around the equilateral triangles for
+/// itself, and makes its share of all triangles; the ranks exchange nothing. Where one process would refine the whole
+/// domain for comparison, or because the filling has to be given up, the ranks do so, too, as described above.
 ///
-/// Errors, beside those of mesh(): `usage` for options.max_vertices, options.after_sweep and Interior::fill, which are
-/// for one process. Errors of validation and of the coarse levels occur on all ranks alike. If a later error occurs on
-/// one rank only, the other ranks wait for it; the caller has to end them (MPI_Abort).
+/// Memory of a rank: its share of the mesh, a margin around it (half a tile wide on a lattice, the neighbouring leaves
+/// of a quadtree), the input, and the coarse levels; if the interior is filled, the mesh around the equilateral
+/// triangles. options.max_memory is a limit for each rank.
+///
+/// Errors, beside those of mesh(): `usage` for options.max_vertices and options.after_sweep, which are for one process;
+/// `resources` for a filled interior with more triangles or points than an Index can number. Errors of validation and
+/// of the coarse levels occur on all ranks alike. If a later error occurs on one rank only, the other ranks wait for
+/// it; the caller has to end them (MPI_Abort).
 [[nodiscard]] Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks);
+
+/// Makes the mesh in more pieces than there are ranks, one after another, so that a rank needs the memory of one piece
+/// only. Only for interiors that are filled. Calls visit(piece, number): rank r makes the pieces r, r + count, and so
+/// on; it makes the next one when visit() has returned. An error that visit() returns ends the run on this rank, and
+/// becomes the result. visit() is called in the thread of the caller, and should not communicate: ranks can have
+/// different numbers of pieces.
+///
+/// If the filling has to be given up, or if a refined mesh has fewer triangles (Report::laid is 0), the ranks make that
+/// mesh together as mesh() does. Then rank r has piece r, and the other pieces are empty.
+///
+/// Collective; arguments and errors as for mesh(), and `usage` if there are fewer pieces than ranks, or if the options
+/// and the goal do not fill the interior: options.interior, and constant bounds on areas or edges.
+[[nodiscard]] Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks,
+                                    int pieces, const std::function<Status(MeshPiece&& piece, int number)>& visit);
 
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.
 [[nodiscard]] inline PieceOfMesh view_of(const MeshPiece& piece) {

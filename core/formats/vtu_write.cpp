@@ -3,7 +3,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <deque>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -187,13 +189,20 @@ Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
   return out.commit();
 }
 
-Status write_vtu_piece(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file,
-                       const std::function<Status(Status)>& agree) {
-  OutputFile out(file);
+struct VtuPieces::Files {
+  std::deque<OutputFile> all;
+};
+
+VtuPieces::VtuPieces() : files_(std::make_unique<Files>()) {}
+VtuPieces::~VtuPieces() = default;
+
+Status VtuPieces::add(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file) {
+  OutputFile& out = files_->all.emplace_back(file);
   write(mesh, numbers, out);
-  if (Status all = agree(out.close()); !all) return all;
-  return out.commit();
+  return out.close();
 }
+
+Status VtuPieces::commit() { return commit_all(files_->all); }
 
 Status write_pvtu(const PiecesOfMesh& pieces, const std::filesystem::path& file) {
   Bytes text;

@@ -20,9 +20,9 @@ void append_border_points(const Patch& patch, std::vector<Point>& points) {
       for (int x = piece.low; x <= piece.high; x += 2) points.push_back(patch.lattice().at(x, piece.row));
 }
 
-Error border_missing() { return {ErrorKind::internal, "the border of a patch is not in the triangulation"}; }
-
 }  // namespace
+
+Error border_missing() { return {ErrorKind::internal, "the border of a patch is not in the triangulation"}; }
 
 double edge_of_patch(double max_area, double max_edge) {
   constexpr double to_spare = 0.9995;  // far more than the rounding of a point
@@ -31,7 +31,7 @@ double edge_of_patch(double max_area, double max_edge) {
 
 Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull, const DomainTriangulation& coarse,
                                              std::span<const double> edges, std::span<const Clearing> clearings,
-                                             const Options& options, const Threads& threads) {
+                                             const Options& options, const Threads& threads, std::uint64_t pieces) {
   std::vector<double> allowed(edges.begin(), edges.end());
   for (double& edge : allowed)
     if (edge < options.min_edge) edge = INFINITY;
@@ -52,8 +52,10 @@ Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull,
   }
   const std::uint64_t vertices = with_borders.points.size() + filling.inner_points_;
   if (options.max_vertices > 0 && vertices > options.max_vertices) return std::optional<Filling>();
-  if (Status fits = check_size(static_cast<double>(filling.triangles_), options); !fits) return fits.error();
-  if (outgrows_memory(vertices, options)) return too_much_memory(options);
+  const double per_piece = static_cast<double>(filling.triangles_) / static_cast<double>(pieces);
+  if (Status fits = check_size(per_piece, options); !fits) return fits.error();
+  if (outgrows_memory(with_borders.points.size() + filling.inner_points_ / pieces, options))
+    return too_much_memory(options);
 
   Result<DomainTriangulation> domain = triangulate_domain(with_borders, convex_hull, threads);
   if (!domain) return domain.error();

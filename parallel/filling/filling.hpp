@@ -23,11 +23,15 @@ namespace pardel::engine {
 /// The length of the edges in a patch whose triangles keep a bound on their area and one on their edges.
 [[nodiscard]] double edge_of_patch(double max_area, double max_edge);
 
+/// The error if the border of a patch is missing in the mesh around it. This does not happen.
+[[nodiscard]] Error border_missing();
+
 /// The patches of a domain, and the rest of the domain.
 class Filling {
  public:
   /// Returns nothing if no triangle of a patch fits into the domain, or if the patches have too many points for
   /// Options::max_vertices. Errors: resources if they are too large for Options::max_memory or for the engine.
+  /// `pieces`: in how many pieces the patches are laid; these limits hold for one piece.
   ///
   /// `coarse`: the triangulation of the Pslg. `edges`: the lengths of the edges in each region, and last in triangles
   /// without a region; infinity, or less than Options::min_edge: no patch. `clearings`: disks that the patches leave
@@ -38,12 +42,15 @@ class Filling {
                                                            const DomainTriangulation& coarse,
                                                            std::span<const double> edges,
                                                            std::span<const Clearing> clearings, const Options& options,
-                                                           const Threads& threads);
+                                                           const Threads& threads, std::uint64_t pieces = 1);
 
   /// The triangulation of the domain without the patches; only once.
   [[nodiscard]] DomainTriangulation take_domain() { return std::move(domain_); }
   /// The points of the Pslg, then the points on the borders of the patches: what the domain calls its input.
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  /// The first of these points that lies on a border.
+  [[nodiscard]] Index first_border() const { return first_border_; }
+  [[nodiscard]] std::span<const RegionPatch> patches() const { return patches_; }
   /// The numbers of triangles and of points that lay() adds.
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
   [[nodiscard]] std::uint64_t inner_points() const { return inner_points_; }
@@ -57,7 +64,7 @@ class Filling {
   std::vector<RegionPatch> patches_;
   DomainTriangulation domain_;
   std::vector<Point> points_;
-  Index first_border_ = 0;  ///< the first of these points that lies on a border
+  Index first_border_ = 0;
   std::uint64_t triangles_ = 0, inner_points_ = 0;
 };
 

@@ -1,19 +1,9 @@
 // Refines a domain whose interior is filled with patches.
 #pragma once
 
-#include <vector>
-
-#include "filling.hpp"
-#include "refine_domain.hpp"
+#include "filled_round.hpp"
 
 namespace pardel::engine {
-
-/// A domain to fill.
-struct ToFill {
-  const Pslg& pslg;
-  bool convex_hull;
-  std::vector<double> edges;  ///< as for Filling::make(): the longest that keep the goal
-};
 
 /// Cuts patches out of the domain, refines the rest, and lays the patches. Where a triangle is left that cannot be
 /// split because of a patch, the patch gives way, and the refinement starts again (rounds.hpp). If no patch fits, or

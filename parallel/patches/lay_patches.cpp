@@ -3,134 +3,15 @@
 #include <algorithm>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "../concurrency/parallel_arrays.hpp"
+#include "border_edges.hpp"
+#include "write_strips.hpp"
 
 namespace pardel::engine {
 namespace {
 
-/// Finds the points at places of a row. The places that are asked for ascend.
-class RowCursor {
- public:
-  RowCursor(std::span<const Piece> pieces, Index first_border, Index first_inner)
-      : piece_(pieces.begin()), end_(pieces.end()), first_border_(first_border), first_inner_(first_inner) {}
-  [[nodiscard]] Index at(int x) {
-    go_to(x);
-    const std::size_t number = piece_->first + static_cast<std::size_t>(x - piece_->low) / 2;
-    return (piece_->on_border ? first_border_ : first_inner_) + static_cast<Index>(number);
-  }
-  /// From x up to this place, the points have consecutive numbers.
-  [[nodiscard]] int last(int x) {
-    go_to(x);
-    return piece_->high;
-  }
-
- private:
-  void go_to(int x) {
-    while (piece_ + 1 != end_ && x > piece_->high) ++piece_;
-  }
-
-  std::span<const Piece>::iterator piece_, end_;
-  Index first_border_, first_inner_;
-};
-
-/// Finds the triangles of strips between two rows. The places that are asked for ascend.
-class StripCursor {
- public:
-  /// The triangles of the patch are numbered from `first_triangle`.
-  StripCursor(std::span<const Strip> strips, Index first_triangle)
-      : strip_(strips.begin()), end_(strips.end()), first_triangle_(first_triangle) {}
-  /// The triangle at x, or no_index if there is none.
-  [[nodiscard]] Index at(int x) {
-    if (!go_to(x)) return no_index;
-    return first_triangle_ + static_cast<Index>(strip_->first) + static_cast<Index>(x - strip_->low);
-  }
-  /// From x up to this place, the triangles have consecutive numbers. Less than x if there is no triangle at x.
-  [[nodiscard]] int last(int x) { return go_to(x) ? strip_->high : x - 1; }
-
- private:
-  /// True if there is a triangle at x.
-  [[nodiscard]] bool go_to(int x) {
-    while (strip_ != end_ && x > strip_->high) ++strip_;
-    return strip_ != end_ && x >= strip_->low;
-  }
-
-  std::span<const Strip>::iterator strip_, end_;
-  Index first_triangle_;
-};
-
-/// Where the points and triangles of a patch are in the mesh.
-struct Places {
-  Index first_border;
-  Index first_inner;
-  Index first_triangle;
-};
-
-/// Writes the triangles of a strip, from left to right. Sides on the border of the patch get no neighbours.
-class StripWriter {
- public:
-  StripWriter(const Patch& patch, const Places& places, const Strip& strip, Mesh& mesh)
-      : strip_(strip),
-        first_(places.first_triangle + static_cast<Index>(strip.first)),
-        lower_(patch.pieces_of(strip.row), places.first_border, places.first_inner),
-        upper_(patch.pieces_of(strip.row + 1), places.first_border, places.first_inner),
-        below_(patch.strips_above(strip.row - 1), places.first_triangle),
-        above_(patch.strips_above(strip.row + 1), places.first_triangle),
-        mesh_(mesh) {}
-
-  void write() {
-    for (int x = strip_.low; x <= strip_.high;) {
-      const int pairs = stands(x) && x > strip_.low ? even_pairs(x) : 0;
-      if (pairs > 0)
-        write_pairs(x, pairs);
-      else
-        write_one(x);
-      x += std::max(2 * pairs, 1);
-    }
-  }
-
- private:
-  [[nodiscard]] bool stands(int x) const { return ((x ^ strip_.row) & 1) == 0; }
-  [[nodiscard]] Index id(int x) const { return first_ + static_cast<Index>(x - strip_.low); }
-  [[nodiscard]] Index point(int x) { return stands(x) ? lower_.at(x) : upper_.at(x); }
-
-  /// From x on, so many pairs of a standing and a hanging triangle have neighbours on all sides, and corners and
-  /// neighbours whose numbers go up evenly. Nearly all triangles of a large patch belong to such pairs.
-  [[nodiscard]] int even_pairs(int x) {
-    const int last =
-        std::min({lower_.last(x), upper_.last(x + 1) - 1, below_.last(x) + 2, above_.last(x + 1) + 1, strip_.high});
-    return (last - x) / 2;
-  }
-
-  void write_pairs(int x, int pairs) {
-    Index lower = lower_.at(x), upper = upper_.at(x + 1), below = below_.at(x), above = above_.at(x + 1);
-    Triangle* to = &mesh_.triangles[id(x)];
-    for (Index here = id(x), end = here + 2 * static_cast<Index>(pairs); here != end; here += 2) {
-      *to++ = {{lower, lower + 1, upper}, {here + 1, here - 1, below}};
-      *to++ = {{lower + 1, upper + 1, upper}, {above, here, here + 2}};
-      ++lower, ++upper, below += 2, above += 2;
-    }
-  }
-
-  void write_one(int x) {
-    const Index left = point(x), middle = point(x + 1), right = point(x + 2);
-    const Index before = x > strip_.low ? id(x) - 1 : no_index;
-    const Index after = x < strip_.high ? id(x) + 1 : no_index;
-    if (stands(x))
-      mesh_.triangles[id(x)] = {{left, right, middle}, {after, before, below_.at(x)}};
-    else
-      mesh_.triangles[id(x)] = {{middle, right, left}, {above_.at(x), before, after}};
-  }
-
-  const Strip& strip_;
-  Index first_;  ///< the first triangle of the strip
-  RowCursor lower_, upper_;
-  StripCursor below_, above_;
-  Mesh& mesh_;
-};
-
-void write_points(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
+void write_points(const Patch& patch, const PlacesOfPatch& places, Mesh& mesh, const Threads& threads) {
   parallel_runs(threads, patch.pieces().size(), [&](std::size_t i) {
     const Piece& piece = patch.pieces()[i];
     if (piece.on_border) return;
@@ -140,69 +21,66 @@ void write_points(const Patch& patch, const Places& places, Mesh& mesh, const Th
   });
 }
 
-void write_triangles(const Patch& patch, const Places& places, Mesh& mesh, const Threads& threads) {
-  parallel_runs(threads, patch.strips().size(),
-                [&](std::size_t s) { StripWriter(patch, places, patch.strips()[s], mesh).write(); });
-}
-
-/// Lengthens the list of origins. The new points, and those on the borders, from `first_border` to `border_end`, are
-/// interior ones.
-void set_origins(Mesh& mesh, std::size_t first_border, std::size_t border_end, std::size_t points) {
+/// Lengthens the list of origins. The new points are interior ones.
+void add_origins(Mesh& mesh, std::size_t points) {
   static_assert(interior_vertex == 0);
   Array<Index> origin = Array<Index>::zeroes(points);
   std::ranges::copy(mesh.origin, origin.begin());
-  std::fill(origin.begin() + first_border, origin.begin() + border_end, interior_vertex);
   mesh.origin = std::move(origin);
-}
-
-/// Joins the triangles before `old`, those around the patches, to the patches. Returns the number of edges joined.
-std::size_t join_borders(Mesh& mesh, std::size_t old, const BorderEdges& edges, SparseAsk& ask) {
-  std::size_t joined = 0;
-  for (Index id = 0; id < old; ++id) {
-    ask();
-    for (unsigned side = 0; side < 3; ++side) {
-      Triangle& beside = mesh.triangles[id];
-      if (beside.n[side] != no_index) continue;
-      // The patch sees the edge in the opposite direction.
-      const BorderEdge* edge = edges.find(beside.v[previous_corner[side]], beside.v[next_corner[side]]);
-      if (edge == nullptr) continue;
-      const Index laid = static_cast<Index>(old + edge->triangle);
-      beside.n[side] = laid;
-      mesh.triangles[laid].n[edge->side] = id;
-      ++joined;
-    }
-  }
-  return joined;
 }
 
 }  // namespace
 
+std::optional<std::vector<Seam>> join_to_patches(Mesh& around, std::span<const RegionPatch> patches, Index first_border,
+                                                 const Threads& threads) {
+  const auto old = static_cast<Index>(around.triangles.size());
+  std::size_t border_points = 0;
+  for (const auto& [region, patch] : patches) border_points += patch.border_points();
+  std::vector<VertexId> border(border_points);
+  std::iota(border.begin(), border.end(), first_border);
+  const BorderEdges edges(patches, border);
+  std::vector<Seam> seams;
+  SparseAsk ask(threads.stop);
+  for (Index id = 0; id < old; ++id) {
+    ask();
+    Triangle& beside = around.triangles[id];
+    for (unsigned side = 0; side < 3; ++side) {
+      if (beside.n[side] != no_index) continue;
+      // The patch sees the edge in the opposite direction.
+      const BorderEdge* edge = edges.find(beside.v[previous_corner[side]], beside.v[next_corner[side]]);
+      if (edge == nullptr) continue;
+      beside.n[side] = old + static_cast<Index>(edge->triangle);
+      seams.push_back({beside.n[side], edge->side, id});
+    }
+  }
+  if (seams.size() != edges.all().size()) return {};
+  std::fill_n(around.origin.begin() + first_border, border_points, interior_vertex);
+  return seams;
+}
+
 bool lay_patches(Mesh& mesh, std::span<const RegionPatch> patches, Index first_border, const Threads& threads) {
-  const std::size_t old = mesh.triangles.size();
-  std::vector<Places> places;
-  std::size_t border_end = first_border, points = mesh.points.size(), triangles = old;
+  const std::optional<std::vector<Seam>> seams = join_to_patches(mesh, patches, first_border, threads);
+  if (!seams) return false;
+  const std::vector<PlacesOfPatch> places = places_of(patches, first_border, mesh.points.size(), mesh.triangles.size());
+  std::size_t points = mesh.points.size(), triangles = mesh.triangles.size();
   for (const auto& [region, patch] : patches) {
-    places.push_back({static_cast<Index>(border_end), static_cast<Index>(points), static_cast<Index>(triangles)});
-    border_end += patch.border_points();
     points += patch.inner_points();
     triangles += patch.triangles();
   }
   mesh.points.resize_uninitialised(points);
-  set_origins(mesh, first_border, border_end, points);
+  add_origins(mesh, points);
   mesh.triangles.resize_uninitialised(triangles);
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    write_points(patches[i].patch, places[i], mesh, threads);
-    write_triangles(patches[i].patch, places[i], mesh, threads);
+    const Patch& patch = patches[i].patch;
+    write_points(patch, places[i], mesh, threads);
+    write_strips(patch, places[i], patch.strips(), {mesh.triangles.span()}, threads);
   }
+  for (const Seam& seam : *seams) mesh.triangles[seam.laid].n[seam.side] = seam.around;
   if (!mesh.region.empty()) {
     mesh.region.reserve(triangles);
     for (const auto& [region, patch] : patches) mesh.region.resize(mesh.region.size() + patch.triangles(), region);
   }
-  std::vector<VertexId> border(border_end - first_border);
-  std::iota(border.begin(), border.end(), first_border);
-  const BorderEdges edges(patches, border);
-  SparseAsk ask(threads.stop);
-  return join_borders(mesh, old, edges, ask) == edges.all().size();
+  return true;
 }
 
 }  // namespace pardel::engine

@@ -1,13 +1,28 @@
 // Puts patches into the mesh around them.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "../../core/mesh.hpp"
 #include "../concurrency/threads.hpp"
-#include "border_edges.hpp"
+#include "find_patches.hpp"
 
 namespace pardel::engine {
+
+/// An edge between a triangle of a patch and one around the patches, as the first one sees it.
+struct Seam {
+  Index laid;     ///< the triangle of the patch, as its number in the mesh
+  unsigned side;  ///< its side
+  Index around;   ///< the other triangle
+};
+
+/// Makes the triangles of the patches neighbours of the triangles around them, as if they had been appended already.
+/// Returns the edges, at which the other triangles have to become neighbours, too. The points on the borders become
+/// interior points. `around`, `first_border`, and when there is no result: as for lay_patches().
+[[nodiscard]] std::optional<std::vector<Seam>> join_to_patches(Mesh& around, std::span<const RegionPatch> patches,
+                                                               Index first_border, const Threads& threads);
 
 /// Appends the triangles of the patches and joins them to the triangles around them. The inner points of the patches
 /// become the last points. All ids that exist stay as they are. The number of threads does not change the result.

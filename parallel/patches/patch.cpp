@@ -120,6 +120,13 @@ std::size_t Patch::border_point(int x, int row) const {
   return piece.first + static_cast<std::size_t>(x - piece.low) / 2;
 }
 
+std::optional<std::size_t> Patch::triangle_at(int x, int row) const {
+  const std::span<const Strip> strips = strips_above(row);
+  const auto strip = std::ranges::lower_bound(strips, x, {}, &Strip::high);
+  if (strip == strips.end() || x < strip->low) return {};
+  return strip->first + static_cast<std::size_t>(x - strip->low);
+}
+
 std::vector<BorderSide> Patch::border() const {
   std::vector<BorderSide> all;
   for (const Strip& strip : strips_) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,11 +52,20 @@ class Patch {
   /// The strips between row and row + 1, from left to right; the pieces of a row.
   [[nodiscard]] std::span<const Strip> strips_above(int row) const { return of_row(strips_, strip_start_, row); }
   [[nodiscard]] std::span<const Piece> pieces_of(int row) const { return of_row(pieces_, piece_start_, row); }
+  /// Calls visit(number) for the triangles at a place. O(log n) for n strips in its rows.
+  template <class Visit>
+  void for_each_triangle_at(int x, int row, const Visit& visit) const {
+    for (const int above : {row - 1, row})
+      for (int at = x - 2; at <= x; ++at)
+        if (const auto number = triangle_at(at, above)) visit(*number);
+  }
 
  private:
   void find_strips(const std::vector<Span>& places);
   void find_pieces();
   [[nodiscard]] std::size_t border_point(int x, int row) const;
+  /// The triangle at x between row and row + 1.
+  [[nodiscard]] std::optional<std::size_t> triangle_at(int x, int row) const;
   template <class T>
   [[nodiscard]] std::span<const T> of_row(const std::vector<T>& all, const std::vector<std::size_t>& start,
                                           int row) const {

@@ -13,6 +13,7 @@
 #include "../../../properties/checker/check.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
+#include "square_with_data.hpp"
 
 namespace pardel {
 namespace {
@@ -25,18 +26,6 @@ struct Case {
   Goal goal;
   Options options;
 };
-
-/// A square with a point in its hole, markers, and an attribute per point.
-Pslg square_with_data() {
-  Pslg pslg = domains::regions();
-  pslg.attributes_per_point = 1;
-  for (std::size_t v = 0; v < pslg.points.size(); ++v) {
-    pslg.point_attributes.push_back(3 * pslg.points[v].x - pslg.points[v].y);
-    pslg.point_markers.push_back(v % 3 == 0 ? static_cast<int>(v) : 0);
-  }
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s) pslg.segments[s].marker = s % 2 == 0 ? static_cast<int>(s) : 0;
-  return pslg;
-}
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = [] {
@@ -57,6 +46,10 @@ const std::vector<Case>& cases() {
     add("one_tile", domains::square(), {.max_area = 0.01}, {.decomposition = Decomposition::none});
     add("graded", domains::square(), {.size = [](Point p) { return 0.004 + 0.1 * (p.x + p.y); }, .size_slope = 0.15},
         {.decomposition = Decomposition::quadtree, .triangles_per_tile = 100});
+    add("filled_square", domains::square(), {.max_area = 1e-4}, {.interior = Interior::fill});
+    add("filled_pipe", domains::pipe(), {.min_angle_deg = 28, .max_area = 5e-4}, {.interior = Interior::fill});
+    add("filled_regions_with_data", square_with_data(), {.max_area = 0.001, .region_caps = true},
+        {.interior = Interior::fill});
     add("papers_lattice", domains::pipe(), {.max_area = 1e-3}, {.decomposition = Decomposition::paper});
     return list;
   }();
@@ -252,8 +245,6 @@ TEST(PiecesAreRefused, with_options_for_one_process) {
   };
   EXPECT_EQ(error_of({.max_vertices = 10}),
             "a limit on the number of vertices works in one process only, not in several ranks");
-  EXPECT_EQ(error_of({.interior = Interior::fill}),
-            "an interior of equilateral triangles works in one process only, not in several ranks");
   EXPECT_EQ(error_of({.after_sweep = [](const Mesh&, const Sweep&) -> Status { return Done{}; }}),
             "a function that is called after each sweep works in one process only, not in several ranks");
 }
