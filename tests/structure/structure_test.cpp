@@ -54,6 +54,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"patches/lay_patches", {"filling/filling_test"}},
     {"patches/write_strips", {"filling/filling_test", "distribution/filled_pieces_test"}},
     {"filling/division", {"distribution/filled_pieces_test"}},
+    {"filling/filled_pieces", {"distribution/filled_pieces_test"}},
     {"filling/filled_round", {"filling/refine_filled_test"}},
     {"filling/refine_domain", {"mesher_test", "scheduling/after_sweep_test"}},
     {"input/repair_once", {"input/repair_test"}},
