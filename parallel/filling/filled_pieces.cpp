@@ -41,6 +41,8 @@ std::vector<char> corners_of(const Mesh& mesh, const Threads& threads) {
   return result;
 }
 
+}  // namespace
+
 /// The numbers in a piece of the points with consecutive numbers in the mesh, from `first` on.
 class LocalNumbers {
  public:
@@ -73,6 +75,8 @@ struct StripsOfPiece {
   std::span<const Strip> strips;
   std::size_t first_triangle = 0, end_triangle = 0;  ///< in the mesh
 };
+
+namespace {
 
 /// Calls visit(row) for the rows of points at the strips.
 template <class Visit>

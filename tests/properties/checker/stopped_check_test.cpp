@@ -103,10 +103,10 @@ TEST(Checker, asks_once_in_1024_steps_in_the_stages_that_use_the_domain) {
   expect_stoppable([&](Findings& found) { (void)check_segments(subject, domain, adjacency, inputs, scanned, found); },
                    2 * edges, 32621);
   const Chains chains = check_segments(subject, domain, adjacency, inputs, scanned, none);
-  expect_stoppable([&](Findings& found) { check_coverage(subject, domain, adjacency, chains, found); },
+  expect_stoppable([&](Findings& found) { (void)check_coverage(subject, domain, adjacency, chains, found); },
                    triangles + 8 * edges, 5166);
   expect_stoppable([&](Findings& found) { (void)paint_faces(domain, adjacency, chains, found.stop()); }, triangles, 32);
-  expect_stoppable([&](Findings& found) { check_labels(subject, domain, adjacency, chains, inputs, {}, found); },
+  expect_stoppable([&](Findings& found) { check_labels(subject, domain, adjacency, chains, inputs, found); },
                    2 * points + 2 * edges, 4445);
   expect_stoppable([&](Findings& found) { check_delaunay(subject, adjacency, chains, scanned, found); },
                    scanned.open.size(), 8);
@@ -163,6 +163,7 @@ std::vector<std::size_t> questions_of_stages(const Pslg& pslg, const Goal& goal,
   const std::vector<Index> faces = paint_faces(domain, adjacency, chains, none.stop());
   std::vector<Justified> justified;
   return {questions([&](Findings& found) { (void)scan_of(subject, found.stop()); }),
+          questions([&](Findings& found) { (void)check_input(pslg, found); }),
           questions([&](Findings& found) { (void)check_sanity(subject, unused, found); }),
           questions([&](Findings& found) {
             Scan scan = unused;
@@ -171,9 +172,10 @@ std::vector<std::size_t> questions_of_stages(const Pslg& pslg, const Goal& goal,
           questions([&](Findings& found) { const Domain again(pslg, goal.convex_hull, found.stop()); }),
           questions([&](Findings& found) { (void)check_input_vertices(subject, domain, adjacency, found); }),
           questions([&](Findings& found) { (void)check_segments(subject, domain, adjacency, inputs, scanned, found); }),
-          questions([&](Findings& found) { check_coverage(subject, domain, adjacency, chains, found); }),
+          questions([&](Findings& found) { (void)check_coverage(subject, domain, adjacency, chains, found); }),
           questions([&](Findings& found) { (void)paint_faces(domain, adjacency, chains, found.stop()); }),
-          questions([&](Findings& found) { check_labels(subject, domain, adjacency, chains, inputs, faces, found); }),
+          questions([&](Findings& found) { check_labels(subject, domain, adjacency, chains, inputs, found); }),
+          questions([&](Findings& found) { check_regions(subject, domain, faces, found); }),
           questions([&](Findings& found) { check_delaunay(subject, adjacency, chains, scanned, found); }),
           questions([&](Findings& found) {
             check_goal(subject, domain, adjacency, chains, inputs, faces, scanned, found, justified);
