@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
-#include "parallel_for.hpp"
 
 namespace pardel::engine {
 
@@ -111,14 +110,6 @@ class IndexMoves {
   [[nodiscard]] Index end() const { return in_use_ + static_cast<Index>(to_.size()); }
   /// The new index of an element in use; no_index for an index from in_use() to end() - 1 that was free.
   [[nodiscard]] Index now(Index before) const { return has_moved(before) ? to_[before - in_use_] : before; }
-  /// Calls body(from, to) for all moves, in parallel.
-  template <class Body>
-  void for_each(const Threads& threads, const Body& body) const {
-    parallel_blocks(threads, to_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i)
-        if (to_[i] != no_index) body(static_cast<Index>(in_use_ + i), to_[i]);
-    });
-  }
 
  private:
   Index in_use_;

@@ -7,6 +7,7 @@
 
 #include "../../core/array.hpp"
 #include "../../core/pslg.hpp"
+#include "index_allocator.hpp"
 #include "parallel_for.hpp"
 
 namespace pardel::engine {
@@ -67,6 +68,17 @@ void visit_by_cell(const Threads& threads, std::size_t n, std::size_t cells, con
                    const Visit& visit) {
   const Array<Index> cell = make_array(threads, n, cell_of);
   visit_by_cell(threads, cell.span(), cells, visit);
+}
+
+/// Calls body(from, to) for all moves, in parallel.
+template <class Body>
+void for_each_move(const Threads& threads, const IndexMoves& moves, const Body& body) {
+  parallel_blocks(threads, moves.end() - moves.in_use(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto from = static_cast<Index>(moves.in_use() + i);
+      if (const Index to = moves.now(from); to != no_index) body(from, to);
+    }
+  });
 }
 
 }  // namespace pardel::engine

@@ -1,18 +1,18 @@
 #include "compact.hpp"
 
-#include "../concurrency/parallel_for.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {
 
 void compact_triangles(Triangulation& t, const IndexMoves& moves, const Threads& threads) {
-  moves.for_each(threads, [&](TriangleId from, TriangleId to) {
+  for_each_move(threads, moves, [&](TriangleId from, TriangleId to) {
     t.slots[to] = t.slots[from];
     if (!t.region.empty()) t.region[to] = t.region[from];
   });
   // If two neighbours have moved, each looks up the new index of the other. If only one has moved, it writes its new
   // index into the other. So each side is written once, and no thread reads a side that another thread writes.
-  moves.for_each(threads, [&](TriangleId, TriangleId to) {
+  for_each_move(threads, moves, [&](TriangleId, TriangleId to) {
     for (unsigned side = 0; side < 3; ++side) {
       EdgeRef& out = t.slots[to].n[side];
       if (out.none()) continue;
@@ -27,7 +27,7 @@ void compact_triangles(Triangulation& t, const IndexMoves& moves, const Threads&
 }
 
 void compact_vertices(Triangulation& t, const IndexMoves& moves, const Threads& threads) {
-  moves.for_each(threads, [&](VertexId from, VertexId to) {
+  for_each_move(threads, moves, [&](VertexId from, VertexId to) {
     t.points[to] = t.points[from];
     t.origin[to] = t.origin[from];
   });

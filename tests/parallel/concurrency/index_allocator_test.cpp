@@ -1,5 +1,6 @@
 // No index is allocated twice, and none is lost.
 #include "../../../parallel/concurrency/index_allocator.hpp"
+#include "../../../parallel/concurrency/parallel_arrays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ TEST(IndexMoves, fill_every_hole_with_an_element_from_above) {
     for (Index n = 0; n < phases.allocator().end(); ++n) ASSERT_EQ(phases.allocator().uses(n), numbers.contains(n));
     const IndexMoves moves(phases.allocator());
     Index last = 0;
-    moves.for_each(Threads(1), [&](Index from, Index to) {
+    for_each_move(Threads(1), moves, [&](Index from, Index to) {
       EXPECT_EQ(numbers.erase(from), 1U) << "moves an index that is not in use";
       EXPECT_TRUE(numbers.insert(to).second) << "moves to an index that is in use";
       EXPECT_EQ(moves.now(from), to);
