@@ -162,13 +162,13 @@ void place(MeshCase& drawn, int kind) {
 }
 
 /// Wanted lengths that grow with the distance from a corner, or that change abruptly at a line.
-std::function<double(Point)> field(int kind, int side) {
+std::function<double(Point)> field(int kind, double side) {
   const double least = side / 12.0, slope = kind == 1 ? 0.05 : 0.5;
   if (kind == 3) return [=](Point p) { return p.x < side / 2.0 ? least : 4 * least; };
   return [=](Point p) { return least + slope * std::hypot(p.x, p.y); };
 }
 
-void decode_bounds(Supply& header, int side, Goal& goal) {
+void decode_bounds(Supply& header, double side, Goal& goal) {
   goal.region_caps = true;
   goal.min_angle_deg = header.one_of({20.7, 0.0, 25.0, 30.0, 33.0});
   if (const int cap = header.below(8); cap > 3) goal.max_area = side * side / std::exp2(cap);
@@ -181,7 +181,7 @@ void decode_bounds(Supply& header, int side, Goal& goal) {
   goal.feature_edges = header.one_of({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 2.0});
 }
 
-void decode_options(Supply& header, int side, Options& options) {
+void decode_options(Supply& header, double side, Options& options) {
   options.placement =
       header.one_of({Placement::off_centre, Placement::automatic, Placement::search, Placement::circumcentre});
   options.decomposition = header.one_of({Decomposition::automatic, Decomposition::lattice, Decomposition::quadtree,
@@ -205,8 +205,6 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   drawn.refine_again = header.flag(48);
   drawn.threads = 2 + header.below(3);
   drawn.ranks = 2 + header.below(4);
-  decode_bounds(header, side, drawn.goal);
-  decode_options(header, side, drawn.options);
 
   Drawing drawing(drawn, side);
   // A family takes its random numbers from the first stroke.
@@ -214,6 +212,11 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
     drawing.outline(outline);
   else
     drawing.domain_of_a_family(family, size, Supply(all.take(stroke_bytes)).word());
+  // The bounds are shares of the outline, so that a mesh without a limit has some thousand triangles at most.
+  double extent = side;
+  for (const Point p : drawn.pslg.points) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
+  decode_bounds(header, extent, drawn.goal);
+  decode_options(header, extent, drawn.options);
   for (std::size_t strokes = 0; strokes < most_strokes && !all.empty(); ++strokes)
     drawing.stroke(Supply(all.take(stroke_bytes)));
   place(drawn, position);

@@ -85,7 +85,7 @@ void OutputFile::fail(const char* what, int error_number) {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (!ok()) return;
+  if (!ok() || bytes.empty()) return;  // an empty array has no address, and fwrite() must not get a null pointer
   if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) != bytes.size()) fail("cannot be written", errno);
 }
 

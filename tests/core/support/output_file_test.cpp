@@ -43,6 +43,16 @@ TEST(OutputFile, gets_its_name_only_when_it_is_complete) {
   EXPECT_EQ(folder.read("a b.txt"), "new");
 }
 
+/// Under UndefinedBehaviorSanitizer this failed: the bytes of an empty array are a null pointer. Found by the fuzz target
+/// read_off, with a mesh without points.
+TEST(OutputFile, accepts_the_bytes_of_an_empty_array) {
+  const TemporaryFolder folder;
+  OutputFile out(folder / "empty");
+  out.write(std::string_view());
+  ASSERT_TRUE(out.commit().ok());
+  EXPECT_EQ(folder.read("empty"), "");
+}
+
 TEST(OutputFile, leaves_all_files_alone_that_it_has_not_made) {
   const TemporaryFolder folder;
   folder.write("a.txt.partial", "of the user");
