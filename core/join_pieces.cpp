@@ -125,7 +125,7 @@ Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces) {
   std::vector<std::uint64_t> numbers;
   for (const NumberedMesh& piece : pieces) numbers.insert(numbers.end(), piece.number.begin(), piece.number.end());
   std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   for (NumberedMesh& piece : pieces)
     for (std::uint64_t& number : piece.number)
       number = static_cast<std::uint64_t>(std::ranges::lower_bound(numbers, number) - numbers.begin());

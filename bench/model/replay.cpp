@@ -17,7 +17,7 @@ namespace {
 // The sizes of what travels (parallel/distribution/held_part.cpp, distribution.cpp, vertex_data.cpp). A test compares
 // the bytes with those of real messages.
 constexpr std::uint64_t bytes_of_list = 8, bytes_of_vertex = 32, bytes_of_triangle = 48, bytes_of_name = 8,
-                        bytes_of_seed = 12, bytes_of_answer = 16, bytes_of_rank = 4;
+                        bytes_of_seed = 12, bytes_of_number = 8, bytes_of_answer = 8, bytes_of_rank = 4;
 
 template <class T>
 std::vector<T> without_repetitions(std::vector<T> values) {
@@ -164,16 +164,19 @@ void Replay::finish(const Triangulation& t, const HeldPart& all) {
     const auto pieces = static_cast<std::uint64_t>(last - next) + 1;
     const int owner = ownership_.owner(ownership_.cell_of(t.points[v]));
     for (; next != last; ++next) {
-      questions[{next->second, owner}] += bytes_of_name;
-      answers[{owner, next->second}] += bytes_of_answer + bytes_of_rank * pieces;
+      // One name for its number, and one for its marker and pieces.
+      questions[{next->second, owner}] += 2 * bytes_of_name;
+      answers[{owner, next->second}] += bytes_of_number + bytes_of_answer + bytes_of_rank * pieces;
     }
   }
-  // share_of_rank() of the vertices; questions and answers; then three sums in PieceMaker and mesh_in_ranks().
+  // share_of_rank() of the vertices inserted by tasks, and in an excerpt; questions and answers; then three sums in
+  // PieceMaker and mesh_in_ranks().
   first_of_pieces_ = steps_.size();
   steps_.push_back({.kind = Step::Kind::rank_sum, .bytes = sizeof(std::uint64_t) * static_cast<std::uint64_t>(ranks_)});
   steps_.back().work = std::move(held);
-  add_exchange_of_all(bytes_of_list, questions);
-  add_exchange_of_all(2 * bytes_of_list, answers);
+  steps_.push_back({.kind = Step::Kind::rank_sum, .bytes = sizeof(std::uint64_t) * static_cast<std::uint64_t>(ranks_)});
+  add_exchange_of_all(2 * bytes_of_list, questions);
+  add_exchange_of_all(3 * bytes_of_list, answers);
   steps_.push_back({.kind = Step::Kind::rank_sum, .bytes = sizeof(std::uint64_t) * static_cast<std::uint64_t>(ranks_)});
   steps_.push_back({.kind = Step::Kind::sum, .bytes = sizeof(std::uint64_t)});
   steps_.push_back({.kind = Step::Kind::sum, .bytes = sizeof(std::uint64_t)});

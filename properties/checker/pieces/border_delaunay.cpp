@@ -42,7 +42,7 @@ std::uint64_t check_border_delaunay(const Piece& piece, std::span<const BorderSi
                       exactly::in_circle_text(a, b, c, across.at)});
   }
   std::ranges::sort(open);
-  return static_cast<std::uint64_t>(std::ranges::unique(open).begin() - open.begin());
+  return static_cast<std::uint64_t>(std::unique(open.begin(), open.end()) - open.begin());
 }
 
 }  // namespace pardel::checker

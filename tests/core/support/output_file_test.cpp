@@ -43,7 +43,8 @@ TEST(OutputFile, gets_its_name_only_when_it_is_complete) {
   EXPECT_EQ(folder.read("a b.txt"), "new");
 }
 
-/// Under UndefinedBehaviorSanitizer this failed: the bytes of an empty array are a null pointer. Found by the fuzz target
+/// Under UndefinedBehaviorSanitizer this failed: the bytes of an empty array are a null pointer. Found by the fuzz
+/// target
 /// read_off, with a mesh without points.
 TEST(OutputFile, accepts_the_bytes_of_an_empty_array) {
   const TemporaryFolder folder;

@@ -94,12 +94,16 @@ PARDEL_PROPERTY(
                   "mesh, character by character; if bounds are missed, with the same numbers of violations.",
      .source = "properties/checker/check_pieces.hpp",
      .families = "lattice domains of every family; slabs, blocks of triangles, and triangles at random places"}) {
-  const MeshedCase made = lattice_mesh(exhibit);
+  MeshedCase made = lattice_mesh(exhibit);
+  const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
+  if (options.foreign && *rc::gen::arbitrary<bool>()) {
+    made.mesh.origin.clear();
+    made.mesh.point_markers.clear();
+  }
   const Cut cut = some_cut(made.mesh);
   const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
   const Result<Mesh> joined = join_pieces(pieces);
   RC_ASSERT(joined.ok());
-  const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
   const Certificate whole = check(made.pslg, *joined, made.goal, options);
   const Checked checked = check_on_ranks(made.pslg, pieces, made.goal, options);
   properties::classify(whole.valid, "valid", 50);
