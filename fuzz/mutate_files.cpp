@@ -126,9 +126,9 @@ std::string any_pieces(const Scratch& scratch, Random& random) {
   std::vector<std::uint64_t> numbers;
   for (std::uint64_t i = 0; i < mesh.points.size(); ++i) numbers.push_back(i);
   const PiecesOfMesh pieces{{"piece.vtu"}, !mesh.region.empty(), mesh.attributes_per_point};
-  const auto agree = [](Status status) { return status; };
-  if (!write_vtu_piece(mesh, numbers, scratch / "piece.vtu", agree) || !write_pvtu(pieces, scratch / "mesh.pvtu"))
-    return {};
+  VtuPieces files;
+  if (!files.add(mesh, numbers, scratch / "piece.vtu") || !files.commit()) return {};
+  if (!write_pvtu(pieces, scratch / "mesh.pvtu")) return {};
   return "== mesh.pvtu\n" + contents(scratch / "mesh.pvtu") + "\n== piece.vtu\n" + contents(scratch / "piece.vtu");
 }
 
