@@ -17,19 +17,11 @@ namespace pardel {
 using namespace files;
 namespace {
 
-/// Lists of all ranks, one after another.
-template <class T>
-std::vector<T> of_all(const std::vector<T>& list, Ranks& ranks) {
-  std::vector<T> all;
-  for (const std::vector<T>& from : lists_of_all(list, ranks)) all.insert(all.end(), from.begin(), from.end());
-  return all;
-}
-
 /// The groups of the whole mesh. Collective.
 MshModel shared_model(const Mesh& mesh, Ranks& ranks) {
   MshValues values = values_of(mesh);
-  values.markers = distinct(of_all(values.markers, ranks));
-  values.attributes = distinct(of_all(values.attributes, ranks));
+  values.markers = distinct(concatenated(lists_of_all(values.markers, ranks)));
+  values.attributes = distinct(concatenated(lists_of_all(values.attributes, ranks)));
   return msh_model(mesh, std::move(values));
 }
 
@@ -75,7 +67,7 @@ class Interfaces {
       text.insert(text.end(), set.begin(), set.end());
     }
     std::map<Set, std::size_t> all;
-    const std::vector<int> texts = of_all(text, ranks);
+    const std::vector<int> texts = concatenated(lists_of_all(text, ranks));
     for (auto at = texts.begin(); at != texts.end();) {
       const int size = *at++;
       all.emplace(Set(at, at + size), 0);

@@ -10,13 +10,6 @@
 namespace pardel::files {
 namespace {
 
-template <class T>
-std::vector<T> concatenated(const std::vector<std::vector<T>>& lists) {
-  std::vector<T> all;
-  for (const std::vector<T>& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
 /// The limits of all ranges, in ascending order; the last one is the number of points.
 std::vector<std::uint64_t> bounds_of_ranges(const PieceOfMesh& piece, Ranks& ranks) {
   std::vector<std::uint64_t> first_point(static_cast<std::size_t>(ranks.count()), 0);

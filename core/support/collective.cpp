@@ -1,7 +1,8 @@
 #include "collective.hpp"
 
-#include <array>
 #include <utility>
+
+#include "exchange_lists.hpp"
 
 namespace pardel {
 
@@ -26,13 +27,9 @@ std::uint64_t sum_of(std::uint64_t value, Ranks& ranks) {
 }
 
 Digest sum_of(const Digest& digest, Ranks& ranks) {
-  // Halves of words, so that the carry from the lower word is not lost.
-  constexpr std::uint64_t half = 0xffffffffU;
-  std::array parts{digest.low & half, digest.low >> 32U, digest.high & half, digest.high >> 32U};
-  ranks.add_up(parts);
-  const std::uint64_t second = parts[1] + (parts[0] >> 32U);
-  const std::uint64_t third = parts[2] + (second >> 32U);
-  return {(parts[3] + (third >> 32U)) << 32U | (third & half), second << 32U | (parts[0] & half)};
+  Digest sum;
+  for (const Digest& of_rank : concatenated(lists_of_all(std::vector{digest}, ranks))) sum = sum + of_rank;
+  return sum;
 }
 
 }  // namespace pardel

@@ -26,6 +26,14 @@ template <class T>
   return arrived;
 }
 
+/// The lists one after the other.
+template <class T>
+[[nodiscard]] std::vector<T> concatenated(const std::vector<std::vector<T>>& lists) {
+  std::vector<T> all;
+  for (const std::vector<T>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 /// Collective. Sends the list to all ranks. Returns the lists of all ranks.
 template <class T>
 [[nodiscard]] std::vector<std::vector<T>> lists_of_all(const std::vector<T>& list, Ranks& ranks) {

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "../../../core/support/message.hpp"
+#include "../../../core/support/exchange_lists.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -58,29 +58,12 @@ std::vector<BorderSide> join_border(const Piece& piece) {
                              piece.subject.names.triangle(left.triangle), left.triangle,
                              static_cast<std::uint32_t>(sent[referee].size()), piece.ranks.rank(), a < b});
   }
-  std::vector<Ranks::Bytes> questions;
-  for (const std::vector<TravellingSide>& sides : sent) {
-    Writer message;
-    message.list(sides);
-    questions.push_back(message.take());
-  }
-  std::vector<TravellingSide> sides;
+  const std::vector<std::vector<TravellingSide>> asked = exchange_lists(sent, piece.ranks);
+  std::vector<TravellingSide> sides = concatenated(asked);
   std::vector<Answers> answers;
-  for (const Ranks::Bytes& question : piece.ranks.exchange(std::move(questions))) {
-    const auto asked = Reader(question).list<TravellingSide>();
-    sides.insert(sides.end(), asked.begin(), asked.end());
-    answers.emplace_back(asked.size());
-  }
+  for (const std::vector<TravellingSide>& of_rank : asked) answers.emplace_back(of_rank.size());
   join(sides, answers);
-  std::vector<Ranks::Bytes> replies;
-  for (const Answers& list : answers) {
-    Writer message;
-    message.list(list);
-    replies.push_back(message.take());
-  }
-  std::vector<Answers> arrived;
-  for (const Ranks::Bytes& reply : piece.ranks.exchange(std::move(replies)))
-    arrived.push_back(Reader(reply).list<Across>());
+  const std::vector<Answers> arrived = exchange_lists(answers, piece.ranks);
   std::vector<std::size_t> next(count, 0);
   std::vector<BorderSide> border;
   for (std::size_t i = 0; i < boundary.size(); ++i)

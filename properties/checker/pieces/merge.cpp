@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "../../../core/support/collective.hpp"
+#include "../../../core/support/exchange_lists.hpp"
 #include "../../../core/support/message.hpp"
 
 namespace pardel::checker {
@@ -53,11 +54,8 @@ void merge_measures(Certificate& certificate, Index first_triangle, Ranks& ranks
   for (const auto extreme : greatest) here.push_back(certificate.*extreme);
   for (Extreme& extreme : here)
     if (extreme.triangle != no_index) extreme.triangle += first_triangle;
-  Writer message;
-  message.list(here);
   std::vector<Extreme> all(here.size());
-  for (const Ranks::Bytes& from : from_all(message.take(), ranks)) {
-    const auto of_rank = Reader(from).list<Extreme>();
+  for (const std::vector<Extreme>& of_rank : lists_of_all(here, ranks)) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Extreme& extreme = of_rank.at(i);
       if (extreme.triangle == no_index) continue;
@@ -72,14 +70,7 @@ void merge_measures(Certificate& certificate, Index first_triangle, Ranks& ranks
 }
 
 std::vector<Justified> merged(const std::vector<Justified>& here, Ranks& ranks) {
-  Writer message;
-  message.list(here);
-  std::vector<Justified> all;
-  for (const Ranks::Bytes& from : from_all(message.take(), ranks)) {
-    const auto list = Reader(from).list<Justified>();
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  return all;
+  return concatenated(lists_of_all(here, ranks));
 }
 
 }  // namespace pardel::checker

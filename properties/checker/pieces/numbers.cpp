@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../../../core/support/agree.hpp"
 #include "../../../core/support/collective.hpp"
-#include "../../../core/support/message.hpp"
+#include "../../../core/support/exchange_lists.hpp"
 #include "piece.hpp"
 
 namespace pardel::checker {
@@ -49,7 +50,7 @@ class NumberSet {
     }
     return no_number;
   }
-  [[nodiscard]] std::span<const std::uint64_t> words() const { return words_; }
+  [[nodiscard]] std::vector<std::uint64_t> take_words() && { return std::move(words_); }
   static constexpr std::uint64_t no_number = UINT64_MAX;
 
  private:
@@ -62,11 +63,10 @@ class Referee {
  public:
   Referee(std::uint64_t first, std::uint64_t end) : end_(end), known_(first, end > first ? end - first : 0) {}
 
-  /// Takes the message of one rank: its vertices in the interior, and those at the border.
-  void read(const Ranks::Bytes& message) {
-    Reader reader(message);
-    known_.unite(reader.list<std::uint64_t>(), contested_);
-    add(reader.list<BorderVertex>());
+  /// Takes what one rank states: its vertices in the interior, as the words of a NumberSet, and those at the border.
+  void read(const std::vector<std::uint64_t>& inner, const std::vector<BorderVertex>& border) {
+    known_.unite(inner, contested_);
+    add(border);
   }
   /// The numbers of vertices in the interior of a piece that other pieces have, too. Call it once, after all read().
   [[nodiscard]] const std::vector<std::uint64_t>& contested() {
@@ -99,11 +99,7 @@ class Referee {
 Result<std::uint64_t> count_points(std::span<const std::uint64_t> number, Ranks& ranks) {
   const std::uint64_t listed = sum_of(number.size(), ranks);
   const std::vector<std::uint64_t> here{number.empty() ? 0 : *std::ranges::max_element(number)};
-  Writer message;
-  message.list(here);
-  std::uint64_t largest = 0;
-  for (const Ranks::Bytes& from : from_all(message.take(), ranks))
-    largest = std::max(largest, Reader(from).list<std::uint64_t>().at(0));
+  const std::uint64_t largest = std::ranges::max(concatenated(lists_of_all(here, ranks)));
   if (listed == 0) return std::uint64_t{0};
   if (largest >= listed)
     return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +
@@ -114,59 +110,41 @@ Result<std::uint64_t> count_points(std::span<const std::uint64_t> number, Ranks&
   return largest + 1;
 }
 
-/// The vertices of a piece, as it tells the referees about them.
-class Witness {
- public:
-  Witness(std::span<const Point> points, std::span<const std::uint64_t> number, const Adjacency& adjacency,
-          const Referees& referees, Ranks& ranks)
-      : points_(points), number_(number), adjacency_(adjacency), referees_(referees), ranks_(ranks) {}
-
-  /// The messages to the referees: vertices in the interior, and those at the border. Error: a number is there twice.
-  [[nodiscard]] Result<std::vector<Ranks::Bytes>> statements() const {
-    std::vector<NumberSet> inner;
-    for (int rank = 0; rank < ranks_.count(); ++rank) inner.emplace_back(referees_.first(rank), referees_.share());
-    BorderLists border = lists();
-    for (Index v = 0; v < points_.size(); ++v) {
-      const auto referee = static_cast<std::size_t>(referees_.of(number_[v]));
-      if (is_at_border(v, adjacency_))
-        border[referee].push_back({number_[v], points_[v]});
-      else if (!inner[referee].insert(number_[v]))
-        return invalid("two vertices of a piece have the number " + std::to_string(number_[v]));
-    }
-    std::vector<Ranks::Bytes> messages;
-    for (std::size_t rank = 0; rank < inner.size(); ++rank) {
-      Writer message;
-      message.list(inner[rank].words());
-      message.list(border[rank]);
-      messages.push_back(message.take());
-    }
-    return messages;
-  }
-  /// The messages about vertices in the interior with contested numbers, which are sorted.
-  [[nodiscard]] std::vector<Ranks::Bytes> further_statements(const std::vector<std::uint64_t>& contested) const {
-    BorderLists border = lists();
-    for (Index v = 0; !contested.empty() && v < points_.size(); ++v)
-      if (!is_at_border(v, adjacency_) && std::ranges::binary_search(contested, number_[v]))
-        border[static_cast<std::size_t>(referees_.of(number_[v]))].push_back({number_[v], points_[v]});
-    std::vector<Ranks::Bytes> messages;
-    for (const std::vector<BorderVertex>& list : border) {
-      Writer message;
-      message.list(list);
-      messages.push_back(message.take());
-    }
-    return messages;
-  }
-
- private:
-  using BorderLists = std::vector<std::vector<BorderVertex>>;
-  [[nodiscard]] BorderLists lists() const { return BorderLists(static_cast<std::size_t>(ranks_.count())); }
-
-  std::span<const Point> points_;
-  std::span<const std::uint64_t> number_;
-  const Adjacency& adjacency_;
-  Referees referees_;
-  Ranks& ranks_;
+/// What a piece states about its vertices, to each referee.
+struct Statements {
+  std::vector<std::vector<std::uint64_t>> inner;  ///< the words of a NumberSet
+  std::vector<std::vector<BorderVertex>> border;
 };
+
+/// Error: a number is there twice.
+Result<Statements> statements(std::span<const Point> points, std::span<const std::uint64_t> number,
+                              const Adjacency& adjacency, const Referees& referees, const Ranks& ranks) {
+  std::vector<NumberSet> inner;
+  for (int rank = 0; rank < ranks.count(); ++rank) inner.emplace_back(referees.first(rank), referees.share());
+  Statements result{{}, std::vector<std::vector<BorderVertex>>(inner.size())};
+  for (Index v = 0; v < points.size(); ++v) {
+    const auto referee = static_cast<std::size_t>(referees.of(number[v]));
+    if (is_at_border(v, adjacency))
+      result.border[referee].push_back({number[v], points[v]});
+    else if (!inner[referee].insert(number[v]))
+      return invalid("two vertices of a piece have the number " + std::to_string(number[v]));
+  }
+  for (NumberSet& set : inner) result.inner.push_back(std::move(set).take_words());
+  return result;
+}
+
+/// To each referee, the vertices in the interior with contested numbers. `contested` is sorted.
+std::vector<std::vector<BorderVertex>> contested_vertices(const std::vector<std::uint64_t>& contested,
+                                                          std::span<const Point> points,
+                                                          std::span<const std::uint64_t> number,
+                                                          const Adjacency& adjacency, const Referees& referees,
+                                                          const Ranks& ranks) {
+  std::vector<std::vector<BorderVertex>> result(static_cast<std::size_t>(ranks.count()));
+  for (Index v = 0; !contested.empty() && v < points.size(); ++v)
+    if (!is_at_border(v, adjacency) && std::ranges::binary_search(contested, number[v]))
+      result[static_cast<std::size_t>(referees.of(number[v]))].push_back({number[v], points[v]});
+  return result;
+}
 
 }  // namespace
 
@@ -175,22 +153,17 @@ Result<std::uint64_t> check_numbers(std::span<const Point> points, std::span<con
   const Result<std::uint64_t> count = count_points(number, ranks);
   if (!count) return count;
   const Referees referees(*count, ranks.count());
-  const Witness witness(points, number, adjacency, referees, ranks);
-  Result<std::vector<Ranks::Bytes>> statements = witness.statements();
-  if (Status all = agree(statements ? Status(Done{}) : statements.error(), ranks); !all) return all.error();
-
+  const Result<Statements> here = statements(points, number, adjacency, referees, ranks);
+  if (Status all = agree(here ? Status(Done{}) : here.error(), ranks); !all) return all.error();
+  const auto inner = exchange_lists(here->inner, ranks);
+  const auto border = exchange_lists(here->border, ranks);
   Referee referee(referees.first(ranks.rank()), std::min(*count, referees.first(ranks.rank() + 1)));
-  for (const Ranks::Bytes& message : ranks.exchange(std::move(*statements))) referee.read(message);
-  Writer message;
-  message.list(referee.contested());
-  std::vector<std::uint64_t> contested;
-  for (const Ranks::Bytes& from : from_all(message.take(), ranks)) {
-    const auto more = Reader(from).list<std::uint64_t>();
-    contested.insert(contested.end(), more.begin(), more.end());
-  }
+  for (std::size_t rank = 0; rank < inner.size(); ++rank) referee.read(inner[rank], border[rank]);
+
+  std::vector<std::uint64_t> contested = concatenated(lists_of_all(referee.contested(), ranks));
   std::ranges::sort(contested);
-  for (const Ranks::Bytes& further : ranks.exchange(witness.further_statements(contested)))
-    referee.add(Reader(further).list<BorderVertex>());
+  referee.add(
+      concatenated(exchange_lists(contested_vertices(contested, points, number, adjacency, referees, ranks), ranks)));
   if (Status all = agree(referee.judge(), ranks); !all) return all.error();
   return *count;
 }

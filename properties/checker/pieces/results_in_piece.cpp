@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "../../../core/support/collective.hpp"
+#include "../../../core/support/exchange_lists.hpp"
 #include "../../../core/support/message.hpp"
 
 namespace pardel::checker {
@@ -90,16 +91,10 @@ std::vector<Link> links_of_piece(const Piece& piece, const Chains& chains, const
   for (const auto& [edge, across] : border)
     if (across.exists() && !chains.has(edge.left.triangle, edge.left.edge))
       told[across.rank].push_back({across.place, regions.of_triangle[edge.left.triangle]});
-  std::vector<Ranks::Bytes> messages;
-  for (const auto& list : told) {
-    Writer message;
-    message.list(list);
-    messages.push_back(message.take());
-  }
   std::vector<Link> links;
-  const std::vector<Ranks::Bytes> arrived = piece.ranks.exchange(std::move(messages));
+  const std::vector<std::vector<Told>> arrived = exchange_lists(told, piece.ranks);
   for (int rank = 0; rank < piece.ranks.count(); ++rank)
-    for (const auto& [triangle, set] : Reader(arrived[rank]).list<Told>())
+    for (const auto& [triangle, set] : arrived[rank])
       links.push_back({piece.ranks.rank(), rank, regions.of_triangle.at(triangle), set});
   return links;
 }
@@ -155,16 +150,12 @@ std::vector<Index> faces_in_piece(const Piece& piece, const Domain& domain, cons
   message.list(regions.face);
   message.list(links_of_piece(piece, chains, regions, border));
   const std::vector<Ranks::Bytes> messages = to_first(message.take(), piece.ranks);
-  std::vector<Ranks::Bytes> answers(static_cast<std::size_t>(piece.ranks.count()));
+  std::vector<std::vector<Index>> answers(static_cast<std::size_t>(piece.ranks.count()));
   if (piece.ranks.rank() == 0) {
     Unions unions(messages);
-    for (std::size_t rank = 0; rank < answers.size(); ++rank) {
-      Writer answer;
-      answer.list(unions.faces_of(rank));
-      answers[rank] = answer.take();
-    }
+    for (std::size_t rank = 0; rank < answers.size(); ++rank) answers[rank] = unions.faces_of(rank);
   }
-  const std::vector<Index> faces = Reader(piece.ranks.exchange(std::move(answers)).front()).list<Index>();
+  const std::vector<Index> faces = std::move(exchange_lists(answers, piece.ranks).front());
   std::vector<Index> result = std::move(regions.of_triangle);
   for (Index& set : result) set = faces.at(set);
   return result;

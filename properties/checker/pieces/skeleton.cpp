@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "../../../core/support/collective.hpp"
+#include "../../../core/support/exchange_lists.hpp"
 #include "../../../core/support/message.hpp"
 #include "../../../core/support/point_order.hpp"
 
@@ -172,11 +173,9 @@ SpecialVertices::SpecialVertices(const Piece& piece, std::span<const BorderSide>
   std::vector<std::uint64_t> numbers;
   for (Index v = 0; v < is_special_.size(); ++v)
     if (is_special_[v] != 0) numbers.push_back(piece.number[v]);
-  Writer message;
-  message.list(numbers);
   std::vector<bool> is_special_number(piece.points);
-  for (const Ranks::Bytes& from : from_all(message.take(), piece.ranks))
-    for (const std::uint64_t number : Reader(from).list<std::uint64_t>()) is_special_number.at(number) = true;
+  for (const std::uint64_t number : concatenated(lists_of_all(numbers, piece.ranks)))
+    is_special_number.at(number) = true;
   for (Index v = 0; v < is_special_.size(); ++v) {
     if (!is_special_number[piece.number[v]]) continue;
     is_special_[v] = 1;
