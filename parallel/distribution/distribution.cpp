@@ -174,9 +174,6 @@ std::vector<Ranks::Bytes> Distribution::excerpt_around(std::span<const Index> ce
 }
 
 void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) {
-  std::uint64_t count = rest.size();
-  ranks_.add_up({&count, 1});
-  if (count == 0) return;
   std::vector<Name> names;
   std::vector<Index> cells;
   for (const QueuedTriangle triangle : rest) {
@@ -184,6 +181,9 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
     names.push_back(part_->name_of(triangle.id()));
     for (const VertexId v : t_.slots[triangle.id()].v) cells.push_back(cell_of(v));
   }
+  std::uint64_t count = names.size();
+  ranks_.add_up({&count, 1});
+  if (count == 0) return;
   std::vector<Writer> messages(ranks_.count());
   for (Writer& message : messages) {
     message.list(names);
