@@ -132,9 +132,10 @@ std::vector<int> Replay::holders(const Slot& slot, const Triangulation& t) const
   return without_repetitions(std::move(ranks));
 }
 
-void Replay::finish(const Triangulation& t, const HeldPart& all) {
+void Replay::finish(const Triangulation& t, const HeldPart& all, std::span<const Index> inserter) {
   std::vector<double> held(static_cast<std::size_t>(ranks_));  // triangles; a piece is selected among them
   std::vector<std::pair<VertexId, int>> in_piece_of_other;     // vertices, and the ranks that do not own them
+  std::vector<std::pair<VertexId, int>> inserted_by_other;     // vertices, and the ranks that have not inserted them
   double count = 0;
   all.for_each_triangle([&](TriangleId id) {
     const Slot& slot = t.slots[id];
@@ -149,14 +150,22 @@ void Replay::finish(const Triangulation& t, const HeldPart& all) {
     const VertexId least = *std::ranges::min_element(
         slot.v, [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
     const int owner = ownership_.owner(ownership_.cell_of(t.points[least]));
-    for (unsigned i = 0; i < 3; ++i)
-      if (ownership_.owner(cells[i]) != owner) in_piece_of_other.emplace_back(slot.v[i], owner);
+    for (unsigned i = 0; i < 3; ++i) {
+      const VertexId v = slot.v[i];
+      if (ownership_.owner(cells[i]) != owner) in_piece_of_other.emplace_back(v, owner);
+      if (inserter[v] != no_index && ownership_.owner(inserter[v]) != owner) inserted_by_other.emplace_back(v, owner);
+    }
   });
   held_ = static_cast<std::uint64_t>(std::accumulate(held.begin(), held.end(), 0.0));
   for (double& share : held) share /= count;
   in_piece_of_other = without_repetitions(std::move(in_piece_of_other));
 
   std::map<Pair, std::uint64_t> questions, answers;
+  for (const auto& [v, rank] : without_repetitions(std::move(inserted_by_other))) {
+    const int asked = ownership_.owner(inserter[v]);
+    questions[{rank, asked}] += bytes_of_name;
+    answers[{asked, rank}] += bytes_of_number;
+  }
   for (auto next = in_piece_of_other.begin(); next != in_piece_of_other.end();) {
     const VertexId v = next->first;
     const auto last = std::find_if(next, in_piece_of_other.end(), [&](const auto& each) { return each.first != v; });
@@ -164,9 +173,8 @@ void Replay::finish(const Triangulation& t, const HeldPart& all) {
     const auto pieces = static_cast<std::uint64_t>(last - next) + 1;
     const int owner = ownership_.owner(ownership_.cell_of(t.points[v]));
     for (; next != last; ++next) {
-      // One name for its number, and one for its marker and pieces.
-      questions[{next->second, owner}] += 2 * bytes_of_name;
-      answers[{owner, next->second}] += bytes_of_number + bytes_of_answer + bytes_of_rank * pieces;
+      questions[{next->second, owner}] += bytes_of_name;
+      answers[{owner, next->second}] += bytes_of_answer + bytes_of_rank * pieces;
     }
   }
   // share_of_rank() of the vertices inserted by tasks, and in an excerpt; questions and answers; then three sums in

@@ -36,8 +36,9 @@ class Replay {
   /// existed before the division.
   void exchange_changes(const std::vector<engine::PlannedTask>& tasks, std::span<const double> seconds,
                         const engine::Triangulation& t, engine::TriangleId common);
-  /// The ranks make their pieces. `all`: the triangles of the mesh.
-  void finish(const engine::Triangulation& t, const engine::HeldPart& all);
+  /// The ranks make their pieces. `all`: the triangles of the mesh. `inserter`: per vertex, the cell whose task has
+  /// inserted it, or no_index.
+  void finish(const engine::Triangulation& t, const engine::HeldPart& all, std::span<const Index> inserter);
   /// To be called after finish(): the processor time that one rank would take for the whole mesh. The
   /// ranks take it in proportion to the triangles that they hold.
   void set_piece_seconds(double seconds);

@@ -141,7 +141,10 @@ class TracedDistribution : public Distribution {
   /// The replays make their pieces.
   void replay_pieces() {
     part().for_each_triangle([&](TriangleId) { ++trace_.triangles; });
-    replay([&](Replay& each) { each.finish(t_, part()); });
+    std::vector<Index> inserter(t_.points.size(), no_index);
+    for (const Insertions& each : insertions())
+      std::fill(inserter.begin() + each.vertices.begin, inserter.begin() + each.vertices.end, each.cell);
+    replay([&](Replay& each) { each.finish(t_, part(), inserter); });
     watch_.lap();
   }
 
