@@ -21,6 +21,7 @@
 #include "model/simulation.hpp"
 #include "model/thread_time.hpp"
 #include "model/trace.hpp"
+#include "mpi_program.hpp"
 #include "tool.hpp"
 
 namespace pardel::bench {
@@ -339,10 +340,4 @@ int run(int argc, char** argv) try {
 }  // namespace
 }  // namespace pardel::bench
 
-int main(int argc, char** argv) {
-  int provided = 0;
-  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-  const int code = pardel::bench::run(argc, argv);
-  MPI_Finalize();
-  return code;
-}
+int main(int argc, char** argv) { return pardel::bench::run_in_job(argc, argv, pardel::bench::run); }

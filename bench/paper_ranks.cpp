@@ -11,12 +11,20 @@
 #include "../mpi/mpi_ranks.hpp"
 #include "../parallel/distributed.hpp"
 #include "../properties/domains/domains.hpp"
+#include "mpi_program.hpp"
 #include "warm_memory.hpp"
 
 namespace pardel::bench {
 namespace {
 
-int run(const std::string& domain, double max_area, std::size_t bytes_to_warm) {
+int run(int argc, char** argv) {
+  if (argc != 4) {
+    fmt::print(stderr, "usage: mpirun -n R paper_ranks DOMAIN MAX_AREA BYTES_TO_WARM\n");
+    return 2;
+  }
+  const std::string domain = argv[1];
+  const double max_area = std::strtod(argv[2], nullptr);
+  const std::size_t bytes_to_warm = std::strtoull(argv[3], nullptr, 10);
   mpi::MpiRanks ranks;
   (void)touch_memory(bytes_to_warm / static_cast<std::size_t>(ranks.count()));
   const Pslg pslg = *domains::generate(domain, 0, 1);
@@ -35,14 +43,4 @@ int run(const std::string& domain, double max_area, std::size_t bytes_to_warm) {
 }  // namespace
 }  // namespace pardel::bench
 
-int main(int argc, char** argv) {
-  int provided = 0;
-  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-  int code = 2;
-  if (argc == 4)
-    code = pardel::bench::run(argv[1], std::strtod(argv[2], nullptr), std::strtoull(argv[3], nullptr, 10));
-  else
-    fmt::print(stderr, "usage: mpirun -n R paper_ranks DOMAIN MAX_AREA BYTES_TO_WARM\n");
-  MPI_Finalize();
-  return code;
-}
+int main(int argc, char** argv) { return pardel::bench::run_in_job(argc, argv, pardel::bench::run); }

@@ -16,6 +16,7 @@
 #include "../mpi/mpi_ranks.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "mpi_program.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 
@@ -147,10 +148,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace pardel::bench
 
-int main(int argc, char** argv) {
-  int provided = 0;
-  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-  const int code = pardel::bench::run(argc, argv);
-  MPI_Finalize();
-  return code;
-}
+int main(int argc, char** argv) { return pardel::bench::run_in_job(argc, argv, pardel::bench::run); }
