@@ -1,12 +1,10 @@
 // The engine's triangulation of a small domain against the definitions (ref/). It must be conformal, and no circumdisk
 // may contain a vertex that sees its triangle. It must have as many triangles as the triangulation by definition, and
 // the same ones if only one triangulation is Delaunay. The checker must certify it.
-#include <set>
-
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check.hpp"
+#include "../properties/theorems/refinement/by_definition.hpp"
 #include "../properties/theorems/refinement/cocircular_neighbours.hpp"
-#include "by_definition.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
 
@@ -14,17 +12,6 @@ namespace pardel::fuzz {
 namespace {
 
 constexpr std::size_t most_points = 60;
-
-template <class Triangles, class CornersOf>
-std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corners_of) {
-  std::set<ref::Corners> result;
-  for (const auto& t : triangles) {
-    ref::Corners corners = corners_of(t);
-    std::ranges::sort(corners);
-    result.insert(corners);
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -43,13 +30,13 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   const ref::PlainMesh found = ref::to_plain_mesh(meshed->mesh);
   if (!ref::is_conformal(found)) fail("the triangulation is not conformal by definition");
   if (!ref::is_constrained_delaunay(found)) fail("the triangulation is not constrained Delaunay by definition");
-  if (!has_plain_coordinates(pslg)) return 0;
-  const ref::PlainMesh expected = triangulation_by_definition(pslg);
+  if (!properties::has_plain_coordinates(pslg)) return 0;
+  const ref::PlainMesh expected = properties::triangulation_by_definition(pslg);
   if (found.triangles.size() != expected.triangles.size())
     fail("the number of triangles is not that of the definition");
   if (properties::has_cocircular_neighbours(expected)) return 0;
-  if (sorted(meshed->mesh.triangles, [](const Triangle& t) { return t.v; }) !=
-      sorted(expected.triangles, [](const ref::Corners& t) { return t; }))
+  if (properties::sorted(meshed->mesh.triangles, [](const Triangle& t) { return t.v; }) !=
+      properties::sorted(expected.triangles, [](const ref::Corners& t) { return t; }))
     fail("the triangles are not those of the only Delaunay triangulation");
   return 0;
 }

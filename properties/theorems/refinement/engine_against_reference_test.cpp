@@ -10,6 +10,7 @@
 #include "../../../ref/faces.hpp"
 #include "../../../ref/ruppert.hpp"
 #include "../framework/shares.hpp"
+#include "by_definition.hpp"
 #include "cocircular_neighbours.hpp"
 #include "meshing.hpp"
 
@@ -26,37 +27,6 @@ namespace {
 
 using generators::LatticeDomain;
 using generators::Random;
-
-/// The triangulation of a domain by definition: the constrained Delaunay triangulation of the domain in a larger box,
-/// without the faces of the exterior and of the holes. The outline of the domain separates the domain from the corners
-/// of the box.
-ref::PlainMesh triangulation_by_definition(const Pslg& pslg) {
-  std::vector<ref::Edge> walls;
-  for (const Segment& s : pslg.segments) walls.push_back(ref::edge(s.a, s.b));
-  if (walls.empty()) return ref::constrained_delaunay(pslg.points, walls);
-  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
-  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
-  const double width = std::max(right.x - left.x, high.y - low.y);
-  std::vector<Point> points = pslg.points;
-  points.insert(points.end(), {{left.x - width, low.y - width},
-                               {right.x + width, low.y - width},
-                               {right.x + width, high.y + width},
-                               {left.x - width, high.y + width}});
-  ref::PlainMesh mesh = ref::constrained_delaunay(points, walls);
-  ref::carve(mesh, ref::exact(points.back()), pslg.holes);
-  return mesh;
-}
-
-template <class Triangles, class CornersOf>
-std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corners_of) {
-  std::set<ref::Corners> result;
-  for (const auto& t : triangles) {
-    ref::Corners corners = corners_of(t);
-    std::ranges::sort(corners);
-    result.insert(corners);
-  }
-  return result;
-}
 
 /// A domain of a third of the size in other suites, because the reference takes cubic time. The lattice has the unit 1.
 LatticeDomain small_domain(Exhibit& exhibit) {

@@ -19,6 +19,7 @@
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "../../temporary_folder.hpp"
+#include "square_with_data.hpp"
 
 namespace pardel {
 namespace {
@@ -32,15 +33,9 @@ struct Case {
   Options options{.threads = 1};
 };
 
-/// Regions, a hole, markers, and two attributes per point.
+/// Two attributes per point; files list the markers of segments.
 Pslg regions_with_data() {
-  Pslg pslg = domains::regions();
-  pslg.attributes_per_point = 2;
-  for (std::size_t v = 0; v < pslg.points.size(); ++v) {
-    pslg.point_attributes.insert(pslg.point_attributes.end(), {3 * pslg.points[v].x - pslg.points[v].y, 0.1});
-    pslg.point_markers.push_back(v % 3 == 0 ? static_cast<int>(v) : 0);
-  }
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s) pslg.segments[s].marker = s % 2 == 0 ? static_cast<int>(s) : 0;
+  Pslg pslg = square_with_data(2);
   pslg.has_segment_markers = true;
   return pslg;
 }

@@ -1,10 +1,10 @@
 // The certificate of a mesh in pieces is that of the joined mesh.
 #include "../../../properties/checker/check_pieces.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "../../../core/support/collective.hpp"
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/checker/check.hpp"
 #include "../../../properties/defects/defects.hpp"
@@ -77,6 +77,20 @@ Checked check_on_ranks(const Pslg& pslg, const std::vector<NumberedMesh>& pieces
   return checked;
 }
 
+struct Compared {
+  Certificate whole;
+  Checked pieces;
+};
+
+/// Cuts the mesh, checks the joined pieces, and the pieces on ranks. Nothing if the pieces cannot be joined.
+std::optional<Compared> cut_and_checked(const MeshedCase& made, const CheckOptions& options) {
+  const Cut cut = some_cut(made.mesh);
+  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
+  const Result<Mesh> joined = join_pieces(pieces);
+  if (!joined) return std::nullopt;
+  return Compared{check(made.pslg, *joined, made.goal, options), check_on_ranks(made.pslg, pieces, made.goal, options)};
+}
+
 MeshedCase lattice_mesh(properties::Exhibit& exhibit) {
   const auto simpler = [](const generators::Case& c) { return generators::shrinks(c); };
   const generators::Case c = *generators::generator(generators::any_case, simpler);
@@ -100,12 +114,9 @@ PARDEL_PROPERTY(
     made.mesh.origin.clear();
     made.mesh.point_markers.clear();
   }
-  const Cut cut = some_cut(made.mesh);
-  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
-  const Result<Mesh> joined = join_pieces(pieces);
-  RC_ASSERT(joined.ok());
-  const Certificate whole = check(made.pslg, *joined, made.goal, options);
-  const Checked checked = check_on_ranks(made.pslg, pieces, made.goal, options);
+  const std::optional<Compared> compared = cut_and_checked(made, options);
+  RC_ASSERT(compared.has_value());
+  const auto& [whole, checked] = *compared;
   properties::classify(whole.valid, "valid", 50);
   properties::classify(!made.pslg.regions.empty(), "with regions", 10);
   properties::classify(!whole.justified.empty(), "with justified triangles", 5);
@@ -139,15 +150,11 @@ PARDEL_PROPERTY(
       *rc::gen::elementOf(std::vector<defects::Defect>(defects::all().begin(), defects::all().end()));
   RC_PRE(defect.inject(made.pslg, made.mesh, made.goal, *rc::gen::arbitrary<std::uint32_t>()));
   RC_PRE(can_be_cut(made.mesh));
-  const Cut cut = some_cut(made.mesh);
-  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
-  const Result<Mesh> joined = join_pieces(pieces);
-  RC_PRE(joined.ok());  // not if a coordinate is not a number
-  const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
-  const Certificate whole = check(made.pslg, *joined, made.goal, options);
-  const Checked checked = check_on_ranks(made.pslg, pieces, made.goal, options);
+  const std::optional<Compared> compared = cut_and_checked(made, {.foreign = *rc::gen::arbitrary<bool>()});
+  RC_PRE(compared.has_value());  // not if a coordinate is not a number
+  const auto& [whole, checked] = *compared;
   properties::classify(!whole.valid, "refused", 50);
-  RC_LOG() << defect.name << ", " << cut.count << " pieces\nwhole: " << testing::verdict(whole)
+  RC_LOG() << defect.name << "\nwhole: " << testing::verdict(whole)
            << "\npieces: " << testing::verdict(checked.certificate) << '\n';
   RC_ASSERT(checked.fault == "");
   RC_ASSERT(checked.certificate.valid == whole.valid);

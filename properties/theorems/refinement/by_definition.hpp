@@ -1,15 +1,16 @@
-// The triangulation of a domain by definition, for the targets that compare the engine and the checker with it.
+// The triangulation of a domain by definition, for tests that compare the engine or the checker with it.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
-#include "../core/pslg.hpp"
-#include "../ref/constrained.hpp"
-#include "../ref/faces.hpp"
+#include "../../../core/pslg.hpp"
+#include "../../../ref/constrained.hpp"
+#include "../../../ref/faces.hpp"
 
-namespace pardel::fuzz {
+namespace pardel::properties {
 
 /// The coordinates that ref/constrained.hpp takes: multiples of 2^-50 of absolute value at most 2^50. The box around
 /// the domain (triangulation_by_definition()) must be in this range too.
@@ -23,10 +24,12 @@ namespace pardel::fuzz {
 }
 
 /// The constrained Delaunay triangulation of the domain in a larger box, without the faces of the exterior and of the
-/// holes. Preconditions: the Pslg is valid and has segments and plain coordinates.
+/// holes. The outline separates the domain from the corners of the box. Without segments, the Delaunay triangulation of
+/// the points. Preconditions: the Pslg is valid and has plain coordinates.
 [[nodiscard]] inline ref::PlainMesh triangulation_by_definition(const Pslg& pslg) {
   std::vector<ref::Edge> walls;
   for (const Segment& s : pslg.segments) walls.push_back(ref::edge(s.a, s.b));
+  if (walls.empty()) return ref::constrained_delaunay(pslg.points, walls);
   const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
   const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
   const double width = std::exp2(std::ceil(std::log2(std::max(right.x - left.x, high.y - low.y))));
@@ -40,4 +43,16 @@ namespace pardel::fuzz {
   return mesh;
 }
 
-}  // namespace pardel::fuzz
+/// The triangles, each with its corners in ascending order, for comparison. corners_of(t) are the corners of t.
+template <class Triangles, class CornersOf>
+[[nodiscard]] std::set<ref::Corners> sorted(const Triangles& triangles, const CornersOf& corners_of) {
+  std::set<ref::Corners> result;
+  for (const auto& t : triangles) {
+    ref::Corners corners = corners_of(t);
+    std::ranges::sort(corners);
+    result.insert(corners);
+  }
+  return result;
+}
+
+}  // namespace pardel::properties
