@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "neighbours.hpp"
+#include "support/same_attribute.hpp"
 
 namespace pardel {
 namespace {
@@ -90,8 +91,13 @@ class Join {
     for (std::size_t v = 0; v < piece.number.size(); ++v) {
       const std::uint64_t number = piece.number[v];
       const Point p = piece.mesh.points[v];
-      if (is_known_[number] != 0 && (p.x != mesh_.points[number].x || p.y != mesh_.points[number].y))
-        return invalid("two pieces have different points with the number " + std::to_string(number));
+      if (is_known_[number] != 0) {
+        if (p.x != mesh_.points[number].x || p.y != mesh_.points[number].y)
+          return invalid("two pieces have different points with the number " + std::to_string(number));
+        if (!has_same_data(piece.mesh, v, number))
+          return invalid("two pieces have different data of the point with the number " + std::to_string(number));
+        continue;
+      }
       is_known_[number] = 1;
       mesh_.points[number] = p;
       if (!mesh_.point_markers.empty()) mesh_.point_markers[number] = piece.mesh.point_markers[v];
@@ -99,6 +105,15 @@ class Join {
       std::copy_n(piece.mesh.point_attributes.begin() + v * k, k, mesh_.point_attributes.begin() + number * k);
     }
     return Done{};
+  }
+
+  /// The point v of the piece has the data of the point of the whole mesh that is known already.
+  [[nodiscard]] bool has_same_data(const Mesh& piece, std::size_t v, std::uint64_t number) const {
+    const std::size_t k = mesh_.attributes_per_point;
+    return (mesh_.point_markers.empty() || piece.point_markers[v] == mesh_.point_markers[number]) &&
+           (mesh_.origin.empty() || piece.origin[v] == mesh_.origin[number]) &&
+           std::ranges::equal(piece.point_attributes.span().subspan(v * k, k),
+                              mesh_.point_attributes.span().subspan(number * k, k), is_same_attribute);
   }
 
   void add_cells(const NumberedMesh& piece) {

@@ -11,6 +11,7 @@
 
 #include "../core/digest.hpp"
 #include "../core/formats.hpp"
+#include "../core/support/same_attribute.hpp"
 #include "file_bundle.hpp"
 #include "fuzz_one.hpp"
 
@@ -102,7 +103,7 @@ void round_trip(const Mesh& mesh, const Scratch& scratch) {
 
 /// The same numbers, where NaN equals NaN.
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::ranges::equal(a, b, [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+  return std::ranges::equal(a, b, is_same_attribute);
 }
 
 std::string text(double x) {

@@ -93,16 +93,19 @@ class PieceCheck {
 
     const Domain domain(subject_.pslg, subject_.goal.convex_hull);
     const SpecialVertices special(piece, border);
-    const Judgement judgement = judge_skeleton(piece, special, domain, labels);
-    check_piece(piece, border, special, domain, judgement, scanned, labels);
+    const Result<Judgement> judgement = judge_skeleton(piece, special, domain, labels);
+    if (!judgement) return judgement.error();
+    check_piece(piece, border, special, domain, *judgement, scanned, labels);
     subject_.names.earlier_neighbours = {};
     return Done{};
   }
 
-  Judgement judge_skeleton(const Piece& piece, const SpecialVertices& special, const Domain& domain, bool labels) {
+  Result<Judgement> judge_skeleton(const Piece& piece, const SpecialVertices& special, const Domain& domain,
+                                   bool labels) {
+    const Result<std::optional<Skeleton>> skeleton = gather_skeleton(piece, special);
+    if (!skeleton) return skeleton.error();
     Ranks::Bytes message;
-    if (const std::optional<Skeleton> skeleton = gather_skeleton(piece, special))
-      message = judge(*skeleton, subject_, domain, labels, found_).message();
+    if (skeleton->has_value()) message = judge(**skeleton, subject_, domain, labels, found_).message();
     return Judgement::read(from_first(message, ranks_));
   }
 

@@ -27,10 +27,11 @@ namespace pardel {
 /// first rank gets the triangles around the vertices on segments and at input points. It checks there that segments are
 /// chains of edges, and that the boundary is that of the domain, from which the coverage follows.
 ///
-/// Errors: invalid_input if the numbers of vertices are wrong (see join_pieces()), or if a piece has not one number for
-/// each vertex; resources if the mesh has more vertices or triangles than an Index can number. Memory of a rank, beside
-/// its piece and the input: 10 bytes per triangle of the piece, one bit per point of the whole mesh, and on the first
-/// rank the triangles at segments.
+/// Errors: invalid_input if the numbers of vertices are wrong (see join_pieces()), if pieces do not agree on the
+/// marker, the origin or the attributes of a vertex on a segment or at an input point, or if a piece has not one number
+/// for each vertex; resources if the mesh has more vertices or triangles than an Index can number. Memory of a rank,
+/// beside its piece and the input: 10 bytes per triangle of the piece, one bit per point of the whole mesh, and on the
+/// first rank the triangles at segments.
 [[nodiscard]] Result<Certificate> check(const Pslg& pslg, const NumberedMesh& piece, const Goal& goal,
                                         const CheckOptions& options, Ranks& ranks);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,30 @@ TEST(JoinPieces, refuses_different_points_with_one_number) {
   std::vector<NumberedMesh> pieces = halves();
   pieces[1].mesh.points[1] = {1, 2};
   EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 2");
+}
+
+TEST(JoinPieces, refuses_different_data_of_a_point) {
+  const std::string message = "two pieces have different data of the point with the number 2";
+  const auto with_data = [] {
+    std::vector<NumberedMesh> pieces = halves();
+    for (NumberedMesh& piece : pieces) {
+      piece.mesh.point_markers.resize(3);
+      piece.mesh.origin.resize(3);
+      piece.mesh.attributes_per_point = 1;
+      piece.mesh.point_attributes.resize(3, std::numeric_limits<double>::quiet_NaN());
+    }
+    return pieces;
+  };
+  EXPECT_TRUE(join_pieces(with_data()).ok());
+  std::vector<NumberedMesh> pieces = with_data();
+  pieces[1].mesh.point_markers[1] = 7;
+  EXPECT_EQ(error_of(pieces), message);
+  pieces = with_data();
+  pieces[1].mesh.origin[1] = hull_vertex;
+  EXPECT_EQ(error_of(pieces), message);
+  pieces = with_data();
+  pieces[1].mesh.point_attributes[1] = 0.5;
+  EXPECT_EQ(error_of(pieces), message);
 }
 
 TEST(JoinPieces, refuses_pieces_with_different_kinds_of_data) {

@@ -101,6 +101,7 @@ const std::vector<Exception>& exceptions() {
       {"properties", "core/support", "core/support is for all folders of the project"},
       {"cli", "core/support", "core/support is for all folders of the project"},
       {"mpi", "core/support", "core/support is for all folders of the project"},
+      {"fuzz", "core/support", "core/support is for all folders of the project"},
       {"bench", "core/support", "core/support is for all folders of the project"},
       {"tests", "core/support", "core/support is for all folders of the project"},
       {"tests/core", "core/formats", "tests the rooms of core"},

@@ -1,11 +1,15 @@
 #include "skeleton.hpp"
 
-#include <numeric>
+#include <algorithm>
+#include <string>
+#include <utility>
 
+#include "../../../core/support/agree.hpp"
 #include "../../../core/support/collective.hpp"
 #include "../../../core/support/exchange_lists.hpp"
 #include "../../../core/support/message.hpp"
 #include "../../../core/support/point_order.hpp"
+#include "../../../core/support/same_attribute.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -119,31 +123,35 @@ class Assembly {
     }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const std::size_t k = kinds.at(2);
-      attributes_.emplace_back(attributes.begin() + static_cast<std::ptrdiff_t>(i * k),
-                               attributes.begin() + static_cast<std::ptrdiff_t>((i + 1) * k));
-      vertices_.push_back(vertices[i]);
+      const auto first = attributes.begin() + static_cast<std::ptrdiff_t>(i * k);
+      vertices_.push_back({vertices[i], {first, first + static_cast<std::ptrdiff_t>(k)}});
     }
     triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
     edges_.insert(edges_.end(), edges.begin(), edges.end());
   }
 
-  [[nodiscard]] Skeleton assembled() {
+  /// Error: pieces do not agree on the data of a vertex.
+  [[nodiscard]] Result<Skeleton> assembled() {
     Skeleton skeleton;
     Mesh& mesh = skeleton.mesh;
     mesh.attributes_per_point = attributes_per_point_;
-    std::vector<std::size_t> order(vertices_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return vertices_[i].number; });
-    for (const std::size_t i : order) {
-      const TravellingVertex& vertex = vertices_[i];
-      if (!skeleton.vertices.empty() && skeleton.vertices.back() == vertex.number) continue;
+    std::ranges::stable_sort(vertices_, {}, [](const Vertex& v) { return v.what.number; });
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const TravellingVertex& vertex = vertices_[i].what;
+      if (i > 0 && vertices_[i - 1].what.number == vertex.number) {
+        if (!has_same_data(vertices_[i - 1], vertices_[i]))
+          return Error{ErrorKind::invalid_input,
+                       "two pieces have different data of the point with the number " + std::to_string(vertex.number)};
+        continue;
+      }
       skeleton.vertices.push_back(vertex.number);
       skeleton.is_special.push_back(vertex.is_special ? 1 : 0);
       mesh.points.push_back(vertex.at);
       if (has_markers_) mesh.point_markers.push_back(vertex.marker);
       if (has_origins_) mesh.origin.push_back(vertex.origin);
-      attributes_[i].resize(attributes_per_point_);
-      for (const double attribute : attributes_[i]) mesh.point_attributes.push_back(attribute);
+      std::vector<double> attributes = vertices_[i].attributes;
+      attributes.resize(attributes_per_point_);
+      for (const double attribute : attributes) mesh.point_attributes.push_back(attribute);
     }
     const auto place = [&](std::uint64_t number) {
       return static_cast<Index>(std::ranges::lower_bound(skeleton.vertices, number) - skeleton.vertices.begin());
@@ -158,10 +166,18 @@ class Assembly {
   }
 
  private:
+  struct Vertex {
+    TravellingVertex what;
+    std::vector<double> attributes;
+  };
+  static bool has_same_data(const Vertex& a, const Vertex& b) {
+    return a.what.marker == b.what.marker && a.what.origin == b.what.origin &&
+           std::ranges::equal(a.attributes, b.attributes, is_same_attribute);
+  }
+
   bool has_markers_ = false, has_origins_ = false;
   std::size_t attributes_per_point_ = 0;
-  std::vector<TravellingVertex> vertices_;
-  std::vector<std::vector<double>> attributes_;
+  std::vector<Vertex> vertices_;
   std::vector<TravellingTriangle> triangles_;
   std::vector<TravellingEdge> edges_;
 };
@@ -189,12 +205,21 @@ Index SpecialVertices::find(std::uint64_t number) const {
   return at != by_number_.end() && at->first == number ? at->second : no_index;
 }
 
-std::optional<Skeleton> gather_skeleton(const Piece& piece, const SpecialVertices& special) {
+Result<std::optional<Skeleton>> gather_skeleton(const Piece& piece, const SpecialVertices& special) {
   const std::vector<Ranks::Bytes> messages = to_first(contribution(piece, special), piece.ranks);
-  if (piece.ranks.rank() != 0) return std::nullopt;
-  Assembly assembly;
-  for (const Ranks::Bytes& message : messages) assembly.read(message);
-  return assembly.assembled();
+  std::optional<Skeleton> skeleton;
+  Status fits = Done{};
+  if (piece.ranks.rank() == 0) {
+    Assembly assembly;
+    for (const Ranks::Bytes& message : messages) assembly.read(message);
+    Result<Skeleton> assembled = assembly.assembled();
+    if (assembled)
+      skeleton = std::move(*assembled);
+    else
+      fits = assembled.error();
+  }
+  if (Status all = agree(fits, piece.ranks); !all) return all.error();
+  return skeleton;
 }
 
 }  // namespace pardel::checker

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../../core/result.hpp"
 #include "border.hpp"
 #include "piece.hpp"
 
@@ -37,7 +38,8 @@ struct Skeleton {
   std::vector<char> is_special;         ///< per vertex
 };
 
-/// Collective. Returns the skeleton on the first rank, and nothing on the others.
-[[nodiscard]] std::optional<Skeleton> gather_skeleton(const Piece& piece, const SpecialVertices& special);
+/// Collective. Returns the skeleton on the first rank, and nothing on the others. Error, on all ranks: invalid_input if
+/// pieces do not agree on the marker, the origin or the attributes of a special vertex.
+[[nodiscard]] Result<std::optional<Skeleton>> gather_skeleton(const Piece& piece, const SpecialVertices& special);
 
 }  // namespace pardel::checker

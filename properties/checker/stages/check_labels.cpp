@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "../../../core/support/same_attribute.hpp"
 #include "../arithmetic/text.hpp"
 #include "stages.hpp"
 
@@ -225,7 +226,7 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
     for (std::size_t k = 0; k < n; ++k) {
       const double given = mesh.point_attributes[v * n + k];
       const double belongs = subject.pslg.point_attributes[i * n + k];
-      if (given == belongs || (given != given && belongs != belongs)) continue;
+      if (is_same_attribute(given, belongs)) continue;
       found.add(ViolationKind::wrong_attribute, {subject.names.vertex(v)}, {mesh.points[v]},
                 "attribute " + to_text(k) + " of vertex " + to_text(subject.names.vertex(v)) + " is " + to_text(given) +
                     " instead of " + to_text(belongs));

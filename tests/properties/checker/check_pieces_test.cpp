@@ -183,7 +183,8 @@ std::string error_of(const std::vector<NumberedMesh>& pieces) {
 }
 
 PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
-            {.statement = "pieces with a number that is missing, or belongs to different points, are no mesh",
+            {.statement =
+                 "pieces with a number that is missing, or belongs to points that differ in place or data, are no mesh",
              .source = "properties/checker/check_pieces.hpp",
              .families = "a square in two pieces"}) {
   EXPECT_EQ(error_of(two_halves()), "");
@@ -206,6 +207,20 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     std::swap(number(pieces[1], 0, 0.5), number(pieces[1], 0.5, 0.5));
     EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different points with the number 3");
   }
+  for (const bool is_attribute : {false, true}) {
+    std::vector<NumberedMesh> pieces = two_halves();
+    for (NumberedMesh& piece : pieces) {
+      piece.mesh.point_markers.resize(piece.mesh.points.size());
+      piece.mesh.attributes_per_point = 1;
+      piece.mesh.point_attributes.resize(piece.mesh.points.size());
+    }
+    const auto at = std::ranges::find(pieces[1].mesh.points, Point{0, 0.5}) - pieces[1].mesh.points.begin();
+    if (is_attribute)
+      pieces[1].mesh.point_attributes[static_cast<std::size_t>(at)] = 2;
+    else
+      pieces[1].mesh.point_markers[static_cast<std::size_t>(at)] = 2;
+    EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different data of the point with the number 3");
+  }
   {
     std::vector<NumberedMesh> pieces = two_halves();
     pieces[0].number.pop_back();
@@ -220,7 +235,7 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     pieces[1].mesh.points[0] = {0.5, 0.25};
     EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different points with the number 4");
   }
-  facts.cases += 7;
+  facts.cases += 9;
 }
 
 }  // namespace
