@@ -113,7 +113,8 @@ const std::vector<Exception>& exceptions() {
       {"properties/defects", "properties/checker/arithmetic", "a defect is made, and proved, in exact arithmetic"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
       {"bench/model", "parallel", "replays the run of one process as that of many ranks"},
-      {"bench/gate_work.cpp", "parallel/arithmetic/predicates.hpp", "counts the instructions of the predicates alone"},
+      {"bench/workloads", "parallel/arithmetic", "measures the predicates alone, and each stage of them"},
+      {"bench/workloads", "parallel/construction", "measures insertions without the rest of a triangulation"},
   };
   return table;
 }

@@ -1,0 +1,83 @@
+"""Runs of the program bench/workloads/once.cpp, which runs one workload once."""
+import concurrent.futures
+import json
+import os
+import re
+import subprocess
+import tempfile
+
+LONGEST = 150  # characters of the name of a function
+
+
+class Failed(Exception):
+    """A command failed. The message has its output."""
+
+
+def output(*command, cwd=None, threads=1):
+    """The standard output of a command, with OMP_NUM_THREADS set."""
+    environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}  # threads that wait count instructions by chance
+    result = subprocess.run(command, cwd=cwd, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if result.returncode != 0:
+        raise Failed(f"{' '.join(command)} failed\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+def compiler():
+    return "g++ " + output("g++", "-dumpfullversion").strip()
+
+
+def workloads(program, kind=None):
+    """The names of all workloads; or of those of a kind, `gate` or `threads`."""
+    lines = [line.split() for line in output(program).splitlines()]
+    return [words[0] for words in lines if kind is None or kind in words[1:]]
+
+
+def run(program, workload, threads=1, timed=True, twice=False):
+    """What the program prints about one run, as a dictionary."""
+    options = ["--threads", str(threads)] + ["--timed"] * timed + ["--twice"] * twice
+    return json.loads(output(program, workload, *options, threads=threads))
+
+
+def counts_by_function(lines):
+    """The instructions that each function executed itself, from the lines of a file of callgrind. A name is written out
+    where it first appears, and later only its number. The line after "calls=" is about the called function."""
+    names, counts, function, is_call = {}, {}, None, False
+    for line in lines:
+        named = re.match(r"(c?fn)=\((\d+)\)(?: (.*))?$", line)
+        if named:
+            kind, number, name = named.groups()
+            if name:
+                names[number] = name.rstrip()[:LONGEST]
+            if kind == "fn":
+                function = names[number]
+        elif line.startswith("calls="):
+            is_call = True
+        elif re.match(r"[\d+*-]", line):
+            if not is_call:
+                counts[function] = counts.get(function, 0) + int(line.split()[-1])
+            is_call = False
+    return counts
+
+
+def count(program, workload, waste=0):
+    """The instructions of a workload by function, on one thread."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "counts")
+        output("valgrind", "--tool=callgrind", "--collect-atstart=no", f"--callgrind-out-file={out}", program, workload,
+               *(["--waste", str(waste)] if waste else []))
+        with open(out) as lines:
+            counts = counts_by_function(lines)
+    if not counts:
+        raise Failed(f"{program} {workload}: valgrind counted nothing; was it compiled without valgrind/callgrind.h?")
+    return counts
+
+
+def count_all(program, names, waste=None):
+    """The counts of several workloads. waste: instructions to add, by workload."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        runs = {name: pool.submit(count, program, name, waste[name] if waste else 0) for name in names}
+        return {name: each.result() for name, each in runs.items()}
+
+
+def total(functions):
+    return sum(functions.values())
