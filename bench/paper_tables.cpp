@@ -16,6 +16,7 @@
 #include "../parallel/mesher.hpp"
 #include "../properties/domains/domains.hpp"
 #include "run_in_child.hpp"
+#include "table_as_json.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 
@@ -120,7 +121,8 @@ std::string seconds_of_ranks(const Table& table, const Settings& settings, int r
   return fmt::format("{:.2f}", median(all));
 }
 
-void print(const Table& table, const Settings& settings) {
+/// Measures and prints a table. Returns the rows of this machine.
+std::vector<MeasuredRow> print(const Table& table, const Settings& settings) {
   fmt::print("### {}\n\n", table.title);
   fmt::print(
       "| | threads or ranks | cells | triangles, millions | seconds, MPI | seconds, OpenMP | millions/s | "
@@ -128,6 +130,7 @@ void print(const Table& table, const Settings& settings) {
   for (const TheirRun& run : table.theirs)
     fmt::print("| the paper, Table {} | {} | | {:.1f} | {} | {} | | | |\n", run.table, run.processors, run.millions,
                run.mpi, run.openmp);
+  std::vector<MeasuredRow> measured;
   for (const int threads : settings.threads) {
     const std::optional<Timed> one = median_run(table, settings, threads);
     if (!one) {
@@ -140,8 +143,11 @@ void print(const Table& table, const Settings& settings) {
                millions / one->seconds / threads,
                static_cast<double>(one->peak_rss_bytes) / static_cast<double>(one->triangles));
     std::fflush(stdout);
+    measured.push_back(
+        {fmt::format("paper_tables/{}", table.domain), threads, one->seconds, one->triangles, one->peak_rss_bytes});
   }
   fmt::print("\n");
+  return measured;
 }
 
 }  // namespace
@@ -159,7 +165,13 @@ int main(int argc, char** argv) {
   app.add_option("--decomposition", settings.decomposition, "auto, paper or none")
       ->transform(cli::choice(cli::decomposition_names));
   app.add_option("--mpirun", settings.mpirun, "Also measure ranks of one thread, started by this program (Open MPI)");
+  std::string json;
+  app.add_option("--json", json, "Also write the rows of this machine to this file, in the format of Google Benchmark");
   CLI11_PARSE(app, argc, argv);
-  for (const bench::Table& table : bench::tables) bench::print(table, settings);
-  return 0;
+  std::vector<bench::MeasuredRow> measured;
+  for (const bench::Table& table : bench::tables)
+    for (const bench::MeasuredRow& row : bench::print(table, settings)) measured.push_back(row);
+  if (json.empty() || bench::write_json(json, argv[0], measured)) return 0;
+  fmt::print(stderr, "paper_tables: {}: cannot be written\n", json);
+  return 1;
 }

@@ -17,6 +17,7 @@
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "run_in_child.hpp"
+#include "table_as_json.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 
@@ -144,6 +145,18 @@ void print(const std::vector<Row>& rows) {
   }
 }
 
+std::vector<MeasuredRow> measured_rows(const std::vector<Row>& rows, const std::string& domain) {
+  std::vector<MeasuredRow> found;
+  for (const Row& row : rows) {
+    const char* kind = row.decomposition == Decomposition::none ? "one_queue" : "tiles";
+    const std::string name = row.processes > 1 ? fmt::format("scaling/{}/{}_processes", domain, row.processes)
+                                               : fmt::format("scaling/{}/{}", domain, kind);
+    const Timed& run = row.median();
+    found.push_back({name, row.threads, run.seconds, run.triangles, run.peak_rss_bytes, to_string(run.digest)});
+  }
+  return found;
+}
+
 }  // namespace
 }  // namespace pardel::bench
 
@@ -167,6 +180,8 @@ int main(int argc, char** argv) {
   app.add_flag("!--no-queue", settings.one_queue, "Leave out the row with a single queue");
   app.add_flag("!--no-at-once", settings.at_once,
                "Leave out the rows with n processes of one thread each, which take n times the memory");
+  std::string json;
+  app.add_option("--json", json, "Also write the table to this file, in the format of Google Benchmark");
   CLI11_PARSE(app, argc, argv);
   bench::set_size(settings.task);
   std::vector<bench::Row> rows;
@@ -177,5 +192,7 @@ int main(int argc, char** argv) {
   }
   if (!bench::measure(settings, rows)) return 1;
   bench::print(rows);
-  return 0;
+  if (json.empty() || bench::write_json(json, argv[0], bench::measured_rows(rows, settings.task.domain))) return 0;
+  fmt::print(stderr, "scaling: {}: cannot be written\n", json);
+  return 1;
 }

@@ -11,8 +11,8 @@ PROGRAM = os.path.join(BUILD, WORKLOADS, "once")
 MEASURED = ["core", "parallel", "properties/checker", "properties/domains", "cmake", "CMakeLists.txt", "CMakePresets.json"]
 
 
-def git(*arguments, cwd=ROOT):
-    return subprocess.run(["git", *arguments], cwd=cwd, check=True, capture_output=True, text=True).stdout.strip()
+def git(*arguments, cwd=None):
+    return subprocess.run(["git", *arguments], cwd=cwd or ROOT, check=True, capture_output=True, text=True).stdout.strip()
 
 
 def resolve(name):

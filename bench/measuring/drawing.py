@@ -3,11 +3,12 @@ import html
 
 from . import history
 
-WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 520, 130, 8, 24, 20
+WIDTH, HEIGHT, MARGIN, TOP, BOTTOM = 400, 110, 10, 24, 20
+THREADS = "/threads:"  # as in google.name_of()
 LINE, CHANGED = "#4682b4", "#c0392b"
 NOTABLE_COUNT = 0.01  # changes of instructions that the page names
 NOTABLE_RATE = 0.15  # changes of speed: seconds of a virtual machine vary
-LABELLED = 4  # changes that a curve names
+LABELLED, LABEL_WIDTH = 4, 80  # changes that a curve names, the largest first, where there is room
 
 
 def spelled(number):
@@ -22,28 +23,30 @@ def curve(title, points, last, notable, describe):
     """The elements of one curve in a box of WIDTH x HEIGHT. points: as from history.series(), at least one; last: the
     place of the last commit; describe: text about a point."""
     most = max(number for _, number, _ in points)
-    first = points[0][0]
 
     def at(point):
-        x = LEFT + (WIDTH - 2 * LEFT) * (point[0] - first) / max(1, last - first)
+        x = MARGIN + (WIDTH - 2 * MARGIN) * point[0] / max(1, last)
         return x, HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * point[1] / (most or 1)
-    places = [at(point) for point in points]
-    parts = [f'<text x="{LEFT}" y="14" font-weight="bold">{html.escape(title)}</text>',
-             f'<text x="{WIDTH - LEFT}" y="14" text-anchor="end">{spelled(points[-1][1])}, most {spelled(most)}</text>',
-             f'<line x1="{LEFT}" y1="{HEIGHT - BOTTOM}" x2="{WIDTH - LEFT}" y2="{HEIGHT - BOTTOM}" stroke="#bbb"/>',
-             f'<polyline points="{" ".join(f"{x:.1f},{y:.1f}" for x, y in places)}" fill="none" stroke="{LINE}"/>']
+    line = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in points)
+    parts = [f'<text x="{MARGIN}" y="14" font-weight="bold">{html.escape(title)}</text>',
+             f'<text x="{WIDTH - MARGIN}" y="14" text-anchor="end">{spelled(points[-1][1])}</text>',
+             f'<line x1="{MARGIN}" y1="{HEIGHT - BOTTOM}" x2="{WIDTH - MARGIN}" y2="{HEIGHT - BOTTOM}" stroke="#bbb"/>',
+             f'<polyline points="{line}" fill="none" stroke="{LINE}"/>']
     steps = history.changes(points, notable)
     changed = {id(after): share for share, _, after in steps}
-    labelled = {id(after) for _, _, after in sorted(steps, key=lambda step: -abs(step[0]))[:LABELLED]}
-    for point, (x, y) in zip(points, places):
+    for point in points:
+        x, y = at(point)
         share = changed.get(id(point))
-        colour = LINE if share is None else CHANGED
-        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{2 if share is None else 3.5}" fill="{colour}">'
-                     f'<title>{html.escape(describe(point))}</title></circle>')
-        if id(point) in labelled:
-            anchor = "start" if x < 60 else "end" if x > WIDTH - 60 else "middle"
-            parts.append(f'<text x="{x:.1f}" y="{HEIGHT - 6}" text-anchor="{anchor}" font-size="9" fill="{CHANGED}">'
-                         f'{point[2]["commit"][:7]} {100 * share:+.0f} %</text>')
+        look = f'r="2" fill="{LINE}"' if share is None else f'r="3.5" fill="{CHANGED}"'
+        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" {look}><title>{html.escape(describe(point))}</title></circle>')
+    labels = []
+    for share, _, after in sorted(steps, key=lambda step: -abs(step[0])):
+        x = at(after)[0]
+        if len(labels) < LABELLED and all(abs(x - other) >= LABEL_WIDTH for other in labels):
+            labels.append(x)
+            anchor = "start" if x < 0.6 * LABEL_WIDTH else "end" if x > WIDTH - 0.6 * LABEL_WIDTH else "middle"
+            parts.append(f'<text x="{x:.1f}" y="{HEIGHT - 7}" text-anchor="{anchor}" font-size="9" fill="{CHANGED}">'
+                         f'{after[2]["commit"][:7]} {100 * share:+.0f} %</text>')
     return "\n".join(parts)
 
 
@@ -76,31 +79,37 @@ def table(title, series, notable, subject):
 
 def draw(rows, line, compiler, machine, subject):
     """The drawing and the page, as texts. rows: the history; line: the commits of the branch; subject: text about a
-    commit. Curves have the counts of one compiler, and the speeds of this compiler and one machine."""
+    commit. Curves have the counts of one compiler, and the speeds of this compiler and one machine. The commits that
+    were measured have equal distances."""
+    measured = {row["commit"] for row in rows}
+    line = [commit for commit in line if commit[:history.SHORT_COMMIT] in measured]
     counts = history.series(rows, line, history.instructions, lambda row: row["compiler"] == compiler)
     rates = history.series(rows, line, history.items_per_second,
                            lambda row: row["compiler"] == compiler and row["machine"] == machine)
-    last = len(line) - 1
 
     def drawn(series, name, what, notable):
         if name not in series:
             return None
-        return curve(f"{name}: {what}", series[name], last, notable,
+        return curve(f"{name}: {what}", series[name], len(line) - 1, notable,
                      lambda point: f"{subject(point[2]['commit'])}: {point[1]:,.0f}")
-    names = sorted(counts.keys() | rates.keys())
-    picture = svg([[drawn(counts, name, "instructions", NOTABLE_COUNT), drawn(rates, name, "items per second", NOTABLE_RATE)]
-                   for name in names] or [[None]])
+    alone = sorted(name for name in counts.keys() | rates.keys() if THREADS not in name)
+    curves = [[drawn(counts, name, "instructions", NOTABLE_COUNT), drawn(rates, name, "items/s", NOTABLE_RATE),
+               drawn(rates, f"{name}{THREADS}2", "items/s", NOTABLE_RATE)] for name in alone]
+    others = sorted(name for name in rates if THREADS in name and name.split(THREADS)[0] not in alone)
+    curves += [[None, drawn(rates, name, "items/s", NOTABLE_RATE)] for name in others]
+    picture = svg(curves or [[None]])
     page = "\n".join([
         "<!DOCTYPE html>", "<html lang='en'>", "<meta charset='utf-8'>",
         "<title>pardel: workloads over the commits</title>",
-        "<style>body { font-family: sans-serif; max-width: 1080px; margin: 1em auto } td, th { text-align: left; "
+        "<style>body { font-family: sans-serif; max-width: 1220px; margin: 1em auto } td, th { text-align: left; "
         "padding: 0 1em 0 0 } svg { max-width: 100% }</style>",
-        f"<h1>Fixed workloads over the commits</h1>",
-        f"<p>Written by bench/track. Instructions are counted by valgrind, with {html.escape(compiler)}, on one thread. "
-        f"Items are triangles; for predicates and insertion, evaluations and points. Seconds are the least of some runs "
-        f"on one machine ({html.escape(machine)}), which also did other work; they vary. Each curve begins at its first "
-        f"commit, and its axis at zero. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions and of "
-        f"{100 * NOTABLE_RATE:.0f} % of the speed. docs/performance.md describes the workloads.</p>",
+        "<h1>Fixed workloads over the commits</h1>",
+        f"<p>Written by bench/track: {len(line)} commits, from {html.escape(subject(line[0]) if line else '')} to "
+        f"{html.escape(subject(line[-1]) if line else '')}. Instructions are counted by valgrind, on one thread, with "
+        f"{html.escape(compiler)}. Items are triangles; for predicates evaluations, for insertion points. Seconds are "
+        f"the least of some runs on one machine ({html.escape(machine)}), which also did other work; they vary. All axes "
+        f"begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions "
+        f"and of {100 * NOTABLE_RATE:.0f} % of the speed. docs/performance.md describes the workloads.</p>",
         picture,
         table(f"Changes of instructions of {100 * NOTABLE_COUNT:.0f} % and more", counts, NOTABLE_COUNT, subject),
         table(f"Changes of items per second of {100 * NOTABLE_RATE:.0f} % and more", rates, NOTABLE_RATE, subject),

@@ -1,0 +1,275 @@
+"""What bench/gate, bench/track and bench/compare compute from their measurements."""
+import importlib.machinery
+import importlib.util
+import math
+import os
+import random
+import statistics
+import tempfile
+import unittest
+import unittest.mock
+import xml.etree.ElementTree
+
+from measuring import commits, drawing, google, history, once, ratios
+
+
+def script(name):
+    """A script of bench/ as a module."""
+    loader = importlib.machinery.SourceFileLoader(name, os.path.join(commits.ROOT, "bench", name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+gate, track, compare = script("gate"), script("track"), script("compare")
+
+
+class Intervals(unittest.TestCase):
+    def test_the_interval_contains_the_median(self):
+        for n in range(1, 40):
+            values = [random.Random(n).uniform(0.5, 2) for _ in range(n)]
+            median, low, high = ratios.median_interval(values, 0.95)
+            self.assertEqual(median, statistics.median(values))
+            self.assertTrue(low <= median <= high)
+
+    def test_the_same_values_give_the_same_interval(self):
+        values = [1.1, 0.9, 1.3, 1.0, 1.2, 1.05, 0.95, 1.15, 1.25]
+        self.assertEqual(ratios.median_interval(values, 0.95), ratios.median_interval(values, 0.95))
+
+    def test_the_sign_interval_leaves_out_what_a_coin_seldom_throws(self):
+        values = list(range(1, 16))
+        # 2 (1 + 15 + 105) / 2^15 = 0.0074 is below 1 %, with 455 more it is not.
+        self.assertEqual(ratios.sign_interval(values, 0.99), (3, 13))
+        self.assertEqual(ratios.sign_interval(values, 0.95), (4, 12))
+
+    def test_few_values_have_no_interval_of_high_confidence(self):
+        self.assertEqual(ratios.sign_interval([1.0] * 7, 0.99), (0, math.inf))
+        self.assertEqual(ratios.sign_interval([1.0] * 8, 0.99), (1, 1))
+        self.assertIn("too few pairs", ratios.verdict(0, math.inf, 0.99))
+
+    def test_the_interval_is_at_least_as_wide_as_that_of_the_bootstrap(self):
+        for seed in range(20):
+            draw = random.Random(seed)
+            values = [draw.lognormvariate(0, 0.1) for _ in range(21)]
+            _, low, high = ratios.median_interval(values, 0.99)
+            boot = ratios.bootstrap_interval(values, 0.99)
+            self.assertTrue(low <= boot[0] and boot[1] <= high)
+
+    def test_equal_programs_are_seldom_said_to_differ(self):
+        """Ratios with heavy tails around 1: of 300 intervals of 95 %, about 15 may miss 1, and hardly ever 30."""
+        missed = 0
+        for seed in range(300):
+            draw = random.Random(seed)
+            values = [math.exp(0.05 * draw.gauss(0, 1) / max(0.1, draw.random())) for _ in range(15)]
+            _, low, high = ratios.median_interval(values, 0.95)
+            missed += not low <= 1 <= high
+        self.assertLess(missed, 30)
+
+    def test_a_verdict_says_who_is_slower_only_if_the_interval_excludes_1(self):
+        self.assertEqual(ratios.verdict(1.01, 1.2, 0.99), "B is slower")
+        self.assertEqual(ratios.verdict(0.8, 0.99, 0.99), "B is faster")
+        for low, high in ((0.9, 1.1), (1, 1.1), (0.9, 1)):
+            self.assertIn("includes 1", ratios.verdict(low, high, 0.99))
+
+
+class Pairs(unittest.TestCase):
+    def test_each_function_is_called_once_in_each_pair_and_each_often_first(self):
+        calls = []
+        results = ratios.in_pairs(lambda: calls.append("a") or 1, lambda: calls.append("b") or 2, 200, random.Random(1))
+        self.assertEqual(results, [(1, 2)] * 200)
+        self.assertTrue(all({calls[i], calls[i + 1]} == {"a", "b"} for i in range(0, 400, 2)))
+        first = calls[0::2].count("a")
+        self.assertTrue(70 < first < 130, first)
+
+
+class FakeMachine:
+    """Runs that take a known time, on a machine that gets slower and is disturbed now and then."""
+
+    def __init__(self, seed):
+        self.draw, self.calls = random.Random(seed), 0
+
+    def run(self, seconds, digest="d"):
+        self.calls += 1
+        slower = 1 + 0.002 * self.calls
+        disturbed = 3 if self.draw.random() < 0.1 else 1
+        return {"seconds": seconds * slower * disturbed * self.draw.uniform(0.97, 1.03), "digest": digest}
+
+
+class Comparison(unittest.TestCase):
+    def lines(self, seconds_b, digest="d", seed=0):
+        machine = FakeMachine(seed)
+        return compare.compare(lambda case: machine.run(1), lambda case: machine.run(seconds_b, digest),
+                               [("x", 1), ("y", 2)], 31, 0.99, random.Random(seed))
+
+    def test_a_planted_slowdown_is_named(self):
+        lines = [line for seed in range(10) for line in self.lines(1.2, seed=seed).values()]
+        verdicts = [line["verdict"] for line in lines]
+        self.assertNotIn("B is faster", verdicts)
+        self.assertGreaterEqual(verdicts.count("B is slower"), 18)
+        self.assertTrue(all(1.1 < line["ratio"] < 1.3 for line in lines))
+
+    def test_an_unchanged_program_on_a_machine_that_gets_slower_is_not_said_to_differ(self):
+        verdicts = [line["verdict"] for seed in range(40) for line in self.lines(1, seed=seed).values()]
+        self.assertLessEqual(sum("includes 1" not in verdict for verdict in verdicts), 3)  # 0.8 are expected
+
+    def test_another_mesh_is_named(self):
+        self.assertFalse(any(line["same_mesh"] for line in self.lines(1, "other").values()))
+        self.assertTrue(all(line["same_mesh"] for line in self.lines(1).values()))
+
+
+class Gate(unittest.TestCase):
+    REFERENCE = {"w": {"instructions": 1000, "functions": {"f": 900}}}
+
+    def test_more_than_two_percent_fail_and_the_function_that_grew_is_named(self):
+        lines, beyond = gate.compare({"w": {"f": 900, "g": 130}}, self.REFERENCE)
+        self.assertEqual(beyond, ["w"])
+        self.assertIn("    g: +120", lines)
+        self.assertFalse(any(line.startswith("    f") for line in lines))
+
+    def test_less_than_two_percent_and_fewer_instructions_pass(self):
+        for count in (1019, 500):
+            self.assertEqual(gate.compare({"w": {"f": count}}, self.REFERENCE)[1], [])
+
+    def test_a_missing_and_a_new_workload_fail(self):
+        self.assertEqual(gate.compare({}, self.REFERENCE)[1], ["w"])
+        self.assertEqual(gate.compare({"w": {"f": 1000}, "new": {"f": 1}}, self.REFERENCE)[1], ["new"])
+
+
+class Callgrind(unittest.TestCase):
+    def test_a_function_gets_its_own_instructions_and_not_those_of_its_callees(self):
+        lines = ["fn=(1) main", "16 20", "cfn=(2) work", "calls=3 0", "16 400", "+2 5", "", "fn=(2)", "30 400", "fn=(1)", "* 1"]
+        self.assertEqual(once.counts_by_function(lines), {"main": 26, "work": 400})
+
+
+def row(commit, workload="w", instructions="", machine="m", seconds="", items="", digest="", compiler="c"):
+    return {**dict.fromkeys(history.COLUMNS, ""), "commit": commit, "workload": workload, "compiler": compiler,
+            "machine": machine, "instructions": instructions, "seconds": seconds, "items": items, "digest": digest}
+
+
+class History(unittest.TestCase):
+    def test_a_new_row_replaces_the_old_one_of_its_machine_and_of_an_unknown_one(self):
+        old = [row("a", machine=""), row("a"), row("a", machine="other"), row("b"), row("a", workload="v")]
+        new = [row("a", instructions="7")]
+        self.assertEqual(history.merged(old, new), [old[2], old[3], old[4], new[0]])
+
+    def test_rows_are_in_the_order_of_the_branch(self):
+        rows = [row("b"), row("a", "x"), row("a", "w"), row("elsewhere")]
+        order = [(each["commit"], each["workload"]) for each in history.in_order(rows, ["a", "b"])]
+        self.assertEqual(order, [("elsewhere", "w"), ("a", "w"), ("a", "x"), ("b", "w")])
+
+    def test_written_rows_are_read_again(self):
+        rows = [row("a", instructions="5", digest="0f"), row("b")]
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "new", "workloads.csv")
+            self.assertEqual(history.read(file), [])
+            history.write(rows, file)
+            self.assertEqual(history.read(file), rows)
+
+    def test_a_series_has_no_gaps_for_what_was_not_measured_and_no_commits_of_other_branches(self):
+        rows = [row("a", instructions="10"), row("b"), row("c", instructions="11"), row("z", instructions="99")]
+        points = history.series(rows, ["a", "b", "c"], history.instructions)["w"]
+        self.assertEqual([(place, number) for place, number, _ in points], [(0, 10), (2, 11)])
+
+    def test_changes_are_steps_of_at_least_a_share(self):
+        points = [(0, 100, "a"), (1, 100.5, "b"), (2, 102, "c"), (3, 99, "d")]
+        self.assertEqual([(before[2], after[2]) for _, before, after in history.changes(points, 0.01)], [("b", "c"), ("c", "d")])
+
+    def test_the_row_of_repetitions_has_the_least_time(self):
+        runs = [{"workload": "w", "threads": 2, "seconds": s, "cpu_seconds": s, "items": 10, "triangles": True, "bytes": 400,
+                 "cycles": None, "digest": "0123456789abcdef0123456789abcdef"} for s in (0.3, 0.1, 0.2)]
+        found = track.row_of("0" * 40, "c", google.entries(runs, {"w/threads:2": 8}))
+        self.assertEqual((found["workload"], found["seconds"], found["bytes"], found["instructions"], found["cycles"]),
+                         ("w/threads:2", "0.10000", 400, 8, ""))
+        self.assertEqual(found["digest"], "0123456789abcdef")
+        self.assertEqual(found.keys(), set(history.COLUMNS))
+
+    def test_the_committed_history_is_complete_and_in_order(self):
+        rows = history.read()
+        self.assertGreater(len({each["commit"] for each in rows}), 20)
+        keys = [(each["commit"], each["workload"], each["compiler"], each["machine"]) for each in rows]
+        self.assertEqual(len(keys), len(set(keys)))
+        for each in rows:
+            self.assertEqual(list(each), history.COLUMNS)
+            self.assertTrue(each["instructions"] or float(each["seconds"]) > 0, each)
+
+
+class GoogleBenchmark(unittest.TestCase):
+    RUN = {"workload": "w", "threads": 1, "seconds": 0.5, "cpu_seconds": 0.25, "items": 100, "triangles": True,
+           "bytes": 3300, "cycles": 77, "digest": "ab"}
+
+    def test_an_entry_has_the_keys_of_the_format_and_the_counters(self):
+        entry, = google.entries([self.RUN], {"w": 123})
+        for key in ("name", "run_name", "run_type", "repetitions", "repetition_index", "threads", "iterations"):
+            self.assertIn(key, entry)
+        self.assertEqual((entry["real_time"], entry["cpu_time"], entry["time_unit"]), (5e8, 2.5e8, "ns"))
+        self.assertEqual((entry["items_per_second"], entry["bytes_per_triangle"]), (200, 33))
+        self.assertEqual((entry["instructions"], entry["cycles"], entry["digest"]), (123, 77, "ab"))
+
+    def test_what_was_not_measured_has_no_entry(self):
+        entry, = google.entries([{**self.RUN, "cycles": None, "digest": None, "triangles": False}], {})
+        self.assertFalse({"cycles", "digest", "instructions", "bytes_per_triangle"} & entry.keys())
+
+    def test_the_context_names_machine_compiler_and_commit(self):
+        context = google.context("c0", "g++ 1", "once")
+        self.assertEqual((context["commit"], context["compiler"], context["machine"]), ("c0", "g++ 1", history.machine()))
+
+
+class Drawing(unittest.TestCase):
+    ROWS = [row("a", instructions="1000", seconds="0.1", items="50", digest="d1"),
+            row("b", instructions="1001", seconds="0.1", items="50", digest="d1"),
+            row("c", instructions="1100", seconds="0.05", items="50", digest="d2"),
+            row("c", workload="w/threads:2", seconds="0.2", items="50"),
+            row("c", workload="other", instructions="5", compiler="c2")]
+
+    def draw(self):
+        return drawing.draw(self.ROWS, ["a", "b", "between", "c"], "c", "m", lambda commit: f"<{commit}>")
+
+    def test_the_drawing_is_xml_with_a_curve_for_counts_and_speeds_of_each_workload(self):
+        root = xml.etree.ElementTree.fromstring(self.draw()[0])
+        lines = root.findall(".//{http://www.w3.org/2000/svg}polyline")
+        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 1])
+
+    def test_the_page_names_the_commit_that_changed_a_workload(self):
+        page = self.draw()[1]
+        self.assertIn("<tr><td>w</td><td>+9.9 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
+        self.assertIn("<tr><td>w</td><td>+100.0 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
+        self.assertEqual(page.count("<tr><td>"), 2)
+
+    def test_counts_of_another_compiler_are_not_in_a_curve(self):
+        self.assertNotIn("other", self.draw()[0])
+
+    def test_an_empty_history_can_be_drawn(self):
+        xml.etree.ElementTree.fromstring(drawing.draw([], [], "c", "m", str)[0])
+
+
+class Commits(unittest.TestCase):
+    def test_the_present_workloads_replace_those_of_a_commit(self):
+        who = {"GIT_AUTHOR_NAME": "a", "GIT_AUTHOR_EMAIL": "a", "GIT_COMMITTER_NAME": "a", "GIT_COMMITTER_EMAIL": "a"}
+        with tempfile.TemporaryDirectory() as root, unittest.mock.patch.dict(os.environ, who), \
+                unittest.mock.patch.object(commits, "ROOT", root):
+            def git(*arguments):
+                return commits.git(*arguments, cwd=root)
+
+            def write(name, text):
+                os.makedirs(os.path.dirname(os.path.join(root, name)), exist_ok=True)
+                with open(os.path.join(root, name), "w") as file:
+                    file.write(text)
+            git("init", "-q", "-b", "main")
+            write("CMakeLists.txt", "project(old)\n")
+            git("add", ".")
+            git("commit", "-q", "-m", "old")
+            write("bench/workloads/once.cpp", "present")
+            tree = os.path.join(root, "build", "tree")
+            commits.check_out(git("rev-parse", "HEAD"), tree)
+            with open(os.path.join(tree, "bench", "workloads", "once.cpp")) as file:
+                self.assertEqual(file.read(), "present")
+            with open(os.path.join(tree, "CMakeLists.txt")) as file:
+                self.assertEqual(file.read(), "project(old)\nadd_subdirectory(bench/workloads)\n")
+
+    def test_an_unknown_commit_is_an_error(self):
+        with self.assertRaisesRegex(ValueError, "no such commit"):
+            commits.resolve("no-such-branch-here")
+
+
+if __name__ == "__main__":
+    unittest.main()
