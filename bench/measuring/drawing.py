@@ -107,8 +107,8 @@ def draw(rows, line, compiler, machine, subject):
         f"<p>Written by bench/track: {len(line)} commits, from {html.escape(subject(line[0]) if line else '')} to "
         f"{html.escape(subject(line[-1]) if line else '')}. Instructions are counted by valgrind, on one thread, with "
         f"{html.escape(compiler)}. Items are triangles; for predicates evaluations, for insertion points. Seconds are "
-        f"the least of some runs on one machine ({html.escape(machine)}), which also did other work; they vary. All axes "
-        f"begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions "
+        f"the least of some runs on one machine ({html.escape(machine)}), of the processor on one thread, of the clock on "
+        f"two. The machine also did other work, so they vary. All axes begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions "
         f"and of {100 * NOTABLE_RATE:.0f} % of the speed. docs/performance.md describes the workloads.</p>",
         picture,
         table(f"Changes of instructions of {100 * NOTABLE_COUNT:.0f} % and more", counts, NOTABLE_COUNT, subject),

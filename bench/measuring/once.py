@@ -38,6 +38,12 @@ def run(program, workload, threads=1, timed=True, twice=False):
     return json.loads(output(program, workload, *options, threads=threads))
 
 
+def seconds(result):
+    """The time of a run, from what the program printed: of the processor on one thread, because other work on the
+    machine hardly changes it; of the clock on several threads, which also shows how long they wait."""
+    return result["cpu_seconds"] if result["threads"] == 1 else result["seconds"]
+
+
 def counts_by_function(lines):
     """The instructions that each function executed itself, from the lines of a file of callgrind. A name is written out
     where it first appears, and later only its number. The line after "calls=" is about the called function."""

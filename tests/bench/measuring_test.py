@@ -92,7 +92,7 @@ class FakeMachine:
         self.calls += 1
         slower = 1 + 0.002 * self.calls
         disturbed = 3 if self.draw.random() < 0.1 else 1
-        return {"seconds": seconds * slower * disturbed * self.draw.uniform(0.97, 1.03), "digest": digest}
+        return {"seconds": seconds * slower * disturbed * self.draw.uniform(0.97, 1.03), "threads": 2, "digest": digest}
 
 
 class Comparison(unittest.TestCase):
@@ -175,13 +175,20 @@ class History(unittest.TestCase):
         self.assertEqual([(before[2], after[2]) for _, before, after in history.changes(points, 0.01)], [("b", "c"), ("c", "d")])
 
     def test_the_row_of_repetitions_has_the_least_time(self):
-        runs = [{"workload": "w", "threads": 2, "seconds": s, "cpu_seconds": s, "items": 10, "triangles": True, "bytes": 400,
+        runs = [{"workload": "w", "threads": 2, "seconds": s, "cpu_seconds": 1 / s, "items": 10, "triangles": True, "bytes": 400,
                  "cycles": None, "digest": "0123456789abcdef0123456789abcdef"} for s in (0.3, 0.1, 0.2)]
         found = track.row_of("0" * 40, "c", google.entries(runs, {"w/threads:2": 8}))
         self.assertEqual((found["workload"], found["seconds"], found["bytes"], found["instructions"], found["cycles"]),
                          ("w/threads:2", "0.10000", 400, 8, ""))
         self.assertEqual(found["digest"], "0123456789abcdef")
         self.assertEqual(found.keys(), set(history.COLUMNS))
+
+    def test_on_one_thread_the_time_is_that_of_the_processor(self):
+        run = {"workload": "w", "threads": 1, "seconds": 3, "cpu_seconds": 2, "items": 10, "triangles": False, "bytes": 0,
+               "cycles": 5, "digest": None}
+        found = track.row_of("0" * 40, "c", google.entries([run], {}))
+        self.assertEqual((found["seconds"], found["bytes"], found["cycles"], found["digest"]), ("2.00000", "", 5, ""))
+        self.assertEqual((once.seconds(run), once.seconds({**run, "threads": 2})), (2, 3))
 
     def test_the_committed_history_is_complete_and_in_order(self):
         rows = history.read()
