@@ -8,14 +8,15 @@
 // Under valgrind only the work is counted, not the preparation of its input. Exit code 1: the work failed. 2: usage.
 #include <omp.h>
 
+#include <charconv>
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "../../core/digest.hpp"
 #include "counters.hpp"
@@ -37,10 +38,10 @@ struct Call {
 };
 
 /// The number of an argument; empty if it is none.
-std::optional<std::uint64_t> number(const char* text) {
-  char* end = nullptr;
-  const std::uint64_t value = std::strtoull(text, &end, 10);
-  return end != text && *end == '\0' ? std::optional(value) : std::nullopt;
+std::optional<std::uint64_t> number(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 /// What the arguments say; empty if they are wrong.

@@ -66,7 +66,7 @@ class Workloads(unittest.TestCase):
 
     def test_wrong_arguments_are_refused(self):
         for arguments in (["no_such_workload"], ["fill", "--threads"], ["fill", "--threads", "0"], ["fill", "--waste", "x"],
-                          ["fill", "extra"]):
+                          ["fill", "--waste", "-1"], ["fill", "extra"]):
             with self.subTest(arguments):
                 result = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True)
                 self.assertEqual(result.returncode, 2)
