@@ -9,13 +9,19 @@ namespace {
 /// From one level to the next finer one, the sides of the cells shrink by this factor.
 constexpr Index levels_apart = 4;
 
+/// The number of cells for each vertex that Options::max_vertices allows.
+constexpr double most_cells_per_vertex = 2;
+
 }  // namespace
 
 Lattice finest_lattice(const Box& bounds, double triangles, const Options& options) {
   if (options.decomposition == Decomposition::none) return {bounds, 1, 1};
   if (options.cells[0] > 0 && options.cells[1] > 0) return {bounds, options.cells[0], options.cells[1]};
   const double width = bounds.max_x - bounds.min_x, height = bounds.max_y - bounds.min_y;
-  const double tiles = std::max(1.0, triangles / options.triangles_per_tile);
+  double tiles = std::max(1.0, triangles / options.triangles_per_tile);
+  // A limit on vertices can end the refinement long before. Cells without work take time and memory, too.
+  if (options.max_vertices > 0)
+    tiles = std::min(tiles, most_cells_per_vertex * static_cast<double>(options.max_vertices));
   const double longer = std::max(width, height), shorter = std::max(std::min(width, height), longer * 1e-3);
   constexpr double most_along = 4096;
   return Lattice::over(bounds, static_cast<Index>(std::clamp(std::sqrt(tiles * longer / shorter), 1.0, most_along)));

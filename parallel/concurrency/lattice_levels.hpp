@@ -9,7 +9,8 @@
 namespace pardel::engine {
 
 /// The finest lattice: as options.cells demands, or else such that a tile has about options.triangles_per_tile
-/// triangles if the whole mesh has `triangles` triangles.
+/// triangles if the whole mesh has `triangles` triangles, but at most about two cells per vertex of
+/// options.max_vertices.
 [[nodiscard]] Lattice finest_lattice(const Box& bounds, double triangles, const Options& options);
 
 /// A lattice as fine as `wanted`, except that the sides of its cells are at least `side`. The side of a single column

@@ -33,8 +33,9 @@ Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull,
                                              std::span<const double> edges, std::span<const Clearing> clearings,
                                              const Options& options, const Threads& threads, std::uint64_t pieces) {
   std::vector<double> allowed(edges.begin(), edges.end());
+  // Edges from the border of a patch to what is around it can be shorter than those of the patch.
   for (double& edge : allowed)
-    if (edge < options.min_edge) edge = INFINITY;
+    if (patch_clearance * edge < options.min_edge) edge = INFINITY;
   Filling filling;
   filling.patches_ = find_patches(coarse.triangulation, allowed, clearings, threads);
   if (filling.patches_.empty()) return std::optional<Filling>();

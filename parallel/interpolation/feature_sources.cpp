@@ -91,6 +91,7 @@ class Features {
  public:
   Features(const Pslg& pslg, const Polylines& lines, const Threads& threads)
       : pslg_(pslg), lines_(lines), ask_(threads.stop) {
+    for (const Point p : pslg.points) farthest_ = std::max({farthest_, std::abs(p.x), std::abs(p.y)});
     std::vector<Point> representative;
     for (const Polyline& line : lines.all) representative.push_back(pslg.points[line.vertices.front()]);
     std::vector<Index> corners;
@@ -148,6 +149,11 @@ class Features {
   [[nodiscard]] Point from(Index f) const { return pslg_.points[features_[f].a]; }
   [[nodiscard]] Point to(Index f) const { return pslg_.points[features_[f].b]; }
   [[nodiscard]] double extent() const { return boxes_[1].extent(); }
+  /// Shorter parts of segments are not divided. Far from the origin, coordinates have few digits for them.
+  [[nodiscard]] double shortest_part() const { return 0x1p-46 * std::max(extent(), farthest_); }
+  /// Below this width, all widths are alike. No mesh has such short edges (least_min_edge()), and where segments nearly
+  /// coincide, rounding makes the width change from place to place.
+  [[nodiscard]] double unresolved() const { return 0x1p-42 * farthest_; }
 
  private:
   struct Feature {
@@ -277,6 +283,7 @@ class Features {
   const Pslg& pslg_;
   const Polylines& lines_;
   SparseAsk ask_;
+  double farthest_ = 0;  ///< the largest magnitude of a coordinate
   std::vector<Feature> features_;
   std::vector<Index> line_begin_;             ///< the first feature of each polyline
   std::vector<Index> from_start_, from_end_;  ///< how many segments keep the direction of the first, or of the last
@@ -305,16 +312,18 @@ class Widths {
   /// Divides the piece until the distance to other features changes little along each part. Along a channel that is
   /// much narrower than the domain it changes little along long parts, too; near a single narrow place it does not.
   void add(const Touching& touching, Point a, Point b) {
-    constexpr double part = 0.25, short_part = 0x1p-16, shortest_part = 0x1p-46;
+    constexpr double part = 0.25, short_part = 0x1p-16, narrow_part = 0x1p-8;
     const double width = features_.nearest_apart(touching, a, b), length = distance(a, b);
     if (width == INFINITY) return;
     const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-    const auto is_even = [&] {
+    const auto is_nowhere_above = [&](double most) {
       return std::ranges::all_of(std::array{a, middle, b},
-                                 [&](Point y) { return features_.nearest_apart(touching, y, y) <= 2 * width; });
+                                 [&](Point y) { return features_.nearest_apart(touching, y, y) <= most; });
     };
-    const double extent = features_.extent();
-    if (length <= part * width || length <= shortest_part * extent || (length <= short_part * extent && is_even()))
+    const double extent = features_.extent(), unresolved = features_.unresolved();
+    if (length <= part * width || length <= features_.shortest_part() ||
+        (length <= short_part * extent && is_nowhere_above(2 * width)) ||
+        (length <= narrow_part * extent && width <= unresolved && is_nowhere_above(unresolved)))
       return out_.add(a, b, width / edges_);
     add(touching, a, middle);
     add(touching, middle, b);

@@ -10,9 +10,6 @@
 namespace pardel::engine {
 namespace {
 
-/// The least distance of a patch from everything else, in edges. Necessary is more than 1 / sqrt 3: then the
-/// circumdisks of the patch are empty, and nothing passes between its points.
-constexpr double clearance = 0.7;
 /// The coordinates are at most so many edges. So a rounding moves a point by less than 1e-7 edges.
 constexpr double most_edges = 0x1p26;
 
@@ -61,7 +58,7 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
       if (is_boundary(t.slots[triangles[i]].n[side]))
         lattice.add_crossings(corner(i, next_corner[side]), corner(i, previous_corner[side]), list);
   });
-  const double distance = clearance * edge;
+  const double distance = patch_clearance * edge;
   auto near = list_of<Span>(triangles.size(), threads, [&](std::size_t i, std::vector<Span>& spans) {
     const Slot& slot = t.slots[triangles[i]];
     for (unsigned side = 0; side < 3; ++side) {

@@ -1,7 +1,7 @@
 // Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt
 // triangles occur only at small input angles. Without bounds, no point is inserted. Each file of repair/ is repaired;
 // new points lie on their segments up to rounding. Each file of written/ is meshed, and the mesh is written and read;
-// the checker's verdict stays the same.
+// the checker's verdict stays the same. Each file of bounds/ has a test of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "../../parallel/repair.hpp"
 #include "../../parallel/validate.hpp"
 #include "../../properties/checker/check.hpp"
+#include "../../properties/domains/domains.hpp"
 #include "../properties/checker/written_mesh.hpp"
 
 namespace pardel {
@@ -77,6 +78,41 @@ TEST(FeatureSizeRegression, point_almost_on_a_side_needs_few_triangles) {
   ASSERT_TRUE(meshed) << meshed.error().message;
   EXPECT_TRUE(meshed->report.goal_met());
   EXPECT_TRUE(check(*pslg, meshed->mesh, goal).valid);
+}
+
+Pslg domain_for_bounds(const std::string& name) {
+  return std::move(read_pslg(fs::path(PARDEL_REGRESSIONS "/bounds") / (name + ".poly"))).value();
+}
+
+TEST(FeatureSizeRegression, widths_below_the_rounding_of_coordinates_take_no_time) {
+  const Pslg pslg = domain_for_bounds("widths_below_the_rounding_of_coordinates");
+  const Goal goal{.min_angle_deg = 25, .grading = 0.2, .feature_edges = 1};
+  const Result<Meshed> meshed = mesh(pslg, goal, {.max_vertices = 1'000});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid);
+}
+
+TEST(FloorRegression, edges_from_a_patch_to_an_isolated_point_keep_the_floor) {
+  const Pslg pslg = domain_for_bounds("isolated_point_beside_a_patch");
+  const Goal goal{.min_angle_deg = 10, .max_area = 2.8131868131868134};
+  const Options options{.interior = Interior::fill, .min_edge = 2};
+  const Result<Meshed> meshed = mesh(pslg, goal, options);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  for (const Triangle& triangle : meshed->mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const Index a = triangle.v[k], b = triangle.v[(k + 1) % 3];
+      if (std::max(a, b) < pslg.points.size()) continue;
+      const Point p = meshed->mesh.points[a], q = meshed->mesh.points[b];
+      EXPECT_GE(std::hypot(q.x - p.x, q.y - p.y), options.min_edge) << a << " to " << b;
+    }
+}
+
+TEST(LimitRegression, a_limit_on_vertices_limits_the_cells_of_the_lattice) {
+  const Options options{.decomposition = Decomposition::lattice, .triangles_per_tile = 4, .max_vertices = 60};
+  const Result<Meshed> meshed = mesh(domains::square(), {.max_area = 1e-9}, options);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_EQ(meshed->mesh.points.size(), 60U);
+  EXPECT_LE(meshed->report.tiling.columns * meshed->report.tiling.rows, 150U);
 }
 
 class RepairRegression : public ::testing::TestWithParam<fs::path> {};

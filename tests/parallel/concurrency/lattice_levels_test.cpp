@@ -56,6 +56,16 @@ TEST(LatticeLevels, have_enough_cells_for_the_work_and_a_single_one_without_deco
   }
 }
 
+TEST(LatticeLevels, have_at_most_about_two_cells_for_each_vertex_that_is_allowed) {
+  const Options options{.triangles_per_tile = 4, .max_vertices = 500};
+  const Lattice limited = finest_lattice({0, 0, 2, 1}, 1e9, options);
+  EXPECT_LE(limited.cells(), 2 * 500 * 1.1);
+  EXPECT_GE(limited.cells(), 500U);
+  // The limit matters only if it is reached.
+  const Lattice by_work = finest_lattice({0, 0, 2, 1}, 900, {.triangles_per_tile = 4});
+  EXPECT_EQ(finest_lattice({0, 0, 2, 1}, 900, options).cells(), by_work.cells());
+}
+
 TEST(LatticeLevels, are_widened_no_more_than_asked) {
   for (const Box& box : bounds()) {
     const Lattice wanted(box, 40, 30);

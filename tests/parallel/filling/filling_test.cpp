@@ -103,9 +103,9 @@ TEST(Filling, keeps_the_limits_on_vertices_and_memory) {
   EXPECT_EQ(with(options).error().kind, ErrorKind::resources);
 }
 
-TEST(Filling, has_no_edges_shorter_than_allowed) {
-  EXPECT_TRUE(filled(domains::square(), std::array{0.1}, {.min_edge = 0.0999})->has_value());
-  EXPECT_FALSE(filled(domains::square(), std::array{0.1}, {.min_edge = 0.1001})->has_value());
+TEST(Filling, has_no_edges_shorter_than_allowed_and_keeps_such_a_distance_from_everything) {
+  EXPECT_TRUE(filled(domains::square(), std::array{0.1}, {.min_edge = 0.0699})->has_value());
+  EXPECT_FALSE(filled(domains::square(), std::array{0.1}, {.min_edge = 0.0701})->has_value());
 }
 
 TEST(Filling, refuses_more_triangles_than_the_engine_can_number) {
