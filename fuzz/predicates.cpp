@@ -12,6 +12,7 @@
 
 #include "../parallel/arithmetic/expansion.hpp"
 #include "../parallel/arithmetic/predicate_stages.hpp"
+#include "exact_signs.hpp"
 #include "fuzz_one.hpp"
 #include "supply.hpp"
 
@@ -75,18 +76,6 @@ std::array<Point, 4> any_points(Supply& bytes) {
       each = {engine::is_usable(each.x) ? each.x : 0, engine::is_usable(each.y) ? each.y : 0};
   if (position % 2 == 1 || position == 6) nudge(p[bytes.byte() % 4], bytes);
   return p;
-}
-
-int true_orientation(Point a, Point b, Point c) {
-  const Rational ax = Rational(a.x) - c.x, ay = Rational(a.y) - c.y, bx = Rational(b.x) - c.x, by = Rational(b.y) - c.y;
-  return sgn(Rational(ax * by - ay * bx));
-}
-
-int true_incircle(Point a, Point b, Point c, Point d) {
-  const Rational ax = Rational(a.x) - d.x, ay = Rational(a.y) - d.y, bx = Rational(b.x) - d.x, by = Rational(b.y) - d.y,
-                 cx = Rational(c.x) - d.x, cy = Rational(c.y) - d.y;
-  const Rational a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  return sgn(Rational(ax * (by * c2 - b2 * cy) - ay * (bx * c2 - b2 * cx) + a2 * (bx * cy - by * cx)));
 }
 
 std::string text(const std::array<Point, 4>& points) {

@@ -110,6 +110,8 @@ const std::vector<Exception>& exceptions() {
       {"tests/properties/checker", "properties/checker", "tests the rooms of the checker"},
       {"tests/parallel", "properties/checker/arithmetic/exact.hpp", "compares the engine with exact arithmetic"},
       {"fuzz/predicates.cpp", "parallel/arithmetic", "compares the predicates and expansions with rational numbers"},
+      {"fuzz/many_signs", "parallel/arithmetic", "compares the predicates with exact signs"},
+      {"fuzz/many_signs", "properties/checker/arithmetic", "compares the filters of the checker with exact signs"},
       {"properties/defects", "properties/checker/arithmetic", "a defect is made, and proved, in exact arithmetic"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
       {"bench/model", "parallel", "replays the run of one process as that of many ranks"},

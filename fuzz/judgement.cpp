@@ -1,0 +1,214 @@
+#include "judgement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "../cli/domain_of_mesh.hpp"
+#include "../properties/checker/check.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
+/// The mesher's bounds are stricter than the goal by a small factor, so it may list triangles that just keep a bound.
+constexpr double nearly = 1 - 1e-9;
+
+double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+class Judgement {
+ public:
+  Judgement(const Meshed& meshed, const Expected& expected)
+      : mesh_(meshed.mesh),
+        report_(meshed.report),
+        expected_(expected),
+        certificate_(check(expected.pslg, mesh_, expected.goal,
+                           {.max_violations = mesh_.triangles.size() * 4 + 100, .foreign = expected.foreign})),
+        reason_of_(mesh_.triangles.size(), not_listed),
+        misses_(mesh_.triangles.size(), false) {}
+
+  [[nodiscard]] std::string fault() {
+    using Part = std::string (Judgement::*)();
+    for (const Part part : {&Judgement::fault_of_list, &Judgement::fault_of_violations, &Judgement::fault_of_justified,
+                            &Judgement::fault_of_reasons, &Judgement::fault_of_limits})
+      if (std::string fault = (this->*part)(); !fault.empty()) return fault;
+    return {};
+  }
+
+ private:
+  static constexpr int not_listed = -1;
+
+  [[nodiscard]] std::string fault_of_list() {
+    for (const Exemption& e : report_.exempt) {
+      if (e.triangle >= mesh_.triangles.size()) return "the report lists a triangle that does not exist";
+      if (reason_of_[e.triangle] != not_listed) return "the report lists a triangle twice";
+      reason_of_[e.triangle] = static_cast<int>(e.reason);
+    }
+    return {};
+  }
+
+  /// The checker finds only missed bounds, of triangles that are listed.
+  [[nodiscard]] std::string fault_of_violations() {
+    const bool may_miss = expected_.may_miss || report_.count(ExemptReason::budget) > 0;
+    for (const Violation& violation : certificate_.violations) {
+      if (!may_miss || !is_bound(violation.kind)) return violation.message();
+      for (const Index t : triangles_of(violation)) {
+        if (reason_of_[t] == not_listed) return "not in the report: " + violation.message();
+        if (justified(static_cast<ExemptReason>(reason_of_[t])) && violation.kind == ViolationKind::small_angle)
+          return "the report justifies it: " + violation.message();
+        misses_[t] = true;
+      }
+    }
+    if (certificate_.valid != certificate_.violations.empty()) return "the verdict contradicts the list of violations";
+    if (report_.goal_met() && !certificate_.valid) return "the report says that every bound holds";
+    return {};
+  }
+
+  /// Small angles that the checker justifies are listed, too.
+  [[nodiscard]] std::string fault_of_justified() {
+    for (const Justified& found : certificate_.justified) {
+      if (reason_of_[found.triangle] == not_listed) return "not in the report: " + text(found.triangle);
+      misses_[found.triangle] = true;
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::string fault_of_reasons() {
+    const Options& options = expected_.options;
+    std::vector<bool> is_justified(mesh_.triangles.size(), false);
+    for (const Justified& found : certificate_.justified) is_justified[found.triangle] = true;
+    for (const Exemption& e : report_.exempt) {
+      const std::string listed = std::string(name(e.reason)) + " " + text(e.triangle);
+      if (!misses_[e.triangle] && !nearly_misses(e.triangle)) return "listed, but keeps all bounds: " + listed;
+      if (justified(e.reason) && misses_[e.triangle] && !is_justified[e.triangle])
+        return "the checker sees no such reason: " + listed;
+      if (e.reason == ExemptReason::budget && options.max_vertices == 0) return "there is no limit: " + listed;
+      if (e.reason == ExemptReason::kept_segment && !options.no_boundary_splits && !options.no_segment_splits)
+        return "every segment may be split: " + listed;
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::string fault_of_limits() {
+    const Options& options = expected_.options;
+    const std::size_t given = expected_.pslg.points.size(), present = mesh_.points.size();
+    if (options.max_vertices > 0 && present > std::max<std::uint64_t>(options.max_vertices, given))
+      return "more vertices than allowed: " + std::to_string(present);
+    if (report_.laid == 0 && present != given + report_.inserted + report_.segment_splits)
+      return "the report counts " + std::to_string(report_.inserted + report_.segment_splits) + " new vertices, not " +
+             std::to_string(present - given);
+    for (std::size_t v = given; options.no_segment_splits && v < mesh_.origin.size(); ++v)
+      if (mesh_.origin[v] != interior_vertex) return "a segment was split at vertex " + std::to_string(v);
+    for (const Triangle& triangle : mesh_.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const Index a = triangle.v[k], b = triangle.v[(k + 1) % 3];
+        if (a < given && b < given) continue;
+        if (distance(mesh_.points[a], mesh_.points[b]) < options.min_edge * nearly)
+          return "an edge is shorter than allowed: " + std::to_string(a) + " to " + std::to_string(b);
+      }
+    return {};
+  }
+
+  [[nodiscard]] static bool is_bound(ViolationKind kind) {
+    return kind == ViolationKind::small_angle || kind == ViolationKind::large_area ||
+           kind == ViolationKind::region_area || kind == ViolationKind::long_edge ||
+           kind == ViolationKind::size_exceeded || kind == ViolationKind::not_conforming;
+  }
+
+  /// The triangles that miss a bound: all triangles at an edge, if the bound is about an edge.
+  [[nodiscard]] std::vector<Index> triangles_of(const Violation& violation) const {
+    if (violation.kind != ViolationKind::long_edge && violation.kind != ViolationKind::not_conforming)
+      return {violation.ids.front()};
+    const Index from = violation.ids[0], to = violation.ids[1], t = violation.ids[2];
+    for (int k = 0; k < 3; ++k) {
+      const Triangle& triangle = mesh_.triangles[t];
+      if (triangle.v[k] != from && triangle.v[k] != to)
+        return triangle.n[k] == no_index ? std::vector{t} : std::vector{t, triangle.n[k]};
+    }
+    return {t};
+  }
+
+  /// True if the triangle misses a bound, or keeps one by less than rounding.
+  [[nodiscard]] bool nearly_misses(Index t) const {
+    if (expected_.has_other_caps) return true;
+    const Goal& goal = expected_.goal;
+    const auto& v = mesh_.triangles[t].v;
+    const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
+    std::array<double, 3> sides{distance(a, b), distance(b, c), distance(c, a)};
+    std::ranges::sort(sides);
+    const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    if (2 * area * nearly < std::sin(goal.min_angle_deg * std::numbers::pi / 180) * sides[1] * sides[2]) return true;
+    if (area > goal.max_area * nearly || sides[2] > goal.max_edge * nearly) return true;
+    const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+    if (expected_.longest_edge && sides[2] > expected_.longest_edge(centroid) * nearly) return true;
+    if (!goal.region_caps || mesh_.region.empty() || mesh_.region[t] >= expected_.pslg.regions.size()) return false;
+    return area > expected_.pslg.regions[mesh_.region[t]].max_area * nearly;
+  }
+
+  [[nodiscard]] std::string text(Index t) const {
+    char corners[200];
+    const auto& v = mesh_.triangles[t].v;
+    const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
+    std::snprintf(corners, sizeof corners, "triangle %u, (%.17g, %.17g) (%.17g, %.17g) (%.17g, %.17g)", t, a.x, a.y,
+                  b.x, b.y, c.x, c.y);
+    return corners;
+  }
+
+  const Mesh& mesh_;
+  const Report& report_;
+  const Expected& expected_;
+  Certificate certificate_;
+  std::vector<int> reason_of_;  ///< per triangle: why the report lists it
+  std::vector<bool> misses_;    ///< per triangle: the checker finds that it misses a bound
+};
+
+/// What a file does not say about a mesh: from which part of the input its vertices and edges come.
+void forget_origins(Mesh& mesh) {
+  mesh.origin.clear();
+  for (ConstrainedEdge& edge : mesh.constrained_edges) edge.segment = no_index;
+}
+
+/// For every second triangle two thirds of its area.
+std::vector<double> caps_of(const Mesh& mesh) {
+  std::vector<double> caps(mesh.triangles.size(), no_bound);
+  for (std::size_t t = 0; t < caps.size(); t += 2) {
+    const auto& [a, b, c] = mesh.triangles[t].v;
+    const Point p = mesh.points[a], q = mesh.points[b], r = mesh.points[c];
+    const double cap = std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 3;
+    if (cap > 0) caps[t] = cap;
+  }
+  return caps;
+}
+
+}  // namespace
+
+std::string fault_of(const Meshed& meshed, const Expected& expected) { return Judgement(meshed, expected).fault(); }
+
+std::string fault_of_refining(Mesh coarse, const Goal& goal, const Options& options, bool may_miss) {
+  forget_origins(coarse);
+  const Result<Pslg> domain = cli::domain_of(coarse);
+  if (!domain) return "a mesh without a domain: " + domain.error().message;
+  Goal again = goal;
+  again.region_caps = again.convex_hull = false;
+  again.grading = Goal{}.grading;
+  again.sources.clear();
+  again.feature_edges = 0;
+  Options limited = options;
+  limited.max_vertices = coarse.points.size() + 300;
+  Result<Meshed> refined = refine(coarse, caps_of(coarse), again, limited);
+  if (!refined) return "a valid mesh was rejected: " + refined.error().message;
+  forget_origins(refined->mesh);
+  const std::string fault = fault_of(*refined, {.pslg = *domain,
+                                                .goal = again,
+                                                .options = limited,
+                                                .may_miss = may_miss,
+                                                .foreign = true,
+                                                .has_other_caps = true});
+  return fault.empty() ? fault : "refined again: " + fault;
+}
+
+}  // namespace pardel::fuzz

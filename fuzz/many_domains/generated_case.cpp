@@ -1,0 +1,236 @@
+#include "generated_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "../../parallel/mesher.hpp"
+#include "../../parallel/repair.hpp"
+#include "../../properties/domains/generators/goals.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+using generators::Random;
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
+/// Draws the parts of a case one after another, each with a probability of its own.
+class Drawing {
+ public:
+  Drawing(GeneratedCase& drawn, Random& random) : drawn_(drawn), random_(random) {}
+
+  void draw() {
+    const generators::LatticeDomain domain =
+        generators::any_domain(random_, random_.between(0, random_.chance(4) ? 100 : 40));
+    note(generators::name(domain.family));
+    drawn_.pslg = to_pslg(domain);
+    drawn_.goal = to_goal(generators::any_goal(domain, random_), domain);
+    const auto [left, right] = std::ranges::minmax(drawn_.pslg.points, {}, &Point::x);
+    const auto [low, high] = std::ranges::minmax(drawn_.pslg.points, {}, &Point::y);
+    extent_ = std::max(right.x - left.x, high.y - low.y);
+    if (random_.chance(3)) turn();
+    goal();
+    lengths();
+    options();
+    limits();
+    repetitions();
+  }
+
+ private:
+  void note(std::string kind) { drawn_.kinds.push_back(std::move(kind)); }
+
+  /// Turns the domain around one of its points, and moves it in one of two cases. Its coordinates are then rounded:
+  /// lines and circles of points become nearly straight and nearly round. The domain is repaired if this makes it
+  /// invalid.
+  void turn() {
+    const double angle = random_.uniform(0, 2 * std::numbers::pi), cosine = std::cos(angle), sine = std::sin(angle);
+    const Point centre = drawn_.pslg.points.front();
+    const int farthest = random_.chance(2) ? 0 : random_.between(1, 44);
+    const double shift = farthest == 0 ? 0 : extent_ * std::exp2(farthest);
+    const auto turned = [&](Point p) {
+      const double x = p.x - centre.x, y = p.y - centre.y;
+      return Point{shift + cosine * x - sine * y, shift / 3 + sine * x + cosine * y};
+    };
+    Pslg pslg = drawn_.pslg;
+    const bool nudges = random_.chance(3);
+    for (Point& p : pslg.points) {
+      p = turned(p);
+      if (nudges && random_.chance(4)) p = nudged(p);
+    }
+    for (Point& p : pslg.holes) p = turned(p);
+    for (Region& region : pslg.regions) region.seed = turned(region.seed);
+    if (!find_problems(pslg, {.threads = 1}).empty()) {
+      Result<Repaired> repaired = repair(pslg, {.snap = 0});
+      if (!repaired) return;
+      pslg = std::move(repaired->domain).pslg();
+      note("repaired");
+    }
+    drawn_.pslg = std::move(pslg);
+    drawn_.turned = true;
+    drawn_.far_off = farthest > 10 || nudges;
+    note(farthest > 10 ? "far" : "turned");
+    if (nudges) note("nudged");
+  }
+
+  /// The point, moved by up to three units in the last place.
+  [[nodiscard]] Point nudged(Point p) {
+    const auto moved = [&](double x) {
+      const int units = random_.between(-3, 3);
+      for (int i = 0; i < std::abs(units); ++i) x = std::nextafter(x, units > 0 ? no_bound : -no_bound);
+      return x;
+    };
+    const double x = moved(p.x);
+    return {x, moved(p.y)};
+  }
+
+  void goal() {
+    Goal& goal = drawn_.goal;
+    // Above 30 degrees, refinement need not end by itself, so it gets a limit.
+    if (random_.chance(8)) {
+      goal.min_angle_deg = random_.one_of<double>({30, 31, 33, 36, 45});
+      limit_vertices(600);
+    }
+    note("angle" + std::to_string(static_cast<int>(goal.min_angle_deg)));
+    if (random_.chance(6)) {
+      goal.max_edge = extent_ / random_.between(2, 12);
+      note("edge");
+    }
+    if (random_.chance(16)) {
+      goal.convex_hull = true;
+      note("hull");
+    }
+    if (goal.max_area < no_bound) note("area");
+    if (goal.region_caps && std::ranges::any_of(drawn_.pslg.regions, [](auto& r) { return r.max_area < no_bound; }))
+      note("caps");
+    if (goal.conforming) note("conforming");
+  }
+
+  /// Lengths that depend on the place. Their meshes can be large, so they get a limit.
+  void lengths() {
+    Goal& goal = drawn_.goal;
+    if (random_.chance(6)) {
+      field();
+      note("field");
+    }
+    if (random_.chance(8)) {
+      goal.grading = random_.one_of<double>({0.05, 0.2, 0.5, 1, 2});
+      note("grading");
+      limit_vertices(1'000);
+    }
+    if (random_.chance(8)) {
+      goal.feature_edges = random_.one_of<double>({0.3, 1, 2, 4});
+      note("features");
+      limit_vertices(1'000);
+    }
+  }
+
+  void field() {
+    Goal& goal = drawn_.goal;
+    const double least = extent_ / random_.between(4, 40);
+    const Point centre = random_.one_of(drawn_.pslg.points);
+    limit_vertices(1'000);
+    switch (random_.below(4)) {
+      case 0:
+        goal.size = [=](Point p) { return p.x < centre.x ? least : 3 * least; };
+        return;
+      case 1: {
+        std::vector<double> sizes;
+        for (std::size_t i = 0; i < drawn_.pslg.points.size(); ++i)
+          sizes.push_back(least * std::exp2(random_.uniform(0, 3)));
+        if (auto size = interpolated_size(drawn_.pslg, sizes, goal.convex_hull, {.threads = 1})) goal.size = *size;
+        if (!random_.chance(2)) return;
+        goal.grading = random_.one_of<double>({0.1, 0.5});
+        note("grading");
+        if (const auto domain = validate(drawn_.pslg, {.convex_hull = goal.convex_hull}))
+          if (auto sources = size_sources(*domain, sizes, goal.grading, {.threads = 1})) goal.sources = *sources;
+        return;
+      }
+      default:
+        const double slope = random_.one_of<double>({0.05, 0.3, 1});
+        goal.size = [=](Point p) { return least + slope * std::hypot(p.x - centre.x, p.y - centre.y); };
+        if (slope <= 0.3 && random_.chance(2)) goal.size_slope = slope;
+    }
+  }
+
+  void options() {
+    Options& options = drawn_.options;
+    options.placement = random_.one_of<Placement>(
+        {Placement::off_centre, Placement::automatic, Placement::search, Placement::circumcentre});
+    if (options.placement == Placement::search) note("search");
+    const auto decomposition = random_.below(6);
+    options.decomposition =
+        std::vector{Decomposition::automatic,      Decomposition::lattice, Decomposition::quadtree,
+                    Decomposition::paper_quadtree, Decomposition::paper,   Decomposition::none}[decomposition];
+    note(std::vector{"automatic", "lattice", "quadtree", "paper_quadtree", "paper", "one_tile"}[decomposition]);
+    options.triangles_per_tile = random_.one_of<std::uint32_t>({8'000, 80, 20, 4});
+    if (random_.chance(8)) {
+      options.cells = {static_cast<Index>(random_.between(1, 9)), static_cast<Index>(random_.between(1, 9))};
+      note("cells");
+    }
+    options.interior = random_.one_of<Interior>({Interior::refine, Interior::automatic, Interior::fill});
+    if (options.interior != Interior::refine) note("fill");
+    options.threads = random_.chance(2) ? 1 : random_.between(2, 3);
+    note("threads" + std::to_string(options.threads));
+  }
+
+  void limits() {
+    Options& options = drawn_.options;
+    if (random_.chance(10)) {
+      options.min_edge = extent_ * std::exp2(-random_.between(3, 9));
+      note("floor");
+    }
+    if (random_.chance(16)) options.no_boundary_splits = true;
+    if (random_.chance(16)) options.no_segment_splits = true;
+    if (options.no_boundary_splits || options.no_segment_splits) {
+      drawn_.goal.conforming = false;  // a mesh whose segments may not be split is not conforming in general
+      note("kept_segments");
+    }
+    if (random_.chance(10)) limit_vertices(static_cast<std::uint64_t>(random_.between(0, 200)));
+    if (options.max_vertices > 0) note("limit");
+  }
+
+  void repetitions() {
+    if (random_.chance(8)) {
+      drawn_.refine_again = true;
+      note("refined_again");
+    }
+    // Ranks have no limit on vertices.
+    if (drawn_.options.max_vertices > 0 || !random_.chance(3)) return;
+    drawn_.ranks = random_.between(1, 4);
+    drawn_.delays = random_.chance(8);
+    note("ranks" + std::to_string(drawn_.ranks));
+  }
+
+  /// At most this many vertices more than the domain has.
+  void limit_vertices(std::uint64_t more) {
+    const std::uint64_t most = drawn_.pslg.points.size() + more;
+    std::uint64_t& limit = drawn_.options.max_vertices;
+    limit = limit == 0 ? most : std::min(limit, most);
+  }
+
+  GeneratedCase& drawn_;
+  Random& random_;
+  double extent_ = 1;  ///< the longer side of the bounding box
+};
+
+}  // namespace
+
+bool GeneratedCase::may_miss() const {
+  // Points almost on an edge of the convex hull leave flat triangles, which nothing can split.
+  const bool flat_at_hull = turned && (goal.convex_hull || pslg.segments.empty());
+  return flat_at_hull || far_off || options.min_edge > 0 || options.no_boundary_splits || options.no_segment_splits ||
+         goal.min_angle_deg > 30;
+}
+
+GeneratedCase generated_case(std::uint64_t seed, std::uint64_t number) {
+  // The state after one step of each number, so that neighbouring numbers have unrelated sequences.
+  Random random(Random(seed).next() ^ Random(~number).next());
+  GeneratedCase drawn;
+  Drawing(drawn, random).draw();
+  return drawn;
+}
+
+}  // namespace pardel::fuzz

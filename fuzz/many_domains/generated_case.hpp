@@ -1,0 +1,33 @@
+// A meshing problem that is drawn from a seed and a number: a domain of one of the families, a goal, and options.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../../core/goal.hpp"
+#include "../../core/pslg.hpp"
+#include "../../parallel/options.hpp"
+
+namespace pardel::fuzz {
+
+struct GeneratedCase {
+  Pslg pslg;  ///< valid
+  Goal goal;
+  Options options;
+  int ranks = 0;              ///< the mesh is also made on so many ranks; 0: it is not
+  bool delays = false;        ///< the messages of ranks are delayed
+  bool turned = false;        ///< coordinates are rounded, so points may lie almost on a line
+  bool far_off = false;       ///< they are rounded so much that points may nearly coincide
+  bool refine_again = false;  ///< the mesh is also refined, with other bounds on areas
+  /// What was drawn, for counts of cases of a kind: the family first, then "angle28", "field", "threads3" and so on.
+  std::vector<std::string> kinds;
+
+  /// True if a bound may be missed although the limit on vertices was not reached.
+  [[nodiscard]] bool may_miss() const;
+};
+
+/// The case depends on the two numbers only. The domains of a seed are drawn independently of each other.
+[[nodiscard]] GeneratedCase generated_case(std::uint64_t seed, std::uint64_t number);
+
+}  // namespace pardel::fuzz

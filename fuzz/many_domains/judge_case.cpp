@@ -1,0 +1,75 @@
+#include "judge_case.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "../../core/digest.hpp"
+#include "../../parallel/distributed.hpp"
+#include "../../parallel/mesher.hpp"
+#include "../../properties/theorems/framework/local_ranks.hpp"
+#include "../judgement.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+bool same(const Exemption& a, const Exemption& b) {
+  return a.triangle == b.triangle && a.reason == b.reason && a.apex == b.apex && a.angle_deg == b.angle_deg;
+}
+
+std::string fault_on_one_thread(const ValidPslg& domain, const GeneratedCase& drawn, const Meshed& meshed) {
+  if (drawn.options.threads == 1) return {};
+  Options options = drawn.options;
+  options.threads = 1;
+  const Result<Meshed> one = mesh(domain, drawn.goal, options);
+  if (!one) return "an error on one thread only: " + one.error().message;
+  if (one->mesh != meshed.mesh) return "another mesh on one thread";
+  if (!std::ranges::equal(one->report.exempt, meshed.report.exempt, same)) return "another report on one thread";
+  return {};
+}
+
+std::string fault_on_ranks(const ValidPslg& domain, const GeneratedCase& drawn, const Meshed& meshed) {
+  if (drawn.ranks == 0) return {};
+  const Digest whole = digest(meshed.mesh);
+  std::vector<std::string> faults(static_cast<std::size_t>(drawn.ranks));
+  const auto work = [&](Ranks& ranks) {
+    std::string& fault = faults[static_cast<std::size_t>(ranks.rank())];
+    const Result<MeshPiece> piece = mesh(domain, drawn.goal, drawn.options, ranks);
+    if (!piece)
+      fault = piece.error().message;
+    else if (digest(*piece, ranks) != whole || piece->triangles != meshed.mesh.triangles.size())
+      fault = "another mesh";
+  };
+  try {
+    properties::on_ranks(drawn.ranks, work, drawn.delays ? 1 : 0);
+  } catch (const Stopped& stopped) {
+    faults.front() += stopped.error.message;
+  }
+  for (const std::string& fault : faults)
+    if (!fault.empty()) return "on " + std::to_string(drawn.ranks) + " ranks: " + fault;
+  return {};
+}
+
+}  // namespace
+
+Verdict judge(const GeneratedCase& drawn) {
+  const auto domain = validate(drawn.pslg, {.convex_hull = drawn.goal.convex_hull, .threads = 1});
+  if (!domain) return {"a valid domain was rejected: " + domain.error().front().message()};
+  const Result<Meshed> meshed = mesh(*domain, drawn.goal, drawn.options);
+  if (!meshed) return {"a valid problem was rejected: " + meshed.error().message};
+  const auto longest_edge = allowed_size(*domain, drawn.goal, drawn.options);
+  if (!longest_edge) return {"no lengths: " + longest_edge.error().message};
+
+  Verdict verdict{{}, meshed->mesh.triangles.size(), meshed->report.exempt.size()};
+  verdict.fault = fault_of(*meshed, {.pslg = drawn.pslg,
+                                     .goal = drawn.goal,
+                                     .options = drawn.options,
+                                     .may_miss = drawn.may_miss(),
+                                     .longest_edge = *longest_edge});
+  if (verdict.fault.empty()) verdict.fault = fault_on_one_thread(*domain, drawn, *meshed);
+  if (verdict.fault.empty()) verdict.fault = fault_on_ranks(*domain, drawn, *meshed);
+  if (verdict.fault.empty() && drawn.refine_again)
+    verdict.fault = fault_of_refining(meshed->mesh, drawn.goal, drawn.options, drawn.may_miss());
+  return verdict;
+}
+
+}  // namespace pardel::fuzz
