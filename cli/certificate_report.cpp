@@ -9,9 +9,12 @@
 
 namespace pardel::cli {
 
+bool may_lack_sizes(const Goal& goal, const Certificate& certificate) {
+  return goal.size && certificate.violation_counts[static_cast<std::size_t>(ViolationKind::size_exceeded)] > 0;
+}
+
 Status require_sizes(const Mesh& mesh, const Goal& goal, const Certificate& certificate) try {
-  const bool too_large = certificate.violation_counts[static_cast<std::size_t>(ViolationKind::size_exceeded)] > 0;
-  if (!too_large || !goal.size) return Done{};
+  if (!may_lack_sizes(goal, certificate)) return Done{};
   for (const Triangle& triangle : mesh.triangles) (void)goal.size(centroid(mesh, triangle));
   return Done{};
 } catch (const Error& no_size) {

@@ -13,6 +13,9 @@ namespace pardel::cli {
 /// large ones.
 [[nodiscard]] Status require_sizes(const Mesh& mesh, const Goal& goal, const Certificate& certificate);
 
+/// False if require_sizes() would look at no triangle of any mesh.
+[[nodiscard]] bool may_lack_sizes(const Goal& goal, const Certificate& certificate);
+
 /// Prints the summary and the findings. `json`: the file with all findings, or empty. `max_circumradius`: as in
 /// CheckOptions.
 void print_certificate(const Certificate& certificate, const std::filesystem::path& json, double max_circumradius);

@@ -194,9 +194,12 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   made->seconds.all = watch.seconds();
   print(arguments, *made, job);
   if (made->missed == 0) return ExitCode::done;
+  // It reads pieces without joining them.
+  const bool has_pieces = arguments.outputs.front().extension() == ".pvtu";
+  const char* checker = has_pieces ? "pardel-mpi" : "pardel";
   if (job.is_first())
-    warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; 'pardel check' lists them",
-                     arguments.input.string(), made->missed));
+    warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; '{} check' lists them",
+                     arguments.input.string(), made->missed, checker));
   return ExitCode::goal_missed;
 }
 

@@ -52,6 +52,53 @@ TEST_F(PardelMpi, check_writes_the_certificate_of_one_process_on_any_number_of_r
   }
 }
 
+TEST_F(PardelMpi, check_holds_one_of_several_pieces_at_a_time_and_writes_the_certificate_of_one_process) {
+  const std::vector<std::string> goal{"--max-area", "2e-4"};
+  const auto with_goal = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), goal.begin(), goal.end());
+    return arguments;
+  };
+  const Ran made =
+      on_ranks(2, with_goal({"mesh", "pipe.poly", "-o", "out.pvtu", "--interior", "fill", "--pieces", "8"}));
+  ASSERT_EQ(made.exit_code, 0) << made;
+  ASSERT_TRUE(exists("out_0007.vtu"));
+  ASSERT_EQ(pardel(with_goal({"check", "pipe.poly", "out.pvtu", "--json", "one.json"})).exit_code, 0);
+  for (const int ranks : {1, 2, 3, 9}) {
+    const Ran ran = on_ranks(ranks, with_goal({"check", "pipe.poly", "out.pvtu", "--json", "ranks.json"}));
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_EQ(read("ranks.json"), read("one.json")) << ranks;
+  }
+  for (const int ranks : {1, 2, 3}) {
+    const Ran ran = on_ranks(ranks, {"check", "pipe.poly", "out.pvtu", "--max-area", "1.9e-4", "--min-angle", "25"});
+    EXPECT_EQ(ran.exit_code, 1) << ran;
+    EXPECT_TRUE(holds(ran.out, {"NOT VALID", "large area: ", "small angle: "})) << ran;
+  }
+}
+
+TEST_F(PardelMpi, check_reports_a_piece_that_one_rank_cannot_read) {
+  ASSERT_EQ(
+      on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "2e-4", "--interior", "fill", "--pieces", "4"})
+          .exit_code,
+      0);
+  fs::remove(folder_ / "work" / "out_0003.vtu");
+  for (const int ranks : {1, 2, 3}) {
+    const Ran ran = on_ranks(ranks, {"check", "pipe.poly", "out.pvtu", "--max-area", "2e-4"});
+    EXPECT_EQ(ran.exit_code, 5) << ran;
+    EXPECT_TRUE(holds(ran.err, {"out.pvtu: ", "out_0003.vtu: cannot be opened"})) << ran;
+  }
+}
+
+/// A .vtu lists the attributes of its own triangles only. A rank that joined several pieces took the regions of all for
+/// those of the first.
+TEST_F(PardelMpi, check_finds_the_regions_of_pieces_right_on_fewer_ranks_than_pieces) {
+  EXPECT_TRUE(write_poly(domains::regions(), folder_ / "work" / "regions.poly"));
+  ASSERT_EQ(on_ranks(4, {"mesh", "regions.poly", "-o", "out.pvtu", "--max-area", "2e-5"}).exit_code, 0);
+  for (const int ranks : {1, 2, 3, 4}) {
+    const Ran ran = on_ranks(ranks, {"check", "regions.poly", "out.pvtu", "--max-area", "2e-5"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+  }
+}
+
 TEST_F(PardelMpi, check_lists_what_is_wrong) {
   ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3"}).exit_code, 0);
   const Ran ran = on_ranks(2, {"check", "pipe.poly", "out.pvtu", "--max-area", "9e-4", "--min-angle", "25"});
@@ -100,6 +147,31 @@ TEST_F(PardelMpi, writes_several_outputs_and_pieces_for_gmsh_that_pardel_reads) 
   EXPECT_EQ(drawn.exit_code, 0) << drawn;
 }
 
+TEST_F(PardelMpi, writes_pieces_of_a_filled_mesh_for_gmsh) {
+  const std::vector<std::string> arguments{"mesh",       "pipe.poly", "-o",         "out.msh",
+                                           "--max-area", "2e-4",      "--interior", "fill"};
+  const Ran ran = on_ranks(3, arguments);
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(files(), (Files{"pipe.poly", "out_1.msh", "out_2.msh", "out_3.msh"}));
+  const Result<Mesh> whole = read_mesh(folder_ / "work" / "out.msh");
+  ASSERT_TRUE(whole) << whole.error().message;
+  const Result<Meshed> expected = mesh(domains::pipe(), Goal{.max_area = 2e-4}, {.interior = Interior::fill});
+  ASSERT_TRUE(expected);
+  EXPECT_GT(expected->report.laid, 1000U);
+  EXPECT_EQ(whole->triangles.size(), expected->mesh.triangles.size());
+  const Certificate certificate = check(domains::pipe(), *whole, Goal{.max_area = 2e-4}, {.foreign = true});
+  EXPECT_TRUE(certificate.valid) << to_text(certificate);
+  EXPECT_GT(certificate.equilateral, 1000U);
+  const Ran checked = pardel({"check", "pipe.poly", "out.msh", "--max-area", "2e-4"});
+  EXPECT_EQ(checked.exit_code, 0) << checked;
+
+  std::vector<std::string> in_turn = arguments;
+  in_turn.insert(in_turn.end(), {"--pieces", "6"});
+  const Ran refused = on_ranks(3, in_turn);
+  EXPECT_EQ(refused.exit_code, 2) << refused;
+  EXPECT_TRUE(holds(refused.err, {"--pieces needs one output, OUT.pvtu"})) << refused;
+}
+
 TEST_F(PardelMpi, replaces_and_hides_no_other_file) {
   EXPECT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "pipe.node"}).exit_code, 2);
   write("out.msh", "a mesh of the user");
@@ -112,8 +184,11 @@ TEST_F(PardelMpi, replaces_and_hides_no_other_file) {
 TEST_F(PardelMpi, says_how_many_triangles_miss_a_bound) {
   const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--min-edge", "0.1"});
   EXPECT_EQ(ran.exit_code, 4) << ran;
-  EXPECT_TRUE(holds(ran.err, {"triangles miss a bound"}));
+  EXPECT_TRUE(holds(ran.err, {"triangles miss a bound", "'pardel-mpi check' lists them"})) << ran;
   EXPECT_TRUE(exists("out.pvtu"));
+  const Ran other = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.node", "--max-area", "1e-3", "--min-edge", "0.1"});
+  EXPECT_EQ(other.exit_code, 4) << other;
+  EXPECT_TRUE(holds(other.err, {"'pardel check' lists them"})) << other;
 }
 
 TEST_F(PardelMpi, writes_the_same_arrays_for_a_rank_without_triangles) {

@@ -9,66 +9,65 @@ namespace {
 
 /// A side on its way to the referee of the smaller one of its ends.
 struct TravellingSide {
-  std::uint64_t low, high;  ///< the numbers of the ends
-  std::uint64_t apex;
-  Point at;
-  Index triangle, place;
-  std::uint32_t question;  ///< its position among the sides that the rank sends to this referee
-  std::int32_t rank;
-  bool rising;  ///< runs from low to high
+  Index low, high;  ///< the numbers of the ends
+  Across triangle;  ///< the side, as the triangle across it sees it
+  bool rising;      ///< runs from low to high
 };
 
-/// The answers to the sides that one rank has sent.
-using Answers = std::vector<Across>;
+/// What is across side number `side` of a rank.
+struct Answer {
+  Index side;
+  Across across;
+};
 
-Across as_across(const TravellingSide& side) { return {side.rank, side.triangle, side.place, side.apex, side.at}; }
-
-/// Joins the first rising with the first falling side of each edge.
-void join(std::vector<TravellingSide>& sides, std::vector<Answers>& answers) {
+/// Joins the first rising with the first falling side of each edge. Returns the answers for each rank.
+std::vector<std::vector<Answer>> joined(std::vector<TravellingSide>& sides, std::size_t ranks) {
   std::ranges::sort(sides, [](const TravellingSide& a, const TravellingSide& b) {
-    return std::tuple(a.low, a.high, !a.rising, a.triangle) < std::tuple(b.low, b.high, !b.rising, b.triangle);
+    return std::tuple(a.low, a.high, !a.rising, a.triangle.triangle, a.triangle.side) <
+           std::tuple(b.low, b.high, !b.rising, b.triangle.triangle, b.triangle.side);
   });
+  std::vector<std::vector<Answer>> answers(ranks);
+  const auto tell = [&](const TravellingSide& side, const TravellingSide& other) {
+    answers.at(static_cast<std::size_t>(side.triangle.rank)).push_back({side.triangle.side, other.triangle});
+  };
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last = std::find_if(first, sides.end(), [&](const TravellingSide& side) {
       return side.low != first->low || side.high != first->high;
     });
     const auto falling = std::find_if(first, last, [](const TravellingSide& side) { return !side.rising; });
     if (falling != first && falling != last) {
-      answers[first->rank][first->question] = as_across(*falling);
-      answers[falling->rank][falling->question] = as_across(*first);
+      tell(*first, *falling);
+      tell(*falling, *first);
     }
     first = last;
   }
+  return answers;
 }
 
 }  // namespace
 
-std::vector<BorderSide> join_border(const Piece& piece) {
-  const auto boundary = piece.adjacency.boundary();
-  const auto count = static_cast<std::size_t>(piece.ranks.count());
-  const Referees referees(piece.points, piece.ranks.count());
+Border::Border(const PiecesRead& read, std::uint64_t points, Ranks& ranks) {
+  const auto count = static_cast<std::size_t>(ranks.count());
+  const Referees referees(points, ranks.count());
   std::vector<std::vector<TravellingSide>> sent(count);
-  std::vector<int> referee_of;
-  for (const auto& [from, to, left] : boundary) {
-    const std::uint64_t a = piece.number[from], b = piece.number[to];
-    const Index apex = piece.adjacency.triangles()[left.triangle].v[left.edge];
-    const int referee = referees.of(std::min(a, b));
-    referee_of.push_back(referee);
-    sent[referee].push_back({std::min(a, b), std::max(a, b), piece.number[apex], piece.mesh().points[apex],
-                             piece.subject.names.triangle(left.triangle), left.triangle,
-                             static_cast<std::uint32_t>(sent[referee].size()), piece.ranks.rank(), a < b});
+  first_.push_back(0);
+  for (std::size_t i = 0; i < read.pieces.size(); ++i) {
+    const KeptPart& part = read.pieces[i].part;
+    for (std::size_t s = 0; s < part.sides.size(); ++s) {
+      const KeptSide& side = part.sides[s];
+      const Index a = part.vertices[side.from].number, b = part.vertices[side.to].number;
+      const KeptVertex& apex = part.vertices[side.apex];
+      const Across seen{ranks.rank(), static_cast<Index>(first_.back() + s), read.first_triangle[i] + side.triangle,
+                        apex.number, apex.at};
+      sent[static_cast<std::size_t>(referees.of(std::min(a, b)))].push_back(
+          {std::min(a, b), std::max(a, b), seen, a < b});
+    }
+    first_.push_back(first_.back() + part.sides.size());
   }
-  const std::vector<std::vector<TravellingSide>> asked = exchange_lists(sent, piece.ranks);
-  std::vector<TravellingSide> sides = concatenated(asked);
-  std::vector<Answers> answers;
-  for (const std::vector<TravellingSide>& of_rank : asked) answers.emplace_back(of_rank.size());
-  join(sides, answers);
-  const std::vector<Answers> arrived = exchange_lists(answers, piece.ranks);
-  std::vector<std::size_t> next(count, 0);
-  std::vector<BorderSide> border;
-  for (std::size_t i = 0; i < boundary.size(); ++i)
-    border.push_back({boundary[i], arrived.at(referee_of[i]).at(next[referee_of[i]]++)});
-  return border;
+  std::vector<TravellingSide> sides = concatenated(exchange_lists(sent, ranks));
+  across_.resize(first_.back());
+  for (const Answer& answer : concatenated(exchange_lists(joined(sides, count), ranks)))
+    across_.at(answer.side) = answer.across;
 }
 
 }  // namespace pardel::checker

@@ -1,31 +1,49 @@
-// The sides of triangles at the border of a piece, and the triangles of other pieces across them.
+// The sides of triangles at the borders of pieces, and the triangles of other pieces across them.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "piece.hpp"
+#include "kept_piece.hpp"
 
 namespace pardel::checker {
 
-/// A triangle of another piece, across a side of a triangle of this piece.
+/// A triangle of another piece, across a side of a triangle of a piece.
 struct Across {
   int rank = -1;              ///< the rank that has it; -1: there is no such triangle
+  Index side = no_index;      ///< its side there, among the sides of all pieces of its rank
   Index triangle = no_index;  ///< its number in the whole mesh
-  Index place = no_index;     ///< its index in the piece of its rank
-  std::uint64_t apex = 0;     ///< the number of its corner opposite the side
+  Index apex = no_index;      ///< the number of its corner opposite the side
   Point at;                   ///< where this corner is
   [[nodiscard]] bool exists() const { return rank >= 0; }
 };
 
-struct BorderSide {
-  BoundaryEdge edge;  ///< in indices of this piece
-  Across across;
+/// The pieces that one rank has read, and the numbers in the whole mesh of their first triangles and listed edges.
+struct PiecesRead {
+  std::vector<KeptPiece> pieces;
+  std::vector<Index> first_triangle, first_listed_edge;
 };
 
-/// Finds the triangles across all sides without a neighbour in the piece, in the order of Adjacency::boundary(). The
-/// two triangles at an edge have it in opposite directions. If an edge has more than one triangle on a side, one pair
-/// of triangles is joined and the others remain without a neighbour, as in rebuild_neighbours(). Collective.
-[[nodiscard]] std::vector<BorderSide> join_border(const Piece& piece);
+/// What is across the sides of all pieces of a rank.
+class Border {
+ public:
+  /// Finds the triangles across all sides. The two triangles at an edge have it in opposite directions. If an edge has
+  /// more than one triangle on a side, one pair of triangles is joined and the others remain without a neighbour, as in
+  /// rebuild_neighbours(). `points`: the number of points of the whole mesh. Collective.
+  Border(const PiecesRead& read, std::uint64_t points, Ranks& ranks);
+
+  /// In the order of KeptPart::sides.
+  [[nodiscard]] std::span<const Across> of(std::size_t piece) const {
+    return std::span(across_).subspan(first_[piece], first_[piece + 1] - first_[piece]);
+  }
+  /// The number of the first side of a piece among the sides of the rank.
+  [[nodiscard]] std::size_t first(std::size_t piece) const { return first_[piece]; }
+  [[nodiscard]] std::size_t size() const { return across_.size(); }
+
+ private:
+  std::vector<std::size_t> first_;  ///< per piece, and their number
+  std::vector<Across> across_;
+};
 
 }  // namespace pardel::checker

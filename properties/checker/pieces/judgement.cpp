@@ -1,5 +1,7 @@
 #include "judgement.hpp"
 
+#include <numeric>
+
 #include "../../../core/support/message.hpp"
 
 namespace pardel::checker {
@@ -22,11 +24,12 @@ Adjacency adjacency_of(const Skeleton& skeleton, const Subject& subject, Finding
 
 }  // namespace
 
-Judgement judge(const Skeleton& skeleton, const Subject& of_piece, const Domain& domain, bool labels, Findings& found) {
-  const Subject subject{of_piece.pslg,
+Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain, bool labels, bool counter_clockwise,
+                Findings& found) {
+  const Subject subject{task.pslg,
                         skeleton.mesh,
-                        of_piece.goal,
-                        of_piece.options,
+                        task.goal,
+                        task.options,
                         {.vertices = skeleton.vertices, .triangles = skeleton.triangles}};
   Adjacency adjacency = adjacency_of(skeleton, subject, found);
   check_boundary_vertices(subject, adjacency, found);
@@ -35,6 +38,10 @@ Judgement judge(const Skeleton& skeleton, const Subject& of_piece, const Domain&
 
   Judgement judgement;
   judgement.suspects = check_coverage(subject, domain, adjacency, chains, found);
+  if (!counter_clockwise) {  // then winding numbers exclude no hole
+    judgement.suspects.resize(task.pslg.holes.size());
+    std::iota(judgement.suspects.begin(), judgement.suspects.end(), Index{0});
+  }
   if (labels) check_labels(subject, domain, adjacency, chains, inputs, found);
   for (const ChainEdge& edge : chains.edges)
     judgement.chains.push_back({skeleton.vertices[edge.from], skeleton.vertices[edge.to], edge.segment});

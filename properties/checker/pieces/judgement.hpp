@@ -26,9 +26,9 @@ struct Judgement {
 };
 
 /// Checks on the skeleton what the stages of check() check on a whole mesh: the vertices of the boundary, input
-/// vertices, chains, coverage, and labels if they are usable on all ranks. `subject` has the input and the goal; its
-/// mesh is not used.
-[[nodiscard]] Judgement judge(const Skeleton& skeleton, const Subject& subject, const Domain& domain, bool labels,
-                              Findings& found);
+/// vertices, chains, coverage, and labels if they are usable in all pieces. `counter_clockwise`: all triangles of all
+/// pieces are.
+[[nodiscard]] Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain, bool labels,
+                              bool counter_clockwise, Findings& found);
 
 }  // namespace pardel::checker

@@ -37,6 +37,32 @@ Findings findings_of(const Ranks::Bytes& message, std::size_t limit) {
   return {limit, counts, std::move(kept)};
 }
 
+/// The extremes of a certificate: the least values, then the greatest.
+constexpr std::size_t least_values = 2;
+constexpr std::array extremes{&Certificate::min_angle_deg,
+                              &Certificate::min_edge,
+                              &Certificate::max_angle_deg,
+                              &Certificate::max_area,
+                              &Certificate::max_edge,
+                              &Certificate::max_circumradius,
+                              &Certificate::max_radius_edge_ratio};
+
+/// Adds extremes of later triangles.
+void add_extremes(Certificate& certificate, std::span<const Extreme> later) {
+  for (std::size_t i = 0; i < extremes.size(); ++i) {
+    Extreme& known = certificate.*extremes[i];
+    if (later[i].triangle == no_index) continue;
+    const bool is_further = i < least_values ? later[i].value < known.value : later[i].value > known.value;
+    if (known.triangle == no_index || is_further) known = later[i];
+  }
+}
+
+std::vector<Extreme> extremes_of(const Certificate& certificate) {
+  std::vector<Extreme> values;
+  for (const auto extreme : extremes) values.push_back(certificate.*extreme);
+  return values;
+}
+
 }  // namespace
 
 Findings merged(const Findings& here, Ranks& ranks) {
@@ -45,26 +71,22 @@ Findings merged(const Findings& here, Ranks& ranks) {
   return all;
 }
 
-void merge_measures(Certificate& certificate, Index first_triangle, Ranks& ranks) {
-  constexpr std::array least{&Certificate::min_angle_deg, &Certificate::min_edge};
-  constexpr std::array greatest{&Certificate::max_angle_deg, &Certificate::max_area, &Certificate::max_edge,
-                                &Certificate::max_circumradius, &Certificate::max_radius_edge_ratio};
-  std::vector<Extreme> here;
-  for (const auto extreme : least) here.push_back(certificate.*extreme);
-  for (const auto extreme : greatest) here.push_back(certificate.*extreme);
-  for (Extreme& extreme : here)
+void add_measures(Certificate& certificate, const Measures& measures, Index first_triangle) {
+  Certificate of_piece;
+  measures.report(of_piece);
+  std::vector<Extreme> later = extremes_of(of_piece);
+  for (Extreme& extreme : later)
     if (extreme.triangle != no_index) extreme.triangle += first_triangle;
-  std::vector<Extreme> all(here.size());
-  for (const std::vector<Extreme>& of_rank : lists_of_all(here, ranks)) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Extreme& extreme = of_rank.at(i);
-      if (extreme.triangle == no_index) continue;
-      const bool is_further = i < least.size() ? extreme.value < all[i].value : extreme.value > all[i].value;
-      if (all[i].triangle == no_index || is_further) all[i] = extreme;
-    }
-  }
-  for (std::size_t i = 0; i < least.size(); ++i) certificate.*least[i] = all[i];
-  for (std::size_t i = 0; i < greatest.size(); ++i) certificate.*greatest[i] = all[least.size() + i];
+  add_extremes(certificate, later);
+  for (std::size_t bin = 0; bin < of_piece.angle_histogram.size(); ++bin)
+    certificate.angle_histogram[bin] += of_piece.angle_histogram[bin];
+  certificate.equilateral += of_piece.equilateral;
+}
+
+void merge_measures(Certificate& certificate, Ranks& ranks) {
+  const std::vector<std::vector<Extreme>> of_ranks = lists_of_all(extremes_of(certificate), ranks);
+  for (const auto extreme : extremes) certificate.*extreme = {};
+  for (const std::vector<Extreme>& of_rank : of_ranks) add_extremes(certificate, of_rank);
   ranks.add_up(certificate.angle_histogram);
   certificate.equilateral = sum_of(certificate.equilateral, ranks);
 }

@@ -5,6 +5,7 @@
 
 #include "../../../core/ranks.hpp"
 #include "../certificate.hpp"
+#include "../model/measures.hpp"
 #include "../stages/findings.hpp"
 
 namespace pardel::checker {
@@ -12,9 +13,12 @@ namespace pardel::checker {
 /// The findings of all ranks, in the order of the ranks, on all ranks. Collective.
 [[nodiscard]] Findings merged(const Findings& here, Ranks& ranks);
 
-/// Replaces the extremes, the histogram and the number of equilateral triangles of a piece by those of the whole mesh,
-/// on all ranks. Collective. `first_triangle`: the number of the piece's first triangle in the whole mesh.
-void merge_measures(Certificate& certificate, Index first_triangle, Ranks& ranks);
+/// Adds the measures of a later piece. `first_triangle`: the number of its first triangle in the whole mesh.
+void add_measures(Certificate& certificate, const Measures& measures, Index first_triangle);
+
+/// Replaces the extremes, the histogram and the number of equilateral triangles of the pieces of a rank by those of the
+/// whole mesh, on all ranks. Collective.
+void merge_measures(Certificate& certificate, Ranks& ranks);
 
 /// The lists of all ranks, one after the other, on all ranks. Collective.
 [[nodiscard]] std::vector<Justified> merged(const std::vector<Justified>& here, Ranks& ranks);

@@ -1,10 +1,8 @@
 #include "numbers.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "../../../core/support/agree.hpp"
 #include "../../../core/support/collective.hpp"
@@ -16,72 +14,34 @@ namespace {
 
 Error invalid(const std::string& message) { return {ErrorKind::invalid_input, message}; }
 
-struct BorderVertex {
-  std::uint64_t number;
-  Point at;
-};
-
-/// A set of numbers from a first one on, one bit each.
-class NumberSet {
- public:
-  static constexpr std::uint64_t bits = 64;
-
-  NumberSet(std::uint64_t first, std::uint64_t count) : first_(first), words_((count + bits - 1) / bits) {}
-  /// False if the number is in the set already.
-  bool insert(std::uint64_t number) {
-    const std::uint64_t at = number - first_, bit = std::uint64_t{1} << at % bits;
-    const bool is_new = (words_[at / bits] & bit) == 0;
-    words_[at / bits] |= bit;
-    return is_new;
-  }
-  /// Adds the other set, and appends the numbers that both sets have to `common`.
-  void unite(std::span<const std::uint64_t> other, std::vector<std::uint64_t>& common) {
-    for (std::size_t i = 0; i < std::min(words_.size(), other.size()); ++i) {
-      for (std::uint64_t both = words_[i] & other[i]; both != 0; both &= both - 1)
-        common.push_back(first_ + i * bits + static_cast<std::uint64_t>(std::countr_zero(both)));
-      words_[i] |= other[i];
-    }
-  }
-  /// The least number below `end` that is not in the set; no_number if there is none.
-  [[nodiscard]] std::uint64_t missing(std::uint64_t end) const {
-    for (std::size_t i = 0; i < words_.size(); ++i) {
-      const std::uint64_t number = first_ + i * bits + static_cast<std::uint64_t>(std::countr_one(words_[i]));
-      if (~words_[i] != 0) return number < end ? number : no_number;
-    }
-    return no_number;
-  }
-  [[nodiscard]] std::vector<std::uint64_t> take_words() && { return std::move(words_); }
-  static constexpr std::uint64_t no_number = UINT64_MAX;
-
- private:
-  std::uint64_t first_;
-  std::vector<std::uint64_t> words_;
-};
-
 /// The numbers that one rank compares for all pieces.
 class Referee {
  public:
-  Referee(std::uint64_t first, std::uint64_t end) : end_(end), known_(first, end > first ? end - first : 0) {}
+  /// It compares the numbers from `first` to `end` - 1.
+  Referee(std::uint64_t first, std::uint64_t end) : first_(first), end_(std::max(first, end)) {}
 
-  /// Takes what one rank states: its vertices in the interior, as the words of a NumberSet, and those at the border.
-  void read(const std::vector<std::uint64_t>& inner, const std::vector<BorderVertex>& border) {
-    known_.unite(inner, contested_);
+  /// Takes what one rank states: its vertices in the interior, as NumberSet::words(), and those at the border.
+  void read(const std::vector<std::uint64_t>& inner, const std::vector<NumberedPoint>& border) {
+    known_.unite(NumberSet(inner), contested_);
     add(border);
   }
   /// The numbers of vertices in the interior of a piece that other pieces have, too. Call it once, after all read().
-  [[nodiscard]] const std::vector<std::uint64_t>& contested() {
-    std::ranges::sort(border_, {}, &BorderVertex::number);
-    for (std::size_t i = 0; i < border_.size(); ++i)
-      if ((i == 0 || border_[i - 1].number != border_[i].number) && !known_.insert(border_[i].number))
-        contested_.push_back(border_[i].number);
-    return contested_;
+  [[nodiscard]] std::vector<std::uint64_t> contested() {
+    std::ranges::sort(border_, {}, &NumberedPoint::number);
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      const std::uint64_t number = border_[i].number - first_;
+      if ((i == 0 || border_[i - 1].number != border_[i].number) && !known_.insert(number))
+        contested_.push_back(number);
+    }
+    for (std::uint64_t& number : contested_) number += first_;
+    return std::move(contested_);
   }
-  void add(const std::vector<BorderVertex>& more) { border_.insert(border_.end(), more.begin(), more.end()); }
+  void add(const std::vector<NumberedPoint>& more) { border_.insert(border_.end(), more.begin(), more.end()); }
 
   [[nodiscard]] Status judge() {
-    if (const std::uint64_t missing = known_.missing(end_); missing != NumberSet::no_number)
+    if (const std::uint64_t missing = first_ + known_.first_missing(); missing < end_)
       return invalid("no piece has the point with the number " + std::to_string(missing));
-    std::ranges::sort(border_, {}, &BorderVertex::number);
+    std::ranges::sort(border_, {}, &NumberedPoint::number);
     for (std::size_t i = 1; i < border_.size(); ++i)
       if (border_[i - 1].number == border_[i].number && !(border_[i - 1].at == border_[i].at))
         return invalid("two pieces have different points with the number " + std::to_string(border_[i].number));
@@ -89,17 +49,16 @@ class Referee {
   }
 
  private:
-  std::uint64_t end_;
-  NumberSet known_;
-  std::vector<BorderVertex> border_;
-  std::vector<std::uint64_t> contested_;
+  std::uint64_t first_, end_;
+  NumberSet known_;  ///< less first_
+  std::vector<NumberedPoint> border_;
+  std::vector<std::uint64_t> contested_;  ///< less first_
 };
 
 /// The number of points of the whole mesh, from the largest number. All pieces together have at least as many points.
-Result<std::uint64_t> count_points(std::span<const std::uint64_t> number, Ranks& ranks) {
-  const std::uint64_t listed = sum_of(number.size(), ranks);
-  const std::vector<std::uint64_t> here{number.empty() ? 0 : *std::ranges::max_element(number)};
-  const std::uint64_t largest = std::ranges::max(concatenated(lists_of_all(here, ranks)));
+Result<std::uint64_t> count_points(const NumbersOfRank& here, Ranks& ranks) {
+  const std::uint64_t listed = sum_of(here.listed(), ranks);
+  const std::uint64_t largest = std::ranges::max(concatenated(lists_of_all(std::vector{here.largest()}, ranks)));
   if (listed == 0) return std::uint64_t{0};
   if (largest >= listed)
     return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +
@@ -110,60 +69,50 @@ Result<std::uint64_t> count_points(std::span<const std::uint64_t> number, Ranks&
   return largest + 1;
 }
 
-/// What a piece states about its vertices, to each referee.
-struct Statements {
-  std::vector<std::vector<std::uint64_t>> inner;  ///< the words of a NumberSet
-  std::vector<std::vector<BorderVertex>> border;
-};
-
-/// Error: a number is there twice.
-Result<Statements> statements(std::span<const Point> points, std::span<const std::uint64_t> number,
-                              const Adjacency& adjacency, const Referees& referees, const Ranks& ranks) {
-  std::vector<NumberSet> inner;
-  for (int rank = 0; rank < ranks.count(); ++rank) inner.emplace_back(referees.first(rank), referees.share());
-  Statements result{{}, std::vector<std::vector<BorderVertex>>(inner.size())};
-  for (Index v = 0; v < points.size(); ++v) {
-    const auto referee = static_cast<std::size_t>(referees.of(number[v]));
-    if (is_at_border(v, adjacency))
-      result.border[referee].push_back({number[v], points[v]});
-    else if (!inner[referee].insert(number[v]))
-      return invalid("two vertices of a piece have the number " + std::to_string(number[v]));
-  }
-  for (NumberSet& set : inner) result.inner.push_back(std::move(set).take_words());
-  return result;
-}
-
-/// To each referee, the vertices in the interior with contested numbers. `contested` is sorted.
-std::vector<std::vector<BorderVertex>> contested_vertices(const std::vector<std::uint64_t>& contested,
-                                                          std::span<const Point> points,
-                                                          std::span<const std::uint64_t> number,
-                                                          const Adjacency& adjacency, const Referees& referees,
-                                                          const Ranks& ranks) {
-  std::vector<std::vector<BorderVertex>> result(static_cast<std::size_t>(ranks.count()));
-  for (Index v = 0; !contested.empty() && v < points.size(); ++v)
-    if (!is_at_border(v, adjacency) && std::ranges::binary_search(contested, number[v]))
-      result[static_cast<std::size_t>(referees.of(number[v]))].push_back({number[v], points[v]});
-  return result;
+/// The points in the lists for their referees.
+std::vector<std::vector<NumberedPoint>> to_referees(const std::vector<NumberedPoint>& points, const Referees& referees,
+                                                    const Ranks& ranks) {
+  std::vector<std::vector<NumberedPoint>> lists(static_cast<std::size_t>(ranks.count()));
+  for (const NumberedPoint& point : points) lists[static_cast<std::size_t>(referees.of(point.number))].push_back(point);
+  return lists;
 }
 
 }  // namespace
 
-Result<std::uint64_t> check_numbers(std::span<const Point> points, std::span<const std::uint64_t> number,
-                                    const Adjacency& adjacency, Ranks& ranks) {
-  const Result<std::uint64_t> count = count_points(number, ranks);
-  if (!count) return count;
-  const Referees referees(*count, ranks.count());
-  const Result<Statements> here = statements(points, number, adjacency, referees, ranks);
-  if (Status all = agree(here ? Status(Done{}) : here.error(), ranks); !all) return all.error();
-  const auto inner = exchange_lists(here->inner, ranks);
-  const auto border = exchange_lists(here->border, ranks);
-  Referee referee(referees.first(ranks.rank()), std::min(*count, referees.first(ranks.rank() + 1)));
-  for (std::size_t rank = 0; rank < inner.size(); ++rank) referee.read(inner[rank], border[rank]);
+void NumbersOfRank::add(std::span<const std::uint64_t> number, const Adjacency& adjacency) {
+  NumberSet of_piece;
+  listed_ += number.size();
+  for (Index v = 0; v < number.size(); ++v) {
+    largest_ = std::max(largest_, number[v]);
+    if (number[v] >= no_index || is_at_border(v, adjacency) || of_piece.insert(number[v]) || !status_) continue;
+    status_ = invalid("two vertices of a piece have the number " + std::to_string(number[v]));
+  }
+  inner_.unite(of_piece, repeated_);
+}
 
-  std::vector<std::uint64_t> contested = concatenated(lists_of_all(referee.contested(), ranks));
+Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector<NumberedPoint>& border,
+                                    const FindPoints& find, Ranks& ranks) {
+  const Result<std::uint64_t> count = count_points(here, ranks);
+  if (!count) return count;
+  if (Status all = agree(here.status(), ranks); !all) return all.error();
+  const Referees referees(*count, ranks.count());
+  std::vector<std::vector<std::uint64_t>> inner;
+  for (int rank = 0; rank < ranks.count(); ++rank)
+    inner.push_back(here.inner().words(referees.first(rank), referees.share()));
+  inner = exchange_lists(inner, ranks);
+  const auto of_ranks = exchange_lists(to_referees(border, referees, ranks), ranks);
+  Referee referee(referees.first(ranks.rank()), std::min(*count, referees.first(ranks.rank() + 1)));
+  for (std::size_t rank = 0; rank < inner.size(); ++rank) referee.read(inner[rank], of_ranks[rank]);
+
+  std::vector<std::uint64_t> contested = referee.contested();
+  contested.insert(contested.end(), here.repeated().begin(), here.repeated().end());
+  contested = concatenated(lists_of_all(contested, ranks));
   std::ranges::sort(contested);
-  referee.add(
-      concatenated(exchange_lists(contested_vertices(contested, points, number, adjacency, referees, ranks), ranks)));
+  if (!contested.empty()) {
+    const Result<std::vector<NumberedPoint>> found = find(contested);
+    if (Status all = agree(found ? Status(Done{}) : found.error(), ranks); !all) return all.error();
+    referee.add(concatenated(exchange_lists(to_referees(*found, referees, ranks), ranks)));
+  }
   if (Status all = agree(referee.judge(), ranks); !all) return all.error();
   return *count;
 }

@@ -2,21 +2,56 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "../../../core/ranks.hpp"
 #include "../../../core/result.hpp"
 #include "../model/adjacency.hpp"
+#include "number_set.hpp"
 
 namespace pardel::checker {
 
+/// A vertex, and its number in the whole mesh.
+struct NumberedPoint {
+  std::uint64_t number;
+  Point at;
+};
+
+/// The numbers in the pieces of one rank.
+class NumbersOfRank {
+ public:
+  /// Adds those of a piece.
+  void add(std::span<const std::uint64_t> number, const Adjacency& adjacency);
+
+  [[nodiscard]] std::uint64_t listed() const { return listed_; }
+  [[nodiscard]] std::uint64_t largest() const { return largest_; }
+  /// The numbers of vertices in the interior of a piece. Numbers that no mesh can have are left out.
+  [[nodiscard]] const NumberSet& inner() const { return inner_; }
+  /// Those in the interiors of several pieces.
+  [[nodiscard]] const std::vector<std::uint64_t>& repeated() const { return repeated_; }
+  /// Error: two vertices in the interior of a piece have one number.
+  [[nodiscard]] const Status& status() const { return status_; }
+
+ private:
+  std::uint64_t listed_ = 0, largest_ = 0;
+  NumberSet inner_;
+  std::vector<std::uint64_t> repeated_;
+  Status status_ = Done{};
+};
+
+/// Returns the vertices with these numbers, which are sorted, in all pieces of the rank.
+using FindPoints = std::function<Result<std::vector<NumberedPoint>>(const std::vector<std::uint64_t>& numbers)>;
+
 /// Returns the number of points of the whole mesh, which is the largest number plus one. Collective; an error is the
-/// same on all ranks. Each number must belong to one vertex, with the same coordinates in all pieces that have it, and
-/// a vertex in the interior of one piece must be in no other piece.
+/// same on all ranks. Each number must belong to one vertex, with the same coordinates in all pieces that have it.
+/// `border`: the vertices that other pieces may have, of all pieces of the rank. `find` is called, on all ranks alike,
+/// only if a vertex in the interior of one piece is in another piece, too.
 ///
 /// Errors: invalid_input if a number is missing or belongs to different vertices; resources if there are more points
-/// than an Index can number. Memory: one bit per point of the whole mesh.
-[[nodiscard]] Result<std::uint64_t> check_numbers(std::span<const Point> points, std::span<const std::uint64_t> number,
-                                                  const Adjacency& adjacency, Ranks& ranks);
+/// than an Index can number; those of `find`. Memory: one bit per point of the whole mesh.
+[[nodiscard]] Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector<NumberedPoint>& border,
+                                                  const FindPoints& find, Ranks& ranks);
 
 }  // namespace pardel::checker

@@ -1,24 +1,66 @@
-// Piece: the piece of a mesh that one rank checks, and the ranks that check the others.
+// Piece: a piece of a mesh while it is in memory.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "../../../core/ranks.hpp"
+#include "../../../core/result.hpp"
+#include "../pieces_of_rank.hpp"
 #include "../stages/stages.hpp"
 
 namespace pardel::checker {
 
-struct Piece {
-  const Subject& subject;                 ///< the piece, with the names of its vertices and triangles in the whole mesh
-  std::span<const std::uint64_t> number;  ///< per vertex: its number in the whole mesh
-  std::uint64_t points = 0;               ///< the number of points of the whole mesh
-  const Adjacency& adjacency;             ///< neighbours within the piece
+/// What is checked, and the ranks that check it.
+struct Task {
+  const Pslg& pslg;
+  const Goal& goal;
+  const CheckOptions& options;
   Ranks& ranks;
+};
 
-  [[nodiscard]] const Mesh& mesh() const { return subject.mesh; }
+struct Piece {
+  std::shared_ptr<const NumberedMesh> source;
+  Subject subject;  ///< the piece, with the names of its vertices and triangles in the whole mesh
+  Scan scanned;
+  Sanity sanity;
+  std::optional<Adjacency> adjacency;  ///< neighbours within the piece; nothing if sanity.geometry is false
+  std::uint64_t found = 0;             ///< the number of violations that these stages have found
+  bool is_counter_clockwise = true;    ///< all its triangles are
+
+  [[nodiscard]] const Mesh& mesh() const { return source->mesh; }
+  /// Per vertex: its number in the whole mesh.
+  [[nodiscard]] std::span<const std::uint64_t> number() const { return source->number.span(); }
+};
+
+/// Opens the pieces of a rank, one at a time.
+class PieceReader {
+ public:
+  PieceReader(const PiecesOfRank& pieces, const Task& task) : pieces_(pieces), task_(task) {}
+
+  [[nodiscard]] std::size_t count() const { return pieces_.count; }
+  /// Closes the piece that is open, reads piece i, and runs the stages that look at a piece alone: whether its parts
+  /// are usable, and if they are, orientation and neighbours. Their findings go to `found`. `names`: of triangles and
+  /// listed edges; those of vertices are the numbers of the piece. The result is valid until the next call.
+  ///
+  /// If this piece is open already, and these stages have found nothing in it, it remains open.
+  ///
+  /// Errors: those of PiecesOfRank::read(); invalid_input if the piece has not one number for each vertex.
+  [[nodiscard]] Result<Piece*> open(std::size_t i, const Numbering& names, Findings& found);
+  /// From now on, a piece without regions has no region for each triangle, because other pieces have regions.
+  void expect_regions() { expects_regions_ = true; }
+  /// Frees the memory of the piece that is open. The only piece of a rank remains open.
+  void close();
+
+ private:
+  const PiecesOfRank& pieces_;
+  const Task& task_;
+  bool expects_regions_ = false;
+  std::size_t number_ = 0;  ///< of the open piece
+  std::optional<Piece> open_;
 };
 
 /// The rank that compares what the pieces say about the vertex with this number.

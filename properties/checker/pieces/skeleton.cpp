@@ -8,136 +8,80 @@
 #include "../../../core/support/collective.hpp"
 #include "../../../core/support/exchange_lists.hpp"
 #include "../../../core/support/message.hpp"
-#include "../../../core/support/point_order.hpp"
 #include "../../../core/support/same_attribute.hpp"
 
 namespace pardel::checker {
-namespace {
 
-/// Which of these points are at one of the places.
-class Places {
- public:
-  explicit Places(std::span<const Point> places) : sorted_(places.begin(), places.end()) {
-    std::ranges::sort(sorted_, lexicographically_less);
+NumberSet special_numbers(const PiecesRead& read, const Border& border, Ranks& ranks) {
+  std::vector<Index> here;
+  for (std::size_t i = 0; i < read.pieces.size(); ++i) {
+    const KeptPart& part = read.pieces[i].part;
+    for (const KeptVertex& vertex : part.vertices)
+      if (vertex.is_special) here.push_back(vertex.number);
+    const std::span<const Across> across = border.of(i);
+    for (std::size_t s = 0; s < across.size(); ++s)
+      if (!across[s].exists())
+        for (const Index end : {part.sides[s].from, part.sides[s].to}) here.push_back(part.vertices[end].number);
   }
-  [[nodiscard]] bool contains(Point p) const {
-    const auto at = std::ranges::lower_bound(sorted_, p, lexicographically_less);
-    return at != sorted_.end() && *at == p;
-  }
-
- private:
-  std::vector<Point> sorted_;
-};
-
-Array<char> special_in_piece(const Piece& piece, std::span<const BorderSide> border) {
-  const Mesh& mesh = piece.mesh();
-  const std::vector<Point>& inputs = piece.subject.pslg.points;
-  const Places places(inputs);
-  const bool has_markers = mesh.point_markers.size() == mesh.points.size();
-  const bool has_origins = mesh.origin.size() == mesh.points.size();
-  Array<char> is_special(mesh.points.size(), 0);
-  for_each_index(mesh.points.size(), nullptr, [&](std::size_t v, std::size_t) {
-    if (!piece.adjacency.has_triangle(static_cast<Index>(v)) || piece.number[v] < inputs.size() ||
-        places.contains(mesh.points[v]) || (has_markers && mesh.point_markers[v] != 0) ||
-        (has_origins && mesh.origin[v] != interior_vertex))
-      is_special[v] = 1;
-  });
-  for (const ConstrainedEdge& edge : mesh.constrained_edges)
-    for (const Index end : {edge.a, edge.b})
-      if (end < is_special.size()) is_special[end] = 1;
-  for (const auto& [edge, across] : border)
-    if (!across.exists()) is_special[edge.from] = is_special[edge.to] = 1;
-  return is_special;
+  NumberSet special;
+  for (const std::vector<Index>& of_rank : lists_of_all(here, ranks))
+    for (const Index number : of_rank) special.insert(number);
+  return special;
 }
 
-struct TravellingVertex {
-  std::uint64_t number;
-  Point at;
-  Index origin;
-  std::int32_t marker;
-  bool is_special;
-};
+namespace {
 
+/// A triangle of the skeleton. Its corners are the numbers of vertices.
 struct TravellingTriangle {
-  std::array<std::uint64_t, 3> v;
+  std::array<Index, 3> v;
   Index name;
 };
 
-struct TravellingEdge {
-  std::uint64_t a, b;
-  Index segment;
-  std::int32_t marker;
-};
-
-/// What one rank contributes.
-Ranks::Bytes contribution(const Piece& piece, const SpecialVertices& special) {
-  const Mesh& mesh = piece.mesh();
-  const bool has_labels = mesh.point_markers.size() == mesh.points.size();
-  const bool has_origins = mesh.origin.size() == mesh.points.size();
-  const std::size_t k = mesh.attributes_per_point;
-  const bool has_attributes = mesh.point_attributes.size() == k * mesh.points.size();
-  std::vector<char> is_in(mesh.points.size(), 0);
+/// What one piece contributes.
+void contribute(const KeptPiece& piece, Index first_triangle, const NumberSet& special, Writer& message) {
+  const KeptPart& part = piece.part;
+  std::vector<char> is_special, is_in;
+  for (const KeptVertex& vertex : part.vertices) is_special.push_back(special.contains(vertex.number) ? 1 : 0);
+  is_in = is_special;
   std::vector<TravellingTriangle> triangles;
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& v = mesh.triangles[t].v;
-    if (!std::ranges::any_of(v, [&](Index corner) { return special.contains(corner); })) continue;
+  for (const auto& [v, triangle] : part.triangles) {
+    if ((is_special[v[0]] | is_special[v[1]] | is_special[v[2]]) == 0) continue;
     for (const Index corner : v) is_in[corner] = 1;
-    triangles.push_back(
-        {{piece.number[v[0]], piece.number[v[1]], piece.number[v[2]]}, piece.subject.names.triangle(t)});
+    triangles.push_back({{part.vertices[v[0]].number, part.vertices[v[1]].number, part.vertices[v[2]].number},
+                         first_triangle + triangle});
   }
-  std::vector<TravellingVertex> vertices;
+  const std::size_t k = part.kinds.attributes_per_point;
+  std::vector<KeptVertex> vertices;
   std::vector<double> attributes;
-  for (Index v = 0; v < mesh.points.size(); ++v) {
-    if (is_in[v] == 0 && !special.contains(v)) continue;
-    vertices.push_back({piece.number[v], mesh.points[v], has_origins ? mesh.origin[v] : interior_vertex,
-                        has_labels ? mesh.point_markers[v] : 0, special.contains(v)});
-    for (std::size_t i = 0; has_attributes && i < k; ++i) attributes.push_back(mesh.point_attributes[v * k + i]);
+  for (std::size_t v = 0; v < part.vertices.size(); ++v) {
+    if (is_in[v] == 0) continue;
+    vertices.push_back(part.vertices[v]);
+    vertices.back().is_special = is_special[v] != 0;
+    const auto first = part.attributes.begin() + static_cast<std::ptrdiff_t>(v * k);
+    attributes.insert(attributes.end(), first, first + static_cast<std::ptrdiff_t>(k));
   }
-  std::vector<TravellingEdge> edges;
-  for (const ConstrainedEdge& edge : mesh.constrained_edges)
-    if (std::max(edge.a, edge.b) < mesh.points.size())
-      edges.push_back({piece.number[edge.a], piece.number[edge.b], edge.segment, edge.marker});
-  Writer message;
-  message.list(std::vector<std::uint64_t>{has_labels, has_origins, has_attributes ? k : 0});
+  message.list(std::vector{part.kinds});
   message.list(vertices);
   message.list(attributes);
   message.list(triangles);
-  message.list(edges);
-  return message.take();
+  message.list(part.edges);
 }
 
-/// Puts the contributions together. A vertex at a border comes from several ranks.
+/// Puts the contributions together. A vertex at a border comes from several pieces.
 class Assembly {
  public:
   void read(const Ranks::Bytes& message) {
-    Reader reader(message);
-    const auto kinds = reader.list<std::uint64_t>();
-    const auto vertices = reader.list<TravellingVertex>();
-    const auto attributes = reader.list<double>();
-    const auto triangles = reader.list<TravellingTriangle>();
-    const auto edges = reader.list<TravellingEdge>();
-    if (!vertices.empty()) {
-      has_markers_ = has_markers_ || kinds.at(0) != 0;
-      has_origins_ = has_origins_ || kinds.at(1) != 0;
-      attributes_per_point_ = std::max<std::size_t>(attributes_per_point_, kinds.at(2));
-    }
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const std::size_t k = kinds.at(2);
-      const auto first = attributes.begin() + static_cast<std::ptrdiff_t>(i * k);
-      vertices_.push_back({vertices[i], {first, first + static_cast<std::ptrdiff_t>(k)}});
-    }
-    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
-    edges_.insert(edges_.end(), edges.begin(), edges.end());
+    for (Reader reader(message); !reader.empty();) read_piece(reader);
   }
 
   /// Error: pieces do not agree on the data of a vertex.
   [[nodiscard]] Result<Skeleton> assembled() {
     Skeleton skeleton;
     Mesh& mesh = skeleton.mesh;
-    mesh.attributes_per_point = attributes_per_point_;
+    mesh.attributes_per_point = kinds_ ? kinds_->attributes_per_point : 0;
     std::ranges::stable_sort(vertices_, {}, [](const Vertex& v) { return v.what.number; });
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const TravellingVertex& vertex = vertices_[i].what;
+      const KeptVertex& vertex = vertices_[i].what;
       if (i > 0 && vertices_[i - 1].what.number == vertex.number) {
         if (!has_same_data(vertices_[i - 1], vertices_[i]))
           return Error{ErrorKind::invalid_input,
@@ -147,13 +91,11 @@ class Assembly {
       skeleton.vertices.push_back(vertex.number);
       skeleton.is_special.push_back(vertex.is_special ? 1 : 0);
       mesh.points.push_back(vertex.at);
-      if (has_markers_) mesh.point_markers.push_back(vertex.marker);
-      if (has_origins_) mesh.origin.push_back(vertex.origin);
-      std::vector<double> attributes = vertices_[i].attributes;
-      attributes.resize(attributes_per_point_);
-      for (const double attribute : attributes) mesh.point_attributes.push_back(attribute);
+      if (kinds_->markers != 0) mesh.point_markers.push_back(vertex.marker);
+      if (kinds_->origins != 0) mesh.origin.push_back(vertex.origin);
+      for (const double attribute : attributes_of(vertices_[i])) mesh.point_attributes.push_back(attribute);
     }
-    const auto place = [&](std::uint64_t number) {
+    const auto place = [&](Index number) {
       return static_cast<Index>(std::ranges::lower_bound(skeleton.vertices, number) - skeleton.vertices.begin());
     };
     for (const auto& [v, name] : triangles_) {
@@ -167,58 +109,69 @@ class Assembly {
 
  private:
   struct Vertex {
-    TravellingVertex what;
-    std::vector<double> attributes;
+    KeptVertex what;
+    std::size_t first_attribute;
   };
-  static bool has_same_data(const Vertex& a, const Vertex& b) {
-    return a.what.marker == b.what.marker && a.what.origin == b.what.origin &&
-           std::ranges::equal(a.attributes, b.attributes, is_same_attribute);
+
+  void read_piece(Reader& reader) {
+    const KindsOfData kinds = reader.list<KindsOfData>().at(0);
+    const auto vertices = reader.list<KeptVertex>();
+    const auto attributes = reader.list<double>();
+    const auto triangles = reader.list<TravellingTriangle>();
+    const auto edges = reader.list<KeptEdge>();
+    if (!vertices.empty()) kinds_ = kinds;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices_.push_back({vertices[i], attributes_.size() + i * kinds.attributes_per_point});
+    attributes_.insert(attributes_.end(), attributes.begin(), attributes.end());
+    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+    edges_.insert(edges_.end(), edges.begin(), edges.end());
   }
 
-  bool has_markers_ = false, has_origins_ = false;
-  std::size_t attributes_per_point_ = 0;
+  [[nodiscard]] std::span<const double> attributes_of(const Vertex& vertex) const {
+    return std::span(attributes_).subspan(vertex.first_attribute, kinds_->attributes_per_point);
+  }
+  [[nodiscard]] bool has_same_data(const Vertex& a, const Vertex& b) const {
+    return a.what.marker == b.what.marker && a.what.origin == b.what.origin &&
+           std::ranges::equal(attributes_of(a), attributes_of(b), is_same_attribute);
+  }
+
+  std::optional<KindsOfData> kinds_;  ///< the same for all pieces with vertices
   std::vector<Vertex> vertices_;
+  std::vector<double> attributes_;
   std::vector<TravellingTriangle> triangles_;
-  std::vector<TravellingEdge> edges_;
+  std::vector<KeptEdge> edges_;
 };
+
+/// Error: a piece has markers, origins or attributes, and another one has not. A piece without points does not count.
+Status agree_on_kinds(const PiecesRead& read, Ranks& ranks) {
+  std::vector<KindsOfData> kinds;
+  for (const KeptPiece& piece : read.pieces)
+    if (piece.points > 0 && (kinds.empty() || kinds.back() != piece.part.kinds)) kinds.push_back(piece.part.kinds);
+  kinds = concatenated(lists_of_all(kinds, ranks));
+  if (std::ranges::adjacent_find(kinds, std::not_equal_to<>()) == kinds.end()) return Done{};
+  return Error{ErrorKind::invalid_input, "the pieces do not have the same kinds of data"};
+}
 
 }  // namespace
 
-SpecialVertices::SpecialVertices(const Piece& piece, std::span<const BorderSide> border)
-    : is_special_(special_in_piece(piece, border)) {
-  std::vector<std::uint64_t> numbers;
-  for (Index v = 0; v < is_special_.size(); ++v)
-    if (is_special_[v] != 0) numbers.push_back(piece.number[v]);
-  std::vector<bool> is_special_number(piece.points);
-  for (const std::uint64_t number : concatenated(lists_of_all(numbers, piece.ranks)))
-    is_special_number.at(number) = true;
-  for (Index v = 0; v < is_special_.size(); ++v) {
-    if (!is_special_number[piece.number[v]]) continue;
-    is_special_[v] = 1;
-    by_number_.emplace_back(piece.number[v], v);
-  }
-  std::ranges::sort(by_number_);
-}
-
-Index SpecialVertices::find(std::uint64_t number) const {
-  const auto at = std::ranges::lower_bound(by_number_, std::pair(number, Index{0}));
-  return at != by_number_.end() && at->first == number ? at->second : no_index;
-}
-
-Result<std::optional<Skeleton>> gather_skeleton(const Piece& piece, const SpecialVertices& special) {
-  const std::vector<Ranks::Bytes> messages = to_first(contribution(piece, special), piece.ranks);
+Result<std::optional<Skeleton>> gather_skeleton(const PiecesRead& read, const NumberSet& special, Ranks& ranks) {
+  if (Status same = agree_on_kinds(read, ranks); !same) return same.error();
+  Writer message;
+  for (std::size_t i = 0; i < read.pieces.size(); ++i)
+    contribute(read.pieces[i], read.first_triangle[i], special, message);
+  const std::vector<Ranks::Bytes> messages = to_first(message.take(), ranks);
   std::optional<Skeleton> skeleton;
   Status fits = Done{};
-  if (piece.ranks.rank() == 0) {
+  if (ranks.rank() == 0) {
     Assembly assembly;
-    for (const Ranks::Bytes& message : messages) assembly.read(message);
+    for (const Ranks::Bytes& from : messages) assembly.read(from);
     Result<Skeleton> assembled = assembly.assembled();
     if (assembled)
       skeleton = std::move(*assembled);
     else
       fits = assembled.error();
   }
-  if (Status all = agree(fits, piece.ranks); !all) return all.error();
+  if (Status all = agree(fits, ranks); !all) return all.error();
   return skeleton;
 }
 

@@ -10,25 +10,13 @@
 
 #include "../../../core/result.hpp"
 #include "border.hpp"
-#include "piece.hpp"
+#include "number_set.hpp"
 
 namespace pardel::checker {
 
-/// The vertices of a piece that have to do with the input: its points, the ends of constrained edges and of boundary
-/// edges, vertices with a marker or an origin, and vertices without triangles.
-class SpecialVertices {
- public:
-  /// Collective: a vertex is special in all pieces if it is special in one of them.
-  SpecialVertices(const Piece& piece, std::span<const BorderSide> border);
-
-  [[nodiscard]] bool contains(Index v) const { return is_special_[v] != 0; }
-  /// The vertex of the piece with this number; no_index if the piece has no such special vertex.
-  [[nodiscard]] Index find(std::uint64_t number) const;
-
- private:
-  Array<char> is_special_;
-  std::vector<std::pair<std::uint64_t, Index>> by_number_;  ///< (number, vertex), sorted
-};
+/// The numbers of all vertices that have to do with the input: those that are special in one piece (part_to_keep()),
+/// and the ends of sides that have no triangle across them in any piece. Collective; the same on all ranks.
+[[nodiscard]] NumberSet special_numbers(const PiecesRead& read, const Border& border, Ranks& ranks);
 
 /// On the first rank. A special vertex has all its triangles here.
 struct Skeleton {
@@ -39,7 +27,9 @@ struct Skeleton {
 };
 
 /// Collective. Returns the skeleton on the first rank, and nothing on the others. Error, on all ranks: invalid_input if
-/// pieces do not agree on the marker, the origin or the attributes of a special vertex.
-[[nodiscard]] Result<std::optional<Skeleton>> gather_skeleton(const Piece& piece, const SpecialVertices& special);
+/// pieces do not have the same kinds of data, or do not agree on the marker, the origin or the attributes of a special
+/// vertex.
+[[nodiscard]] Result<std::optional<Skeleton>> gather_skeleton(const PiecesRead& read, const NumberSet& special,
+                                                              Ranks& ranks);
 
 }  // namespace pardel::checker

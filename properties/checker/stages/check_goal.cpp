@@ -206,8 +206,14 @@ class GoalCheck {
 void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                 const InputVertices& inputs, std::span<const Index> faces, const Scan& scan, Findings& found,
                 std::vector<Justified>& justified) {
+  check_goal(subject, domain, adjacency, chains, inputs, faces, WantedSize(subject.pslg, subject.goal, found.stop()),
+             scan, found, justified);
+}
+
+void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                const InputVertices& inputs, std::span<const Index> faces, const WantedSize& wanted, const Scan& scan,
+                Findings& found, std::vector<Justified>& justified) {
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
-  const WantedSize wanted(subject.pslg, subject.goal, found.stop());
   const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, wanted, trust_orientation);
   // Each thread takes a range of consecutive triangles, so the joined list is ascending.
   std::vector<std::vector<Justified>> parts(static_cast<std::size_t>(omp_get_max_threads()));

@@ -13,6 +13,7 @@
 #include "../model/input_vertices.hpp"
 #include "../model/numbering.hpp"
 #include "../model/scan.hpp"
+#include "../model/wanted_size.hpp"
 #include "findings.hpp"
 
 namespace pardel::checker {
@@ -95,6 +96,10 @@ void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Ch
 void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                 const InputVertices& inputs, std::span<const Index> faces, const Scan& scan, Findings& found,
                 std::vector<Justified>& justified);
+/// The same, with the lengths that the goal wants. They belong to the input, so several pieces have them in common.
+void check_goal(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
+                const InputVertices& inputs, std::span<const Index> faces, const WantedSize& wanted, const Scan& scan,
+                Findings& found, std::vector<Justified>& justified);
 
 /// Sets the certificate's extremes, histogram and area.
 void measure(const Mesh& mesh, const Adjacency& adjacency, const Scan& scan, Certificate& certificate);

@@ -1,7 +1,11 @@
 // The certificate of a mesh in pieces is that of the joined mesh.
 #include "../../../properties/checker/check_pieces.hpp"
 
+#include <memory>
+#include <numeric>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,10 +36,10 @@ struct Cut {
   std::size_t count = 1;
 };
 
-/// Vertical slabs, blocks of consecutive triangles, or single triangles at random places.
+/// Vertical slabs, blocks of consecutive triangles, or single triangles at random places. The pieces are in any order.
 Cut some_cut(const Mesh& mesh) {
   Cut cut;
-  cut.count = *rc::gen::inRange<std::size_t>(1, 6);
+  cut.count = *rc::gen::inRange<std::size_t>(1, 8);
   const int way = *rc::gen::inRange(0, 3);
   generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
   double left = INFINITY, right = -INFINITY;
@@ -50,31 +54,65 @@ Cut some_cut(const Mesh& mesh) {
                         : way == 1 ? t * cut.count / mesh.triangles.size()
                                    : random.below(cut.count));
   }
+  std::vector<std::size_t> place(cut.count);
+  std::iota(place.begin(), place.end(), std::size_t{0});
+  for (std::size_t i = cut.count; i > 1; --i) std::swap(place[i - 1], place[random.below(i)]);
+  for (std::size_t& owner : cut.owner) owner = place[owner];
   return cut;
 }
 
 struct Checked {
-  std::string fault;  ///< what the ranks do not agree on
+  std::string fault;  ///< what the ranks do not agree on, or what is an error
   Certificate certificate;
 };
 
-Checked check_on_ranks(const Pslg& pslg, const std::vector<NumberedMesh>& pieces, const Goal& goal,
-                       const CheckOptions& options) {
-  std::vector<Certificate> certificates(pieces.size());
-  std::vector<std::string> errors(pieces.size());
-  properties::on_ranks(static_cast<int>(pieces.size()), [&](Ranks& ranks) {
+/// Gives the pieces of one rank one after another, each as a new copy.
+class PiecesInTurn {
+ public:
+  explicit PiecesInTurn(std::span<const NumberedMesh> pieces) : pieces_(pieces) {}
+  [[nodiscard]] PiecesOfRank to_read() {
+    return {pieces_.size(), [this](std::size_t i) -> Result<std::shared_ptr<const NumberedMesh>> {
+              if (!last_.expired()) return Error{ErrorKind::internal, "a rank holds two pieces"};
+              auto piece = std::make_shared<const NumberedMesh>(pieces_[i]);
+              last_ = piece;
+              return piece;
+            }};
+  }
+
+ private:
+  std::span<const NumberedMesh> pieces_;
+  std::weak_ptr<const NumberedMesh> last_;
+};
+
+/// first[r]: the first piece of rank r. Pieces of a rank follow each other; a rank may have none.
+Checked check_on_ranks(const Pslg& pslg, std::span<const NumberedMesh> pieces, const std::vector<std::size_t>& first,
+                       const Goal& goal, const CheckOptions& options) {
+  std::vector<Certificate> certificates(first.size());
+  std::vector<std::string> errors(first.size());
+  properties::on_ranks(static_cast<int>(first.size()), [&](Ranks& ranks) {
     const auto rank = static_cast<std::size_t>(ranks.rank());
-    Result<Certificate> result = check(pslg, pieces[rank], goal, options, ranks);
+    const std::size_t end = rank + 1 < first.size() ? first[rank + 1] : pieces.size();
+    PiecesInTurn mine(pieces.subspan(first[rank], end - first[rank]));
+    Result<Certificate> result = check(pslg, mine.to_read(), goal, options, ranks);
     if (result)
       certificates[rank] = std::move(*result);
     else
       errors[rank] = result.error().message;
   });
   Checked checked{errors.front(), certificates.front()};
-  for (std::size_t rank = 1; rank < pieces.size() && checked.fault.empty(); ++rank)
+  for (std::size_t rank = 1; rank < first.size() && checked.fault.empty(); ++rank)
     if (errors[rank] != errors.front() || to_json(certificates[rank]) != to_json(certificates.front()))
       checked.fault = "rank " + std::to_string(rank) + " has another certificate";
   return checked;
+}
+
+/// One to five ranks. There can be more ranks than pieces.
+std::vector<std::size_t> some_division(std::size_t pieces) {
+  std::vector<std::size_t> first{0};
+  for (int rank = *rc::gen::inRange(1, 6); rank > 1; --rank)
+    first.push_back(*rc::gen::inRange<std::size_t>(0, pieces + 1));
+  std::ranges::sort(first);
+  return first;
 }
 
 struct Compared {
@@ -88,7 +126,10 @@ std::optional<Compared> cut_and_checked(const MeshedCase& made, const CheckOptio
   const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
   const Result<Mesh> joined = join_pieces(pieces);
   if (!joined) return std::nullopt;
-  return Compared{check(made.pslg, *joined, made.goal, options), check_on_ranks(made.pslg, pieces, made.goal, options)};
+  const std::vector<std::size_t> division = some_division(pieces.size());
+  properties::classify(division.size() > 1 && division.size() < pieces.size(), "ranks with several pieces", 10);
+  return Compared{check(made.pslg, *joined, made.goal, options),
+                  check_on_ranks(made.pslg, pieces, division, made.goal, options)};
 }
 
 MeshedCase lattice_mesh(properties::Exhibit& exhibit) {
@@ -104,10 +145,12 @@ MeshedCase lattice_mesh(properties::Exhibit& exhibit) {
 
 PARDEL_PROPERTY(
     Pieces, have_the_certificate_of_the_whole_mesh,
-    {.statement = "However a mesh is cut into pieces, the ranks that check them give the certificate of the joined "
-                  "mesh, character by character; if bounds are missed, with the same numbers of violations.",
+    {.statement = "However a mesh is cut into pieces, and on however many ranks they lie, in any order, the ranks that "
+                  "check them, one piece at a time, give the certificate of the joined mesh, character by character; "
+                  "if bounds are missed, with the same numbers of violations.",
      .source = "properties/checker/check_pieces.hpp",
-     .families = "lattice domains of every family; slabs, blocks of triangles, and triangles at random places"}) {
+     .families = "lattice domains of every family; slabs, blocks of triangles, and triangles at random places; one to "
+                 "five ranks"}) {
   MeshedCase made = lattice_mesh(exhibit);
   const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
   if (options.foreign && *rc::gen::arbitrary<bool>()) {
@@ -140,10 +183,11 @@ bool can_be_cut(const Mesh& mesh) {
 
 PARDEL_PROPERTY(
     Pieces, with_a_defect_are_refused,
-    {.statement = "However a mesh with a defect is cut into pieces, the ranks refuse it if the checker of the joined "
-                  "mesh does.",
+    {.statement =
+         "However a mesh with a defect is cut into pieces, and on however many ranks they lie, the ranks refuse "
+         "it if the checker of the joined mesh does.",
      .source = "properties/checker/check_pieces.hpp",
-     .families = "lattice domains of every family, every defect of properties/defects"}) {
+     .families = "lattice domains of every family, every defect of properties/defects; one to five ranks"}) {
   MeshedCase made = lattice_mesh(exhibit);
   RC_PRE(check(made.pslg, made.mesh, made.goal).valid);
   const defects::Defect& defect =
@@ -177,9 +221,18 @@ std::vector<NumberedMesh> two_halves(Index second = 1) {
   return testing::cut_mesh(mesh, owner, 2);
 }
 
-/// What the check of the pieces says about their numbers; empty if it is no error.
+/// What the check of two pieces says about their numbers; empty if it is no error. It has to be the same on one rank
+/// that has both pieces, on two, and on more ranks than pieces; the ranks that report it are not named.
 std::string error_of(const std::vector<NumberedMesh>& pieces) {
-  return check_on_ranks(domains::square(), pieces, Goal{}, {.foreign = true}).fault;
+  std::set<std::string> errors;
+  for (const std::vector<std::size_t>& division : {std::vector<std::size_t>{0}, {0, 1}, {0, 0, 1, 2}}) {
+    std::string error = check_on_ranks(domains::square(), pieces, division, Goal{}, {.foreign = true}).fault;
+    for (const char rank : {'0', '1', '2'})
+      if (error.starts_with(std::string("rank ") + rank + ": ")) error.erase(0, 8);
+    errors.insert(error);
+  }
+  return errors.size() == 1 ? *errors.begin()
+                            : "the ranks do not agree on: " + *errors.begin() + ", " + *errors.rbegin();
 }
 
 PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
@@ -200,12 +253,12 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
   {
     std::vector<NumberedMesh> pieces = two_halves();
     number(pieces[0], 0, 0) = 9;
-    EXPECT_EQ(error_of(pieces), "rank 0: no piece has the point with the number 0");
+    EXPECT_EQ(error_of(pieces), "no piece has the point with the number 0");
   }
   {
     std::vector<NumberedMesh> pieces = two_halves();
     std::swap(number(pieces[1], 0, 0.5), number(pieces[1], 0.5, 0.5));
-    EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different points with the number 3");
+    EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 3");
   }
   for (const bool is_attribute : {false, true}) {
     std::vector<NumberedMesh> pieces = two_halves();
@@ -219,12 +272,12 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
       pieces[1].mesh.point_attributes[static_cast<std::size_t>(at)] = 2;
     else
       pieces[1].mesh.point_markers[static_cast<std::size_t>(at)] = 2;
-    EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different data of the point with the number 3");
+    EXPECT_EQ(error_of(pieces), "two pieces have different data of the point with the number 3");
   }
   {
     std::vector<NumberedMesh> pieces = two_halves();
     pieces[0].number.pop_back();
-    EXPECT_EQ(error_of(pieces), "rank 0: a piece has points without numbers");
+    EXPECT_EQ(error_of(pieces), "a piece has points without numbers");
   }
   {
     // The vertex in the middle is in the interior of the first piece.
@@ -233,9 +286,95 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     pieces[1].number.push_back(4);
     EXPECT_EQ(error_of(pieces), "");
     pieces[1].mesh.points[0] = {0.5, 0.25};
-    EXPECT_EQ(error_of(pieces), "rank 0: two pieces have different points with the number 4");
+    EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 4");
   }
-  facts.cases += 9;
+  {
+    // The vertex in the middle is in the interior of both pieces.
+    std::vector<NumberedMesh> pieces = two_halves(0);
+    pieces[1] = pieces[0];
+    EXPECT_EQ(error_of(pieces), "");
+    *std::ranges::find(pieces[1].mesh.points, Point{0.5, 0.5}) = {0.5, 0.25};
+    EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 4");
+    pieces[1].number[4] = no_index;
+    EXPECT_EQ(error_of(pieces), "a point has the number 4294967295, but the pieces have only 18 points");
+  }
+  {
+    std::vector<NumberedMesh> pieces = two_halves();
+    pieces[1].mesh.origin.resize(pieces[1].mesh.points.size(), interior_vertex);
+    EXPECT_EQ(error_of(pieces), "the pieces do not have the same kinds of data");
+  }
+  facts.cases += 13;
+}
+
+PARDEL_FACT(
+    Pieces, that_cannot_be_read_are_an_error_on_all_ranks,
+    {.statement = "if a piece cannot be read, for the first or for the second time, or is another one when it is "
+                  "read again, all ranks get the error",
+     .source = "properties/checker/check_pieces.hpp",
+     .families = "a square with a triangle below the angle bound, in two pieces"}) {
+  std::vector<NumberedMesh> pieces = two_halves();
+  Goal goal;
+  goal.min_angle_deg = 50;  // each piece is read again, to describe the angles of 45 degrees
+  const NumberedMesh other = two_halves(0).front();
+  for (const bool on_one_rank : {false, true})
+    for (const int last : {0, 2, 3, 4}) {  // the reading that fails; 0: none; a rank with one piece reads it once
+      for (const bool changes : {false, true}) {
+        if (on_one_rank ? last == 2 : last > 2) continue;
+        std::vector<std::string> errors(2);
+        properties::on_ranks(2, [&](Ranks& ranks) {
+          const auto rank = static_cast<std::size_t>(ranks.rank());
+          int readings = on_one_rank ? 0 : 1;
+          PiecesOfRank mine{on_one_rank ? 2 - 2 * rank : 1, {}};
+          mine.read = [&, rank](std::size_t i) -> Result<std::shared_ptr<const NumberedMesh>> {
+            if (++readings == last && (on_one_rank || rank == 1)) {
+              if (!changes || last <= 2) return Error{ErrorKind::io, "piece 1: gone"};
+              return std::make_shared<const NumberedMesh>(other);
+            }
+            return std::make_shared<const NumberedMesh>(pieces[on_one_rank ? i : rank]);
+          };
+          const Result<Certificate> result = check(domains::square(), mine, goal, {.foreign = true}, ranks);
+          errors[rank] = result ? "" : result.error().message;
+        });
+        const std::string expected = last == 0             ? ""
+                                     : changes && last > 2 ? "a piece has changed since it was read for the first time"
+                                                           : "piece 1: gone";
+        const std::string who = expected.empty() ? "" : on_one_rank ? "rank 0: " : "rank 1: ";
+        EXPECT_EQ(errors, std::vector<std::string>(2, who + expected)) << on_one_rank << last << changes;
+        ++facts.cases;
+      }
+    }
+}
+
+PARDEL_FACT(
+    Pieces, have_lists_of_regions_of_their_own,
+    {.statement = "a piece read from a file lists only the attributes of its own triangles; pieces with different "
+                  "lists are right on any number of ranks, and a piece that lists no regions at all is not",
+     .source = "properties/checker/check_pieces.hpp",
+     .families = "three squares, each a region and a piece"}) {
+  Result<Meshed> meshed = mesh(domains::regions(), Goal{.max_area = 0.01});
+  ASSERT_TRUE(meshed);
+  const Mesh& whole = meshed->mesh;
+  std::vector<std::size_t> owner(whole.region.begin(), whole.region.end());
+  std::vector<NumberedMesh> pieces = testing::cut_mesh(whole, owner, 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    pieces[i].mesh.region_attributes = {whole.region_attributes[i]};
+    for (Index& region : pieces[i].mesh.region) region = 0;
+  }
+  const CheckOptions options{.foreign = true};
+  const Certificate expected = check(domains::regions(), whole, Goal{.max_area = 0.01}, options);
+  for (const std::vector<std::size_t>& division : {std::vector<std::size_t>{0}, {0, 1}, {0, 1, 2}, {0, 1, 2, 3}}) {
+    const Checked checked = check_on_ranks(domains::regions(), pieces, division, Goal{.max_area = 0.01}, options);
+    EXPECT_EQ(checked.fault, "");
+    EXPECT_EQ(testing::verdict(checked.certificate), testing::verdict(expected)) << division.size();
+    ++facts.cases;
+  }
+  const std::size_t lost = pieces[1].mesh.region.size();
+  pieces[1].mesh.region = {};
+  for (const std::vector<std::size_t>& division : {std::vector<std::size_t>{0}, {0, 1, 2}}) {
+    const Checked checked = check_on_ranks(domains::regions(), pieces, division, Goal{.max_area = 0.01}, options);
+    EXPECT_EQ(testing::verdict(checked.certificate), "not valid: wrong_region " + std::to_string(lost));
+    ++facts.cases;
+  }
 }
 
 }  // namespace
