@@ -217,9 +217,10 @@ Json print_balance(const Trace& trace, const std::vector<int>& ranks) {
     const char* by;
     std::vector<double> work;
   };
-  const Division divisions[] = {{"promised work", trace.promised},
-                                {"promised work of tasks", promised_by_task(trace)},
-                                {"vertices inserted", inserted_per_cell(trace)}};
+  const Division divisions[] = {
+      {"promised work", trace.promised},
+      {"promised work of tasks (as ranks do)", engine::work_of_tasks(*trace.tiles, trace.promised)},
+      {"vertices inserted", inserted_per_cell(trace)}};
   fmt::print(
       "\nThe most of a rank, divided by the mean:\n\n"
       "| ranks | tiles divided by | promised work | vertices | processor time | vertices, phase by phase |\n"

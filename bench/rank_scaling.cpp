@@ -17,6 +17,7 @@
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
 #include "mpi_program.hpp"
+#include "own_processor.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 
@@ -57,11 +58,17 @@ class Comparison {
 
   int run() {
     for (int round = 0; round < settings_.runs; ++round) {
-      together([&] { make_piece(); });
+      together([&] {
+        const OwnProcessor own(ranks_.rank(), ranks_.count());
+        make_piece();
+      });
       together([&] {
         if (ranks_.rank() == 0) make_whole(1, ranks_.count(), whole_seconds_);
       });
-      together([&] { make_whole(ranks_.count(), 1, part_seconds_); });
+      together([&] {
+        const OwnProcessor own(ranks_.rank(), ranks_.count());
+        make_whole(ranks_.count(), 1, part_seconds_);
+      });
     }
     print();
     return is_same_ ? 0 : 1;

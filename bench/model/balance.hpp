@@ -21,10 +21,6 @@ struct Balance {
 /// `work`: per cell, what the tiles are divided by.
 [[nodiscard]] Balance balance(const Trace& trace, std::span<const double> work, int ranks);
 
-/// Per cell: the promised work in the box of its task, except where the box of an earlier colour lies. So much is left
-/// for the task if earlier ones finish all work in their boxes.
-[[nodiscard]] std::vector<double> promised_by_task(const Trace& trace);
-
 /// Per cell: the number of vertices that its tasks inserted. A division by it is as even as a division by measured work
 /// can be.
 [[nodiscard]] std::vector<double> inserted_per_cell(const Trace& trace);

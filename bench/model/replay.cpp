@@ -38,7 +38,7 @@ std::uint64_t bytes_of_changes(const std::vector<TriangleId>& triangles, std::ui
 }  // namespace
 
 Replay::Replay(const Tiles& tiles, std::span<const double> work, int ranks)
-    : ranks_(ranks), ownership_(tiles, work, ranks) {
+    : ranks_(ranks), ownership_(tiles, work_of_tasks(tiles, work), ranks) {
   for (Index cell = 0; cell < tiles.cells(); ++cell) watchers_.push_back(ownership_.watchers_of_box(cell));
 }
 
@@ -95,9 +95,7 @@ void Replay::exchange_changes(const std::vector<PlannedTask>& tasks, std::span<c
     std::vector<Message*> message_to;
     for (const int rank : watchers) message_to.push_back(rank == owner ? nullptr : &messages[{owner, rank}]);
     ThreadWatch watch;  // a real rank makes the same tests
-    for (const QueuedTriangle triangle : tasks[i].result.changed) {
-      if (!triangle.is_current(t)) continue;
-      const TriangleId id = triangle.id();
+    for (const TriangleId id : tasks[i].result.changed) {
       const auto& v = t.slots[id].v;
       for (std::size_t k = 0; k < watchers.size(); ++k) {
         if (message_to[k] == nullptr) continue;

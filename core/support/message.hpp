@@ -12,9 +12,44 @@
 
 namespace pardel {
 
+/// Values in the bytes of a message, where they need not be aligned. Valid until the bytes change.
+template <class T>
+class PackedList {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  PackedList(const std::byte* data, std::size_t size) : data_(data), size_(size) {}
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] T operator[](std::size_t i) const {
+    T value;
+    std::memcpy(&value, data_ + i * sizeof(T), sizeof(T));
+    return value;
+  }
+
+ private:
+  const std::byte* data_;
+  std::size_t size_;
+};
+
 /// Writes a message.
 class Writer {
  public:
+  /// Writes a list of `count` values, make(0) to make(count - 1), called in this order.
+  template <class T, class Make>
+  void list_of(std::size_t count, const Make& make) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::uint64_t written = count;
+    append(&written, sizeof written);
+    const std::size_t begin = bytes_.size();
+    bytes_.resize(begin + count * sizeof(T));
+    std::byte* const data = bytes_.data() + begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const T value = make(i);
+      std::memcpy(data + i * sizeof(T), &value, sizeof(T));
+    }
+  }
+  /// Takes memory for so many more bytes, so that the message does not move while it grows.
+  void reserve(std::size_t more_bytes) { bytes_.reserve(bytes_.size() + more_bytes); }
   template <class T>
   void list(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -47,11 +82,16 @@ class Reader {
   template <class T>
   [[nodiscard]] std::vector<T> list() {
     static_assert(std::is_trivially_copyable_v<T>);
-    std::uint64_t count = 0;
-    take(&count, sizeof count);
-    if (count > rest_.size() / sizeof(T)) throw does_not_match();
-    std::vector<T> values(count);
-    take(values.data(), count * sizeof(T));
+    std::vector<T> values(count_of(sizeof(T)));
+    take(values.data(), values.size() * sizeof(T));
+    return values;
+  }
+  /// The same without a copy. Valid as long as the message is.
+  template <class T>
+  [[nodiscard]] PackedList<T> packed_list() {
+    const std::size_t count = count_of(sizeof(T));
+    const PackedList<T> values(rest_.data(), count);
+    rest_ = rest_.subspan(count * sizeof(T));
     return values;
   }
   [[nodiscard]] bool empty() const { return rest_.empty(); }
@@ -61,6 +101,12 @@ class Reader {
   }
 
  private:
+  [[nodiscard]] std::size_t count_of(std::size_t size_of_value) {
+    std::uint64_t count = 0;
+    take(&count, sizeof count);
+    if (count > rest_.size() / size_of_value) throw does_not_match();
+    return count;
+  }
   void take(void* data, std::size_t size) {
     if (size > rest_.size()) throw does_not_match();
     if (size > 0) std::memcpy(data, rest_.data(), size);

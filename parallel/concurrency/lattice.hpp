@@ -69,6 +69,15 @@ class Lattice {
     return box;
   }
 
+  /// The cells around a cell, at most eight, in ascending order.
+  [[nodiscard]] std::vector<Index> touching(Index cell) const {
+    std::vector<Index> found;
+    const Index i = cell % columns_, j = cell / columns_;
+    for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows_ - 1); ++y)
+      for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns_ - 1); ++x)
+        if (x != i || y != j) found.push_back(y * columns_ + x);
+    return found;
+  }
   /// The area of the box, without its parts beyond the border.
   [[nodiscard]] double box_area(Index) const { return 4 * width_ * height_; }
 

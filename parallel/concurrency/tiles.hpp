@@ -1,6 +1,7 @@
 // The tiles of a pass: the cells of a lattice, or the leaves of a quadtree.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -33,6 +34,17 @@ class Tiles {
   }
   [[nodiscard]] Box box_of(Index cell) const {
     return std::visit([cell](const auto& s) { return s.box_of(cell); }, shape_);
+  }
+  /// Half the width and half the height of a cell.
+  [[nodiscard]] std::pair<double, double> half_size(Index cell) const {
+    if (lattice() != nullptr) return {lattice()->width() / 2, lattice()->height() / 2};
+    return {quadtree()->side_of(cell) / 2, quadtree()->side_of(cell) / 2};
+  }
+  /// The other cells that touch a cell, also those that touch only its corners.
+  [[nodiscard]] std::vector<Index> touching(Index cell) const {
+    if (lattice() != nullptr) return lattice()->touching(cell);
+    const std::span<const Index> found = quadtree()->touching(cell);
+    return {found.begin(), found.end()};
   }
   [[nodiscard]] double box_area(Index cell) const {
     return std::visit([cell](const auto& s) { return s.box_area(cell); }, shape_);

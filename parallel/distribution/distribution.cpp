@@ -128,9 +128,7 @@ void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
       return std::ranges::any_of(t_.slots[id].v,
                                  [&](VertexId v) { return ownership_->watches(rank, t_.points[v], task.cell); });
     };
-    for (const QueuedTriangle triangle : std::exchange(task.result.changed, {})) {
-      if (!triangle.is_current(t_)) continue;
-      const TriangleId id = triangle.id();
+    for (const TriangleId id : std::exchange(task.result.changed, {})) {
       for (const int rank : other_watchers_[task.cell]) {
         if (is_held(rank, id))
           outgoing[rank].triangles.push_back(id);

@@ -53,7 +53,7 @@ class Distribution : public Partners {
  protected:
   /// Who owns the cells. The refinement works with any owners; the numbers of vertices in a piece follow the curve.
   [[nodiscard]] virtual Ownership ownership_of(const Tiles& tiles, std::span<const double> work) const {
-    return {tiles, work, ranks_.count()};
+    return {tiles, work_of_tasks(tiles, work), ranks_.count()};
   }
 
  private:

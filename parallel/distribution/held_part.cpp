@@ -124,32 +124,32 @@ std::uint64_t HeldPart::travelling(EdgeRef across) const {
 }
 
 void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message) {
-  std::vector<TravellingVertex> vertices;
-  std::vector<VertexId> written;
-  const auto place_of = [&](VertexId v) {
-    Index place = place_in_message_.get(v);
-    if (place == 0) {
-      vertices.push_back({Names::packed(vertex_names_.of(v)), t_.points[v], t_.origin[v]});
-      written.push_back(v);
-      place = static_cast<Index>(vertices.size());
-      place_in_message_.set(v, place);
-    }
-    return place - 1;
-  };
-  std::vector<TravellingTriangle> list;
-  list.reserve(triangles.size());
-  for (const TriangleId id : triangles) {
+  std::vector<VertexId> vertices;
+  for (const TriangleId id : triangles)
+    for (const VertexId v : t_.slots[id].v)
+      if (place_in_message_.get(v) == 0) {
+        vertices.push_back(v);
+        place_in_message_.set(v, static_cast<Index>(vertices.size()));
+      }
+  const auto place_of = [&](VertexId v) { return place_in_message_.get(v) - 1; };
+  constexpr std::size_t counts = 3 * sizeof(std::uint64_t);
+  message.reserve(counts + vertices.size() * sizeof(TravellingVertex) + triangles.size() * sizeof(TravellingTriangle) +
+                  dropped.size_bytes());
+  message.list_of<TravellingVertex>(vertices.size(), [&](std::size_t i) {
+    const VertexId v = vertices[i];
+    return TravellingVertex{Names::packed(vertex_names_.of(v)), t_.points[v], t_.origin[v]};
+  });
+  message.list_of<TravellingTriangle>(triangles.size(), [&](std::size_t i) {
+    const TriangleId id = triangles[i];
     is_known_elsewhere_.set(id, 1);
     const Slot& slot = t_.slots[id];
-    list.push_back({Names::packed(name_of(id)),
-                    {place_of(slot.v[0]), place_of(slot.v[1]), place_of(slot.v[2])},
-                    t_.region.empty() ? no_index : t_.region[id],
-                    {travelling(slot.n[0]), travelling(slot.n[1]), travelling(slot.n[2])}});
-  }
-  for (const VertexId v : written) place_in_message_.set(v, 0);
-  message.list(vertices);
-  message.list(list);
-  message.list(std::span<const Name>(dropped));
+    return TravellingTriangle{Names::packed(name_of(id)),
+                              {place_of(slot.v[0]), place_of(slot.v[1]), place_of(slot.v[2])},
+                              t_.region.empty() ? no_index : t_.region[id],
+                              {travelling(slot.n[0]), travelling(slot.n[1]), travelling(slot.n[2])}};
+  });
+  message.list(dropped);
+  for (const VertexId v : vertices) place_in_message_.set(v, 0);
 }
 
 VertexId HeldPart::place(const TravellingVertex& vertex) {
@@ -196,21 +196,22 @@ void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
 }
 
 struct HeldPart::Arrived {
-  std::vector<TravellingTriangle> triangles;
+  PackedList<TravellingTriangle> triangles;
   std::vector<TriangleId> ids;
 };
 
 void HeldPart::read(std::span<Reader> messages) {
   std::vector<Arrived> all;
   for (Reader& message : messages) {
-    std::vector<VertexId> vertices;
-    for (const TravellingVertex& vertex : message.list<TravellingVertex>()) vertices.push_back(place(vertex));
-    Arrived& arrived = all.emplace_back();
-    arrived.triangles = message.list<TravellingTriangle>();
-    const std::vector<Name> dropped = message.list<Name>();
-    for (const Name name : dropped)
-      if (const TriangleId id = triangle(name); id != no_index) drop(id);
-    for (const TravellingTriangle& triangle : arrived.triangles) arrived.ids.push_back(place(triangle, vertices));
+    const auto travelling_vertices = message.packed_list<TravellingVertex>();
+    std::vector<VertexId> vertices(travelling_vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = place(travelling_vertices[i]);
+    Arrived& arrived = all.emplace_back(Arrived{message.packed_list<TravellingTriangle>(), {}});
+    const auto dropped = message.packed_list<Name>();
+    for (std::size_t i = 0; i < dropped.size(); ++i)
+      if (const TriangleId id = triangle(dropped[i]); id != no_index) drop(id);
+    arrived.ids.resize(arrived.triangles.size());
+    for (std::size_t i = 0; i < arrived.ids.size(); ++i) arrived.ids[i] = place(arrived.triangles[i], vertices);
   }
   for (const Arrived& arrived : all)
     for (std::size_t i = 0; i < arrived.ids.size(); ++i) link(arrived.triangles[i], arrived.ids[i]);

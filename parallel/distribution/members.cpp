@@ -49,29 +49,39 @@ IndexAllocator all_but(std::size_t n, const ListsOfBlocks<IndexRange>& unused) {
 
 }  // namespace
 
-Members::Members(const Triangulation& t, std::size_t inputs, const Distribution& distribution, const Threads& threads)
+Members::Members(const Triangulation& t, const Distribution& distribution, const Threads& threads)
     : triangles_(0, 0), vertices_(0, 0) {
-  find_home(t, distribution, threads);
+  mark_owned(t, distribution);
   classify_triangles(t, distribution, threads);
-  // A point of the input that is in no triangle belongs to the piece of its owner, too.
-  for (VertexId v = 0; v < inputs; ++v)
-    if (vertex_[v] == at_home) vertex_[v] = at_home | exists | in_piece;
+  correct_marks_at_border(t, distribution.part());
   list_vertices(threads);
 }
 
-void Members::find_home(const Triangulation& t, const Distribution& distribution, const Threads& threads) {
+/// Marks all vertices that the rank owns, as members of its piece.
+void Members::mark_owned(const Triangulation& t, const Distribution& distribution) {
   vertex_ = Array<char>::zeroes(t.points.size());
+  const auto mark_if_owned = [&](IndexRange range) {
+    for (VertexId v = range.begin; v < range.end; ++v)
+      if (distribution.owner_of(v) == distribution.network().rank()) vertex_[v] = in_piece | owned;
+  };
+  VertexId begin = 0;
+  for (const IndexRange unused : distribution.unused_common()) {
+    mark_if_owned({begin, unused.begin});
+    begin = unused.end;
+  }
+  mark_if_owned({begin, distribution.common_vertices()});
   for (const Distribution::Insertions& each : distribution.insertions())
     if (distribution.is_interior(each.cell))
-      std::fill(vertex_.begin() + each.vertices.begin, vertex_.begin() + each.vertices.end, at_home);
-  parallel_blocks(threads, vertex_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t v = first; v < last; ++v)
-      if (vertex_[v] == 0 && distribution.owner_of(static_cast<VertexId>(v)) == distribution.network().rank())
-        vertex_[v] = at_home;
-  });
+      std::fill(vertex_.begin() + each.vertices.begin, vertex_.begin() + each.vertices.end, in_piece | owned);
+    else
+      mark_if_owned(each.vertices);
+  for (const VertexId v : distribution.part().vertices_of_others()) mark_if_owned({v, v + 1});
 }
 
+/// A triangle with a corner of another rank is held by that rank. So a triangle that no other rank knows has only
+/// corners of this rank, and most triangles need no closer look.
 void Members::classify_triangles(const Triangulation& t, const Distribution& distribution, const Threads& threads) {
+  const HeldPart& part = distribution.part();
   ListsOfBlocks<IndexRange> unused(t.slots.size());
   ListsOfBlocks<TriangleId> at_border(t.slots.size()), of_others(t.slots.size());
   ListsOfBlocks<EdgeRef> constrained(t.slots.size());
@@ -79,29 +89,48 @@ void Members::classify_triangles(const Triangulation& t, const Distribution& dis
     Unused gaps(unused[block]);
     auto next = static_cast<TriangleId>(first);
     const Slot* const slots = t.slots.data();
+    const auto is_of_piece = [&](TriangleId id) {
+      const auto& v = slots[id].v;
+      const bool is_member = (owns_vertex(v[0]) || owns_vertex(v[1]) || owns_vertex(v[2])) &&
+                             distribution.owner_of_triangle(id) == distribution.network().rank();
+      (is_member ? at_border : of_others)[block].push_back(id);
+      return is_member;
+    };
     const auto classify = [&, slots](TriangleId id) {
       const Slot& slot = slots[id];
-      const int a = marks_of(slot.v[0]), b = marks_of(slot.v[1]), c = marks_of(slot.v[2]);
-      bool is_member = true;
-      if ((a & b & c & at_home) == 0) {
-        is_member = ((a | b | c) & at_home) != 0 && distribution.owner_of_triangle(id) == distribution.network().rank();
-        (is_member ? at_border : of_others)[block].push_back(id);
-      }
+      const bool is_member = !part.is_known_elsewhere(id) || owns_all_corners(slot) || is_of_piece(id);
       if (id != next || !is_member) gaps.add({next, is_member ? id : id + 1});
       next = id + 1;
-      if ((a & b & c) != (exists | in_piece | at_home))
-        for (const VertexId corner : slot.v) mark(corner, is_member ? exists | in_piece : exists);
       if (!slot.any_constrained()) return;
       for (unsigned side = 0; side < 3; ++side)
         if (slot.n[side].constrained()) constrained[block].push_back({id, side});
     };
-    distribution.part().for_each_triangle(static_cast<TriangleId>(first), static_cast<TriangleId>(last), classify);
+    part.for_each_triangle(static_cast<TriangleId>(first), static_cast<TriangleId>(last), classify);
     gaps.add({next, static_cast<TriangleId>(last)});
   });
   triangles_ = all_but(t.slots.size(), unused);
   at_border_ = at_border.joined();
   of_others_ = of_others.joined();
   constrained_sides_ = constrained.joined();
+}
+
+/// Of the vertices that the rank owns, only a corner of a triangle with a corner of another rank can be in no triangle
+/// of the piece. Let v be such a corner. Triangles around v that share a side with v as an end form fans. A triangle of
+/// the piece in a fan is in at_border(), or has only corners of this rank and is next to a triangle that has not, or
+/// the fan has only triangles of the first kind and ends at boundary edges, which are constrained.
+void Members::correct_marks_at_border(const Triangulation& t, const HeldPart& part) {
+  const auto with_corners_of_others = {&at_border_, &of_others_};
+  for (const std::vector<TriangleId>* list : with_corners_of_others)
+    for (const TriangleId id : *list)
+      for (const VertexId v : t.slots[id].v) vertex_[v] &= owned;
+  for (const TriangleId id : at_border_) mark_corners(t.slots[id]);
+  for (const std::vector<TriangleId>* list : with_corners_of_others)
+    for (const TriangleId id : *list)
+      for (const EdgeRef across : t.slots[id].n)
+        if (!across.none() && !part.is_beyond(across) && owns_all_corners(t.slots[across.triangle()]))
+          mark_corners(t.slots[across.triangle()]);
+  for (const EdgeRef e : constrained_sides_)
+    if (owns_all_corners(t.slot(e))) mark_corners(t.slot(e));
 }
 
 void Members::list_vertices(const Threads& threads) {

@@ -1,7 +1,6 @@
 // The triangles and vertices of a piece, among those that the rank holds.
 #pragma once
 
-#include <atomic>
 #include <vector>
 
 #include "../concurrency/threads.hpp"
@@ -12,8 +11,7 @@ namespace pardel::engine {
 /// What belongs to the piece of a rank, and lists of triangles and vertices that need a closer look.
 class Members {
  public:
-  /// `inputs`: the vertices below this one are the points of the input.
-  Members(const Triangulation& t, std::size_t inputs, const Distribution& distribution, const Threads& threads);
+  Members(const Triangulation& t, const Distribution& distribution, const Threads& threads);
 
   /// The slots with triangles of the piece are in use.
   [[nodiscard]] const IndexAllocator& triangles() const { return triangles_; }
@@ -23,7 +21,7 @@ class Members {
   // The same in constant time, until forget_vertices():
   [[nodiscard]] bool has_vertex(VertexId v) const { return (vertex_[v] & in_piece) != 0; }
   /// True if the vertex exists in the mesh and lies in a cell that the rank owns.
-  [[nodiscard]] bool owns_vertex(VertexId v) const { return (vertex_[v] & (exists | at_home)) == (exists | at_home); }
+  [[nodiscard]] bool owns_vertex(VertexId v) const { return (vertex_[v] & owned) != 0; }
   void forget_vertices() { vertex_ = {}; }
 
   /// The triangles of the piece with a corner that the rank does not own.
@@ -36,14 +34,17 @@ class Members {
   [[nodiscard]] const std::vector<EdgeRef>& constrained_sides() const { return constrained_sides_; }
 
  private:
-  static constexpr char exists = 1, in_piece = 2, at_home = 4;
+  static constexpr char in_piece = 1, owned = 2;
 
-  void find_home(const Triangulation& t, const Distribution& distribution, const Threads& threads);
+  void mark_owned(const Triangulation& t, const Distribution& distribution);
   void classify_triangles(const Triangulation& t, const Distribution& distribution, const Threads& threads);
+  void correct_marks_at_border(const Triangulation& t, const HeldPart& part);
   void list_vertices(const Threads& threads);
-  [[nodiscard]] char marks_of(VertexId v) { return std::atomic_ref<char>(vertex_[v]).load(std::memory_order_relaxed); }
-  void mark(VertexId v, char marks) {
-    if ((marks_of(v) & marks) != marks) std::atomic_ref<char>(vertex_[v]).fetch_or(marks, std::memory_order_relaxed);
+  void mark_corners(const Slot& slot) {
+    for (const VertexId v : slot.v) vertex_[v] |= in_piece;
+  }
+  [[nodiscard]] bool owns_all_corners(const Slot& slot) const {
+    return (vertex_[slot.v[0]] & vertex_[slot.v[1]] & vertex_[slot.v[2]] & owned) != 0;
   }
 
   Array<char> vertex_;  ///< marks

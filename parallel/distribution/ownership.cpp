@@ -9,20 +9,9 @@
 namespace pardel::engine {
 namespace {
 
-std::vector<Index> cells_touching(const Lattice& lattice, Index cell) {
-  std::vector<Index> found;
-  const Index i = cell % lattice.columns(), j = cell / lattice.columns();
-  for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, lattice.rows() - 1); ++y)
-    for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, lattice.columns() - 1); ++x)
-      if (x != i || y != j) found.push_back(y * lattice.columns() + x);
-  return found;
-}
-
-std::vector<Index> cells_touching(const Tiles& tiles, Index cell) {
-  if (const Lattice* lattice = tiles.lattice()) return cells_touching(*lattice, cell);
-  const std::span<const Index> found = tiles.quadtree()->touching(cell);
-  return {found.begin(), found.end()};
-}
+/// A cell is cut into such a number of columns and rows. The margin of a box is half as wide as the next cell; in a
+/// quadtree, an eighth, a quarter or a half of it. So each part lies in the box or outside it.
+constexpr int parts = 8;
 
 std::vector<Index> cells_on_curve(const Tiles& tiles) {
   std::vector<Point> centres;
@@ -51,13 +40,31 @@ void sort_without_repetitions(std::vector<int>& ranks) {
 
 }  // namespace
 
+std::vector<double> work_of_tasks(const Tiles& tiles, std::span<const double> work) {
+  std::vector<double> of_task(work.size(), 0);
+  for (Index cell = 0; cell < tiles.cells(); ++cell) {
+    const Point centre = tiles.centre_of(cell);
+    const auto [x, y] = tiles.half_size(cell);
+    const std::vector<Index> touching = tiles.touching(cell);
+    for (int part = 0; part < parts * parts; ++part) {
+      const Point p{centre.x + x * ((2 * (part % parts) + 1.0) / parts - 1),
+                    centre.y + y * ((2 * (part / parts) + 1.0) / parts - 1)};
+      Index first = cell;
+      for (const Index other : touching)
+        if (tiles.colour_of(other) < tiles.colour_of(first) && tiles.box_of(other).contains_half_open(p)) first = other;
+      of_task[first] += work[cell] / (parts * parts);
+    }
+  }
+  return of_task;
+}
+
 Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks)
     : Ownership(tiles, owners(cells_on_curve(tiles), work, ranks)) {}
 
 Ownership::Ownership(const Tiles& tiles, std::vector<int> owner)
     : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(std::move(owner)) {
   for (Index cell = 0; cell < tiles.cells(); ++cell) {
-    touching_.push_back(cells_touching(tiles, cell));
+    touching_.push_back(tiles.touching(cell));
     std::vector<int>& near = near_.emplace_back(1, owner_[cell]);
     for (const Index other : touching_.back()) near.push_back(owner_[other]);
     sort_without_repetitions(near);

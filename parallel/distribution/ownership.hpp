@@ -9,6 +9,12 @@
 
 namespace pardel::engine {
 
+/// Per cell, the work that its task finds. A task works in its box, which is larger than its cell, and tasks of later
+/// colours find only what earlier ones have left. So the work at a place counts for the task of the earliest colour
+/// among those whose boxes contain the place. The sum over all cells does not change. `work`: per cell, assumed to be
+/// spread evenly over the cell. O(cells).
+[[nodiscard]] std::vector<double> work_of_tasks(const Tiles& tiles, std::span<const double> work);
+
 /// Divides the cells of tiles among ranks. Each rank owns cells that follow each other on a space-filling curve, with
 /// about the same work. It holds all triangles with a corner in the area that it watches: the boxes of its cells, or
 /// for a quadtree its leaves and all that touch them. (Triangles that wait for a leaf may be longer than the margin of

@@ -35,7 +35,7 @@ class PieceMaker {
         part_(distribution.part()),
         input_(std::move(input)),
         threads_(threads),
-        members_(t_, domain.input_of_vertex.size(), distribution, threads),
+        members_(t_, distribution, threads),
         data_(vertex_data(domain, distribution, members_, input_.points.markers)) {}
 
   [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {

@@ -16,6 +16,7 @@ void Task::start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle>
   free_ = &free;
   insertion_.start(free);
   result_ = {};
+  changed_.clear();
   hints_ = {};
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     if (report && i % steps_between_reports == 0) report(0);
@@ -48,6 +49,13 @@ TaskResult Task::run(const Tiles& tiles, Index cell, std::span<const QueuedTrian
   return finish();
 }
 
+TaskResult Task::finish() {
+  std::erase_if(changed_, [&](const QueuedTriangle& made) { return !made.is_current(t_); });
+  result_.changed.reserve(changed_.size());
+  for (const QueuedTriangle& made : changed_) result_.changed.push_back(made.id());
+  return std::move(result_);
+}
+
 void Task::hand_on_to_own_cell(QueuedTriangle triangle) {
   result_.handed_on.push_back({triangle, cell_});
   ++result_.out_of_indices;
@@ -57,7 +65,7 @@ void Task::consider_changed() {
   const auto changed = insertion_.changed();
   const auto measures = insertion_.measures();
   if (lists_changes_) [[unlikely]]
-    for (const TriangleId id : changed) result_.changed.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
+    for (const TriangleId id : changed) changed_.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
   if (measures.empty()) {
     for (const TriangleId id : changed) consider(id);
     return;

@@ -24,7 +24,7 @@ struct TaskResult {
   std::vector<HandedOn> handed_on;               ///< to other cells, or to its own if its indices were used up
   std::vector<QueuedTriangle> needs_larger_box;  ///< the point lies in the cell, but the cavity leaves the cell's box
   std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
-  std::vector<QueuedTriangle> changed;  ///< if asked for: the triangles made; those that still exist are current
+  std::vector<TriangleId> changed;               ///< if asked for: the triangles that it made, and that still exist
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
   std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box should fit the box by T1
@@ -54,7 +54,7 @@ class Task {
   void start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
              FreeIndices& free, const Report& report = {}, bool list_changes = false);
   [[nodiscard]] bool step();
-  [[nodiscard]] TaskResult finish() { return std::move(result_); }
+  [[nodiscard]] TaskResult finish();
 
  private:
   void consider(TriangleId id) {
@@ -105,6 +105,7 @@ class Task {
   Box box_;
   Deferral later_;
   bool lists_changes_ = false;
+  std::vector<QueuedTriangle> changed_;  ///< all triangles made; most do not exist any more
 };
 
 }  // namespace pardel::engine

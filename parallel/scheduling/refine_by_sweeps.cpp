@@ -314,8 +314,7 @@ class Refinement {
     if (is_divided_) partners_->exchange_changes(tasks);
     for (const PlannedTask& task : tasks) {
       threads_.ask();
-      if (changed_)
-        for (const QueuedTriangle triangle : task.result.changed) changed_->push_back(triangle.id());
+      if (changed_) changed_->insert(changed_->end(), task.result.changed.begin(), task.result.changed.end());
       for (const HandedOn& h : task.result.handed_on) seeds[h.cell].push_back(h.triangle);
       collect(task, done);
       if (!task.elsewhere) record_.add_task(tiles, task.cell, task.thread);

@@ -20,6 +20,21 @@ TEST(Message, has_the_lists_that_were_written) {
   EXPECT_TRUE(reader.empty());
 }
 
+TEST(Message, can_be_written_and_read_value_by_value) {
+  Writer writer;
+  writer.list(std::vector<char>{1, 2, 3});  // what follows is not aligned
+  writer.list_of<double>(3, [](std::size_t i) { return 0.5 * static_cast<double>(i); });
+  writer.list(std::vector<int>{7});
+  const Ranks::Bytes bytes = writer.take();
+  Reader reader(bytes);
+  EXPECT_EQ(reader.packed_list<char>().size(), 3U);
+  const PackedList<double> halves = reader.packed_list<double>();
+  ASSERT_EQ(halves.size(), 3U);
+  EXPECT_EQ(halves[2], 1.0);
+  EXPECT_EQ(reader.list<int>(), std::vector<int>{7});
+  EXPECT_TRUE(reader.empty());
+}
+
 TEST(Message, that_is_cut_off_anywhere_is_an_error) {
   Writer writer;
   writer.list(std::vector<int>{1, 2, 3});

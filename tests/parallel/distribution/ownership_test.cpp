@@ -21,6 +21,44 @@ Tiles some_quadtree() {
   return Tiles(tree);
 }
 
+TEST(WorkOfTasks, tasks_of_the_first_colour_have_all_work_of_a_lattice) {
+  const Tiles tiles(Lattice({0, 0, 9, 9}, 9, 9));
+  const std::vector<double> of_task = work_of_tasks(tiles, std::vector<double>(tiles.cells(), 1));
+  for (Index cell = 0; cell < tiles.cells(); ++cell) {
+    if (tiles.colour_of(cell) != 0) {
+      EXPECT_EQ(of_task[cell], 0);
+      continue;
+    }
+    // The boxes extend half a cell to each side. Beyond the bounds there is nothing.
+    const auto extent = [](Index i) { return i == 0 || i == 8 ? 1.5 : 2; };
+    EXPECT_EQ(of_task[cell], extent(cell % 9) * extent(cell / 9)) << cell;
+  }
+}
+
+TEST(WorkOfTasks, no_work_is_lost) {
+  for (const Tiles& tiles : {Tiles(Lattice({0, 0, 3, 2}, 5, 7)), some_quadtree()}) {
+    std::vector<double> work(tiles.cells());
+    std::iota(work.begin(), work.end(), 1.0);
+    const std::vector<double> of_task = work_of_tasks(tiles, work);
+    EXPECT_DOUBLE_EQ(std::accumulate(of_task.begin(), of_task.end(), 0.0),
+                     std::accumulate(work.begin(), work.end(), 0.0));
+  }
+}
+
+TEST(WorkOfTasks, the_work_of_a_leaf_goes_only_to_tasks_that_reach_it) {
+  const Tiles tiles = some_quadtree();
+  for (Index cell = 0; cell < tiles.cells(); ++cell) {
+    std::vector<double> work(tiles.cells(), 0);
+    work[cell] = 1;
+    const std::vector<double> of_task = work_of_tasks(tiles, work);
+    double near = of_task[cell];
+    for (const Index touched : tiles.touching(cell)) near += of_task[touched];
+    EXPECT_EQ(near, 1);
+    // The middle of a leaf lies in no other box.
+    EXPECT_GT(of_task[cell], 0);
+  }
+}
+
 TEST(Ownership, divides_the_work) {
   std::vector<double> work(lattice.cells());
   std::iota(work.begin(), work.end(), 1.0);
