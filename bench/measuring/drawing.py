@@ -19,9 +19,9 @@ def spelled(number):
     return f"{number:.3g}"
 
 
-def curve(title, points, last, notable, describe):
+def curve(title, points, last, steps, describe):
     """The elements of one curve in a box of WIDTH x HEIGHT. points: as from history.series(), at least one; last: the
-    place of the last commit; describe: text about a point."""
+    place of the last commit; steps: the changes to mark, as from history.changes(); describe: text about a point."""
     most = max(number for _, number, _ in points)
 
     def at(point):
@@ -32,7 +32,6 @@ def curve(title, points, last, notable, describe):
              f'<text x="{WIDTH - MARGIN}" y="14" text-anchor="end">{spelled(points[-1][1])}</text>',
              f'<line x1="{MARGIN}" y1="{HEIGHT - BOTTOM}" x2="{WIDTH - MARGIN}" y2="{HEIGHT - BOTTOM}" stroke="#bbb"/>',
              f'<polyline points="{line}" fill="none" stroke="{LINE}"/>']
-    steps = history.changes(points, notable)
     changed = {id(after): share for share, _, after in steps}
     for point in points:
         x, y = at(point)
@@ -63,12 +62,13 @@ def svg(rows_of_curves):
     return "\n".join(parts + ["</svg>\n"])
 
 
-def table(title, series, notable, subject):
-    """The changes of all workloads that are worth a line, each with the commits between which it lies."""
+def table(title, series, steps_of, subject):
+    """The changes of all workloads that are worth a line, each with the commits between which it lies. steps_of: the
+    changes of a list of points."""
     lines = [f"<h2>{title}</h2>", "<table>",
              "<tr><th>workload</th><th>change</th><th>commit</th><th>measured before</th><th>mesh</th></tr>"]
     for name, points in sorted(series.items()):
-        for share, before, after in history.changes(points, notable):
+        for share, before, after in steps_of(points):
             old, new = before[2]["digest"], after[2]["digest"]
             mesh = "" if not old or not new else "the same" if old == new else "another"
             lines.append(f"<tr><td>{html.escape(name)}</td><td>{100 * share:+.1f} %</td>"
@@ -87,16 +87,28 @@ def draw(rows, line, compiler, machine, subject):
     rates = history.series(rows, line, history.items_per_second,
                            lambda row: row["compiler"] == compiler and row["machine"] == machine)
 
-    def drawn(series, name, what, notable):
+    counted = {(row["commit"], name): number for name, points in counts.items() for _, number, row in points}
+
+    def steps_of_counts(points):
+        return history.changes(points, NOTABLE_COUNT)
+
+    def steps_of_rates(points):
+        """Without those where the instructions are the same: there, something else on the machine is the likely cause."""
+        def explained(before, after):
+            old, new = (counted.get((point[2]["commit"], point[2]["workload"].split(THREADS)[0])) for point in (before, after))
+            return old is None or new is None or abs(new / old - 1) >= NOTABLE_COUNT
+        return [step for step in history.changes(points, NOTABLE_RATE) if explained(*step[1:])]
+
+    def drawn(series, name, what, steps_of):
         if name not in series:
             return None
-        return curve(f"{name}: {what}", series[name], len(line) - 1, notable,
+        return curve(f"{name}: {what}", series[name], len(line) - 1, steps_of(series[name]),
                      lambda point: f"{subject(point[2]['commit'])}: {point[1]:,.0f}")
     alone = sorted(name for name in counts.keys() | rates.keys() if THREADS not in name)
-    curves = [[drawn(counts, name, "instructions", NOTABLE_COUNT), drawn(rates, name, "items/s", NOTABLE_RATE),
-               drawn(rates, f"{name}{THREADS}2", "items/s", NOTABLE_RATE)] for name in alone]
+    curves = [[drawn(counts, name, "instructions", steps_of_counts), drawn(rates, name, "items/s", steps_of_rates),
+               drawn(rates, f"{name}{THREADS}2", "items/s", steps_of_rates)] for name in alone]
     others = sorted(name for name in rates if THREADS in name and name.split(THREADS)[0] not in alone)
-    curves += [[None, drawn(rates, name, "items/s", NOTABLE_RATE)] for name in others]
+    curves += [[None, drawn(rates, name, "items/s", steps_of_rates)] for name in others]
     picture = svg(curves or [[None]])
     page = "\n".join([
         "<!DOCTYPE html>", "<html lang='en'>", "<meta charset='utf-8'>",
@@ -107,11 +119,14 @@ def draw(rows, line, compiler, machine, subject):
         f"<p>Written by bench/track: {len(line)} commits, from {html.escape(subject(line[0]) if line else '')} to "
         f"{html.escape(subject(line[-1]) if line else '')}. Instructions are counted by valgrind, on one thread, with "
         f"{html.escape(compiler)}. Items are triangles; for predicates evaluations, for insertion points. Seconds are "
-        f"the least of some runs on one machine ({html.escape(machine)}), of the processor on one thread, of the clock on "
-        f"two. The machine also did other work, so they vary. All axes begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions "
-        f"and of {100 * NOTABLE_RATE:.0f} % of the speed. docs/performance.md describes the workloads.</p>",
+        f"the least of some runs on one machine ({html.escape(machine)}), of the processor on one thread, of the clock "
+        f"on two. The machine also did other work, so they vary, often by a half. All axes begin at zero; the number is "
+        f"the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions, and of "
+        f"{100 * NOTABLE_RATE:.0f} % of the speed if the instructions changed, too. bench/compare finds changes of the "
+        f"speed alone. docs/performance.md describes the workloads.</p>",
         picture,
-        table(f"Changes of instructions of {100 * NOTABLE_COUNT:.0f} % and more", counts, NOTABLE_COUNT, subject),
-        table(f"Changes of items per second of {100 * NOTABLE_RATE:.0f} % and more", rates, NOTABLE_RATE, subject),
+        table(f"Changes of instructions of {100 * NOTABLE_COUNT:.0f} % and more", counts, steps_of_counts, subject),
+        table(f"Changes of items per second of {100 * NOTABLE_RATE:.0f} % and more, where the instructions changed", rates,
+              steps_of_rates, subject),
         "</html>", ""])
     return picture, page

@@ -32,7 +32,9 @@ def entries(runs, instructions):
                  "time_unit": "ns", "items_per_second": one["items"] / one["seconds"], "items": one["items"]}
         if one["triangles"]:
             entry["bytes_per_triangle"] = one["bytes"] / one["items"]
-        for key, value in (("digest", one["digest"]), ("cycles", one["cycles"]), ("instructions", instructions.get(name))):
+        known = {"stalled": one.get("stalled"), "digest": one["digest"], "cycles": one["cycles"],
+                 "instructions": instructions.get(name)}
+        for key, value in known.items():
             if value is not None:
                 entry[key] = value
         found.append(entry)

@@ -8,8 +8,8 @@ from . import commits
 FILE = os.path.join(commits.ROOT, "bench", "history", "workloads.csv")
 # A workload on n > 1 threads is NAME/threads:n. Instructions are those of the counted size; the other columns are of
 # the timed size. `seconds`: once.seconds(). `items` are triangles, or evaluations of predicates, or inserted points. A
-# value that was not measured is empty. `bytes` is the largest memory of the work; for the tables of bench/scaling and bench/paper_tables that of the
-# process. `digest` is the first half of the digest of the mesh.
+# value that was not measured is empty. `bytes` is the largest memory of the work; for the tables of bench/scaling and
+# bench/paper_tables that of the process. `digest` is the first half of the digest of the mesh.
 COLUMNS = ["commit", "compiler", "machine", "workload", "instructions", "items", "seconds", "bytes", "cycles", "digest"]
 SHORT_COMMIT, SHORT_DIGEST = 12, 16
 

@@ -31,7 +31,8 @@ def sign_interval(values, confidence):
 def median_interval(values, confidence):
     """The median of positive values, and an interval for the median of their distribution: the bootstrap interval,
     widened to the sign interval. For few values the bootstrap interval alone is too narrow: of 15 values, that of 99 %
-    begins at the fourth least one, and in 1.8 % of all cases at most three of 15 lie below the median. Precondition: there are values, and 0 < confidence < 1."""
+    begins at the fourth least one, and in 1.8 % of all cases at most three of 15 lie below the median. Precondition:
+    there are values, and 0 < confidence < 1."""
     intervals = bootstrap_interval(values, confidence), sign_interval(values, confidence)
     return statistics.median(values), min(low for low, _ in intervals), max(high for _, high in intervals)
 

@@ -10,7 +10,7 @@ import unittest
 import unittest.mock
 import xml.etree.ElementTree
 
-from measuring import commits, drawing, google, history, once, ratios
+from measuring import commits, drawing, google, history, once, pressure, ratios
 
 
 def script(name):
@@ -190,6 +190,20 @@ class History(unittest.TestCase):
         self.assertEqual((found["seconds"], found["bytes"], found["cycles"], found["digest"]), ("2.00000", "", 5, ""))
         self.assertEqual((once.seconds(run), once.seconds({**run, "threads": 2})), (2, 3))
 
+    def test_a_row_of_a_table_has_the_time_of_the_clock_and_no_instructions(self):
+        entry = {"run_name": "scaling/pipe/tiles/threads:2", "threads": 2, "real_time": 2e9, "items": 100,
+                 "bytes_per_triangle": 50.5}
+        found = track.row_of("0" * 40, "c", [entry])
+        self.assertEqual((found["workload"], found["seconds"], found["bytes"], found["instructions"]),
+                         ("scaling/pipe/tiles/threads:2", "2.00000", 5050, ""))
+
+    def test_times_of_the_clock_on_a_busy_machine_are_left_out(self):
+        def entry(time, stalled, threads):
+            return {"run_name": "w", "threads": threads, "real_time": time, "cpu_time": time, "items": 1, "stalled": stalled}
+        self.assertIsNone(track.row_of("0" * 40, "c", [entry(1e9, 0.5, 2), entry(2e9, 0.2, 2)]))
+        self.assertEqual(track.row_of("0" * 40, "c", [entry(1e9, 0.5, 2), entry(2e9, 0.05, 2)])["seconds"], "2.00000")
+        self.assertEqual(track.row_of("0" * 40, "c", [entry(1e9, 0.5, 1), entry(2e9, 0.05, 1)])["seconds"], "1.00000")
+
     def test_the_committed_history_is_complete_and_in_order(self):
         rows = history.read()
         self.assertGreater(len({each["commit"] for each in rows}), 20)
@@ -198,6 +212,23 @@ class History(unittest.TestCase):
         for each in rows:
             self.assertEqual(list(each), history.COLUMNS)
             self.assertTrue(each["instructions"] or float(each["seconds"]) > 0, each)
+
+
+class Pressure(unittest.TestCase):
+    def test_the_share_is_the_growth_of_the_stalled_time(self):
+        stalled, clock = iter([10, 12.5]), iter([100, 110])
+        self.assertEqual(pressure.Watch(lambda: next(stalled), lambda: next(clock)).share(), 0.25)
+
+    def test_without_the_information_there_is_no_share(self):
+        self.assertIsNone(pressure.Watch(lambda: None).share())
+        self.assertIsNone(pressure.stalled_seconds("/no/such/file"))
+
+    def test_the_total_of_some_is_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "cpu")
+            with open(file, "w") as out:
+                out.write("some avg10=99.50 avg60=99.70 avg300=99.34 total=5091707002\nfull avg10=0.00 total=0\n")
+            self.assertAlmostEqual(pressure.stalled_seconds(file), 5091.707002)
 
 
 class GoogleBenchmark(unittest.TestCase):
@@ -214,7 +245,7 @@ class GoogleBenchmark(unittest.TestCase):
 
     def test_what_was_not_measured_has_no_entry(self):
         entry, = google.entries([{**self.RUN, "cycles": None, "digest": None, "triangles": False}], {})
-        self.assertFalse({"cycles", "digest", "instructions", "bytes_per_triangle"} & entry.keys())
+        self.assertFalse({"cycles", "digest", "instructions", "bytes_per_triangle", "stalled"} & entry.keys())
 
     def test_the_context_names_machine_compiler_and_commit(self):
         context = google.context("c0", "g++ 1", "once")
@@ -225,7 +256,9 @@ class Drawing(unittest.TestCase):
     ROWS = [row("a", instructions="1000", seconds="0.1", items="50", digest="d1"),
             row("b", instructions="1001", seconds="0.1", items="50", digest="d1"),
             row("c", instructions="1100", seconds="0.05", items="50", digest="d2"),
-            row("c", workload="w/threads:2", seconds="0.2", items="50"),
+            row("a", workload="w/threads:2", seconds="0.1", items="50"),
+            row("b", workload="w/threads:2", seconds="0.2", items="50"),
+            row("c", workload="w/threads:2", seconds="0.4", items="50"),
             row("c", workload="other", instructions="5", compiler="c2")]
 
     def draw(self):
@@ -234,13 +267,17 @@ class Drawing(unittest.TestCase):
     def test_the_drawing_is_xml_with_a_curve_for_counts_and_speeds_of_each_workload(self):
         root = xml.etree.ElementTree.fromstring(self.draw()[0])
         lines = root.findall(".//{http://www.w3.org/2000/svg}polyline")
-        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 1])
+        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 3])
 
     def test_the_page_names_the_commit_that_changed_a_workload(self):
         page = self.draw()[1]
         self.assertIn("<tr><td>w</td><td>+9.9 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
         self.assertIn("<tr><td>w</td><td>+100.0 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
-        self.assertEqual(page.count("<tr><td>"), 2)
+
+    def test_a_change_of_the_speed_is_named_only_if_the_instructions_changed_too(self):
+        page = self.draw()[1]
+        self.assertIn("<tr><td>w/threads:2</td><td>-50.0 %</td><td>&lt;c&gt;</td>", page)
+        self.assertEqual(page.count("<tr><td>"), 3)
 
     def test_counts_of_another_compiler_are_not_in_a_curve(self):
         self.assertNotIn("other", self.draw()[0])
