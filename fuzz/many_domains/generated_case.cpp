@@ -189,6 +189,7 @@ class Drawing {
       note("kept_segments");
     }
     if (random_.chance(10)) limit_vertices(static_cast<std::uint64_t>(random_.between(0, 200)));
+    if (drawn_.has_gaps_of_rounding()) limit_vertices(1'000);
     if (options.max_vertices > 0) note("limit");
   }
 
@@ -218,10 +219,12 @@ class Drawing {
 
 }  // namespace
 
+bool GeneratedCase::has_gaps_of_rounding() const {
+  return far_off || (turned && (goal.convex_hull || pslg.segments.empty()));
+}
+
 bool GeneratedCase::may_miss() const {
-  // Points almost on an edge of the convex hull leave flat triangles, which nothing can split.
-  const bool flat_at_hull = turned && (goal.convex_hull || pslg.segments.empty());
-  return flat_at_hull || far_off || options.min_edge > 0 || options.no_boundary_splits || options.no_segment_splits ||
+  return has_gaps_of_rounding() || options.min_edge > 0 || options.no_boundary_splits || options.no_segment_splits ||
          goal.min_angle_deg > 30;
 }
 

@@ -23,6 +23,9 @@ struct GeneratedCase {
   /// What was drawn, for counts of cases of a kind: the family first, then "angle28", "field", "threads3" and so on.
   std::vector<std::string> kinds;
 
+  /// True if points may lie almost on a segment or almost on an edge of the convex hull. Between such lines, refinement
+  /// ends only at the resolution of doubles, so these cases have a limit on vertices.
+  [[nodiscard]] bool has_gaps_of_rounding() const;
   /// True if a bound may be missed although the limit on vertices was not reached.
   [[nodiscard]] bool may_miss() const;
 };

@@ -94,6 +94,46 @@ double fraction_of_pieces(double count, Point a, Point b) {
   return lexicographically_less(a, b) ? first : 1 - first;
 }
 
+/// The exact square of a length.
+exact::Expansion<16> exact_square(Point a, Point b) {
+  const exact::Expansion<2> x(exact::two_difference(b.x, a.x)), y(exact::two_difference(b.y, a.y));
+  return x * x + y * y;
+}
+
+/// The shortest side, given the side that is the shortest up to rounding. In a flat triangle two sides can differ by
+/// less than the rounding of their squares, and only one of them lies opposite the smallest angle.
+unsigned exactly_shortest_side(const Triangulation& t, const Slot& slot, const Measure& measure, unsigned shortest) {
+  constexpr double far_above_rounding = 1 + 0x1p-40;
+  const auto square_of = [&](unsigned side) {
+    return exact_square(t.points[slot.from(side)], t.points[slot.to(side)]);
+  };
+  unsigned result = shortest;
+  for (const unsigned other : {next_corner[shortest], previous_corner[shortest]})
+    if (measure.squared[other] <= measure.squared[shortest] * far_above_rounding &&
+        (square_of(other) - square_of(result)).estimate() < 0)
+      result = other;
+  return result;
+}
+
+/// The exemption of a triangle whose smallest angle lies at this corner.
+std::optional<SmallAngle> small_angle_at(unsigned corner, const Triangulation& t, const DomainSegments& segments,
+                                         const Slot& slot) {
+  const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
+  if (slot.n[next_corner[corner]].constrained() && slot.n[previous_corner[corner]].constrained()) {
+    const Index first = segments.segment_of(t, o, u), second = segments.segment_of(t, o, v);
+    if (first != second && first != no_index && second != no_index)
+      return SmallAngle{ExemptReason::nestled, o, degrees(segments.cosine_at(t.points, o, first, second))};
+  }
+  const Index segment_u = segment_of_origin(t.origin[u]), segment_v = segment_of_origin(t.origin[v]);
+  if (segment_u >= segments.size() || segment_v >= segments.size() || segment_u == segment_v) return {};
+  const VertexId apex = segments.shared_end(segment_u, segment_v);
+  if (apex == no_index) return {};
+  const double cosine = segments.cosine_at(t.points, apex, segment_u, segment_v);
+  // Seditious: below 60 degrees, whose cosine is 1/2.
+  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
+  return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
+}
+
 }  // namespace
 
 Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b, double pieces) {
@@ -118,20 +158,10 @@ Point edge_split_point(const Triangulation& t, const DomainSegment& segment, Ver
 std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Slot& slot,
                                       const Measure& measure) {
   const unsigned corner = measure.shortest_side();
-  const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
-  if (slot.n[next_corner[corner]].constrained() && slot.n[previous_corner[corner]].constrained()) {
-    const Index first = segments.segment_of(t, o, u), second = segments.segment_of(t, o, v);
-    if (first != second && first != no_index && second != no_index)
-      return SmallAngle{ExemptReason::nestled, o, degrees(segments.cosine_at(t.points, o, first, second))};
-  }
-  const Index segment_u = segment_of_origin(t.origin[u]), segment_v = segment_of_origin(t.origin[v]);
-  if (segment_u >= segments.size() || segment_v >= segments.size() || segment_u == segment_v) return {};
-  const VertexId apex = segments.shared_end(segment_u, segment_v);
-  if (apex == no_index) return {};
-  const double cosine = segments.cosine_at(t.points, apex, segment_u, segment_v);
-  // Seditious: below 60 degrees, whose cosine is 1/2.
-  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
-  return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
+  const std::optional<SmallAngle> found = small_angle_at(corner, t, segments, slot);
+  if (!found) return found;
+  const unsigned exactly = exactly_shortest_side(t, slot, measure, corner);
+  return exactly == corner ? found : small_angle_at(exactly, t, segments, slot);
 }
 
 }  // namespace pardel::engine

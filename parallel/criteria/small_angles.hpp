@@ -37,8 +37,9 @@ struct SmallAngle {
 };
 
 /// The exemption of a triangle that breaks only the bound on angles, or nothing if it has to be split. A triangle is
-/// exempt if splitting it would never end. It is nestled (its smallest angle lies between two segments) or seditious
-/// (its shortest edge joins points of one shell on two segments that meet at less than 60 degrees).
+/// exempt if splitting it would never end. Which of its angles is the smallest is decided exactly. It is nestled (its
+/// smallest angle lies between two segments) or seditious (its shortest edge joins points of one shell on two segments
+/// that meet at less than 60 degrees).
 [[nodiscard]] std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments,
                                                     const Slot& slot, const Measure& measure);
 

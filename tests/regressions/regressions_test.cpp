@@ -115,6 +115,18 @@ TEST(LimitRegression, a_limit_on_vertices_limits_the_cells_of_the_lattice) {
   EXPECT_LE(meshed->report.tiling.columns * meshed->report.tiling.rows, 150U);
 }
 
+TEST(ReasonRegression, the_smallest_angle_of_a_flat_triangle_is_found_exactly) {
+  const Pslg pslg = domain_for_bounds("flat_triangle_with_two_sides_of_nearly_one_length");
+  const Goal goal{.min_angle_deg = 33, .conforming = true};
+  const Result<Meshed> meshed = mesh(pslg, goal, {.max_vertices = 313, .min_edge = 0.125});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  ASSERT_FALSE(meshed->report.exempt.empty());
+  const Certificate certificate = check(pslg, meshed->mesh, goal);
+  for (const Exemption& e : meshed->report.exempt)
+    EXPECT_TRUE(!justified(e.reason) || std::ranges::count(certificate.justified, e.triangle, &Justified::triangle) > 0)
+        << name(e.reason) << " triangle " << e.triangle;
+}
+
 class RepairRegression : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(RepairRegression, is_repaired_up_to_rounding) {
