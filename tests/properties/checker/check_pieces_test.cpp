@@ -1,6 +1,7 @@
 // The certificate of a mesh in pieces is that of the joined mesh.
 #include "../../../properties/checker/check_pieces.hpp"
 
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -64,6 +65,7 @@ Cut some_cut(const Mesh& mesh) {
 struct Checked {
   std::string fault;  ///< what the ranks do not agree on, or what is an error
   Certificate certificate;
+  std::size_t readings = 0;  ///< of all pieces
 };
 
 /// Gives the pieces of one rank one after another, each as a new copy.
@@ -75,13 +77,16 @@ class PiecesInTurn {
               if (!last_.expired()) return Error{ErrorKind::internal, "a rank holds two pieces"};
               auto piece = std::make_shared<const NumberedMesh>(pieces_[i]);
               last_ = piece;
+              ++readings_;
               return piece;
             }};
   }
+  [[nodiscard]] std::size_t readings() const { return readings_; }
 
  private:
   std::span<const NumberedMesh> pieces_;
   std::weak_ptr<const NumberedMesh> last_;
+  std::size_t readings_ = 0;
 };
 
 /// first[r]: the first piece of rank r. Pieces of a rank follow each other; a rank may have none.
@@ -89,6 +94,7 @@ Checked check_on_ranks(const Pslg& pslg, std::span<const NumberedMesh> pieces, c
                        const Goal& goal, const CheckOptions& options) {
   std::vector<Certificate> certificates(first.size());
   std::vector<std::string> errors(first.size());
+  std::vector<std::size_t> readings(first.size());
   properties::on_ranks(static_cast<int>(first.size()), [&](Ranks& ranks) {
     const auto rank = static_cast<std::size_t>(ranks.rank());
     const std::size_t end = rank + 1 < first.size() ? first[rank + 1] : pieces.size();
@@ -98,8 +104,10 @@ Checked check_on_ranks(const Pslg& pslg, std::span<const NumberedMesh> pieces, c
       certificates[rank] = std::move(*result);
     else
       errors[rank] = result.error().message;
+    readings[rank] = mine.readings();
   });
-  Checked checked{errors.front(), certificates.front()};
+  Checked checked{errors.front(), certificates.front(),
+                  std::accumulate(readings.begin(), readings.end(), std::size_t{0})};
   for (std::size_t rank = 1; rank < first.size() && checked.fault.empty(); ++rank)
     if (errors[rank] != errors.front() || to_json(certificates[rank]) != to_json(certificates.front()))
       checked.fault = "rank " + std::to_string(rank) + " has another certificate";
@@ -375,6 +383,61 @@ PARDEL_FACT(
     EXPECT_EQ(testing::verdict(checked.certificate), "not valid: wrong_region " + std::to_string(lost));
     ++facts.cases;
   }
+}
+
+PARDEL_FACT(
+    Pieces, may_list_a_vertex_in_the_interior_of_another_piece,
+    {.statement = "a vertex without triangles of one piece that lies in the interior of another piece is a vertex "
+                  "with triangles, as in the joined mesh",
+     .source = "properties/checker/check_pieces.hpp",
+     .families = "a square in one piece, and a vertex"}) {
+  const Goal goal{.max_area = 0.002};
+  const Result<Meshed> meshed = mesh(domains::square(), goal);
+  ASSERT_TRUE(meshed);
+  const Mesh& mesh = meshed->mesh;
+  std::vector<NumberedMesh> pieces = testing::cut_mesh(mesh, std::vector<std::size_t>(mesh.triangles.size(), 0), 2);
+  const auto from_the_middle = [](Point p) { return std::hypot(p.x - 0.5, p.y - 0.5); };
+  const Point* const inner = std::ranges::min_element(mesh.points, {}, from_the_middle);
+  testing::PieceOf other(mesh);
+  other.vertex(static_cast<Index>(inner - mesh.points.begin()));
+  pieces[1] = other.take();
+  const CheckOptions options{.foreign = true};
+  const Certificate whole = check(domains::square(), *join_pieces(pieces), goal, options);
+  EXPECT_TRUE(whole.valid);
+  for (const std::vector<std::size_t>& division : {std::vector<std::size_t>{0}, {0, 1}, {0, 1, 2}}) {
+    const Checked checked = check_on_ranks(domains::square(), pieces, division, goal, options);
+    EXPECT_EQ(checked.fault, "");
+    EXPECT_EQ(to_json(checked.certificate), to_json(whole));
+    ++facts.cases;
+  }
+}
+
+/// Checks the mesh in eight blocks of triangles on one rank, and returns the readings.
+std::size_t readings_of_eight_pieces(const Pslg& pslg, const Mesh& whole, const Goal& goal) {
+  std::vector<std::size_t> owner;
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t) owner.push_back(8 * t / whole.triangles.size());
+  const Checked checked = check_on_ranks(pslg, testing::cut_mesh(whole, owner, 8), {0}, goal, {});
+  EXPECT_EQ(checked.fault, "");
+  EXPECT_TRUE(checked.certificate.valid);
+  return checked.readings;
+}
+
+PARDEL_FACT(Pieces, are_read_again_only_if_they_depend_on_others,
+            {.statement = "a piece of a right mesh is read once; twice if it has triangles that a small input angle "
+                          "justifies; three times if the input has regions",
+             .source = "properties/checker/check_pieces.hpp",
+             .families = "a square; a wedge; squares that are regions; each in eight pieces on one rank"}) {
+  const Goal goal{.max_area = 0.005};
+  const auto readings = [&](const Pslg& pslg) {
+    const Result<Meshed> meshed = mesh(pslg, goal);
+    return meshed ? readings_of_eight_pieces(pslg, meshed->mesh, goal) : 0;
+  };
+  EXPECT_EQ(readings(domains::square()), 8U);
+  EXPECT_EQ(readings(domains::regions()), 24U);
+  const std::size_t of_a_wedge = readings(domains::wedge(4, 8));
+  EXPECT_GT(of_a_wedge, 8U);
+  EXPECT_LE(of_a_wedge, 16U);
+  facts.cases += 3;
 }
 
 }  // namespace
