@@ -21,15 +21,15 @@ struct Bounded {
   long double value = 0, error = 0;
 
   friend Bounded operator+(Bounded a, Bounded b) {
-    const long double value = a.value + b.value;
-    return {value, (a.error + b.error + std::fabs(value) * unit) * slack};
+    const long double sum = a.value + b.value;
+    return {sum, (a.error + b.error + std::fabs(sum) * unit) * slack};
   }
   friend Bounded operator-(Bounded a, Bounded b) { return a + Bounded{-b.value, b.error}; }
   friend Bounded operator*(Bounded a, Bounded b) {
-    const long double value = a.value * b.value;
-    return {value, (std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error +
-                    std::fabs(value) * unit) *
-                       slack};
+    const long double product = a.value * b.value;
+    return {product, (std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error +
+                      std::fabs(product) * unit) *
+                         slack};
   }
   /// The sign, if it is certain.
   [[nodiscard]] std::optional<int> sign() const {
