@@ -73,8 +73,9 @@ class Lattice {
   [[nodiscard]] std::vector<Index> touching(Index cell) const {
     std::vector<Index> found;
     const Index i = cell % columns_, j = cell / columns_;
-    for (Index y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows_ - 1); ++y)
-      for (Index x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns_ - 1); ++x)
+    const Index last_column = std::min(i + 1, columns_ - 1), last_row = std::min(j + 1, rows_ - 1);
+    for (Index y = j - std::min(j, Index{1}); y <= last_row; ++y)
+      for (Index x = i - std::min(i, Index{1}); x <= last_column; ++x)
         if (x != i || y != j) found.push_back(y * columns_ + x);
     return found;
   }
