@@ -27,6 +27,14 @@ struct Case {
   Options options;
 };
 
+/// Two triangles that touch at a corner.
+Pslg touching_triangles() {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}};
+  return pslg;
+}
+
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> list;
@@ -43,6 +51,7 @@ const std::vector<Case>& cases() {
     add("wedge", domains::wedge(12, 7), {.min_angle_deg = 28, .max_area = 0.0005}, {.cells = {6, 8}});
     add("key", domains::key(), {.max_area = 0.02}, {.triangles_per_tile = 50});
     add("regions_with_data", square_with_data(), {.max_area = 0.001}, {.cells = {6, 6}});
+    add("touching_triangles", touching_triangles(), {.max_area = 0.002}, {.cells = {6, 6}});
     add("one_tile", domains::square(), {.max_area = 0.01}, {.decomposition = Decomposition::none});
     add("graded", domains::square(), {.size = [](Point p) { return 0.004 + 0.1 * (p.x + p.y); }, .size_slope = 0.15},
         {.decomposition = Decomposition::quadtree, .triangles_per_tile = 100});
@@ -165,6 +174,17 @@ TEST_P(Pieces, list_the_vertices_that_they_share) {
       std::ranges::sort(theirs);
       std::ranges::set_intersection(mine, theirs, std::back_inserter(both));
       EXPECT_EQ(numbers_with(rank, other), both) << rank << " with " << other;
+    }
+}
+
+TEST_P(Pieces, have_only_the_vertices_of_their_triangles) {
+  for (const int count : {1, 3, 6})
+    for (const MeshPiece& piece : pieces_of(case_, count)) {
+      std::vector<char> is_corner(piece.mesh.points.size(), 0);
+      for (const Triangle& triangle : piece.mesh.triangles)
+        for (const Index v : triangle.v) is_corner[v] = 1;
+      for (Index v = 0; v < is_corner.size(); ++v)  // a point of the input may be in no triangle
+        EXPECT_TRUE(is_corner[v] != 0 || piece.number[v] < case_.pslg.points.size()) << count << " ranks, vertex " << v;
     }
 }
 
