@@ -5,7 +5,6 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <initializer_list>
@@ -18,29 +17,13 @@
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/statistics.hpp"
 #include "../properties/domains/domains.hpp"
+#include "workloads/temporary_folder.hpp"
 
 namespace pardel {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is removed at the end.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("pardel-files-" + std::to_string(getpid()))) {
-    fs::create_directory(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
+using workloads::TemporaryFolder;
 
 const Mesh& pipe() {
   static const Mesh made = mesh(domains::pipe(), {.max_area = 3.85e-7}, {.interior = Interior::fill})->mesh;
@@ -49,15 +32,15 @@ const Mesh& pipe() {
 
 constexpr TriangleFiles all_files{.write_edge = true, .write_neigh = true};
 
-bool write_all(const Folder& folder) {
+bool write_all(const TemporaryFolder& folder) {
   return write_triangle_files(pipe(), {}, folder / "t", all_files).ok() && write_vtu(pipe(), folder / "t.vtu").ok() &&
          write_msh(pipe(), folder / "t.msh", MshEncoding::binary).ok() &&
          write_msh(pipe(), folder / "text.msh", MshEncoding::ascii).ok();
 }
 
 /// A folder with all files.
-const Folder& folder() {
-  static const Folder made;
+const TemporaryFolder& folder() {
+  static const TemporaryFolder made;
   static const bool complete = write_all(made);
   if (!complete) throw std::runtime_error("the files cannot be written");
   return made;

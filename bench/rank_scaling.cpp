@@ -57,18 +57,18 @@ class Comparison {
   }
 
   int run() {
-    for (int round = 0; round < settings_.runs; ++round) {
+    const auto on_own_processors = [&](const auto& work) {
       together([&] {
         const OwnProcessor own(ranks_.rank(), ranks_.count());
-        make_piece();
+        work();
       });
+    };
+    for (int round = 0; round < settings_.runs; ++round) {
+      on_own_processors([&] { make_piece(); });
       together([&] {
         if (ranks_.rank() == 0) make_whole(1, ranks_.count(), whole_seconds_);
       });
-      together([&] {
-        const OwnProcessor own(ranks_.rank(), ranks_.count());
-        make_whole(ranks_.count(), 1, part_seconds_);
-      });
+      on_own_processors([&] { make_whole(ranks_.count(), 1, part_seconds_); });
     }
     print();
     return is_same_ ? 0 : 1;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "../cli/centroid.hpp"
 #include "../cli/domain_of_mesh.hpp"
 #include "../properties/checker/check.hpp"
 
@@ -19,6 +20,11 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr double nearly = 1 - 1e-9;
 
 double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+double area_of(const Mesh& mesh, const Triangle& triangle) {
+  const Point a = mesh.points[triangle.v[0]], b = mesh.points[triangle.v[1]], c = mesh.points[triangle.v[2]];
+  return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+}
 
 class Judgement {
  public:
@@ -140,11 +146,11 @@ class Judgement {
     const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
     std::array<double, 3> sides{distance(a, b), distance(b, c), distance(c, a)};
     std::ranges::sort(sides);
-    const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    const double area = area_of(mesh_, mesh_.triangles[t]);
     if (2 * area * nearly < std::sin(goal.min_angle_deg * std::numbers::pi / 180) * sides[1] * sides[2]) return true;
     if (area > goal.max_area * nearly || sides[2] > goal.max_edge * nearly) return true;
-    const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-    if (expected_.longest_edge && sides[2] > expected_.longest_edge(centroid) * nearly) return true;
+    const Point centre = cli::centroid(mesh_, mesh_.triangles[t]);
+    if (expected_.longest_edge && sides[2] > expected_.longest_edge(centre) * nearly) return true;
     if (!goal.region_caps || mesh_.region.empty() || mesh_.region[t] >= expected_.pslg.regions.size()) return false;
     return area > expected_.pslg.regions[mesh_.region[t]].max_area * nearly;
   }
@@ -176,9 +182,7 @@ void forget_origins(Mesh& mesh) {
 std::vector<double> caps_of(const Mesh& mesh) {
   std::vector<double> caps(mesh.triangles.size(), no_bound);
   for (std::size_t t = 0; t < caps.size(); t += 2) {
-    const auto& [a, b, c] = mesh.triangles[t].v;
-    const Point p = mesh.points[a], q = mesh.points[b], r = mesh.points[c];
-    const double cap = std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 3;
+    const double cap = area_of(mesh, mesh.triangles[t]) * 2 / 3;
     if (cap > 0) caps[t] = cap;
   }
   return caps;

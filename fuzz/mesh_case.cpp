@@ -8,19 +8,13 @@
 #include "../properties/domains/domains.hpp"
 #include "../properties/domains/generators/lattice_domain.hpp"
 #include "../properties/domains/paths.hpp"
+#include "doubles.hpp"
 #include "supply.hpp"
 
 namespace pardel::fuzz {
 namespace {
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();
-
-/// x, moved by some units in the last place.
-double nudged(double x, int units) {
-  for (; units > 0; --units) x = std::nextafter(x, no_bound);
-  for (; units < 0; ++units) x = std::nextafter(x, -no_bound);
-  return x;
-}
 
 /// Draws points, segments, holes and regions on the lattice [0, side]^2. Every stroke reads at most stroke_bytes bytes.
 class Drawing {
@@ -132,7 +126,7 @@ class Drawing {
     const int units = bytes.byte();
     if (units < 192) return add(p);
     case_.nudged = true;
-    return add({nudged(p.x, units % 8 - 3), nudged(p.y, units / 8 % 8 - 3)});
+    return add({moved(p.x, units % 8 - 3), moved(p.y, units / 8 % 8 - 3)});
   }
   void join(Index a, Index b) { pslg_.segments.push_back({a, b, static_cast<int>(pslg_.segments.size() % 5)}); }
   void line(Point from, Point to) {

@@ -6,12 +6,12 @@
 #include <gmpxx.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include "../parallel/arithmetic/expansion.hpp"
 #include "../parallel/arithmetic/predicate_stages.hpp"
+#include "doubles.hpp"
 #include "exact_signs.hpp"
 #include "fuzz_one.hpp"
 #include "supply.hpp"
@@ -21,15 +21,14 @@ namespace {
 
 using Rational = mpq_class;
 
-int sign(double x) { return (x > 0) - (x < 0); }
+/// The number, or zero if the predicates do not accept it.
+double usable(double x) { return engine::is_usable(x) ? x : 0; }
 
 /// A double that is zero or between the bounds of the predicates. `spread` binary orders of magnitude, from 0.
 double any_double(Supply& bytes, int spread) {
   const std::uint64_t word = bytes.word();
   const int exponent = spread == 0 ? 0 : static_cast<int>((word >> 52) % static_cast<unsigned>(spread)) - spread / 2;
-  const double mantissa = std::bit_cast<double>((word & 0x800fffffffffffff) | 0x3ff0000000000000);
-  const double value = std::ldexp(mantissa, exponent);
-  return engine::is_usable(value) ? value : 0;
+  return usable(with_exponent(word, exponent));
 }
 double small_integer(Supply& bytes) { return static_cast<double>(static_cast<std::int8_t>(bytes.byte())); }
 
@@ -43,14 +42,9 @@ Point any_point(Supply& bytes, int kind) {
   return {x, any_double(bytes, spreads[kind])};
 }
 
-double moved(double x, int units) {
-  for (; units > 0; --units) x = std::nextafter(x, INFINITY);
-  for (; units < 0; ++units) x = std::nextafter(x, -INFINITY);
-  return engine::is_usable(x) ? x : 0;
-}
 void nudge(Point& p, Supply& bytes) {
   const int units = bytes.byte();
-  p = {moved(p.x, units % 8 - 3), moved(p.y, units / 8 % 8 - 3)};
+  p = {usable(moved(p.x, units % 8 - 3)), usable(moved(p.y, units / 8 % 8 - 3))};
 }
 
 /// Four points, in a position that the first byte selects.
@@ -72,8 +66,7 @@ std::array<Point, 4> any_points(Supply& bytes) {
     p[3] = {p[0].x, p[1].y};
   }
   for (Point& each : p)
-    if (!engine::is_usable(each))
-      each = {engine::is_usable(each.x) ? each.x : 0, engine::is_usable(each.y) ? each.y : 0};
+    if (!engine::is_usable(each)) each = {usable(each.x), usable(each.y)};
   if (position % 2 == 1 || position == 6) nudge(p[bytes.byte() % 4], bytes);
   return p;
 }

@@ -1,7 +1,4 @@
 // The check of a mesh, and readers and writers of files. The mesh is that of the workload `refinement`.
-#include <unistd.h>
-
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,12 +9,11 @@
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "temporary_folder.hpp"
 #include "workload.hpp"
 
 namespace pardel::workloads {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The mesh of the pipe, or nothing if it cannot be made.
 std::shared_ptr<const Mesh> made_mesh(const Pslg& pslg, const Goal& goal) {
@@ -25,24 +21,6 @@ std::shared_ptr<const Mesh> made_mesh(const Pslg& pslg, const Goal& goal) {
   return made ? std::make_shared<const Mesh>(std::move(made.value().mesh)) : nullptr;
 }
 Goal goal_of(const Setup& setup) { return {.max_area = setup.pick(1.54e-4, 6.8e-6)}; }
-
-/// A folder of this process, which is removed with its files at the end.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("pardel-workload-" + std::to_string(getpid()))) {
-    fs::create_directory(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 Job check_pipe(const Setup& setup) {
   const Pslg pslg = domains::pipe();
@@ -52,27 +30,27 @@ Job check_pipe(const Setup& setup) {
           .mesh = [made]() -> const Mesh& { return *made; }};
 }
 
-bool write_node(const Mesh& mesh, const Folder& folder) {
+bool write_node(const Mesh& mesh, const TemporaryFolder& folder) {
   return write_triangle_files(mesh, {}, folder / "m", {}).ok();
 }
-bool write_vtu_file(const Mesh& mesh, const Folder& folder) { return write_vtu(mesh, folder / "m.vtu").ok(); }
-bool write_msh_file(const Mesh& mesh, const Folder& folder) {
+bool write_vtu_file(const Mesh& mesh, const TemporaryFolder& folder) { return write_vtu(mesh, folder / "m.vtu").ok(); }
+bool write_msh_file(const Mesh& mesh, const TemporaryFolder& folder) {
   return write_msh(mesh, folder / "m.msh", MshEncoding::binary).ok();
 }
 
-using Write = bool (*)(const Mesh&, const Folder&);
+using Write = bool (*)(const Mesh&, const TemporaryFolder&);
 
 template <Write write>
 Job writing(const Setup& setup) {
   const std::shared_ptr<const Mesh> made = made_mesh(domains::pipe(), goal_of(setup));
-  const auto folder = std::make_shared<Folder>();
+  const auto folder = std::make_shared<TemporaryFolder>();
   return {.work = [=] { return made && write(*made, *folder); }, .mesh = [made]() -> const Mesh& { return *made; }};
 }
 
 /// Reads the file that `write` writes.
 Job reading(const Setup& setup, Write write, const char* name) {
   const std::shared_ptr<const Mesh> made = made_mesh(domains::pipe(), goal_of(setup));
-  const auto folder = std::make_shared<Folder>();
+  const auto folder = std::make_shared<TemporaryFolder>();
   const bool written = made && write(*made, *folder);
   const auto read = std::make_shared<std::optional<Result<Mesh>>>();
   return {.work =
@@ -92,7 +70,7 @@ Job text_and_vtu(const Setup& setup) {
   const std::shared_ptr<const Mesh> made = made_mesh(domains::pipe(), goal_of(setup));
   return {.work =
               [made] {
-                const Folder folder;
+                const TemporaryFolder folder;
                 return made && write_node(*made, folder) && write_vtu_file(*made, folder) &&
                        read_mesh(folder / "m.node").ok() && read_mesh(folder / "m.vtu").ok();
               },

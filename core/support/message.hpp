@@ -38,8 +38,7 @@ class Writer {
   template <class T, class Make>
   void list_of(std::size_t count, const Make& make) {
     static_assert(std::is_trivially_copyable_v<T>);
-    const std::uint64_t written = count;
-    append(&written, sizeof written);
+    begin_list(count);
     const std::size_t begin = bytes_.size();
     bytes_.resize(begin + count * sizeof(T));
     std::byte* const data = bytes_.data() + begin;
@@ -53,8 +52,7 @@ class Writer {
   template <class T>
   void list(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
-    const std::uint64_t count = values.size();
-    append(&count, sizeof count);
+    begin_list(values.size());
     append(values.data(), values.size_bytes());
   }
   template <class T>
@@ -65,6 +63,7 @@ class Writer {
   [[nodiscard]] Ranks::Bytes take() { return std::exchange(bytes_, {}); }
 
  private:
+  void begin_list(std::uint64_t count) { append(&count, sizeof count); }
   void append(const void* data, std::size_t size) {
     if (size == 0) return;
     const std::size_t old = bytes_.size();

@@ -9,6 +9,8 @@
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
 #include "../../properties/domains/generators/goals.hpp"
+#include "../doubles.hpp"
+#include "../numbered_random.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -77,13 +79,8 @@ class Drawing {
 
   /// The point, moved by up to three units in the last place.
   [[nodiscard]] Point nudged(Point p) {
-    const auto moved = [&](double x) {
-      const int units = random_.between(-3, 3);
-      for (int i = 0; i < std::abs(units); ++i) x = std::nextafter(x, units > 0 ? no_bound : -no_bound);
-      return x;
-    };
-    const double x = moved(p.x);
-    return {x, moved(p.y)};
+    const double x = moved(p.x, random_.between(-3, 3));
+    return {x, moved(p.y, random_.between(-3, 3))};
   }
 
   void goal() {
@@ -229,8 +226,7 @@ bool GeneratedCase::may_miss() const {
 }
 
 GeneratedCase generated_case(std::uint64_t seed, std::uint64_t number) {
-  // The state after one step of each number, so that neighbouring numbers have unrelated sequences.
-  Random random(Random(seed).next() ^ Random(~number).next());
+  Random random = random_of(seed, number);
   GeneratedCase drawn;
   Drawing(drawn, random).draw();
   return drawn;

@@ -9,6 +9,7 @@
 #include "../../parallel/arithmetic/predicate_stages.hpp"
 #include "../../properties/checker/arithmetic/exact.hpp"
 #include "../../properties/checker/arithmetic/filter.hpp"
+#include "../doubles.hpp"
 #include "../exact_signs.hpp"
 #include "certified.hpp"
 
@@ -16,8 +17,6 @@ namespace pardel::fuzz {
 namespace {
 
 using engine::Pair;
-
-int sign(double x) { return (x > 0) - (x < 0); }
 
 int exact_orientation(Point a, Point b, Point c, Comparison& result) {
   std::optional<int> certain = certain_orientation(a, b, c);

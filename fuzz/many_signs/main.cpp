@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "../numbered_random.hpp"
 #include "compare.hpp"
 
 namespace pardel::fuzz {
@@ -18,7 +19,7 @@ Comparison compare_many(std::uint64_t count, std::uint64_t seed, int threads, co
   Comparison all;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::uint64_t first = 0; first < count; first += block) {
-    generators::Random random(generators::Random(seed).next() ^ generators::Random(~first).next());
+    generators::Random random = random_of(seed, first);
     Comparison here;
     for (std::uint64_t i = first; i < std::min(count, first + block); ++i) compare(random, here);
 #pragma omp critical

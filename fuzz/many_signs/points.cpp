@@ -1,10 +1,10 @@
 #include "points.hpp"
 
-#include <bit>
 #include <cmath>
 #include <numbers>
 
 #include "../../parallel/arithmetic/predicates.hpp"
+#include "../doubles.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -16,8 +16,7 @@ double usable(double x) { return engine::is_usable(x) ? x : 0; }
 /// A double with a random sign and mantissa. Its exponent is random, too, among `spread` numbers.
 double any_double(Random& random, int spread) {
   const std::uint64_t word = random.next();
-  const int exponent = static_cast<int>(random.below(static_cast<std::size_t>(spread))) - spread / 2;
-  return usable(std::ldexp(std::bit_cast<double>((word & 0x800fffffffffffff) | 0x3ff0000000000000), exponent));
+  return usable(with_exponent(word, static_cast<int>(random.below(static_cast<std::size_t>(spread))) - spread / 2));
 }
 
 Point any_point(Random& random, int kind) {
@@ -37,13 +36,9 @@ Point any_point(Random& random, int kind) {
   return {x, coordinate()};
 }
 
-double moved(double x, int units) {
-  for (; units > 0; --units) x = std::nextafter(x, INFINITY);
-  for (; units < 0; ++units) x = std::nextafter(x, -INFINITY);
-  return usable(x);
+void nudge(Point& p, Random& random) {
+  p = {usable(moved(p.x, random.between(-3, 3))), usable(moved(p.y, random.between(-3, 3)))};
 }
-
-void nudge(Point& p, Random& random) { p = {moved(p.x, random.between(-3, 3)), moved(p.y, random.between(-3, 3))}; }
 
 /// a + k (b - a), rounded.
 Point along(Point a, Point b, double k) { return {a.x + k * (b.x - a.x), a.y + k * (b.y - a.y)}; }

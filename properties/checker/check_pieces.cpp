@@ -97,6 +97,11 @@ class PieceCheck {
     return sum_of(std::ranges::all_of(read_.pieces, property) ? 0 : 1, ranks_) == 0;
   }
 
+  /// True if it is true for a piece of some rank.
+  bool somewhere(bool KeptPiece::*property) {
+    return sum_of(std::ranges::any_of(read_.pieces, property) ? 1 : 0, ranks_) > 0;
+  }
+
   Status run_stages() {
     const bool geometry = everywhere(&KeptPiece::has_geometry);
     if (!geometry || !input_) return for_each_piece([&](std::size_t i) { return describe_unusable(i); });
@@ -109,7 +114,7 @@ class PieceCheck {
     EdgesOfChains edges(*judgement);
     const Whole whole{std::move(border), std::move(special), std::move(*judgement), std::move(edges)};
 
-    const bool have_regions = !none_has_regions();
+    const bool have_regions = somewhere(&KeptPiece::has_regions);
     std::optional<FacesOfPieces> faces;
     if (!task_.pslg.regions.empty() && (task_.goal.region_caps || (labels && have_regions))) {
       if (have_regions) reader_.expect_regions();
@@ -123,11 +128,6 @@ class PieceCheck {
     if (Status checked = for_each_piece(check); !checked) return checked;
     measure(whole, labels, open);
     return Done{};
-  }
-
-  bool none_has_regions() {
-    const auto has_none = [](const KeptPiece& piece) { return !piece.has_regions; };
-    return sum_of(std::ranges::all_of(read_.pieces, has_none) ? 0 : 1, ranks_) == 0;
   }
 
   /// Opens a piece for another time.
