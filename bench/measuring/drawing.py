@@ -3,6 +3,7 @@ import html
 
 from . import history
 
+PICTURE = "history.svg"  # the file of the drawing, beside the page
 WIDTH, HEIGHT, MARGIN, TOP, BOTTOM = 400, 110, 10, 24, 20
 THREADS = "/threads:"  # as in google.name_of()
 LINE, CHANGED = "#4682b4", "#c0392b"
@@ -114,7 +115,7 @@ def draw(rows, line, compiler, machine, subject):
         "<!DOCTYPE html>", "<html lang='en'>", "<meta charset='utf-8'>",
         "<title>pardel: workloads over the commits</title>",
         "<style>body { font-family: sans-serif; max-width: 1220px; margin: 1em auto } td, th { text-align: left; "
-        "padding: 0 1em 0 0 } svg { max-width: 100% }</style>",
+        "padding: 0 1em 0 0 } object { max-width: 100% }</style>",
         "<h1>Fixed workloads over the commits</h1>",
         f"<p>Written by bench/track: {len(line)} commits, from {html.escape(subject(line[0]) if line else '')} to "
         f"{html.escape(subject(line[-1]) if line else '')}. Instructions are counted by valgrind, on one thread, with "
@@ -124,7 +125,7 @@ def draw(rows, line, compiler, machine, subject):
         f"the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions, and of "
         f"{100 * NOTABLE_RATE:.0f} % of the speed if the instructions changed, too. bench/compare finds changes of the "
         f"speed alone. docs/performance.md describes the workloads.</p>",
-        picture,
+        f'<object type="image/svg+xml" data="{PICTURE}">{PICTURE}</object>',
         table(f"Changes of instructions of {100 * NOTABLE_COUNT:.0f} % and more", counts, steps_of_counts, subject),
         table(f"Changes of items per second of {100 * NOTABLE_RATE:.0f} % and more, where the instructions changed", rates,
               steps_of_rates, subject),

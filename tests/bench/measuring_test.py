@@ -269,6 +269,11 @@ class Drawing(unittest.TestCase):
         lines = root.findall(".//{http://www.w3.org/2000/svg}polyline")
         self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 3])
 
+    def test_the_page_shows_the_drawing_that_lies_beside_it(self):
+        picture, page = self.draw()
+        self.assertIn(f'data="{drawing.PICTURE}"', page)
+        self.assertNotIn("<polyline", page)
+
     def test_the_page_names_the_commit_that_changed_a_workload(self):
         page = self.draw()[1]
         self.assertIn("<tr><td>w</td><td>+9.9 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
