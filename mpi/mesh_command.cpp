@@ -194,7 +194,7 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   made->seconds.all = watch.seconds();
   print(arguments, *made, job);
   if (made->missed == 0) return ExitCode::done;
-  // It reads pieces without joining them.
+  // Only pardel-mpi checks pieces without joining them, which may take more memory than there is.
   const bool has_pieces = arguments.outputs.front().extension() == ".pvtu";
   const char* checker = has_pieces ? "pardel-mpi" : "pardel";
   if (job.is_first())

@@ -34,11 +34,10 @@ class Filling {
   /// `pieces`: in how many pieces the patches are laid; these limits hold for one piece.
   ///
   /// `coarse`: the triangulation of the Pslg. `edges`: the lengths of the edges in each region, and last in triangles
-  /// without a region; infinity, or so short that edges beside the patch could be shorter than
-  /// Options::min_edge: no patch. `clearings`: disks that the patches leave
-  /// free. No patch is made if double precision cannot resolve its edges. The number of threads does not change the
-  /// result. O(n log n) for the input and the borders of the patches, plus the rows of the lattice that each coarse
-  /// triangle crosses.
+  /// without a region; infinity, or so short that edges beside the patch could be shorter than Options::min_edge: no
+  /// patch. `clearings`: disks that the patches leave free. No patch is made if double precision cannot resolve its
+  /// edges. The number of threads does not change the result. O(n log n) for the input and the borders of the patches,
+  /// plus the rows of the lattice that each coarse triangle crosses.
   [[nodiscard]] static Result<std::optional<Filling>> make(const Pslg& pslg, bool convex_hull,
                                                            const DomainTriangulation& coarse,
                                                            std::span<const double> edges,
