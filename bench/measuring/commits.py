@@ -6,7 +6,6 @@ import subprocess
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WORKLOADS = os.path.join("bench", "workloads")
 BUILD = os.path.join("build", "bench")
-PROGRAM = os.path.join(BUILD, WORKLOADS, "once")
 # Commits that change nothing else have the instructions of the commit before.
 MEASURED = ["core", "parallel", "properties/checker", "properties/domains", "cmake", "CMakeLists.txt", "CMakePresets.json"]
 
@@ -57,9 +56,14 @@ def check_out(commit, tree):
             file.write(f"add_subdirectory({WORKLOADS})\n")
 
 
-def build(tree, *targets):
-    """Builds targets with the preset `bench`. Returns the end of the compiler's output if this fails, else nothing."""
-    for command in (["cmake", "--preset", "bench"], ["cmake", "--build", "--preset", "bench", "--target", *targets]):
+def program(tree, preset="bench"):
+    """The program that runs a workload, in a working tree."""
+    return os.path.join(tree, "build", preset, WORKLOADS, "once")
+
+
+def build(tree, *targets, preset="bench"):
+    """Builds targets. Returns the end of the compiler's output if this fails, else nothing."""
+    for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "--target", *targets]):
         result = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if result.returncode != 0:
             return "\n".join(result.stdout.splitlines()[-20:])

@@ -240,7 +240,8 @@ TEST(SourcesOfARaster, of_many_rasters_are_those_that_were_recorded) {
   for (Index columns = 1; columns <= 8; ++columns)
     for (Index rows = 1; rows <= 8; ++rows)
       for (int k = 0; k < 20; ++k) {
-        const Raster raster = random_raster(random, columns, rows, 2 + random() % 40, random() % 40);
+        const std::uint64_t percent = random() % 40, values = 2 + random() % 40;
+        const Raster raster = random_raster(random, columns, rows, values, percent);
         for (const double limit : {0.25, 1.0, 2.5}) add(raster, limit);
       }
   // Mazes: what a point knows takes several turns to reach another one.

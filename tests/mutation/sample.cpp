@@ -39,7 +39,7 @@ template <int N>
 struct Multiple {
   int of;
 };
-[[maybe_unused]] int six(int a) { return Multiple<2 * 3>(a).of; }
+[[maybe_unused]] int six(int a) { return Multiple<2 * 3>{a}.of; }
 [[maybe_unused]] std::size_t two_names(const std::string& a) {
   const std::array<std::string, 2> names = {a, a + "b"};
   return names.size();

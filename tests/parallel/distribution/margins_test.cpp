@@ -22,7 +22,8 @@ using Corners = std::array<double, 6>;
 Corners corners_of(const Triangulation& t, TriangleId id) {
   std::array<Point, 3> p;
   for (unsigned i = 0; i < 3; ++i) p[i] = t.points[t.slots[id].v[i]];
-  std::ranges::rotate(p, std::ranges::min_element(p, {}, [](Point c) { return std::pair(c.x, c.y); }));
+  const auto least = std::ranges::min_element(p, {}, [](Point c) { return std::pair(c.x, c.y); });
+  std::rotate(p.begin(), least, p.end());
   return {p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y};
 }
 

@@ -83,8 +83,9 @@ std::vector<std::vector<double>> unnumbered(const Mesh& mesh) {
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     auto v = mesh.triangles[t].v;
-    std::ranges::rotate(
-        v, std::ranges::min_element(v, {}, [&](Index c) { return std::pair(mesh.points[c].x, mesh.points[c].y); }));
+    const auto least =
+        std::ranges::min_element(v, {}, [&](Index c) { return std::pair(mesh.points[c].x, mesh.points[c].y); });
+    std::rotate(v.begin(), least, v.end());
     std::vector<double> triangle{2};
     for (const Index c : v) put(triangle, c);
     triangle.push_back(mesh.region.empty() ? 0.0 : mesh.region[t]);

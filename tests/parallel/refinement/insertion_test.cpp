@@ -72,7 +72,7 @@ struct InsertionScene {
   }
 };
 
-const std::vector<Point> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+const std::vector<Point> corners_of_square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
 /// Makes the lower side of the square the border of a patch.
 void lay_patch_below_square(InsertionScene& scene) {
@@ -101,7 +101,7 @@ TEST(Insertion, is_made_where_only_exact_arithmetic_finds_a_new_triangle_positiv
 
 TEST(InsertInFace, refuses_a_point_in_the_circumdisk_of_a_patch) {
   for (const double angle : {20.7, 30.0}) {
-    InsertionScene scene(square, {}, {.min_angle_deg = angle});
+    InsertionScene scene(corners_of_square, {}, {.min_angle_deg = angle});
     lay_patch_below_square(scene);
     const double height = 4 / std::sqrt(3.0);  // sees the lower side at 120 degrees
     ASSERT_EQ(scene.insertion.try_in_face({4, height * 0.999}, scene.around({4, 2}), everywhere), Outcome::encroaches);
@@ -111,7 +111,7 @@ TEST(InsertInFace, refuses_a_point_in_the_circumdisk_of_a_patch) {
 }
 
 TEST(InsertInFace, refuses_a_point_that_makes_a_narrow_triangle_beside_a_patch) {
-  InsertionScene scene(square, {}, {.min_angle_deg = 33});
+  InsertionScene scene(corners_of_square, {}, {.min_angle_deg = 33});
   lay_patch_below_square(scene);
   const double height = 4 * std::tan(33 * std::acos(-1) / 180);
   EXPECT_EQ(scene.insertion.try_in_face({4, height * 0.999}, scene.around({4, 2}), everywhere), Outcome::encroaches);
@@ -128,7 +128,7 @@ TEST(InsertInFace, rather_splits_a_segment_than_it_is_stopped_by_a_patch) {
 }
 
 TEST(InsertInFace, inserts_a_point_that_encroaches_on_nothing) {
-  InsertionScene scene(square);
+  InsertionScene scene(corners_of_square);
   ASSERT_EQ(scene.insert({4, 4}, 0), Outcome::inserted);
   EXPECT_EQ(scene.t().points.size(), 5U);
   EXPECT_EQ(scene.t().origin.back(), interior_vertex);
@@ -180,7 +180,7 @@ TEST(InsertInFace, rejects_a_point_in_the_lens_of_a_segment_or_for_a_conforming_
   const Point low{4, 0.5}, high{4, 3.5};
   for (const bool conforming : {false, true})
     for (const Point p : {low, high}) {
-      InsertionScene scene(square, {}, {.conforming = conforming});
+      InsertionScene scene(corners_of_square, {}, {.conforming = conforming});
       const Outcome outcome = scene.insert(p, scene.conflict(p));
       EXPECT_EQ(outcome, conforming || p == low ? Outcome::encroaches : Outcome::inserted);
       if (outcome != Outcome::encroaches) continue;
@@ -223,7 +223,7 @@ TEST(InsertInFace, changes_nothing_outside_its_box) {
 }
 
 TEST(InsertInFace, inserts_no_point_that_is_not_finite) {
-  InsertionScene scene(square);
+  InsertionScene scene(corners_of_square);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Point p : {Point{nan, 1}, Point{1, nan}, Point{infinity, 1}, Point{1, -infinity}})
     EXPECT_NE(scene.insert(p, 0), Outcome::inserted);
@@ -240,9 +240,10 @@ TEST(InsertInFace, keeps_the_minimum_distance_to_every_vertex) {
 
 TEST(SplitEdge, makes_two_constrained_halves_of_a_hull_edge_and_of_an_inner_one) {
   for (const Constraint c : {Constraint{0, 1}, Constraint{0, 2}}) {
-    InsertionScene scene(square, {{0, 2}});
+    InsertionScene scene(corners_of_square, {{0, 2}});
     const EdgeRef e = samples::find_edge(scene.t(), c.a, c.b);
-    const Point p{(square[c.a].x + square[c.b].x) / 2, (square[c.a].y + square[c.b].y) / 2};
+    const Point p{(corners_of_square[c.a].x + corners_of_square[c.b].x) / 2,
+                  (corners_of_square[c.a].y + corners_of_square[c.b].y) / 2};
     ASSERT_EQ(scene.split(p, e, 3), Outcome::inserted);
     EXPECT_EQ(scene.t().origin.back(), origin_on_segment(3));
     EXPECT_EQ(samples::fault(scene.t()), "");
@@ -255,7 +256,7 @@ TEST(SplitEdge, makes_two_constrained_halves_of_a_hull_edge_and_of_an_inner_one)
 }
 
 TEST(SplitEdge, keeps_the_minimum_distance) {
-  InsertionScene scene(square, {}, {}, 4.5);
+  InsertionScene scene(corners_of_square, {}, {}, 4.5);
   EXPECT_EQ(scene.split({4, 0}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::too_close);
   EXPECT_EQ(scene.t().points.size(), 4U);
 }
