@@ -14,7 +14,7 @@ constexpr std::size_t longest_cell = 140;
 std::string cell(const FailureKind& kind) {
   std::string text = kind.message;
   if (text.starts_with(kind.kind + ": ")) text.erase(0, kind.kind.size() + 2);
-  if (text.size() > longest_cell) text = text.substr(0, longest_cell) + "...";
+  if (text.size() > longest_cell) text.replace(longest_cell, std::string::npos, "...");
   return replaced(text, "|", "\\|");
 }
 

@@ -32,7 +32,10 @@ using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
 template <class T>
 std::string type_name() {
-  return (std::is_floating_point_v<T> ? "Float" : std::is_signed_v<T> ? "Int" : "UInt") + std::to_string(8 * sizeof(T));
+  const std::string bits = std::to_string(8 * sizeof(T));
+  if constexpr (std::is_floating_point_v<T>) return "Float" + bits;
+  if constexpr (std::is_signed_v<T>) return "Int" + bits;
+  return "UInt" + bits;
 }
 
 /// An array that is in memory as it is in the file.

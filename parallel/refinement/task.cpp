@@ -64,8 +64,9 @@ void Task::hand_on_to_own_cell(QueuedTriangle triangle) {
 void Task::consider_changed() {
   const auto changed = insertion_.changed();
   const auto measures = insertion_.measures();
-  if (lists_changes_) [[unlikely]]
+  if (lists_changes_) [[unlikely]] {
     for (const TriangleId id : changed) changed_.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
+  }
   if (measures.empty()) {
     for (const TriangleId id : changed) consider(id);
     return;
