@@ -34,11 +34,16 @@ Point projected(Point p, Point a, Point b) {
   return {p.x - off * dy.head, p.y + off * dx.head};
 }
 
+/// By how much the distances of two points from their apex may differ on one shell, by the rounding of coordinates.
+/// `p` is one of the points.
+double shell_width(Point apex, Point p) {
+  const double largest = std::max({std::abs(apex.x), std::abs(apex.y), std::abs(p.x), std::abs(p.y)});
+  return 1e-10 * distance(apex, p) + 0x1p-50 * largest;
+}
+
 /// True if u and v have the same distance from the apex, up to the rounding of coordinates.
 bool same_shell(Point apex, Point u, Point v) {
-  const double du = distance(apex, u), dv = distance(apex, v);
-  const double largest = std::max({std::abs(apex.x), std::abs(apex.y), std::abs(u.x), std::abs(u.y)});
-  return std::abs(du - dv) <= 1e-10 * du + 0x1p-50 * largest;
+  return std::abs(distance(apex, u) - distance(apex, v)) <= shell_width(apex, u);
 }
 
 /// The end of the edge a-b around which the edge is split at a shell; no_index if it is split in the middle. `widest`
@@ -80,6 +85,21 @@ double fraction_around(Point centre, Point a, Point b) {
   return (shortest_number((2 * near + far) / 3, (near + 2 * far) / 3) - at_a) / (at_b - at_a);
 }
 
+/// The fraction at which the edge a-b is split beside the end of a shorter segment, if there is such an end: the one
+/// nearest to the middle. Not if the edge has an end of its own there: no nearer than the gap between the segments.
+std::optional<double> fraction_beside_mate(const Triangulation& t, std::span<const Mate> mates, Point a, Point b) {
+  std::optional<double> best;
+  for (const Mate& mate : mates) {
+    const Point apex = t.points[mate.apex];
+    const double at_a = distance(apex, a), at_b = distance(apex, b);
+    const double from_ends = std::min(mate.distance - std::min(at_a, at_b), std::max(at_a, at_b) - mate.distance);
+    if (from_ends <= std::max(mate.gap, 2 * shell_width(apex, at_a < at_b ? b : a))) continue;
+    const double fraction = (mate.distance - at_a) / (at_b - at_a);
+    if (!best || std::abs(fraction - 0.5) < std::abs(*best - 0.5)) best = fraction;
+  }
+  return best;
+}
+
 /// The largest angle that makes an end of an edge an apex, as 1 minus its cosine. It is larger for edges that are much
 /// shorter than their segment: these come from a cascade of splits on both sides of a corner.
 double widest_apex(double length, double segment_length) {
@@ -115,6 +135,18 @@ unsigned exactly_shortest_side(const Triangulation& t, const Slot& slot, const M
   return result;
 }
 
+/// The exemption of a triangle whose shortest edge joins u, on one segment, and v, on another one.
+std::optional<SmallAngle> seditious(const Triangulation& t, const DomainSegments& segments, VertexId u, Index of_u,
+                                    VertexId v, Index of_v) {
+  if (of_u == of_v) return {};
+  const VertexId apex = segments.shared_end(of_u, of_v);
+  if (apex == no_index || apex == u || apex == v) return {};
+  const double cosine = segments.cosine_at(t.points, apex, of_u, of_v);
+  // Below 60 degrees, whose cosine is 1/2.
+  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
+  return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
+}
+
 /// The exemption of a triangle whose smallest angle lies at this corner.
 std::optional<SmallAngle> small_angle_at(unsigned corner, const Triangulation& t, const DomainSegments& segments,
                                          const Slot& slot) {
@@ -125,24 +157,27 @@ std::optional<SmallAngle> small_angle_at(unsigned corner, const Triangulation& t
       return SmallAngle{ExemptReason::nestled, o, degrees(segments.cosine_at(t.points, o, first, second))};
   }
   const Index segment_u = segment_of_origin(t.origin[u]), segment_v = segment_of_origin(t.origin[v]);
-  if (segment_u >= segments.size() || segment_v >= segments.size() || segment_u == segment_v) return {};
-  const VertexId apex = segments.shared_end(segment_u, segment_v);
-  if (apex == no_index) return {};
-  const double cosine = segments.cosine_at(t.points, apex, segment_u, segment_v);
-  // Seditious: below 60 degrees, whose cosine is 1/2.
-  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
-  return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
+  const auto at_u = segment_u < segments.size() ? std::span(&segment_u, 1) : segments.segments_at(u);
+  const auto at_v = segment_v < segments.size() ? std::span(&segment_v, 1) : segments.segments_at(v);
+  for (const Index of_u : at_u)
+    for (const Index of_v : at_v)
+      if (const auto found = seditious(t, segments, u, of_u, v, of_v)) return found;
+  return {};
 }
 
 }  // namespace
 
-Point edge_split_point(const Triangulation& t, const DomainSegment& segment, VertexId a, VertexId b, double pieces) {
+Point edge_split_point(const Triangulation& t, const DomainSegments& segments, Index number, VertexId a, VertexId b,
+                       double pieces) {
+  const DomainSegment& segment = segments[number];
   const Point pa = t.points[a], pb = t.points[b];
   const double length = distance(pa, pb);
   const double widest = widest_apex(length, distance(t.points[segment.a], t.points[segment.b]));
   const VertexId centre = centre_of_shell(segment, a, b, widest);
   double fraction = 0.5;
-  if (centre != no_index) {
+  if (const std::optional<double> beside = fraction_beside_mate(t, segments.mates(number), pa, pb)) {
+    fraction = *beside;
+  } else if (centre != no_index) {
     fraction = shell(length) / length;
     if (centre == b) fraction = 1 - fraction;
   } else if (segment.narrow_apex != no_index) {

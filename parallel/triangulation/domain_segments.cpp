@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
+#include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
@@ -38,6 +40,7 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
   }
   find_smallest_angles(points, ask);
   find_narrow_apexes(points, ask);
+  find_mates(points, ask);
 }
 
 void DomainSegments::find_ends(SparseAsk& ask) {
@@ -99,12 +102,47 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
   });
 }
 
+/// The segments at less than one degree from a segment are its neighbours in the angular order, on both sides.
+void DomainSegments::find_mates(const Array<Point>& points, SparseAsk& ask) {
+  std::vector<std::pair<Index, Mate>> found;
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
+    const std::span<const Index> here = around(end);
+    const VertexId apex = ends_[end];
+    const auto far = [&](std::size_t i) { return points[other_end(here[i], apex)]; };
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      ask();
+      const double length = distance(points[apex], far(i));
+      for (const std::size_t step : {std::size_t{1}, here.size() - 1})
+        for (std::size_t j = (i + step) % here.size(); j != i; j = (j + step) % here.size()) {
+          if (cosine_at(points, apex, here[i], here[j]) <= cosine_of_narrow_angle) break;
+          const double shorter = distance(points[apex], far(j));
+          if (shorter >= length) continue;
+          const double part = shorter / length;
+          const Point o = points[apex], p = far(i);
+          const Point place{o.x + part * (p.x - o.x), o.y + part * (p.y - o.y)};
+          found.push_back({here[i], {apex, shorter, distance(place, far(j))}});
+        }
+    }
+  }
+  std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
+  first_mate_.assign(segments_.size() + 1, 0);
+  for (const auto& [segment, mate] : found) {
+    ++first_mate_[segment + 1];
+    mates_.push_back(mate);
+  }
+  std::partial_sum(first_mate_.begin(), first_mate_.end(), first_mate_.begin());
+}
+
+std::span<const Index> DomainSegments::segments_at(VertexId v) const {
+  const auto at = std::ranges::lower_bound(ends_, v);
+  if (at == ends_.end() || *at != v) return {};
+  return around(static_cast<std::size_t>(at - ends_.begin()));
+}
+
 Index DomainSegments::segment_of(const Triangulation& t, VertexId u, VertexId v) const {
   for (const VertexId end : {u, v})
     if (const Index segment = segment_of_origin(t.origin[end]); segment < segments_.size()) return segment;
-  const auto at = std::ranges::lower_bound(ends_, u);
-  if (at == ends_.end() || *at != u) return no_index;
-  for (const Index l : around(static_cast<std::size_t>(at - ends_.begin())))
+  for (const Index l : segments_at(u))
     if (other_end(l, u) == v) return l;
   return no_index;
 }

@@ -25,6 +25,13 @@ struct DomainSegment {
   [[nodiscard]] double cosine_at(VertexId v) const { return v == a ? cosine_at_a : v == b ? cosine_at_b : -1; }
 };
 
+/// The place on a segment beside the end of a shorter segment, where the two meet at less than one degree.
+struct Mate {
+  VertexId apex;    ///< the common end of the two segments
+  double distance;  ///< of the place from the apex: the length of the shorter segment
+  double gap;       ///< between the two segments at this distance
+};
+
 class DomainSegments {
  public:
   DomainSegments() = default;
@@ -34,6 +41,12 @@ class DomainSegments {
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
 
+  /// The places on a segment beside the ends of shorter ones.
+  [[nodiscard]] std::span<const Mate> mates(Index segment) const {
+    return std::span(mates_).subspan(first_mate_[segment], first_mate_[segment + 1] - first_mate_[segment]);
+  }
+  /// The segments that end at a vertex; none if it is no end of a segment.
+  [[nodiscard]] std::span<const Index> segments_at(VertexId v) const;
   /// The segment that contains the constrained edge u-v as a subsegment. no_index if there is no such segment; this
   /// does not happen in a correct triangulation.
   [[nodiscard]] Index segment_of(const Triangulation& t, VertexId u, VertexId v) const;
@@ -64,9 +77,12 @@ class DomainSegments {
   void sort_around(const Array<Point>& points, std::size_t end);
   void find_smallest_angles(const Array<Point>& points, SparseAsk& ask);
   void find_narrow_apexes(const Array<Point>& points, SparseAsk& ask);
+  void find_mates(const Array<Point>& points, SparseAsk& ask);
 
   std::vector<DomainSegment> segments_;
-  std::vector<VertexId> ends_;           ///< the vertices at which segments end, in ascending order
+  std::vector<VertexId> ends_;  ///< the vertices at which segments end, in ascending order
+  std::vector<Mate> mates_;     ///< of segment s: from first_mate_[s] to first_mate_[s + 1] - 1
+  std::vector<Index> first_mate_;
   std::vector<Index> start_, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../../parallel/arithmetic/predicates.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
@@ -67,6 +68,30 @@ TEST(TinyAngle, between_segments_of_unlike_lengths_ends) {
     pslg.segments.insert(pslg.segments.end(), {{4, 5}, {4, 6}});
     expect_certified(pslg);
   }
+}
+
+/// A point near a long segment, joined to both ends of the segment. No vertex of the segment was beside the point, and
+/// edges became as short as the gap between the two. Gaps of less than 1e-11 can be too narrow for a vertex beside it.
+TEST(TinyAngle, at_both_ends_of_a_long_segment_needs_few_triangles) {
+  samples::Random random(3);
+  for (double gap = 1e-2; gap > 1e-18; gap /= 30)
+    for (int i = 0; i < 4; ++i) {
+      SCOPED_TRACE(gap);
+      const Point a{random.uniform(-1, 0), random.uniform(-1, 1)}, b{random.uniform(0.5, 1), random.uniform(-1, 1)};
+      const double part = random.uniform(0.05, 0.95);
+      const Point near{a.x + part * (b.x - a.x) - gap * (b.y - a.y), a.y + part * (b.y - a.y) + gap * (b.x - a.x)};
+      Pslg pslg = box(-2, 2);
+      pslg.points.insert(pslg.points.end(), {a, b, near});
+      pslg.segments.insert(pslg.segments.end(), {{4, 5}, {4, 6}, {6, 5}});
+      if (orient2d(a, b, near) == 0) continue;
+      const Result<Meshed> meshed = mesh(pslg, {.min_angle_deg = 28}, {.max_vertices = 5000});
+      ASSERT_TRUE(meshed) << meshed.error().message;
+      EXPECT_LT(meshed->mesh.triangles.size(), 600U);
+      EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = gap < 1e-11 ? 0.0 : 28.0}).valid);
+      const std::uint64_t missed =
+          meshed->report.count(ExemptReason::precision) + meshed->report.count(ExemptReason::min_edge);
+      EXPECT_LE(missed, gap < 1e-11 ? 4U : 0U);
+    }
 }
 
 TEST(TinyAngle, chained_from_segment_to_segment_ends) {

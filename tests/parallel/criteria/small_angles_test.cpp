@@ -30,7 +30,7 @@ struct Corner {
   }
   /// Splits the piece u-v of a segment, and adds the point.
   VertexId split(Index line, VertexId u, VertexId v) {
-    const Point p = edge_split_point(t, segments[line], u, v);
+    const Point p = edge_split_point(t, segments, line, u, v);
     t.points.push_back(p);
     t.origin.push_back(origin_on_segment(line));
     return static_cast<VertexId>(t.points.size() - 1);
@@ -40,27 +40,47 @@ struct Corner {
 TEST(EdgeSplitPoint, of_a_segment_with_a_small_angle_at_one_end_lies_on_a_shell_between_a_third_and_two_thirds) {
   for (double length = 0.01; length < 100; length *= 1.07) {
     Corner corner({0, 0}, {length, 0}, {1, 0.5}, {length, length});
-    const Point p = edge_split_point(corner.t, corner.segments[0], 0, 1);
+    const Point p = edge_split_point(corner.t, corner.segments, 0, 0, 1);
     EXPECT_TRUE(is_power_of_two(p.x, 1e-15 * p.x)) << p.x;
     EXPECT_GE(p.x, length / 3 * (1 - 1e-15));
     EXPECT_LE(p.x, 2 * length / 3 * (1 + 1e-15));
-    const Point reversed = edge_split_point(corner.t, corner.segments[0], 1, 0);
+    const Point reversed = edge_split_point(corner.t, corner.segments, 0, 1, 0);
     EXPECT_NEAR(reversed.x, p.x, 1e-15 * length) << "the direction of the piece has no influence";
   }
 }
 
 TEST(EdgeSplitPoint, of_a_segment_without_an_angle_below_60_degrees_is_its_midpoint) {
   Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
-  EXPECT_EQ(edge_split_point(blunt.t, blunt.segments[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(blunt.t, blunt.segments, 0, 0, 1), (Point{2.5, 0}));
   Corner sixty_one({0, 0}, {5, 0}, {1, 1.81}, {4, 1.81});
-  EXPECT_EQ(edge_split_point(sixty_one.t, sixty_one.segments[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(sixty_one.t, sixty_one.segments, 0, 0, 1), (Point{2.5, 0}));
+}
+
+/// Segment 0-1 of length 5 and segment 0-2, whose end is at a distance of 3.1 from vertex 0 and of 3.1e-6 from the
+/// other segment.
+TEST(EdgeSplitPoint, of_an_edge_that_passes_the_end_of_a_segment_at_less_than_one_degree_lies_beside_this_end) {
+  Corner corner({0, 0}, {5, 0}, {3.1, 3.1e-6}, {5, 5});
+  EXPECT_NEAR(edge_split_point(corner.t, corner.segments, 0, 0, 1).x, 3.1, 1e-11);
+  EXPECT_NEAR(edge_split_point(corner.t, corner.segments, 0, 1, 0).x, 3.1, 1e-11);
+  EXPECT_NEAR(edge_split_point(corner.t, corner.segments, 1, 0, 2).x, 2, 1e-11) << "the shorter segment passes no end";
+  const VertexId beside = corner.split(0, 0, 1);
+  EXPECT_NEAR(edge_split_point(corner.t, corner.segments, 0, 0, beside).x, 2, 1e-11) << "as the shorter segment";
+}
+
+TEST(EdgeSplitPoint, does_not_lie_beside_an_end_that_is_as_near_to_an_end_of_the_edge_as_to_the_segment) {
+  const auto split_at = [](double length, double gap) {
+    Corner corner({0, 0}, {4, 0}, {length, gap}, {4, 4});
+    return edge_split_point(corner.t, corner.segments, 0, 0, 1).x;
+  };
+  EXPECT_NEAR(split_at(3.98, 0.01), 3.98, 1e-4);
+  EXPECT_EQ(split_at(3.98, 0.03), 2);
 }
 
 TEST(EdgeSplitPoint, divides_a_segment_beside_a_patch_into_whole_pieces) {
   Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
   const auto split_at = [&](double pieces) {
-    const double x = edge_split_point(blunt.t, blunt.segments[0], 0, 1, pieces).x;
-    EXPECT_EQ(edge_split_point(blunt.t, blunt.segments[0], 1, 0, pieces).x, x) << "the direction has no influence";
+    const double x = edge_split_point(blunt.t, blunt.segments, 0, 0, 1, pieces).x;
+    EXPECT_EQ(edge_split_point(blunt.t, blunt.segments, 0, 1, 0, pieces).x, x) << "the direction has no influence";
     return x;
   };
   EXPECT_EQ(split_at(1), 2) << "two of five pieces";
@@ -70,7 +90,7 @@ TEST(EdgeSplitPoint, divides_a_segment_beside_a_patch_into_whole_pieces) {
   EXPECT_EQ(split_at(4), 2.5) << "a short segment is halved";
   EXPECT_EQ(split_at(INFINITY), 2.5) << "there is no patch";
   Corner apex({0, 0}, {5, 0}, {1, 0.5}, {5, 5});
-  EXPECT_EQ(edge_split_point(apex.t, apex.segments[0], 0, 1, 1), edge_split_point(apex.t, apex.segments[0], 0, 1))
+  EXPECT_EQ(edge_split_point(apex.t, apex.segments, 0, 0, 1, 1), edge_split_point(apex.t, apex.segments, 0, 0, 1))
       << "a small angle decides alone";
 }
 
@@ -78,15 +98,15 @@ TEST(EdgeSplitPoint, of_a_short_piece_at_a_right_angle_lies_on_a_shell) {
   Corner right({0, 0}, {5, 0}, {0, 3}, {9, 1});
   right.t.points.push_back({5.0 / 32, 0});
   right.t.points.push_back({0.15, 0});
-  EXPECT_EQ(edge_split_point(right.t, right.segments[0], 0, 4), (Point{2.5 / 32, 0})) << "not short";
-  EXPECT_NEAR(edge_split_point(right.t, right.segments[0], 0, 5).x, 0.0625, 1e-16);
-  EXPECT_NEAR(edge_split_point(right.t, right.segments[0], 5, 0).x, 0.0625, 1e-16);
+  EXPECT_EQ(edge_split_point(right.t, right.segments, 0, 0, 4), (Point{2.5 / 32, 0})) << "not short";
+  EXPECT_NEAR(edge_split_point(right.t, right.segments, 0, 0, 5).x, 0.0625, 1e-16);
+  EXPECT_NEAR(edge_split_point(right.t, right.segments, 0, 5, 0).x, 0.0625, 1e-16);
 }
 
 TEST(EdgeSplitPoint, of_a_short_piece_at_an_angle_above_104_degrees_is_its_midpoint) {
   Corner wide({0, 0}, {5, 0}, {-1, 3}, {9, 1});
   wide.t.points.push_back({0.15, 0});
-  EXPECT_EQ(edge_split_point(wide.t, wide.segments[0], 0, 4), (Point{0.075, 0}));
+  EXPECT_EQ(edge_split_point(wide.t, wide.segments, 0, 0, 4), (Point{0.075, 0}));
 }
 
 /// Splits the piece u-v of a segment until no part is longer than 0.7. Returns the distances of all new vertices from
@@ -108,21 +128,21 @@ TEST(EdgeSplitPoint, of_both_sides_of_a_narrow_wedge_have_the_same_distances_fro
 }
 
 TEST(EdgeSplitPoint, of_a_chain_of_narrow_wedges_is_the_midpoint) {
-  Corner chain({0, 0}, {100, 0}, {70, 1}, {0, 1.3});
-  EXPECT_NEAR(edge_split_point(chain.t, chain.segments[0], 0, 1).x, 50, 1e-12);
+  Corner chain({0, 0}, {100, 0}, {140, 2}, {0, 1.3});
+  EXPECT_NEAR(edge_split_point(chain.t, chain.segments, 0, 0, 1).x, 50, 1e-12);
   for (const Point p : {Point{40, 0}, Point{70, 0}}) {
     chain.t.points.push_back(p);
     chain.t.origin.push_back(origin_on_segment(0));
   }
-  EXPECT_NEAR(edge_split_point(chain.t, chain.segments[0], 4, 5).x, 55, 1e-12);
+  EXPECT_NEAR(edge_split_point(chain.t, chain.segments, 0, 4, 5).x, 55, 1e-12);
 }
 
 TEST(EdgeSplitPoint, of_a_side_of_a_narrow_wedge_lies_between_a_third_and_two_thirds) {
-  Corner wedge({0, 0}, {100, 0}, {99.999, 1e-5}, {200, 1});
+  Corner wedge({0, 0}, {100, 0}, {100.001, 1e-5}, {200, 1});
   for (double start = 0.01; start < 99; start *= 1.3) {
     wedge.t.points.push_back({start, 0});
     const VertexId from = static_cast<VertexId>(wedge.t.points.size() - 1);
-    const double fraction = (edge_split_point(wedge.t, wedge.segments[0], from, 1).x - start) / (100 - start);
+    const double fraction = (edge_split_point(wedge.t, wedge.segments, 0, from, 1).x - start) / (100 - start);
     EXPECT_GE(fraction, 1 / 3.0 - 1e-12);
     EXPECT_LE(fraction, 2 / 3.0 + 1e-12);
   }
@@ -130,27 +150,27 @@ TEST(EdgeSplitPoint, of_a_side_of_a_narrow_wedge_lies_between_a_third_and_two_th
 
 TEST(EdgeSplitPoint, of_a_segment_with_two_different_small_angles_lies_on_a_shell_around_the_smaller_one) {
   Corner at_first({0, 0}, {5, 0}, {3, 0.5}, {2, 1});
-  EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 0, 1).x, 2, 1e-15);
-  EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments[0], 1, 0).x, 2, 1e-15);
+  EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments, 0, 0, 1).x, 2, 1e-15);
+  EXPECT_NEAR(edge_split_point(at_first.t, at_first.segments, 0, 1, 0).x, 2, 1e-15);
   Corner at_second({0, 0}, {5, 0}, {3, 1}, {2, 0.5});
-  EXPECT_NEAR(edge_split_point(at_second.t, at_second.segments[0], 0, 1).x, 3, 1e-15);
+  EXPECT_NEAR(edge_split_point(at_second.t, at_second.segments, 0, 0, 1).x, 3, 1e-15);
 }
 
 TEST(EdgeSplitPoint, of_a_segment_with_two_similar_small_angles_is_its_midpoint) {
   Corner equal({0, 0}, {5, 0}, {3, 1}, {2, 1});
-  EXPECT_EQ(edge_split_point(equal.t, equal.segments[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(equal.t, equal.segments, 0, 0, 1), (Point{2.5, 0}));
   Corner similar({0, 0}, {5, 0}, {3, 1}, {2, 1.2});
-  EXPECT_EQ(edge_split_point(similar.t, similar.segments[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(similar.t, similar.segments, 0, 0, 1), (Point{2.5, 0}));
 }
 
 TEST(EdgeSplitPoint, of_a_segment_with_one_small_angle_ignores_the_larger_angle_at_its_other_end) {
   Corner corner({0, 0}, {5, 0}, {1.2, 2}, {4.9, 2});  // 59 and 87 degrees
-  EXPECT_NEAR(edge_split_point(corner.t, corner.segments[0], 0, 1).x, 2, 1e-15);
+  EXPECT_NEAR(edge_split_point(corner.t, corner.segments, 0, 0, 1).x, 2, 1e-15);
 }
 
 TEST(EdgeSplitPoint, of_a_right_angle_is_the_midpoint) {
   Corner right({0, 0}, {5, 0}, {0, 3}, {5, 3});
-  EXPECT_EQ(edge_split_point(right.t, right.segments[0], 0, 1), (Point{2.5, 0}));
+  EXPECT_EQ(edge_split_point(right.t, right.segments, 0, 0, 1), (Point{2.5, 0}));
 }
 
 TEST(EdgeSplitPoint, puts_the_pieces_at_one_apex_on_shared_shells) {
@@ -250,6 +270,17 @@ TEST(SmallAngle, across_one_shell_makes_a_triangle_seditious) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->reason, ExemptReason::seditious);
   EXPECT_EQ(found->apex, 0U);
+}
+
+TEST(SmallAngle, across_the_shell_of_an_end_makes_a_triangle_seditious) {
+  Corner corner({0, 0}, {5, 0}, {3.1, 3.1e-6}, {9, 9});
+  const VertexId beside = corner.split(0, 0, 1);
+  for (const auto& [first, second] : {std::pair(beside, VertexId{2}), std::pair(VertexId{2}, beside)}) {
+    const auto found = OneTriangle(corner.t, {1, first, second}, {false, true, false}).exemption(corner.segments);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->reason, ExemptReason::seditious);
+    EXPECT_EQ(found->apex, 0U);
+  }
 }
 
 TEST(SmallAngle, between_two_shells_exempts_nothing) {

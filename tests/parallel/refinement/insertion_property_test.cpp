@@ -98,7 +98,7 @@ PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
                 {.statement = "however often the pieces of a segment are split, the points lie on it to within the "
                               "rounding of coordinates: 2 units in the last place of the largest",
                  .source = "parallel/criteria/small_angles.hpp",
-                 .families = "segments in all directions, near and far"}) {
+                 .families = "segments in all directions, near and far, with other segments at their ends"}) {
   const auto coordinate = [] { return 1e-3 * *rc::gen::inRange(-1000000, 1000000) + *rc::gen::element(0., 654321.1); };
   Triangulation t;
   t.points.push_back({coordinate(), coordinate()});
@@ -107,12 +107,21 @@ PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
   RC_PRE(length(a, b) > 1);
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   const double tolerance = 2 * (std::nextafter(largest, INFINITY) - largest);
-  const auto cosine = [] { return *rc::gen::element(-1., 0.3, 0.6, 0.9); };
-  const DomainSegment line{0, 1, cosine(), cosine()};
+  std::vector<Constraint> constraints{{0, 1}};
+  for (const VertexId end : {0U, 1U}) {
+    if (*rc::gen::inRange(0, 4) == 0) continue;  // no other segment
+    const double cosine = *rc::gen::element(0.3, 0.6, 0.9, 1 - 0x1p-40), sine = std::sqrt(1 - cosine * cosine);
+    const double scale = *rc::gen::element(0.37, 0.8, 1.5);
+    const Point o = t.points[end], far = t.points[1 - end];
+    const double x = scale * (far.x - o.x), y = scale * (far.y - o.y);
+    constraints.push_back({end, static_cast<VertexId>(t.points.size())});
+    t.points.push_back({o.x + cosine * x - sine * y, o.y + sine * x + cosine * y});
+  }
+  const DomainSegments segments(t.points, constraints);
   VertexId from = 0, to = 1;
   for (int i = 0; i < 20; ++i) {
     const auto middle = static_cast<VertexId>(t.points.size());
-    t.points.push_back(edge_split_point(t, line, from, to));
+    t.points.push_back(edge_split_point(t, segments, 0, from, to));
     RC_ASSERT(!checker::exactly::line_distance_exceeds(t.points[middle], a, b, tolerance));
     (*rc::gen::arbitrary<bool>() ? from : to) = middle;
   }

@@ -42,6 +42,30 @@ TEST(DomainSegments, compute_common_ends_and_angles) {
   EXPECT_EQ(DomainSegments(star.points, apart).shared_end(0, 1), no_index);
 }
 
+/// Segments from vertex 0: of length 4 to the right, of lengths 1 and 3 at half a degree and at 0.8 degrees from it on
+/// its two sides, and of length 2 at two degrees.
+TEST(DomainSegments, pass_the_ends_of_shorter_segments_at_less_than_one_degree) {
+  const auto at = [](double length, double degrees) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    return Point{length * std::cos(angle), length * std::sin(angle)};
+  };
+  const Array<Point> points{
+      std::span<const Point>(std::vector<Point>{{0, 0}, {4, 0}, at(1, 0.5), at(3, -0.8), at(2, 2)})};
+  const std::vector<Constraint> constraints{{0, 1}, {0, 2}, {0, 3}, {0, 4}};
+  const DomainSegments segments(points, constraints);
+  ASSERT_EQ(segments.mates(0).size(), 2U);
+  for (const Mate& mate : segments.mates(0)) {
+    const bool first = mate.distance < 2;
+    EXPECT_EQ(mate.apex, 0U);
+    EXPECT_NEAR(mate.distance, first ? 1 : 3, 1e-15);
+    EXPECT_NEAR(mate.gap, first ? std::acos(-1.0) / 360 : 3 * 0.8 * std::acos(-1.0) / 180, 1e-5);
+  }
+  for (Index s = 1; s < 4; ++s) EXPECT_TRUE(segments.mates(s).empty()) << s;
+  EXPECT_EQ(segments.segments_at(0).size(), 4U);
+  EXPECT_EQ(segments.segments_at(3).size(), 1U);
+  EXPECT_TRUE(segments.segments_at(5).empty());
+}
+
 /// A triangle so flat that rounding makes it a segment. The formula for a cosine gives 1 + 2^-52 at both ends.
 TEST(DomainSegments, have_no_narrow_apex_where_the_angles_at_both_ends_are_equal) {
   const Array<Point> points{std::span<const Point>(std::vector<Point>{{-2, -3}, {2, 3}, {-3e-20, 2e-20}})};
