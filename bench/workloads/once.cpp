@@ -21,7 +21,7 @@
 #include "../../core/digest.hpp"
 #include "counters.hpp"
 #include "workload.hpp"
-#if __has_include(<valgrind/callgrind.h>)
+#ifdef PARDEL_COUNTS_INSTRUCTIONS
 #include <valgrind/callgrind.h>
 #else
 #define CALLGRIND_TOGGLE_COLLECT static_cast<void>(0)

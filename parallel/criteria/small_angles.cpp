@@ -85,16 +85,27 @@ double fraction_around(Point centre, Point a, Point b) {
   return (shortest_number((2 * near + far) / 3, (near + 2 * far) / 3) - at_a) / (at_b - at_a);
 }
 
+/// A length that is 16 times as long as the shortest edge that doubles allow (Options::min_edge).
+double resolution(Point p, Point q, Point r) {
+  double largest = 0;
+  for (const Point corner : {p, q, r}) largest = std::max({largest, std::abs(corner.x), std::abs(corner.y)});
+  return 0x1p-38 * largest;
+}
+
 /// The fraction at which the edge a-b is split beside the end of a shorter segment, if there is such an end: the one
-/// nearest to the middle. Not if the edge has an end of its own there: no nearer than the gap between the segments.
-std::optional<double> fraction_beside_mate(const Triangulation& t, std::span<const Mate> mates, Point a, Point b) {
+/// nearest to the middle. Not if an end of the edge is as near to this place as the other segment is, and not if an
+/// edge shorter than `floor` would result. But a gap that doubles cannot resolve counts: no point can be inserted
+/// there, and the edge stays as it is. Splits elsewhere would make edges down to the resolution of doubles.
+std::optional<double> fraction_beside_end(const Triangulation& t, std::span<const PlaceBesideEnd> places, Point a,
+                                          Point b, double floor) {
   std::optional<double> best;
-  for (const Mate& mate : mates) {
-    const Point apex = t.points[mate.apex];
+  for (const PlaceBesideEnd& place : places) {
+    const Point apex = t.points[place.apex];
+    if (place.gap < floor && place.gap > resolution(apex, a, b)) continue;
     const double at_a = distance(apex, a), at_b = distance(apex, b);
-    const double from_ends = std::min(mate.distance - std::min(at_a, at_b), std::max(at_a, at_b) - mate.distance);
-    if (from_ends <= std::max(mate.gap, 2 * shell_width(apex, at_a < at_b ? b : a))) continue;
-    const double fraction = (mate.distance - at_a) / (at_b - at_a);
+    const double from_ends = std::min(place.distance - std::min(at_a, at_b), std::max(at_a, at_b) - place.distance);
+    if (from_ends <= std::max({place.gap, floor, 2 * shell_width(apex, at_a < at_b ? b : a)})) continue;
+    const double fraction = (place.distance - at_a) / (at_b - at_a);
     if (!best || std::abs(fraction - 0.5) < std::abs(*best - 0.5)) best = fraction;
   }
   return best;
@@ -135,15 +146,15 @@ unsigned exactly_shortest_side(const Triangulation& t, const Slot& slot, const M
   return result;
 }
 
-/// The exemption of a triangle whose shortest edge joins u, on one segment, and v, on another one.
+/// The exemption of a triangle whose shortest edge joins u and v, each inside or at the end of the segment that is
+/// given, if the two segments meet at an angle with a larger cosine than `least`.
 std::optional<SmallAngle> seditious(const Triangulation& t, const DomainSegments& segments, VertexId u, Index of_u,
-                                    VertexId v, Index of_v) {
+                                    VertexId v, Index of_v, double least) {
   if (of_u == of_v) return {};
   const VertexId apex = segments.shared_end(of_u, of_v);
   if (apex == no_index || apex == u || apex == v) return {};
   const double cosine = segments.cosine_at(t.points, apex, of_u, of_v);
-  // Below 60 degrees, whose cosine is 1/2.
-  if (cosine <= 0.5 * (1 + 1e-9) || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
+  if (cosine <= least || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
   return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
 }
 
@@ -157,25 +168,31 @@ std::optional<SmallAngle> small_angle_at(unsigned corner, const Triangulation& t
       return SmallAngle{ExemptReason::nestled, o, degrees(segments.cosine_at(t.points, o, first, second))};
   }
   const Index segment_u = segment_of_origin(t.origin[u]), segment_v = segment_of_origin(t.origin[v]);
-  const auto at_u = segment_u < segments.size() ? std::span(&segment_u, 1) : segments.segments_at(u);
-  const auto at_v = segment_v < segments.size() ? std::span(&segment_v, 1) : segments.segments_at(v);
-  for (const Index of_u : at_u)
-    for (const Index of_v : at_v)
-      if (const auto found = seditious(t, segments, u, of_u, v, of_v)) return found;
+  const bool inside_u = segment_u < segments.size(), inside_v = segment_v < segments.size();
+  constexpr double at_60_degrees = 0.5 * (1 + 1e-9);
+  if (inside_u && inside_v) return seditious(t, segments, u, segment_u, v, segment_v, at_60_degrees);
+  // A point that was put beside the end of a segment (edge_split_point()).
+  const VertexId end = inside_u ? v : u, beside = inside_u ? u : v;
+  if (inside_u == inside_v || t.origin[end] != input_vertex) return {};
+  for (const Index of_end : segments.segments_at(end))
+    if (const auto found =
+            seditious(t, segments, end, of_end, beside, inside_u ? segment_u : segment_v, cosine_of_narrow_angle))
+      return found;
   return {};
 }
 
 }  // namespace
 
 Point edge_split_point(const Triangulation& t, const DomainSegments& segments, Index number, VertexId a, VertexId b,
-                       double pieces) {
+                       double floor, double pieces) {
   const DomainSegment& segment = segments[number];
   const Point pa = t.points[a], pb = t.points[b];
   const double length = distance(pa, pb);
   const double widest = widest_apex(length, distance(t.points[segment.a], t.points[segment.b]));
   const VertexId centre = centre_of_shell(segment, a, b, widest);
   double fraction = 0.5;
-  if (const std::optional<double> beside = fraction_beside_mate(t, segments.mates(number), pa, pb)) {
+  const auto places = segments.places_beside_ends(number);
+  if (const std::optional<double> beside = fraction_beside_end(t, places, pa, pb, floor)) {
     fraction = *beside;
   } else if (centre != no_index) {
     fraction = shell(length) / length;

@@ -12,25 +12,25 @@
 
 namespace pardel::engine {
 
-/// The point that splits the constrained edge a-b, a part of `segment`. It is the midpoint, with these exceptions.
-/// If the edge passes the end of a shorter segment with which it shares an apex of less than one degree (Mate), the
-/// point lies beside this end, at the same distance from the apex. What follows is then alike on both sides of the
-/// wedge, and a triangle across it is seditious (small_angle()).
-/// An end of a segment is an apex if another segment leaves there at an angle below 60 degrees. If a or b is an apex of
-/// the segment, the distance of the point from the apex is a power of two, between 1/3 and 2/3 of the edge. The edges
-/// around one apex then end on common circles (shells), and the vertices of one segment do not encroach on another. If
-/// both are apexes, the one with the much smaller angle is used; for similar angles, the point is the midpoint.
-/// Measured: this gives the smallest meshes. For an edge shorter than 1/32 of its segment, angles of up to 104 degrees
-/// make an apex: at bounds above 30 degrees, two segments at a right angle can split each other in turn without end.
-/// If a segment has a narrow apex (DomainSegment), the edges that touch no apex are split at distances from it with few
-/// binary digits, between 1/3 and 2/3 of the edge: the vertices of both sides of a narrow wedge then stay side by side
-/// even if their far ends do not. If the other end is an apex, too, this holds around the apex whose wedge is narrower
-/// at the edge.
-/// An edge longer than one and a half `pieces` that would be halved is split into two whole numbers of about equal
-/// pieces of about this length. Halves of halves could be much shorter than the edges of a patch beside the segment.
-/// The point lies on the segment up to the rounding of its coordinates.
-[[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegments& segments, Index segment, VertexId a,
-                                     VertexId b, double pieces = INFINITY);
+/// The point that splits the constrained edge a-b, a part of segment `number`. It is the midpoint, with exceptions.
+/// Where a shorter segment leaves the same end at less than one degree, the point lies beside the end of the shorter
+/// segment, at the same distance from their common end, unless an end of the edge is as near to this place as the
+/// shorter segment is, or an edge shorter than `floor` would result in a gap that doubles can resolve. Both sides of
+/// the wedge then have vertices at the same distances, and a triangle across it is seditious (small_angle()).
+/// Otherwise: an end of a segment is an apex if another segment leaves there at an angle below 60 degrees. If a or b is
+/// an apex of the segment, the distance of the point from the apex is a power of two, between 1/3 and 2/3 of the edge.
+/// The edges around one apex then end on common circles (shells), and the vertices of one segment do not encroach on
+/// another. If both are apexes, the one with the much smaller angle is used; for similar angles, the point is the
+/// midpoint. Measured: this gives the smallest meshes. For an edge shorter than 1/32 of its segment, angles of up to
+/// 104 degrees make an apex: at bounds above 30 degrees, two segments at a right angle can split each other in turn
+/// without end. If a segment has a narrow apex (DomainSegment), the edges that touch no apex are split at distances
+/// from it with few binary digits, between 1/3 and 2/3 of the edge: the vertices of both sides of a narrow wedge then
+/// stay side by side even if their far ends do not. If the other end is an apex, too, this holds around the apex whose
+/// wedge is narrower at the edge. An edge longer than one and a half `pieces` that would be halved is split into two
+/// whole numbers of about equal pieces of about this length. Halves of halves could be much shorter than the edges of a
+/// patch beside the segment. The point lies on the segment up to the rounding of its coordinates.
+[[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegments& segments, Index number, VertexId a,
+                                     VertexId b, double floor = 0, double pieces = INFINITY);
 
 /// The small input angle that exempts a triangle.
 struct SmallAngle {
@@ -42,7 +42,7 @@ struct SmallAngle {
 /// The exemption of a triangle that breaks only the bound on angles, or nothing if it has to be split. A triangle is
 /// exempt if splitting it would never end. Which of its angles is the smallest is decided exactly. It is nestled (its
 /// smallest angle lies between two segments) or seditious (its shortest edge joins points of one shell on two segments
-/// that meet at less than 60 degrees; each point is a vertex inside its segment or its end).
+/// that meet at less than 60 degrees; at less than one degree, one of the points can be the end of its segment).
 [[nodiscard]] std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments,
                                                     const Slot& slot, const Measure& measure);
 

@@ -58,7 +58,7 @@ Index Assessor::segment_of(EdgeRef e) const {
 
 Point Assessor::point_on(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
-  return edge_split_point(t_, segments_, segment_of(e), slot.from(e.side()), slot.to(e.side()),
+  return edge_split_point(t_, segments_, segment_of(e), slot.from(e.side()), slot.to(e.side()), options_.min_edge,
                           criteria_.length_of_pieces(region_of(e.triangle())));
 }
 

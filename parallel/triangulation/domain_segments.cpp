@@ -12,8 +12,6 @@
 namespace pardel::engine {
 namespace {
 
-constexpr double cosine_of_narrow_angle = 0.9998477;  // one degree
-
 /// The end of a segment at which another segment meets it at a narrow angle that is much smaller than the angle at the
 /// other end; or no_index.
 VertexId narrow_end(const DomainSegment& s) {
@@ -40,7 +38,7 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
   }
   find_smallest_angles(points, ask);
   find_narrow_apexes(points, ask);
-  find_mates(points, ask);
+  find_places_beside_ends(points, ask);
 }
 
 void DomainSegments::find_ends(SparseAsk& ask) {
@@ -102,35 +100,45 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
   });
 }
 
-/// The segments at less than one degree from a segment are its neighbours in the angular order, on both sides.
-void DomainSegments::find_mates(const Array<Point>& points, SparseAsk& ask) {
-  std::vector<std::pair<Index, Mate>> found;
+/// The segments that form a narrow wedge with a segment are its neighbours in the angular order, on both sides.
+void DomainSegments::find_places_beside_ends(const Array<Point>& points, SparseAsk& ask) {
+  constexpr std::size_t most = 16;  // on each side
+  std::vector<std::pair<Index, PlaceBesideEnd>> found;
   for (std::size_t end = 0; end < ends_.size(); ++end) {
     const std::span<const Index> here = around(end);
     const VertexId apex = ends_[end];
-    const auto far = [&](std::size_t i) { return points[other_end(here[i], apex)]; };
     for (std::size_t i = 0; i < here.size(); ++i) {
-      ask();
-      const double length = distance(points[apex], far(i));
-      for (const std::size_t step : {std::size_t{1}, here.size() - 1})
-        for (std::size_t j = (i + step) % here.size(); j != i; j = (j + step) % here.size()) {
-          if (cosine_at(points, apex, here[i], here[j]) <= cosine_of_narrow_angle) break;
-          const double shorter = distance(points[apex], far(j));
-          if (shorter >= length) continue;
-          const double part = shorter / length;
-          const Point o = points[apex], p = far(i);
-          const Point place{o.x + part * (p.x - o.x), o.y + part * (p.y - o.y)};
-          found.push_back({here[i], {apex, shorter, distance(place, far(j))}});
+      const auto visit_neighbours = [&](std::size_t number, const auto& neighbour) {
+        for (std::size_t k = 1; k <= number; ++k) {
+          ask();
+          const Index other = here[neighbour(k)];
+          if (cosine_at(points, apex, here[i], other) <= cosine_of_narrow_angle) return k - 1;
+          if (const auto place = place_beside_end(points, apex, here[i], other)) found.emplace_back(here[i], *place);
         }
+        return number;
+      };
+      const std::size_t n = here.size();
+      const std::size_t after = visit_neighbours(std::min(most, n - 1), [&](std::size_t k) { return (i + k) % n; });
+      visit_neighbours(std::min(most, n - 1 - after), [&](std::size_t k) { return (i + n - k) % n; });
     }
   }
   std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
-  first_mate_.assign(segments_.size() + 1, 0);
-  for (const auto& [segment, mate] : found) {
-    ++first_mate_[segment + 1];
-    mates_.push_back(mate);
+  first_place_.assign(segments_.size() + 1, 0);
+  for (const auto& [segment, place] : found) {
+    ++first_place_[segment + 1];
+    places_.push_back(place);
   }
-  std::partial_sum(first_mate_.begin(), first_mate_.end(), first_mate_.begin());
+  std::partial_sum(first_place_.begin(), first_place_.end(), first_place_.begin());
+}
+
+/// Nothing if the segment does not pass the end of the other one, or if its own end is as near as the other segment.
+std::optional<PlaceBesideEnd> DomainSegments::place_beside_end(const Array<Point>& points, VertexId apex, Index segment,
+                                                               Index other) const {
+  const Point o = points[apex], far = points[other_end(segment, apex)], end = points[other_end(other, apex)];
+  const double length = distance(o, far), shorter = distance(o, end), part = shorter / length;
+  const double gap = distance({o.x + part * (far.x - o.x), o.y + part * (far.y - o.y)}, end);
+  if (length - shorter <= gap) return {};
+  return PlaceBesideEnd{apex, shorter, gap};
 }
 
 std::span<const Index> DomainSegments::segments_at(VertexId v) const {

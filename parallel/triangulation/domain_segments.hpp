@@ -1,6 +1,7 @@
 // The segments of a domain, and the small angles between them.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,8 +26,11 @@ struct DomainSegment {
   [[nodiscard]] double cosine_at(VertexId v) const { return v == a ? cosine_at_a : v == b ? cosine_at_b : -1; }
 };
 
-/// The place on a segment beside the end of a shorter segment, where the two meet at less than one degree.
-struct Mate {
+/// Of one degree. Two segments that meet at a smaller angle form a narrow wedge.
+inline constexpr double cosine_of_narrow_angle = 0.9998477;
+
+/// The place on a segment beside the end of a shorter segment, where the two are the sides of a narrow wedge.
+struct PlaceBesideEnd {
   VertexId apex;    ///< the common end of the two segments
   double distance;  ///< of the place from the apex: the length of the shorter segment
   double gap;       ///< between the two segments at this distance
@@ -41,9 +45,10 @@ class DomainSegments {
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
 
-  /// The places on a segment beside the ends of shorter ones.
-  [[nodiscard]] std::span<const Mate> mates(Index segment) const {
-    return std::span(mates_).subspan(first_mate_[segment], first_mate_[segment + 1] - first_mate_[segment]);
+  /// The places on a segment beside the ends of shorter ones. At a hub of many segments, only the 16 nearest segments
+  /// on each side count.
+  [[nodiscard]] std::span<const PlaceBesideEnd> places_beside_ends(Index segment) const {
+    return std::span(places_).subspan(first_place_[segment], first_place_[segment + 1] - first_place_[segment]);
   }
   /// The segments that end at a vertex; none if it is no end of a segment.
   [[nodiscard]] std::span<const Index> segments_at(VertexId v) const;
@@ -77,12 +82,14 @@ class DomainSegments {
   void sort_around(const Array<Point>& points, std::size_t end);
   void find_smallest_angles(const Array<Point>& points, SparseAsk& ask);
   void find_narrow_apexes(const Array<Point>& points, SparseAsk& ask);
-  void find_mates(const Array<Point>& points, SparseAsk& ask);
+  void find_places_beside_ends(const Array<Point>& points, SparseAsk& ask);
+  [[nodiscard]] std::optional<PlaceBesideEnd> place_beside_end(const Array<Point>& points, VertexId apex, Index segment,
+                                                               Index other) const;
 
   std::vector<DomainSegment> segments_;
-  std::vector<VertexId> ends_;  ///< the vertices at which segments end, in ascending order
-  std::vector<Mate> mates_;     ///< of segment s: from first_mate_[s] to first_mate_[s + 1] - 1
-  std::vector<Index> first_mate_;
+  std::vector<VertexId> ends_;          ///< the vertices at which segments end, in ascending order
+  std::vector<PlaceBesideEnd> places_;  ///< on segment s: from first_place_[s] to first_place_[s + 1] - 1
+  std::vector<Index> first_place_;
   std::vector<Index> start_, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
 };
 

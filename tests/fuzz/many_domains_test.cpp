@@ -104,7 +104,7 @@ std::map<std::uint64_t, Record> run_with(const std::function<void()>& end, std::
     record.kinds = "kind" + std::to_string(number);
     return record;
   };
-  run_watched(numbers, {.jobs = jobs, .seconds = 0.05, .per_process = 4}, run, [&](const Record& record) {
+  run_watched(numbers, {.jobs = jobs, .seconds = 0.2, .per_process = 4}, run, [&](const Record& record) {
     EXPECT_TRUE(found.emplace(record.number, record).second) << record.number << " was run twice";
   });
   return found;

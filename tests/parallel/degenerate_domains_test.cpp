@@ -71,7 +71,7 @@ TEST(TinyAngle, between_segments_of_unlike_lengths_ends) {
 }
 
 /// A point near a long segment, joined to both ends of the segment. No vertex of the segment was beside the point, and
-/// edges became as short as the gap between the two. Gaps of less than 1e-11 can be too narrow for a vertex beside it.
+/// edges became as short as the gap between the two. No vertex fits beside the point if the gap is below about 1e-11.
 TEST(TinyAngle, at_both_ends_of_a_long_segment_needs_few_triangles) {
   samples::Random random(3);
   for (double gap = 1e-2; gap > 1e-18; gap /= 30)
@@ -92,6 +92,17 @@ TEST(TinyAngle, at_both_ends_of_a_long_segment_needs_few_triangles) {
           meshed->report.count(ExemptReason::precision) + meshed->report.count(ExemptReason::min_edge);
       EXPECT_LE(missed, gap < 1e-11 ? 4U : 0U);
     }
+}
+
+TEST(TinyAngle, whose_gap_is_below_the_floor_does_not_keep_a_segment_whole) {
+  Pslg pslg = box(-2, 2);
+  pslg.points.insert(pslg.points.end(), {{-1, 0}, {1, 0}, {0.3, 1e-5}});
+  pslg.segments.insert(pslg.segments.end(), {{4, 5}, {4, 6}, {6, 5}});
+  const Goal goal{.min_angle_deg = 0, .max_area = 0.05};
+  const Result<Meshed> meshed = mesh(pslg, goal, {.min_edge = 1e-3});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  const Index passing_the_point = 4;
+  EXPECT_GT(std::ranges::count(meshed->mesh.constrained_edges, passing_the_point, &ConstrainedEdge::segment), 1);
 }
 
 TEST(TinyAngle, chained_from_segment_to_segment_ends) {

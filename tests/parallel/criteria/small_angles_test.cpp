@@ -76,11 +76,22 @@ TEST(EdgeSplitPoint, does_not_lie_beside_an_end_that_is_as_near_to_an_end_of_the
   EXPECT_EQ(split_at(3.98, 0.03), 2);
 }
 
+TEST(EdgeSplitPoint, does_not_lie_beside_an_end_if_an_edge_shorter_than_the_floor_would_result) {
+  const auto split_at = [](double length, double gap, double floor) {
+    Corner corner({0, 0}, {4, 0}, {length, gap}, {4, 4});
+    return edge_split_point(corner.t, corner.segments, 0, 0, 1, floor).x;
+  };
+  EXPECT_NEAR(split_at(3.1, 1e-3, 9e-4), 3.1, 1e-6);
+  EXPECT_EQ(split_at(3.1, 1e-3, 1.1e-3), 2) << "the gap";
+  EXPECT_NEAR(split_at(3.9, 1e-2, 9e-3), 3.9, 1e-4);
+  EXPECT_EQ(split_at(3.99, 1e-6, 0.02), 2) << "the rest of the segment";
+}
+
 TEST(EdgeSplitPoint, divides_a_segment_beside_a_patch_into_whole_pieces) {
   Corner blunt({0, 0}, {5, 0}, {-1, 3}, {7, 3});
   const auto split_at = [&](double pieces) {
-    const double x = edge_split_point(blunt.t, blunt.segments, 0, 0, 1, pieces).x;
-    EXPECT_EQ(edge_split_point(blunt.t, blunt.segments, 0, 1, 0, pieces).x, x) << "the direction has no influence";
+    const double x = edge_split_point(blunt.t, blunt.segments, 0, 0, 1, 0, pieces).x;
+    EXPECT_EQ(edge_split_point(blunt.t, blunt.segments, 0, 1, 0, 0, pieces).x, x) << "the direction has no influence";
     return x;
   };
   EXPECT_EQ(split_at(1), 2) << "two of five pieces";
@@ -90,7 +101,7 @@ TEST(EdgeSplitPoint, divides_a_segment_beside_a_patch_into_whole_pieces) {
   EXPECT_EQ(split_at(4), 2.5) << "a short segment is halved";
   EXPECT_EQ(split_at(INFINITY), 2.5) << "there is no patch";
   Corner apex({0, 0}, {5, 0}, {1, 0.5}, {5, 5});
-  EXPECT_EQ(edge_split_point(apex.t, apex.segments, 0, 0, 1, 1), edge_split_point(apex.t, apex.segments, 0, 0, 1))
+  EXPECT_EQ(edge_split_point(apex.t, apex.segments, 0, 0, 1, 0, 1), edge_split_point(apex.t, apex.segments, 0, 0, 1))
       << "a small angle decides alone";
 }
 
@@ -280,6 +291,13 @@ TEST(SmallAngle, across_the_shell_of_an_end_makes_a_triangle_seditious) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->reason, ExemptReason::seditious);
     EXPECT_EQ(found->apex, 0U);
+  }
+}
+
+TEST(SmallAngle, between_the_ends_of_two_segments_of_one_length_exempts_nothing) {
+  for (const double height : {1e-6, 1.0}) {
+    Corner corner({0, 0}, {4, 0}, {std::sqrt(16 - height * height), height}, {9, 9});
+    EXPECT_FALSE(OneTriangle(corner.t, {3, 2, 1}, {false, false, false}).exemption(corner.segments));
   }
 }
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace pardel::engine {
 namespace {
@@ -53,17 +56,56 @@ TEST(DomainSegments, pass_the_ends_of_shorter_segments_at_less_than_one_degree) 
       std::span<const Point>(std::vector<Point>{{0, 0}, {4, 0}, at(1, 0.5), at(3, -0.8), at(2, 2)})};
   const std::vector<Constraint> constraints{{0, 1}, {0, 2}, {0, 3}, {0, 4}};
   const DomainSegments segments(points, constraints);
-  ASSERT_EQ(segments.mates(0).size(), 2U);
-  for (const Mate& mate : segments.mates(0)) {
-    const bool first = mate.distance < 2;
-    EXPECT_EQ(mate.apex, 0U);
-    EXPECT_NEAR(mate.distance, first ? 1 : 3, 1e-15);
-    EXPECT_NEAR(mate.gap, first ? std::acos(-1.0) / 360 : 3 * 0.8 * std::acos(-1.0) / 180, 1e-5);
+  ASSERT_EQ(segments.places_beside_ends(0).size(), 2U);
+  for (const PlaceBesideEnd& place : segments.places_beside_ends(0)) {
+    const bool first = place.distance < 2;
+    EXPECT_EQ(place.apex, 0U);
+    EXPECT_NEAR(place.distance, first ? 1 : 3, 1e-15);
+    EXPECT_NEAR(place.gap, first ? std::acos(-1.0) / 360 : 3 * 0.8 * std::acos(-1.0) / 180, 1e-5);
   }
-  for (Index s = 1; s < 4; ++s) EXPECT_TRUE(segments.mates(s).empty()) << s;
+  for (Index s = 1; s < 4; ++s) EXPECT_TRUE(segments.places_beside_ends(s).empty()) << s;
   EXPECT_EQ(segments.segments_at(0).size(), 4U);
   EXPECT_EQ(segments.segments_at(3).size(), 1U);
   EXPECT_TRUE(segments.segments_at(5).empty());
+}
+
+/// A flat triangle, whose long side passes the vertex between the others from both of its ends; and three segments at
+/// one end, of which the longest has two shorter ones on one side.
+TEST(DomainSegments, pass_ends_at_both_ends_and_several_on_one_side) {
+  const Array<Point> points{std::span<const Point>(
+      std::vector<Point>{{0, 0}, {1, 1e-4}, {2, 2e-5}, {3, 0}, {9, 0}, {8, 0.01}, {7, 0.02}, {5, 0}})};
+  const std::vector<Constraint> constraints{{0, 2}, {2, 3}, {0, 3}, {7, 6}, {7, 5}, {7, 4}};
+  const DomainSegments segments(points, constraints);
+  const auto distances = [&](Index segment) {
+    std::vector<std::pair<VertexId, double>> found;
+    for (const PlaceBesideEnd& place : segments.places_beside_ends(segment))
+      found.emplace_back(place.apex, std::round(1000 * place.distance) / 1000);
+    std::ranges::sort(found);
+    return found;
+  };
+  using Places = std::vector<std::pair<VertexId, double>>;
+  EXPECT_EQ(distances(0), Places{});
+  EXPECT_EQ(distances(1), Places{});
+  EXPECT_EQ(distances(2), (Places{{0, 2}, {3, 1}}));
+  EXPECT_EQ(distances(3), Places{});
+  EXPECT_EQ(distances(4), (Places{{7, 2}}));
+  EXPECT_EQ(distances(5), (Places{{7, 2}, {7, 3}}));
+}
+
+/// A hub whose 100 segments lie within one degree: only the 16 nearest ones on each side count.
+TEST(DomainSegments, pass_at_most_16_ends_on_each_side) {
+  std::vector<Point> hub{{0, 0}};
+  std::vector<Constraint> constraints;
+  for (Index i = 1; i <= 100; ++i) {
+    hub.push_back({100.0 + i, 1e-4 * i * (100.0 + i)});
+    constraints.push_back({0, i});
+  }
+  const Array<Point> points{std::span<const Point>(hub)};
+  const DomainSegments segments(points, constraints);
+  EXPECT_EQ(segments.places_beside_ends(0).size(), 0U);
+  EXPECT_EQ(segments.places_beside_ends(5).size(), 5U);
+  EXPECT_EQ(segments.places_beside_ends(50).size(), 16U);
+  EXPECT_EQ(segments.places_beside_ends(99).size(), 32U) << "all are narrow wedges, also across the start of the order";
 }
 
 /// A triangle so flat that rounding makes it a segment. The formula for a cosine gives 1 + 2^-52 at both ends.
