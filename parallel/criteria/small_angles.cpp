@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "../../core/support/point_order.hpp"
+#include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -87,9 +88,9 @@ double fraction_around(Point centre, Point a, Point b) {
 
 /// A length that is 16 times as long as the shortest edge that doubles allow (Options::min_edge).
 double resolution(Point p, Point q, Point r) {
-  double largest = 0;
-  for (const Point corner : {p, q, r}) largest = std::max({largest, std::abs(corner.x), std::abs(corner.y)});
-  return 0x1p-38 * largest;
+  Box box = Box::around(p, q);
+  box.cover(Box::around(r));
+  return 0x1p-38 * box.largest_magnitude();
 }
 
 /// The fraction at which the edge a-b is split beside the end of a shorter segment, if there is such an end: the one

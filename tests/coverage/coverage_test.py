@@ -36,8 +36,8 @@ class Coverage(unittest.TestCase):
         self.assertEqual(coverage.below_floors(good), [])
         self.assertEqual(coverage.below_floors(good + lines("core/b.cpp", 1, 1)),
                          ["core: 94.12 % of the lines, at least 95 % are required"])
-        self.assertEqual(coverage.below_floors(good + lines("core/b.cpp", 1, 0, 10, 5)),
-                         ["core: 70.00 % of the branches, at least 80 % are required"])
+        self.assertEqual(coverage.below_floors(good + lines("core/b.cpp", 1, 0, 10, 8)),
+                         ["core: 85.00 % of the branches, at least 90 % are required"])
         self.assertEqual(coverage.below_floors(good + lines("parallel/arithmetic/q.hpp", 199, 1)),
                          ["parallel/arithmetic: 99.52 % of the lines, at least 100 % are required"])
 
