@@ -149,10 +149,20 @@ class Judgement {
     const double area = area_of(mesh_, mesh_.triangles[t]);
     if (2 * area * nearly < std::sin(goal.min_angle_deg * std::numbers::pi / 180) * sides[1] * sides[2]) return true;
     if (area > goal.max_area * nearly || sides[2] > goal.max_edge * nearly) return true;
-    const Point centre = cli::centroid(mesh_, mesh_.triangles[t]);
-    if (expected_.longest_edge && sides[2] > expected_.longest_edge(centre) * nearly) return true;
+    if (expected_.longest_edge && sides[2] > least_longest_edge_near(cli::centroid(mesh_, mesh_.triangles[t])) * nearly)
+      return true;
     if (!goal.region_caps || mesh_.region.empty() || mesh_.region[t] >= expected_.pslg.regions.size()) return false;
     return area > expected_.pslg.regions[mesh_.region[t]].max_area * nearly;
+  }
+
+  /// The least of the longest edges at a place and at the doubles beside it. The mesher may round a centroid to another
+  /// of these; far from the origin they are so far apart that the longest edges differ.
+  [[nodiscard]] double least_longest_edge_near(Point place) const {
+    double least = no_bound;
+    for (const double x : {std::nextafter(place.x, -no_bound), place.x, std::nextafter(place.x, no_bound)})
+      for (const double y : {std::nextafter(place.y, -no_bound), place.y, std::nextafter(place.y, no_bound)})
+        least = std::min(least, expected_.longest_edge({x, y}));
+    return least;
   }
 
   [[nodiscard]] std::string text(Index t) const {

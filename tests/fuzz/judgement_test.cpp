@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
+#include "../../cli/centroid.hpp"
 #include "../../properties/domains/domains.hpp"
 
 namespace pardel::fuzz {
@@ -49,6 +53,24 @@ TEST_F(Judgement, sees_that_a_listed_triangle_keeps_all_bounds) {
   ASSERT_LT(good, listed.size());
   meshed_.report.exempt.push_back({good, ExemptReason::budget});
   EXPECT_TRUE(fault().starts_with("listed, but keeps all bounds: budget triangle " + std::to_string(good))) << fault();
+}
+
+TEST_F(Judgement, allows_a_listed_triangle_whose_wanted_length_depends_on_the_rounding_of_its_centroid) {
+  std::vector<bool> listed(meshed_.mesh.triangles.size(), false);
+  for (const Exemption& e : meshed_.report.exempt) listed[e.triangle] = true;
+  const auto good = static_cast<Index>(std::find(listed.begin(), listed.end(), false) - listed.begin());
+  ASSERT_LT(good, listed.size());
+  meshed_.report.exempt.push_back({good, ExemptReason::budget});
+  const Point centre = cli::centroid(meshed_.mesh, meshed_.mesh.triangles[good]);
+  const auto fault_if_short_from = [&](Point corner) {
+    return fault_of(meshed_, {.pslg = pslg_, .goal = goal_, .options = options_, .longest_edge = [corner](Point p) {
+                                return p.x >= corner.x && p.y >= corner.y ? 1e-3 : 1e3;
+                              }});
+  };
+  const Point next{std::nextafter(centre.x, 2), std::nextafter(centre.y, 2)};
+  EXPECT_EQ(fault_if_short_from(next), "");
+  EXPECT_TRUE(fault_if_short_from({std::nextafter(next.x, 2), next.y}).starts_with("listed, but keeps all bounds: "));
+  EXPECT_TRUE(fault_if_short_from({next.x, std::nextafter(next.y, 2)}).starts_with("listed, but keeps all bounds: "));
 }
 
 TEST_F(Judgement, sees_that_a_reason_cannot_be_true) {
