@@ -11,10 +11,6 @@ coverage = importlib.util.module_from_spec(importlib.util.spec_from_loader("cove
 loader.exec_module(coverage)
 
 
-def gcovr_line(number, count, branches=(), noncode=False):
-    return {"line_number": number, "count": count, "branches": [{"count": n} for n in branches], "gcovr/noncode": noncode}
-
-
 def lines(file, covered, missed=0, branches=0, taken=0):
     """Lines of a file, the first of which has all branches."""
     found = [coverage.Line(file, i + 1, i < covered, 0, 0) for i in range(covered + missed)]
@@ -22,10 +18,22 @@ def lines(file, covered, missed=0, branches=0, taken=0):
 
 
 class Coverage(unittest.TestCase):
-    def test_lines_without_code_do_not_count(self):
-        gcovr = {"files": [{"file": "core/a.cpp", "lines": [gcovr_line(1, 5, (3, 0)), gcovr_line(2, 0),
-                                                             gcovr_line(3, 0, noncode=True)]}]}
-        self.assertEqual(coverage.lines_of(gcovr), [("core/a.cpp", 1, True, 2, 1), ("core/a.cpp", 2, False, 0, 0)])
+    def test_a_line_counts_what_reaches_it_from_above_and_what_begins_there(self):
+        # 1: f() {  2: if (a)  3: g();  4: h(); }   5 has no code. g() was not executed.
+        segments = [[1, 5, 7, True, True, False], [2, 8, 0, True, True, True], [3, 5, 0, True, True, False],
+                    [3, 8, 7, True, False, False], [4, 12, 0, False, False, False]]
+        self.assertEqual(coverage.lines_with_counts(segments), {1: 7, 2: 7, 3: 0, 4: 7})
+
+    def test_an_outcome_in_one_instance_of_a_template_counts(self):
+        instances = [[3, 7, 3, 9, 4, 0, 0, 0, 4], [3, 7, 3, 9, 0, 2, 0, 0, 4], [3, 13, 3, 15, 5, 0, 0, 0, 4]]
+        self.assertEqual(coverage.branches_at_lines(instances), {3: [4, 3]})
+
+    def test_files_are_named_from_the_root_of_the_project(self):
+        file = {"filename": os.path.join(ROOT, "core", "a.cpp"), "branches": [[2, 1, 2, 3, 1, 0, 0, 0, 4]],
+                "segments": [[1, 1, 1, True, True, False], [2, 9, 0, False, False, False]]}
+        found = coverage.lines_of({"data": [{"files": [file]}]})
+        self.assertEqual(found, [("core/a.cpp", 1, True, 0, 0), ("core/a.cpp", 2, True, 2, 1)])
+        self.assertEqual(coverage.undecided(found, lambda name: ["", "  if (a)"]), ["core/a.cpp:2: 1 of 2: if (a)"])
 
     def test_a_folder_has_a_row_of_its_own_and_its_parent_has_one_for_all(self):
         rows = coverage.table(lines("core/a.cpp", 3, 1, 4, 3) + lines("core/formats/b.cpp", 1, 3))

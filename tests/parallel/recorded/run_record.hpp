@@ -49,7 +49,8 @@ struct Cloud {
 /// The lines of the file `runs` for these lines of one record.
 template <class What>
 [[nodiscard]] std::vector<std::string> kept(const What& what, const std::vector<std::string>& lines) {
-  return what.summary ? std::vector{what.name + ", all stages: " + testing::fingerprint(lines)} : lines;
+  if (!what.summary) return lines;
+  return {what.name + ", all stages: " + testing::fingerprint(lines)};
 }
 
 }  // namespace pardel::recorded

@@ -71,7 +71,9 @@ void expect_stoppable(const std::function<void(Findings&)>& stages, std::size_t 
 }
 
 TEST(Checker, asks_once_in_1024_steps_in_the_topology_of_a_mesh) {
-  const auto& [pslg, goal, mesh] = comb();
+  const Pslg& pslg = comb().pslg;
+  const Goal& goal = comb().goal;
+  const Mesh& mesh = comb().mesh;
   const CheckOptions options;
   const Subject subject{pslg, mesh, goal, options};
   const std::size_t triangles = mesh.triangles.size(), edges = mesh.constrained_edges.size();
@@ -90,7 +92,9 @@ TEST(Checker, asks_once_in_1024_steps_in_the_topology_of_a_mesh) {
 }
 
 TEST(Checker, asks_once_in_1024_steps_in_the_stages_that_use_the_domain) {
-  const auto& [pslg, goal, mesh] = comb();
+  const Pslg& pslg = comb().pslg;
+  const Goal& goal = comb().goal;
+  const Mesh& mesh = comb().mesh;
   const CheckOptions options;
   const Subject subject{pslg, mesh, goal, options};
   const std::size_t triangles = mesh.triangles.size(), points = mesh.points.size(),
