@@ -28,10 +28,13 @@ class Coverage(unittest.TestCase):
         instances = [[3, 7, 3, 9, 4, 0, 0, 0, 4], [3, 7, 3, 9, 0, 2, 0, 0, 4], [3, 13, 3, 15, 5, 0, 0, 0, 4]]
         self.assertEqual(coverage.branches_at_lines(instances), {3: [4, 3]})
 
-    def test_files_are_named_from_the_root_of_the_project(self):
-        file = {"filename": os.path.join(ROOT, "core", "a.cpp"), "branches": [[2, 1, 2, 3, 1, 0, 0, 0, 4]],
-                "segments": [[1, 1, 1, True, True, False], [2, 9, 0, False, False, False]]}
-        found = coverage.lines_of({"data": [{"files": [file]}]})
+    def test_a_file_with_two_names_counts_once(self):
+        def file(name, count, when_false):
+            return {"filename": name, "branches": [[2, 1, 2, 3, 1, when_false, 0, 0, 4]],
+                    "segments": [[1, 1, count, True, True, False], [2, 9, 0, False, False, False]]}
+        found = coverage.lines_of({"data": [{"files": [file(os.path.join(ROOT, "core", "a.cpp"), 0, 0),
+                                                       file("build/coverage/../../core/a.cpp", 3, 0),
+                                                       file("/usr/include/core/b.hpp", 1, 1)]}]})
         self.assertEqual(found, [("core/a.cpp", 1, True, 0, 0), ("core/a.cpp", 2, True, 2, 1)])
         self.assertEqual(coverage.undecided(found, lambda name: ["", "  if (a)"]), ["core/a.cpp:2: 1 of 2: if (a)"])
 
