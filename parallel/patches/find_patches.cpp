@@ -45,7 +45,8 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
   const auto corner = [&](std::size_t i, unsigned k) { return t.points[t.slots[triangles[i]].v[k]]; };
   const Box box = bounding_box(threads, 3 * triangles.size(),
                                [&](std::size_t i) { return corner(i / 3, static_cast<unsigned>(i % 3)); });
-  const TriangularLattice lattice({box.min_x, box.min_y}, edge);
+  const TriangularLattice lattice({box.min_x, box.min_y}, edge,
+                                  {box.min_x - edge, box.min_y - edge, box.max_x + edge, box.max_y + edge});
   const double farthest =
       std::max({std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
   if (!(farthest < most_edges * edge)) return Patch(lattice, {});

@@ -17,13 +17,16 @@ void append_merged(const Span& span, std::vector<Span>& merged) {
 
 }  // namespace
 
-TriangularLattice::TriangularLattice(Point origin, double edge)
-    : origin_(origin), half_edge_(edge / 2), height_(edge * (std::numbers::sqrt3 / 2)) {}
+TriangularLattice::TriangularLattice(Point origin, double edge, const Box& bounds)
+    : origin_(origin), half_edge_(edge / 2), height_(edge * (std::numbers::sqrt3 / 2)), bounds_(bounds) {}
 
 int TriangularLattice::first_row(double y) const { return static_cast<int>(std::ceil((y - origin_.y) / height_)); }
 int TriangularLattice::last_row(double y) const { return static_cast<int>(std::floor((y - origin_.y) / height_)); }
 
 void TriangularLattice::add_between(int row, double from, double to, std::vector<Span>& spans) const {
+  from = std::max(from, bounds_.min_x);
+  to = std::min(to, bounds_.max_x);
+  if (!(from <= to)) return;
   const int low = static_cast<int>(std::ceil((from - origin_.x) / half_edge_));
   const int high = static_cast<int>(std::floor((to - origin_.x) / half_edge_));
   const Span span{row, low + ((low ^ row) & 1), high - ((high ^ row) & 1)};
@@ -51,8 +54,10 @@ std::vector<Span> TriangularLattice::inside(std::vector<Crossing> crossings) con
 void TriangularLattice::add_near(Point a, Point b, double distance, std::vector<Span>& spans) const {
   const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
   const double ux = length > 0 ? (b.x - a.x) / length : 1, uy = length > 0 ? (b.y - a.y) / length : 0;
-  const auto [bottom, top] = std::minmax({a.y, b.y});
-  for (int row = first_row(bottom - distance); row <= last_row(top + distance); ++row) {
+  const double bottom = std::max(std::min(a.y, b.y) - distance, bounds_.min_y);
+  const double top = std::min(std::max(a.y, b.y) + distance, bounds_.max_y);
+  if (!(bottom <= top)) return;
+  for (int row = first_row(bottom); row <= last_row(top); ++row) {
     const double y = at(0, row).y;
     double from = INFINITY, to = -INFINITY;
     for (const Point end : {a, b}) {  // the disks around the ends

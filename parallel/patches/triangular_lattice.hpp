@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
+#include "../arithmetic/box.hpp"
 
 namespace pardel::engine {
 
@@ -23,8 +24,9 @@ struct Crossing {
 /// Neighbours of (x, row) are (x - 2, row), (x + 2, row), and (x - 1, r) and (x + 1, r) for r = row - 1 and row + 1.
 class TriangularLattice {
  public:
-  /// `origin`: the point at (0, 0). `edge`: the length of an edge.
-  TriangularLattice(Point origin, double edge);
+  /// `origin`: the point at (0, 0). `edge`: the length of an edge. `bounds`: no places outside are listed; what
+  /// is asked for may be anywhere, but in the bounds the numbers of rows and columns have to fit into an `int`.
+  TriangularLattice(Point origin, double edge, const Box& bounds = {});
 
   [[nodiscard]] Point at(int x, int row) const { return {origin_.x + x * half_edge_, origin_.y + row * height_}; }
 
@@ -37,13 +39,14 @@ class TriangularLattice {
   void add_near(Point a, Point b, double distance, std::vector<Span>& spans) const;
 
  private:
-  /// Appends the places of a row between two coordinates, if there are any.
+  /// Appends the places of a row between two coordinates and in the bounds, if there are any.
   void add_between(int row, double from, double to, std::vector<Span>& spans) const;
   [[nodiscard]] int first_row(double y) const;
   [[nodiscard]] int last_row(double y) const;
 
   Point origin_;
   double half_edge_, height_;  ///< the distances of columns and of rows
+  Box bounds_;
 };
 
 /// The union of the spans, in ascending order of row and low. There is a gap between any two spans of a row.

@@ -67,8 +67,8 @@ void Measures::add_extremes(Index t, const std::array<Point, 3>& p) {
 
 void Measures::add_angles(const std::array<Point, 3>& p) {
   for (int k = 0; k < 3; ++k) {
-    const double angle = angle_deg(p[k], p[next(k)], p[previous(k)]);
-    ++histogram_[0][std::min(static_cast<std::size_t>(angle / 10), bins - 1)];
+    const double bin = angle_deg(p[k], p[next(k)], p[previous(k)]) / 10;  // no number, if a side has no length
+    ++histogram_[0][bin < static_cast<double>(bins) ? static_cast<std::size_t>(bin) : bins - 1];
   }
 }
 

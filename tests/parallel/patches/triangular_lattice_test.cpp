@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -137,6 +138,20 @@ TEST(Spans, are_united_and_subtracted_as_sets) {
           EXPECT_GT(spans[k].low, spans[k - 1].high + 2);
         }
       }
+  }
+}
+
+TEST(TriangularLattice, lists_no_places_outside_its_bounds_however_far_a_segment_or_a_distance_reaches) {
+  const TriangularLattice lattice({0, 0}, 1, {-1, -1, 3, 2});
+  std::vector<Span> near;
+  lattice.add_near({0, 1e30}, {1e30, 1e30}, 1e20, near);
+  lattice.add_near({1e30, 0}, {1e30, 0}, 1, near);
+  EXPECT_TRUE(near.empty());
+  for (const double distance : {1e30, std::numeric_limits<double>::infinity()}) {
+    near.clear();
+    lattice.add_near({0, 0}, {0, 0}, distance, near);
+    const std::vector<Span> all{{-1, -1, 5}, {0, -2, 6}, {1, -1, 5}, {2, -2, 6}};
+    EXPECT_EQ(near, all) << distance;
   }
 }
 

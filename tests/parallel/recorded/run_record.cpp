@@ -271,7 +271,8 @@ std::vector<double> edges_of_patches(const Run& run) {
 std::optional<Filling> record_filling(Record& record, const Run& run, DomainTriangulation& domain,
                                       std::vector<Point>& points) {
   const std::vector<double> edges = edges_of_patches(run);
-  const std::vector<Clearing> clearings{{run.pslg.points.front(), 3 * edges.back()}};
+  std::vector<Clearing> clearings;
+  if (edges.back() < INFINITY) clearings.push_back({run.pslg.points.front(), 3 * edges.back()});
   Result<std::optional<Filling>> filled =
       Filling::make(run.pslg, run.goal.convex_hull, domain, edges, clearings, record.options(), record.threads());
   if (!filled || !*filled) {
