@@ -49,7 +49,7 @@ Cut some_cut(const Mesh& mesh) {
     right = std::max(right, p.x);
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double share = (mesh.points[mesh.triangles[t].v[0]].x - left) / (right - left);
+    const double share = right > left ? (mesh.points[mesh.triangles[t].v[0]].x - left) / (right - left) : 0;
     const auto slab = static_cast<std::size_t>(share * static_cast<double>(cut.count));
     cut.owner.push_back(way == 0   ? std::min(slab, cut.count - 1)
                         : way == 1 ? t * cut.count / mesh.triangles.size()
