@@ -50,8 +50,10 @@ Cut some_cut(const Mesh& mesh) {
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double share = right > left ? (mesh.points[mesh.triangles[t].v[0]].x - left) / (right - left) : 0;
-    const auto slab = static_cast<std::size_t>(share * static_cast<double>(cut.count));
-    cut.owner.push_back(way == 0   ? std::min(slab, cut.count - 1)
+    const std::size_t last = cut.count - 1;
+    // If a coordinate is no number, the share is none, too.
+    const auto slab = share < 1 ? static_cast<std::size_t>(share * static_cast<double>(cut.count)) : last;
+    cut.owner.push_back(way == 0   ? std::min(slab, last)
                         : way == 1 ? t * cut.count / mesh.triangles.size()
                                    : random.below(cut.count));
   }
