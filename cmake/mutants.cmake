@@ -50,6 +50,8 @@ function(pardel_mutated_twin target)
   else()
     add_library(${target}_mutated STATIC ${copies})
   endif()
+  # What needs a twin depends on it.
+  set_target_properties(${target}_mutated PROPERTIES EXCLUDE_FROM_ALL ON)
   add_dependencies(${target}_mutated mutated_sources)
   # Mutants cause harmless warnings. Full optimisation would take longer than it saves when the programs run.
   target_compile_options(${target}_mutated PRIVATE -w -O1)

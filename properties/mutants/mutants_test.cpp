@@ -1,7 +1,7 @@
 // Tests that every known mistake makes the property fail that the registry names (its killer).
 //
-// The killer of a mutant runs twice in its mutated twin, on the same random cases. With all mutants off it must pass
-// (one test per killer, named no_mutant.PROPERTY); with the mutant on it must fail.
+// The killer of a mutant runs twice in its mutated twin. With the mutant on it must fail. Then the random case that
+// failed, or the whole test if it has no random cases, runs again with all mutants off, and must pass.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,14 +30,14 @@ struct Run {
 
 /// The killers run with few cases and without shrinking, because one failing case is enough. A property must find a
 /// mistake within these limits.
-constexpr const char* parameters = "max_success=1000 noshrink=1";
+constexpr const char* random_cases = "max_success=1000 noshrink=1";
 constexpr int time_limit_seconds = 200;
 
-/// Runs the killer with this mutant on. An empty name switches no mutant on.
-Run run(const Killer& killer, const std::string& mutant) {
+/// Runs the killer with this mutant on, with settings of RapidCheck. An empty name switches no mutant on.
+Run run(const Killer& killer, const std::string& mutant, const std::string& settings = random_cases) {
   const fs::path program = fs::path(PARDEL_KILLERS) / (killer.program + "_mutated");
   const fs::path failures = fs::path(PARDEL_KILLERS) / "failures" / mutant;
-  const std::string command = "OMP_WAIT_POLICY=passive PARDEL_MUTANT='" + mutant + "' RC_PARAMS='" + parameters +
+  const std::string command = "OMP_WAIT_POLICY=passive PARDEL_MUTANT='" + mutant + "' RC_PARAMS='" + settings +
                               "' PARDEL_FAILURES='" + failures.string() + "' timeout --signal=KILL " +
                               std::to_string(time_limit_seconds) + " '" + program.string() + "' --gtest_filter='" +
                               killer.property + "' 2>&1";
@@ -57,9 +57,19 @@ Run run(const Killer& killer, const std::string& mutant) {
   return {code == killed_by_timeout ? End::timed_out : End::crashed, output};
 }
 
-void expect_end(const Killer& killer, const std::string& mutant, End expected) {
-  const Run result = run(killer, mutant);
-  EXPECT_EQ(name(result.end), std::string(name(expected))) << result.output;
+void expect_end(const Run& run, End expected) { EXPECT_EQ(name(run.end), std::string(name(expected))) << run.output; }
+
+/// The setting that repeats only the random case that failed. If the output names none, because the killer has no
+/// random cases, crashed, or failed by what all cases have in common: the settings that repeat everything.
+std::string setting_of_the_failure(const std::string& output) {
+  const std::size_t begin = output.find("reproduce=");
+  return begin == std::string::npos ? random_cases : output.substr(begin, output.find('"', begin) - begin);
+}
+
+void expect_killed(const Mutant& mutant) {
+  const Run killed = run(mutant.killer, mutant.name);
+  expect_end(killed, mutant.end);
+  expect_end(run(mutant.killer, "", setting_of_the_failure(killed.output)), End::passed);
 }
 
 const std::vector<Mutant>& registry() {
@@ -82,12 +92,7 @@ void add_test(const std::string& test_name, const std::function<void()>& body) {
 }
 
 const bool registered = [] {
-  std::set<Killer> killers;
-  for (const Mutant& mutant : registry()) {
-    add_test(mutant.name, [&mutant] { expect_end(mutant.killer, mutant.name, mutant.end); });
-    if (killers.insert(mutant.killer).second)
-      add_test("no_mutant." + mutant.killer.property, [&mutant] { expect_end(mutant.killer, "", End::passed); });
-  }
+  for (const Mutant& mutant : registry()) add_test(mutant.name, [&mutant] { expect_killed(mutant); });
   return true;
 }();
 
@@ -137,15 +142,23 @@ TEST(Sources, contain_no_mutants) {
 
 /// The runner must report that a mutant without an effect survives. Otherwise the tests above could never fail.
 TEST(Runner, reports_that_a_mutant_without_effect_survives) {
-  expect_end(registry().front().killer, "no_such_mutant", End::passed);
+  expect_end(run(registry().front().killer, "no_such_mutant"), End::passed);
 }
 
 TEST(Runner, distinguishes_a_missing_property_from_one_that_passes) {
-  expect_end({registry().front().killer.program, "No.such_property"}, "", End::not_found);
+  expect_end(run({registry().front().killer.program, "No.such_property"}, ""), End::not_found);
 }
 
 TEST(Runner, distinguishes_a_missing_program_from_a_failed_property) {
-  expect_end({"no_such_program", registry().front().killer.property}, "", End::crashed);
+  expect_end(run({"no_such_program", registry().front().killer.property}, ""), End::crashed);
+}
+
+/// Otherwise the second run of expect_killed() could not fail.
+TEST(Runner, repeats_the_case_that_failed) {
+  const Mutant& mutant = registry().front();
+  const std::string setting = setting_of_the_failure(run(mutant.killer, mutant.name).output);
+  ASSERT_NE(setting, random_cases);
+  expect_end(run(mutant.killer, mutant.name, setting), End::failed);
 }
 
 }  // namespace

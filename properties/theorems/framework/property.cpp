@@ -40,12 +40,28 @@ rc::detail::Configuration configuration() {
   return rc::detail::configFromString(environment("RC_PARAMS"), usual);
 }
 
-std::string replay_line(const rc::detail::TestParams& params) {
-  std::ostringstream line;
+/// A command line that runs this test with these settings of RapidCheck.
+std::string command_line(const std::string& settings) {
   std::error_code unknown;
-  line << "RC_PARAMS=\"seed=" << params.seed << " max_success=" << params.maxSuccess << "\" "
-       << fs::read_symlink("/proc/self/exe", unknown).string() << " --gtest_filter=" << test_name();
-  return line.str();
+  return "RC_PARAMS=\"" + settings + "\" " + fs::read_symlink("/proc/self/exe", unknown).string() +
+         " --gtest_filter=" + test_name();
+}
+
+std::string replay_of_all(const rc::detail::TestParams& params) {
+  return command_line("seed=" + std::to_string(params.seed) + " max_success=" + std::to_string(params.maxSuccess));
+}
+
+/// The line runs the smallest case that fails, and no other.
+std::string replay_of_one(const rc::detail::Reproduce& failure) {
+  rc::detail::Configuration settings;
+  settings.reproduce[test_name()] = failure;
+  return command_line(rc::detail::configToMinimalString(settings));
+}
+
+/// Did RapidCheck repeat a case that failed before, and fails no longer? It calls this an error.
+bool has_been_mended(const rc::detail::TestResult& result) {
+  return result.is<rc::detail::Error>() &&
+         result.get<rc::detail::Error>().description == "Reproduced result is not a failure";
 }
 
 void record(const Statement& statement, std::uint64_t cases, const std::map<std::string, std::uint64_t>& shares,
@@ -117,16 +133,18 @@ void check_property(const Statement& statement, void (*body)(Exhibit&)) {
     if (!testing::Test::HasFailure()) record(statement, cases, shares.cases, {});
     return;
   }
+  if (has_been_mended(result)) return;
   std::ostringstream story;
   rc::detail::printResultMessage(result, story);
+  story << "\nReplay: " << replay_of_all(wanted.testParams);
   if (result.is<rc::detail::FailureResult>()) {
+    story << "\nReplay of this case: " << replay_of_one(result.get<rc::detail::FailureResult>().reproduce);
     const fs::path folder = environment("PARDEL_FAILURES", "property-failures");
     std::error_code reported_by_write;
     fs::create_directories(folder, reported_by_write);
     story << '\n' << smallest.write((folder / test_name()).string());
   }
-  FAIL() << statement.statement << "\n  (" << statement.source << ")\n\n"
-         << story.str() << "\nReplay: " << replay_line(wanted.testParams) << '\n';
+  FAIL() << statement.statement << "\n  (" << statement.source << ")\n\n" << story.str() << '\n';
 }
 
 void check_fact(const Statement& statement, void (*body)(Facts&)) {

@@ -11,9 +11,10 @@
 //   }
 //
 // A property runs 2,000 cases from a fixed seed. The environment variable RC_PARAMS overrides this, for example
-// RC_PARAMS="max_success=100000 seed=7". A failure prints the seed and a command line that replays it. It writes the
-// shrunk case as SUITE.NAME.poly and SUITE.NAME.svg to the folder PARDEL_FAILURES (default: property-failures). If
-// PARDEL_RECORDS names a folder, every property writes SUITE.NAME.json there; the catalogue is made from these files.
+// RC_PARAMS="max_success=100000 seed=7". A failure prints a command line that repeats all cases, and one that repeats
+// only the shrunk case. It writes the shrunk case as SUITE.NAME.poly and SUITE.NAME.svg to the folder PARDEL_FAILURES
+// (default: property-failures). If PARDEL_RECORDS names a folder, every property writes SUITE.NAME.json there; the
+// catalogue is made from these files.
 #pragma once
 
 #include <gtest/gtest.h>
