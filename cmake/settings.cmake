@@ -25,6 +25,11 @@ if(PARDEL_WERROR)
   target_compile_options(pardel_warnings INTERFACE -Werror)
 endif()
 
+# Sanitizers have an operator new of their own, which nothing else must replace.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  set(PARDEL_SANITIZED ON)
+endif()
+
 # pardel_compile_fast(): the sources of this folder and of its subfolders are optimised less in a Release build. This
 # shortens their compilation by a quarter. It is for code that takes little time when it runs: tests and the command
 # line. Libraries outside the folder keep the full optimisation.

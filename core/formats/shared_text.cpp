@@ -42,8 +42,9 @@ void format(std::span<const TextPart> parts, std::span<const Block> blocks, cons
         for (std::size_t i = block.begin; i < block.end; ++i) parts[block.part].put(text, i);
         use(b, text.view());
       });
+      if (!mine) continue;
 #pragma omp critical(pardel_shared_text)
-      if (mine && !failure) failure = mine;
+      if (!failure) failure = mine;
     }
   }
   if (failure) std::rethrow_exception(failure);

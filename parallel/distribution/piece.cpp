@@ -41,8 +41,8 @@ class PieceMaker {
   [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {
     list_edges();
     cut_at_border();
-    name_input_segments(domain_, threads_);
     compact_all(exempt);
+    name_input_segments(domain_, threads_);  // of the vertices in the piece: those of others may have no origin
     add_attributes();
     add_shared_vertices();
     piece_.mesh.region_attributes = std::move(input_.region_attributes);
