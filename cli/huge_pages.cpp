@@ -27,9 +27,5 @@ void* operator new(std::size_t bytes) {
   if (block == nullptr) throw std::bad_alloc();
   return block;
 }
-void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
-  return allocate(bytes == 0 ? 1 : bytes);
-}
 void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, const std::nothrow_t& /*tag*/) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t /*bytes*/) noexcept { std::free(block); }
