@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "../arithmetic/predicates.hpp"
-#include "../triangulation/in_circumdisk.hpp"
 #include "../triangulation/paired_disk_query.hpp"
 
 namespace pardel::engine {
@@ -19,11 +18,17 @@ bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
   return (a.x < p.x && p.x < b.x) || (b.x < p.x && p.x < a.x) || (a.y < p.y && p.y < b.y) || (b.y < p.y && p.y < a.y);
 }
 
-bool disk_contains(const Triangulation& t, TriangleId id, Point p) {
-  const Slot& slot = t.slots[id];
-  if (slot.is_ghost()) return ghost_disk_contains(t, slot, p);
-  return in_circumdisk(t, slot, p);
-}
+/// Which triangles' disks contain a vertex that is inserted.
+struct VertexInDisks {
+  const Triangulation& t;
+  const InsertionOrder& order;
+  VertexId v;
+
+  [[nodiscard]] bool operator()(const Slot& slot) const {
+    if (slot.is_ghost()) return ghost_disk_contains(t, slot, t.points[v]);
+    return in_perturbed_circumdisk(t, slot.v, v, order);
+  }
+};
 
 constexpr auto no_corners = [](VertexId) { return Corner{}; };
 
@@ -33,26 +38,26 @@ struct FiniteBoxQuery {
   const Triangulation& t;
   Pair p;
   const Box& box;
-  PairedDiskQuery pairs{t, p, box};
+  VertexInDisks in_disk;
+  PairedDiskQueryWith<VertexInDisks> pairs{t, p, box, in_disk};
 
   [[nodiscard]] bool is_own(VertexId v) const { return v != ghost && pairs.is_own(v); }
   [[nodiscard]] Corner corner(VertexId v) const { return v == ghost ? Corner{} : pairs.corner(v); }
   [[nodiscard]] InDisks first_and_behind(const Slot& first, const std::array<Corner, 3>& c, EdgeRef behind) const {
     if (far_corner(behind) == ghost) [[unlikely]]
-      return InDisks::of(in_circumdisk(t, first, as_point(p)), is_hit(behind));
+      return InDisks::of(in_disk(first), in_disk(t.slot(behind)));
     return pairs.first_and_behind(first, c, behind);
   }
   [[nodiscard, gnu::always_inline]] DisksAndCorners both(Corner u, Corner w, Corner v, EdgeRef right,
                                                          EdgeRef left) const {
     const VertexId on_right = far_corner(right), on_left = far_corner(left);
     if (on_right == ghost || on_left == ghost) [[unlikely]]
-      return {InDisks::of(is_hit(right), is_hit(left)), {corner(on_right), corner(on_left)}};
+      return {InDisks::of(in_disk(t.slot(right)), in_disk(t.slot(left))), {corner(on_right), corner(on_left)}};
     return pairs.both(u, w, v, right, left);
   }
 
  private:
   [[nodiscard]] VertexId far_corner(EdgeRef e) const { return t.slot(e).apex(e.side()); }
-  [[nodiscard]] bool is_hit(EdgeRef e) const { return disk_contains(t, e.triangle(), as_point(p)); }
 };
 
 }  // namespace
@@ -96,7 +101,7 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
   const Point p = t_.points[v];
   const TriangleId first = locate(p);
   if (first == no_index) return Inserted::leaves_box;
-  const Walk walk = find_cavity(first, p);
+  const Walk walk = find_cavity(first, v);
   if (walk == Walk::elsewhere) return Inserted::duplicate;
   if (walk == Walk::foreign) return Inserted::leaves_box;
   if (walk == Walk::tangled) return Inserted::inconsistent;
@@ -108,10 +113,11 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
   return Inserted::yes;
 }
 
-Walk BowyerWatson::find_cavity(TriangleId first, Point p) {
-  if (!holds_infinity_) return cavity_.find(t_, first, FiniteBoxQuery{t_, as_pair(p), box_});
-  if (!disk_contains(t_, first, p)) return Walk::elsewhere;
-  const auto is_hit = [&](EdgeRef e) { return disk_contains(t_, e.triangle(), p); };
+Walk BowyerWatson::find_cavity(TriangleId first, VertexId v) {
+  const VertexInDisks in_disk{t_, order_, v};
+  if (!holds_infinity_) return cavity_.find(t_, first, FiniteBoxQuery{t_, as_pair(t_.points[v]), box_, in_disk});
+  if (!in_disk(t_.slots[first])) return Walk::elsewhere;
+  const auto is_hit = [&](EdgeRef e) { return in_disk(t_.slot(e)); };
   const auto is_own = [](VertexId) { return true; };
   return cavity_.find(t_, first, SingleTriangleQuery(t_, is_hit, no_corners, is_own));
 }

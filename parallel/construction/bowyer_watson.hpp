@@ -4,6 +4,7 @@
 #include "../concurrency/lattice.hpp"
 #include "../triangulation/cavity.hpp"
 #include "../triangulation/triangulation.hpp"
+#include "insertion_order.hpp"
 
 namespace pardel::engine {
 
@@ -18,9 +19,13 @@ enum class Inserted : std::uint8_t {
 /// Inserts vertices into a Delaunay triangulation with ghosts. It changes only triangles whose three corners lie in the
 /// half-open box, and reads only these triangles and their neighbours. Several threads can therefore work on disjoint
 /// boxes at the same time, each with its own object. Only the whole plane as a box contains the vertex at infinity.
+///
+/// Of cocircular vertices, the latest in `order` counts as outside the circle of the others, whenever it is inserted. So
+/// the triangulation of the vertices does not depend on the sequence of the calls.
 class BowyerWatson {
  public:
-  explicit BowyerWatson(Triangulation& t) : t_(t) {}
+  /// `order` has to outlive the object.
+  BowyerWatson(Triangulation& t, const InsertionOrder& order) : t_(t), order_(order) {}
 
   /// Sets the box, and the triangle at which the next point location starts: a non-ghost triangle whose three corners
   /// lie in the box.
@@ -40,12 +45,13 @@ class BowyerWatson {
   /// side that separates the triangle from p; in a Delaunay triangulation such a walk meets no triangle twice
   /// (Devillers, Pion and Teillaud 2002).
   [[nodiscard]] TriangleId locate(Point p) const;
-  [[nodiscard]] Walk find_cavity(TriangleId first, Point p);
+  [[nodiscard]] Walk find_cavity(TriangleId first, VertexId v);
   [[nodiscard]] bool in_box(VertexId v) const {
     return v == ghost ? holds_infinity_ : box_.contains_half_open(t_.points[v]);
   }
 
   Triangulation& t_;
+  const InsertionOrder& order_;
   Box box_;
   bool holds_infinity_ = true;
   TriangleId near_ = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -20,32 +19,22 @@
 namespace pardel::engine {
 namespace {
 
-/// A bijection whose output bits serve as random bits. Do not replace it by `mixed` (core/support/hash.hpp): it
-/// determines the order of insertion, and therefore the numbering of every mesh.
-std::uint64_t random_bits(std::uint64_t h) {
-  h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
-  h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
-  return h ^ h >> 32U;
-}
-
 /// The vertices in the order of their insertion. Round r is order[start[r]] to order[start[r + 1] - 1].
 struct Rounds {
-  static constexpr std::size_t count = 8;
+  static constexpr std::size_t count = InsertionOrder::rounds;
   Array<VertexId> order;
   std::array<std::size_t, count + 1> start{};
 };
 
-/// The biased randomized insertion order. The last round holds nearly all points, and each round before it about a
-/// sixteenth of the next one. A hash of the point's position on the Hilbert curve selects the round, so neither the
-/// order nor the scale of the input matters.
-Rounds biased_random_order(std::size_t n, const Threads& threads) {
+/// Distributes the vertices to the rounds. In a round, they are in the order of their indices.
+Rounds in_rounds(std::size_t n, const InsertionOrder& insertion_order, const Threads& threads) {
   // First the number of points of each round in each block, then the position of the next of these points.
   std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
   const auto for_each_point = [&](const auto& visit) {
     parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
       for (std::size_t i = first; i < last; ++i) {
-        const auto level = static_cast<std::size_t>(std::countr_zero(random_bits(i + 1)) / 4);
-        visit(i, next[block][Rounds::count - 1 - std::min(Rounds::count - 1, level)]);
+        const std::uint64_t position = insertion_order.position(static_cast<VertexId>(i));
+        visit(i, next[block][InsertionOrder::round_of(position)]);
       }
     });
   };
@@ -95,13 +84,14 @@ constexpr double points_per_leaf = 2.5;
 /// Inserts the points round by round. A position is an index into the order of insertion.
 class RoundInserter {
  public:
-  RoundInserter(Triangulation& t, const Array<VertexId>& order, const Threads& threads, std::size_t per_tile)
+  RoundInserter(Triangulation& t, const Array<VertexId>& order, const InsertionOrder& insertion_order,
+                const Threads& threads, std::size_t per_tile)
       : t_(t),
         order_(order),
         bounds_(bounding_box(threads, t.points.size(), [&](std::size_t v) { return t.points[v]; })),
         threads_(threads),
         per_tile_(per_tile) {
-    for (int i = 0; i < threads_.count; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t));
+    for (int i = 0; i < threads_.count; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t, insertion_order));
   }
 
   /// Inserts the points at the positions [first, last). Precondition: those before `first` have been inserted.
@@ -256,18 +246,19 @@ class RoundInserter {
   std::vector<std::unique_ptr<BowyerWatson>> workers_;
 };
 
+Status check_number(std::size_t points) {
+  if (points < 3) return Error{ErrorKind::invalid_input, "fewer than three points span no triangle"};
+  if (points > max_engine_triangles / 2 - 2)
+    return Error{ErrorKind::resources, "more points than the triangulation can number"};
+  return Done{};
+}
+
 }  // namespace
 
-Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads, std::size_t per_tile) {
-  if (points.size() < 3) return Error{ErrorKind::invalid_input, "fewer than three points span no triangle"};
-  if (points.size() > max_engine_triangles / 2 - 2)
-    return Error{ErrorKind::resources, "more points than the triangulation can number"};
-
-  Delaunay result;
-  result.input_of_vertex = hilbert_order(points, threads);
-  Triangulation& t = result.triangulation;
-  t.points = make_array(threads, points.size(), [&](std::size_t v) { return points[result.input_of_vertex[v]]; });
-  Rounds rounds = biased_random_order(t.points.size(), threads);
+Status triangulate_points(Triangulation& t, const InsertionOrder& insertion_order, const Threads& threads,
+                          std::size_t per_tile) {
+  if (Status fine = check_number(t.points.size()); !fine) return fine;
+  Rounds rounds = in_rounds(t.points.size(), insertion_order, threads);
   Array<VertexId>& order = rounds.order;
 
   const Point a = t.points[order[0]], b = t.points[order[1]];
@@ -279,13 +270,23 @@ Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads,
 
   t.slots.resize_uninitialised(triangle_count(order.size()));
   start_with(t, order[0], order[1], order[2]);
-  RoundInserter inserter(t, order, threads, per_tile);
+  RoundInserter inserter(t, order, insertion_order, threads, per_tile);
   std::size_t first = 3;
   for (const std::size_t last : rounds.start) {
     if (last <= first) continue;
-    if (Status inserted = inserter.insert(first, last); !inserted) return inserted.error();
+    if (Status inserted = inserter.insert(first, last); !inserted) return inserted;
     first = last;
   }
+  return Done{};
+}
+
+Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads, std::size_t per_tile) {
+  if (Status fine = check_number(points.size()); !fine) return fine.error();
+  Delaunay result;
+  result.input_of_vertex = hilbert_order(points, threads);
+  Triangulation& t = result.triangulation;
+  t.points = make_array(threads, points.size(), [&](std::size_t v) { return points[result.input_of_vertex[v]]; });
+  if (Status made = triangulate_points(t, InsertionOrder{}, threads, per_tile); !made) return made.error();
   return result;
 }
 

@@ -17,13 +17,23 @@ namespace pardel::engine {
   return {at, squares[0] + squares[1]};
 }
 
+/// in_circumdisk() for the slots of a triangulation.
+struct PointInDisks {
+  const Triangulation& t;
+  Point p;
+  [[nodiscard]] bool operator()(const Slot& slot) const { return in_circumdisk(t, slot, p); }
+};
+
 /// A CavityQuery for the point p within a box. The cavity consists of triangles with all corners in the box.
-/// The answers are exact, like those of in_circumdisk(). A floating-point filter almost always suffices. It uses the
-/// corners that the walk passes to the query, so no coordinate is loaded twice.
-struct PairedDiskQuery {
+/// The answers are exact. A floating-point filter almost always suffices. It uses the corners that the walk passes to
+/// the query, so no coordinate is loaded twice. Otherwise in_disk(slot) decides: a function that agrees with
+/// in_circumdisk() except where p is on the circle.
+template <class InDisk>
+struct PairedDiskQueryWith {
   const Triangulation& t;
   Pair p;
   Box box;
+  InDisk in_disk{t, as_point(p)};
 
   [[nodiscard]] bool is_own(VertexId v) const { return box.contains_half_open(t.points[v]); }
   [[nodiscard]] Corner corner(VertexId v) const { return corner_around(p, t.points[v]); }
@@ -52,8 +62,9 @@ struct PairedDiskQuery {
   }
   // Not inlined: it is seldom called, and would make the walk over a cavity slower.
   [[nodiscard, gnu::noinline]] InDisks decided_exactly(const Slot& a, const Slot& b) const {
-    return InDisks::of(in_circumdisk(t, a, as_point(p)), in_circumdisk(t, b, as_point(p)));
+    return InDisks::of(in_disk(a), in_disk(b));
   }
 };
+using PairedDiskQuery = PairedDiskQueryWith<PointInDisks>;
 
 }  // namespace pardel::engine

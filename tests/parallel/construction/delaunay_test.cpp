@@ -122,6 +122,19 @@ TEST(Delaunay, is_locally_delaunay_everywhere_for_many_points) {
   }
 }
 
+/// Tiles change the sequence of the insertions, and cocircular points have several Delaunay triangulations.
+TEST(Delaunay, does_not_depend_on_the_tiles) {
+  for (const samples::Family& family : samples::families(3'000, 12)) {
+    const Result<Delaunay> one_tile = delaunay(family.points, 1, 1'000'000);
+    ASSERT_TRUE(one_tile) << family.name;
+    for (const std::size_t per_tile : {1U, 7U, 100U}) {
+      const Result<Delaunay> tiles = delaunay(family.points, 2, per_tile);
+      ASSERT_TRUE(tiles) << family.name;
+      EXPECT_EQ(triangles_of(one_tile->triangulation), triangles_of(tiles->triangulation)) << family.name << per_tile;
+    }
+  }
+}
+
 /// The points include cocircular points, which have several Delaunay triangulations. The order of insertion depends
 /// only on coordinates.
 TEST(Delaunay, does_not_depend_on_the_order_of_the_points) {

@@ -1,0 +1,73 @@
+// The order in which the points of a Delaunay triangulation count as inserted.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "../arithmetic/predicates.hpp"
+#include "../triangulation/triangulation.hpp"
+
+namespace pardel::engine {
+
+/// The biased randomized insertion order (Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003). The last
+/// round holds nearly all points, and each round before it about a sixteenth of the next one. A hash of the position of
+/// a point along the Hilbert curve selects its round. In a round, points are in the order of their positions. So the
+/// order depends on the points alone, not on their order in the input or on their scale.
+class InsertionOrder {
+ public:
+  static constexpr std::size_t rounds = 8;
+
+  /// Vertex v has the position v on the curve.
+  InsertionOrder() = default;
+  /// The vertices below `own` have consecutive positions, from `first` on; append() tells those of the others.
+  InsertionOrder(std::uint64_t first, Index own) : first_(first), own_(own) {}
+  /// The position of the next vertex, in the order of vertices.
+  void append(std::uint64_t position) { others_.push_back(position); }
+
+  [[nodiscard]] std::uint64_t position(VertexId v) const { return v < own_ ? first_ + v : others_[v - own_]; }
+  [[nodiscard]] static std::size_t round_of(std::uint64_t position) {
+    const auto level = static_cast<std::size_t>(std::countr_zero(random_bits(position + 1)) / 4);
+    return rounds - 1 - std::min(rounds - 1, level);
+  }
+  /// A number that is greater for vertices that come later. Precondition: fewer than 2^61 points.
+  [[nodiscard]] std::uint64_t rank(VertexId v) const {
+    const std::uint64_t at = position(v);
+    return std::uint64_t{round_of(at)} << 61U | at;
+  }
+
+ private:
+  /// A bijection whose output bits serve as random bits. Do not replace it by `mixed` (core/support/hash.hpp): it
+  /// determines the order of insertion, and therefore the numbering of every mesh.
+  static std::uint64_t random_bits(std::uint64_t h) {
+    h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
+    h = (h ^ h >> 32U) * 0xd6e8feb86659fd93U;
+    return h ^ h >> 32U;
+  }
+
+  std::uint64_t first_ = 0;
+  Index own_ = no_index;
+  std::vector<std::uint64_t> others_;
+};
+
+/// Does a fourth vertex lie in the circumdisk of a triangle if no four vertices are cocircular? If four are, the latest
+/// of them counts as outside the circle of the other three, as if its height on the paraboloid were increased by an
+/// amount that is tiny, but large compared with those of all earlier vertices (THEORY.md, Delaunay: cocircular points).
+/// `v`: the corners, counter-clockwise, none of them the ghost. No vertex is in the disk of a triangle that has a corner
+/// at the same place. Exact.
+[[nodiscard]] inline bool in_perturbed_circumdisk(const Triangulation& t, const std::array<VertexId, 3>& v,
+                                                  VertexId fourth, const InsertionOrder& order) {
+  const Point a = t.points[v[0]], b = t.points[v[1]], c = t.points[v[2]], p = t.points[fourth];
+  if (const double sign = incircle(a, b, c, p); sign != 0) return sign > 0;
+  if (p == a || p == b || p == c) return false;
+  const std::array<std::uint64_t, 3> rank{order.rank(v[0]), order.rank(v[1]), order.rank(v[2])};
+  const auto latest = static_cast<unsigned>(std::ranges::max_element(rank) - rank.begin());
+  if (order.rank(fourth) > rank[latest]) return false;
+  // If the latest vertex is a corner, its greater height lifts the plane through the corners on its side of the line
+  // through the other two. A point there is then below the plane, that is inside the circle.
+  return orient2d(t.points[v[next_corner[latest]]], t.points[v[previous_corner[latest]]], p) > 0;
+}
+
+}  // namespace pardel::engine
