@@ -70,6 +70,32 @@ struct MeshPiece {
 [[nodiscard]] Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks,
                                     int pieces, const std::function<Status(MeshPiece&& piece, int number)>& visit);
 
+/// Points of which each rank has a part, for example of a file that they read together. Those of rank 0 are followed by
+/// those of rank 1, and so on.
+struct PartOfPoints {
+  std::vector<Point> points;
+  std::uint64_t first = 0;  ///< the number of the first of them among the points of all ranks, counted from 0
+  std::size_t attributes_per_point = 0;  ///< the same on all ranks
+  std::vector<double> point_attributes;  ///< point by point
+  std::vector<int> point_markers;        ///< one per point; empty on all ranks if points have none
+  FirstId first_id{};                    ///< only messages use it
+};
+
+/// Makes the Delaunay triangulation of the points of all ranks: that of triangulate() in one process, with the edges of
+/// the convex hull as constrained edges. Collective. No rank has all points: they are divided along a space-filling
+/// curve, and each rank triangulates its own. Then ranks ask each other about the triangles at their borders. The
+/// numbers of the points in the pieces are those of the input. The triangulation depends neither on the number of ranks
+/// nor on which rank has read which points.
+///
+/// Memory of a rank: its share of the points and triangles, the points of others beside its own, about 64 points per
+/// rank from all over the plane, and some for the convex hull. Points that differ by less than 2^-16 of the extent of
+/// all points go to one rank.
+///
+/// Errors, on all ranks alike: `invalid_input` for coordinates that validate() refuses, for equal points, with the ids
+/// of one rank, and if all points are collinear; `resources` if a rank gets more than 2^28 - 3 points. Of the options,
+/// threads and progress are used.
+[[nodiscard]] Result<MeshPiece> triangulate(PartOfPoints&& points, const Options& options, Ranks& ranks);
+
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.
 [[nodiscard]] inline PieceOfMesh view_of(const MeshPiece& piece) {
   return {piece.mesh, piece.number.span(), piece.shared, piece.first_point, piece.points};

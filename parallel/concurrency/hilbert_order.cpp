@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -12,8 +13,6 @@
 
 namespace pardel::engine {
 namespace {
-
-constexpr int curve_levels = 16;  // bits per coordinate of a key
 
 // One level of the curve. The state is one of the four orientations of the curve's U shape. For each state and quadrant
 // (x bit, y bit), the table has the position of the quadrant along the curve and the state inside the quadrant.
@@ -43,10 +42,13 @@ constexpr auto four_levels = [] {
   return table;
 }();
 
+/// The last column and row of the grid.
+constexpr double last_cell = (1U << CurveGrid::levels) - 1;
+
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0;
   unsigned state = 0;
-  for (int bit = curve_levels - 4; bit >= 0; bit -= 4) {
+  for (int bit = static_cast<int>(CurveGrid::levels) - 4; bit >= 0; bit -= 4) {
     const Step step = four_levels[state][(x >> bit & 15U) << 4U | (y >> bit & 15U)];
     key = key << 8U | step.position;
     state = step.state;
@@ -56,6 +58,9 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 
 /// So few words are sorted by comparisons.
 constexpr std::size_t few_words = 1024;
+
+/// So few points are ordered by coordinates.
+constexpr std::size_t few_points = 16;
 
 /// Sorts words by their upper halves. Precondition: equal upper halves are in the order of the lower halves. Radix sort
 /// with digits of 11 bits, least significant digit first. It is stable, so the number of parts does not change the
@@ -91,18 +96,20 @@ void order_by_coordinates(std::span<const Point> points, std::span<Index> ids) {
   std::sort(ids.begin(), ids.end(), [&](Index a, Index b) { return lexicographically_less(points[a], points[b]); });
 }
 
+void order_in_cells(std::span<const Point> points, std::span<Index> ids, const CurveGrid& grid, const Threads& threads);
+
 void order_along_curve(std::span<const Point> points, std::span<Index> ids, const Threads& threads) {
-  if (ids.size() <= 16) return order_by_coordinates(points, ids);
+  if (ids.size() <= few_points) return order_by_coordinates(points, ids);
   const Box box = bounding_box(threads, ids.size(), [&](std::size_t k) { return points[ids[k]]; });
-  const double side = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
-  if (!(side > 0)) return order_by_coordinates(points, ids);
-  constexpr double top = (1U << curve_levels) - 1;
-  const double scale = top / side;
+  if (!(box.extent() > 0)) return order_by_coordinates(points, ids);
+  order_in_cells(points, ids, CurveGrid(box), threads);
+}
+
+/// Orders the points by their cells, and those of each cell along a curve through the cell.
+void order_in_cells(std::span<const Point> points, std::span<Index> ids, const CurveGrid& grid,
+                    const Threads& threads) {
   Array<std::uint64_t> words = make_array(threads, ids.size(), [&](std::size_t k) {
-    const Point p = points[ids[k]];
-    const auto x = static_cast<std::uint32_t>(std::min(top, (p.x - box.min_x) * scale));
-    const auto y = static_cast<std::uint32_t>(std::min(top, (p.y - box.min_y) * scale));
-    return static_cast<std::uint64_t>(hilbert_key(x, y)) << 32U | ids[k];
+    return static_cast<std::uint64_t>(grid.key(points[ids[k]])) << 32U | ids[k];
   });
   sort_by_key(words, threads);
   parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
@@ -121,6 +128,43 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, cons
 }
 
 }  // namespace
+
+CurveGrid::CurveGrid(const Box& bounds)
+    : min_x_(bounds.min_x),
+      min_y_(bounds.min_y),
+      scale_(bounds.extent() > 0 ? last_cell / bounds.extent() : 0),
+      margin_(0x1p-45 * bounds.largest_magnitude()) {}
+
+std::uint32_t CurveGrid::cell(double distance) const {
+  return static_cast<std::uint32_t>(std::clamp(distance * scale_, 0.0, last_cell));
+}
+
+std::uint32_t CurveGrid::key(Point p) const { return hilbert_key(cell(p.x - min_x_), cell(p.y - min_y_)); }
+
+std::uint32_t CurveGrid::first_key(const Quadrant& quadrant) {
+  const unsigned below = levels - quadrant.level;
+  const std::uint64_t keys = std::uint64_t{1} << 2 * below;
+  return static_cast<std::uint32_t>(hilbert_key(quadrant.x << below, quadrant.y << below) & ~(keys - 1));
+}
+
+Box CurveGrid::square(const Quadrant& quadrant) const {
+  const double side = scale_ == 0 ? 0 : std::ldexp(1 / scale_, static_cast<int>(levels - quadrant.level));
+  const double left = min_x_ + quadrant.x * side, low = min_y_ + quadrant.y * side;
+  return {left - margin_, low - margin_, left + side + margin_, low + side + margin_};
+}
+
+CurveGrid::Quadrant CurveGrid::around(const Box& box) const {
+  const std::uint32_t x = cell(box.min_x - margin_ - min_x_), y = cell(box.min_y - margin_ - min_y_);
+  const std::uint32_t differing = (x ^ cell(box.max_x + margin_ - min_x_)) | (y ^ cell(box.max_y + margin_ - min_y_));
+  const auto below = static_cast<unsigned>(std::bit_width(differing));
+  return {x >> below, y >> below, levels - below};
+}
+
+Array<Index> hilbert_order(std::span<const Point> points, const CurveGrid& grid, const Threads& threads) {
+  Array<Index> ids = make_array(threads, points.size(), [](std::size_t i) { return static_cast<Index>(i); });
+  if (!ids.empty()) order_in_cells(points, ids.span(), grid, threads);
+  return ids;
+}
 
 Array<Index> hilbert_order(std::span<const Point> points, const Threads& threads) {
   Array<Index> ids = make_array(threads, points.size(), [](std::size_t i) { return static_cast<Index>(i); });

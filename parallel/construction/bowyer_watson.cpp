@@ -8,8 +8,6 @@
 namespace pardel::engine {
 namespace {
 
-/// The open disk of a ghost triangle is the open half-plane beyond its hull edge, together with the interior of the
-/// edge.
 bool ghost_disk_contains(const Triangulation& t, const Slot& slot, Point p) {
   const unsigned corner = slot.corner_of(ghost);
   const Point a = t.points[slot.from(corner)], b = t.points[slot.to(corner)];
@@ -24,10 +22,7 @@ struct VertexInDisks {
   const InsertionOrder& order;
   VertexId v;
 
-  [[nodiscard]] bool operator()(const Slot& slot) const {
-    if (slot.is_ghost()) return ghost_disk_contains(t, slot, t.points[v]);
-    return in_perturbed_circumdisk(t, slot.v, v, order);
-  }
+  [[nodiscard]] bool operator()(const Slot& slot) const { return is_in_disk(t, slot, v, order); }
 };
 
 constexpr auto no_corners = [](VertexId) { return Corner{}; };
@@ -61,6 +56,11 @@ struct FiniteBoxQuery {
 };
 
 }  // namespace
+
+bool is_in_disk(const Triangulation& t, const Slot& slot, VertexId v, const InsertionOrder& order) {
+  if (slot.is_ghost()) return ghost_disk_contains(t, slot, t.points[v]);
+  return in_perturbed_circumdisk(t, slot.v, v, order);
+}
 
 TriangleId BowyerWatson::locate(Point point) const {
   const Pair p = as_pair(point);
@@ -105,7 +105,8 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
   if (walk == Walk::elsewhere) return Inserted::duplicate;
   if (walk == Walk::foreign) return Inserted::leaves_box;
   if (walk == Walk::tangled) return Inserted::inconsistent;
-  for (const TriangleId id : retriangulate(t_, cavity_, v, [&] { return fresh++; }))
+  made_ = retriangulate(t_, cavity_, v, [&] { return fresh++; });
+  for (const TriangleId id : made_)
     if (!t_.slots[id].is_ghost()) {
       near_ = id;
       break;

@@ -25,12 +25,12 @@ inline constexpr std::size_t points_per_tile = 8'000;
 ///
 /// The points of a round are inserted tile by tile, where a tile is a cell of a lattice (concurrency/lattice.hpp) with
 /// about `per_tile` points. The tiles of one colour are processed concurrently, on up to `threads` threads. A point
-/// whose insertion would leave the box of its tile is inserted after all tiles are done. If the lattice would have fewer
-/// than 36 tiles, the tiles are made smaller, down to `per_tile` / 8 points.
+/// whose insertion would leave the box of its tile is inserted after all tiles are done. If the lattice would have
+/// fewer than 36 tiles, the tiles are made smaller, down to `per_tile` / 8 points.
 ///
 /// The triangles depend on the points alone: where points are cocircular, the order of insertion decides, as if they
-/// were inserted one by one. Precondition: the coordinates are in the range of the predicates. Errors: invalid_input for
-/// two equal points and for points that are all collinear; resources for more points than the engine can number.
+/// were inserted one by one. Precondition: the coordinates are in the range of the predicates. Errors: invalid_input
+/// for two equal points and for points that are all collinear; resources for more points than the engine can number.
 [[nodiscard]] Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads = {},
                                         std::size_t per_tile = points_per_tile);
 

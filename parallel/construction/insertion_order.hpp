@@ -55,8 +55,8 @@ class InsertionOrder {
 /// Does a fourth vertex lie in the circumdisk of a triangle if no four vertices are cocircular? If four are, the latest
 /// of them counts as outside the circle of the other three, as if its height on the paraboloid were increased by an
 /// amount that is tiny, but large compared with those of all earlier vertices (THEORY.md, Delaunay: cocircular points).
-/// `v`: the corners, counter-clockwise, none of them the ghost. No vertex is in the disk of a triangle that has a corner
-/// at the same place. Exact.
+/// `v`: the corners, counter-clockwise, none of them the ghost. No vertex is in the disk of a triangle that has a
+/// corner at the same place. Exact.
 [[nodiscard]] inline bool in_perturbed_circumdisk(const Triangulation& t, const std::array<VertexId, 3>& v,
                                                   VertexId fourth, const InsertionOrder& order) {
   const Point a = t.points[v[0]], b = t.points[v[1]], c = t.points[v[2]], p = t.points[fourth];

@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "../../../core/join_pieces.hpp"
-#include "../../../core/neighbours.hpp"
 #include "../../../parallel/distributed.hpp"
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/checker/check.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "square_with_data.hpp"
+#include "whole_of_pieces.hpp"
 
 namespace pardel {
 namespace {
@@ -65,46 +64,6 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-/// A mesh without its numbering: sorted lists of points, triangles and edges, each as numbers.
-std::vector<std::vector<double>> unnumbered(const Mesh& mesh) {
-  std::vector<std::vector<double>> all;
-  const auto put = [&](std::vector<double>& to, Index v) {
-    to.push_back(mesh.points[v].x);
-    to.push_back(mesh.points[v].y);
-  };
-  for (Index v = 0; v < mesh.points.size(); ++v) {
-    std::vector<double> point{1};
-    put(point, v);
-    point.push_back(mesh.point_markers[v]);
-    point.push_back(mesh.origin[v]);
-    for (std::size_t a = 0; a < mesh.attributes_per_point; ++a)
-      point.push_back(mesh.point_attributes[v * mesh.attributes_per_point + a]);
-    all.push_back(std::move(point));
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    auto v = mesh.triangles[t].v;
-    const auto least =
-        std::ranges::min_element(v, {}, [&](Index c) { return std::pair(mesh.points[c].x, mesh.points[c].y); });
-    std::rotate(v.begin(), least, v.end());
-    std::vector<double> triangle{2};
-    for (const Index c : v) put(triangle, c);
-    triangle.push_back(mesh.region.empty() ? 0.0 : mesh.region[t]);
-    all.push_back(std::move(triangle));
-  }
-  for (const ConstrainedEdge& e : mesh.constrained_edges) {
-    const bool swap =
-        std::pair(mesh.points[e.b].x, mesh.points[e.b].y) < std::pair(mesh.points[e.a].x, mesh.points[e.a].y);
-    std::vector<double> edge{3};
-    put(edge, swap ? e.b : e.a);
-    put(edge, swap ? e.a : e.b);
-    edge.push_back(e.segment);
-    edge.push_back(e.marker);
-    all.push_back(std::move(edge));
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
 /// The pieces of all ranks. A rank with an error makes the test fail.
 std::vector<MeshPiece> pieces_of(const Case& c, int count) {
   const ValidPslg domain = std::move(validate(c.pslg)).value();
@@ -115,14 +74,6 @@ std::vector<MeshPiece> pieces_of(const Case& c, int count) {
     pieces[ranks.rank()] = std::move(*piece);
   });
   return pieces;
-}
-
-Mesh joined(std::vector<MeshPiece>& pieces) {
-  std::vector<NumberedMesh> numbered;
-  for (MeshPiece& piece : pieces) numbered.push_back({std::move(piece.mesh), std::move(piece.number)});
-  Result<Mesh> whole = join_pieces(numbered);
-  EXPECT_TRUE(whole) << whole.error().message;
-  return whole ? std::move(*whole) : Mesh{};
 }
 
 class Pieces : public testing::TestWithParam<std::size_t> {
@@ -157,26 +108,7 @@ TEST_P(Pieces, have_the_same_numbers_on_any_number_of_ranks) {
   }
 }
 
-TEST_P(Pieces, list_the_vertices_that_they_share) {
-  const std::vector<MeshPiece> pieces = pieces_of(case_, 3);
-  for (int rank = 0; rank < 3; ++rank)
-    for (int other = 0; other < 3; ++other) {
-      if (other == rank) continue;
-      const auto numbers_with = [&](int of, int with) {
-        std::vector<std::uint64_t> numbers;
-        for (const SharedVertices& shared : pieces[of].shared)
-          if (shared.rank == with)
-            for (const Index v : shared.vertices) numbers.push_back(pieces[of].number[v]);
-        return numbers;
-      };
-      std::vector<std::uint64_t> mine(pieces[rank].number.begin(), pieces[rank].number.end());
-      std::vector<std::uint64_t> theirs(pieces[other].number.begin(), pieces[other].number.end()), both;
-      std::ranges::sort(mine);
-      std::ranges::sort(theirs);
-      std::ranges::set_intersection(mine, theirs, std::back_inserter(both));
-      EXPECT_EQ(numbers_with(rank, other), both) << rank << " with " << other;
-    }
-}
+TEST_P(Pieces, list_the_vertices_that_they_share) { expect_shared_vertices(pieces_of(case_, 3)); }
 
 TEST_P(Pieces, have_only_the_vertices_of_their_triangles) {
   for (const int count : {1, 3, 6})
@@ -191,11 +123,7 @@ TEST_P(Pieces, have_only_the_vertices_of_their_triangles) {
 
 TEST_P(Pieces, have_the_neighbours_that_their_triangles_imply) {
   for (const int count : {1, 3, 6})
-    for (MeshPiece& piece : pieces_of(case_, count)) {
-      Array<Triangle> expected = piece.mesh.triangles;
-      EXPECT_EQ(rebuild_neighbours(expected, piece.mesh.points.size()), 0U);
-      EXPECT_TRUE(std::ranges::equal(piece.mesh.triangles, expected));
-    }
+    for (const MeshPiece& piece : pieces_of(case_, count)) expect_neighbours(piece);
 }
 
 TEST_P(Pieces, have_one_mesh_whatever_the_delays) {

@@ -1,0 +1,79 @@
+// Points of the plane divided among ranks along a space-filling curve.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../../core/ranks.hpp"
+#include "../concurrency/hilbert_order.hpp"
+
+namespace pardel::engine {
+
+/// A closed disk that contains the circumdisk of a triangle, in spite of rounding; or the whole plane.
+struct Disk {
+  Point centre;
+  double radius = INFINITY;
+
+  /// The whole plane if the triangle is so flat that rounding leaves no useful bound.
+  [[nodiscard]] static Disk around(Point a, Point b, Point c);
+  [[nodiscard]] bool is_whole_plane() const { return radius == INFINITY; }
+  [[nodiscard]] Box bounds() const {
+    return {centre.x - radius, centre.y - radius, centre.x + radius, centre.y + radius};
+  }
+  /// False only if the disk contains no point of the closed box.
+  [[nodiscard]] bool may_meet(const Box& box) const;
+};
+
+/// The closed half-plane on the left of the line from a to b.
+struct HalfPlane {
+  Point a, b;
+  /// False only if the half-plane contains no point of the closed box.
+  [[nodiscard]] bool may_meet(const Box& box) const;
+};
+
+/// A rank owns the points in the cells of a range of keys (CurveGrid). The ranges of the ranks follow one another.
+class CurveDivision {
+ public:
+  /// `first_key`: for each rank, ascending, from 0 on.
+  CurveDivision(const CurveGrid& grid, std::vector<std::uint32_t> first_key)
+      : grid_(grid), first_key_(std::move(first_key)) {}
+
+  [[nodiscard]] const CurveGrid& grid() const { return grid_; }
+  [[nodiscard]] int owner(Point p) const { return owner(grid_.key(p)); }
+
+  /// True only if all points in the disk belong to the rank. Fast; false for some disks for which it is true.
+  [[nodiscard]] bool certainly_owns(int rank, const Disk& disk) const;
+  /// The ranks but `self`, in ascending order, that may own a point of the area, which has a function may_meet(box).
+  /// The owner of a quadrant without other owners is found without a look at its cells.
+  template <class Area>
+  [[nodiscard]] std::vector<int> others_in(const Area& area, int self) const {
+    std::vector<int> found;
+    visit_owners(area, {}, [&](int rank) {
+      if (rank != self && std::ranges::find(found, rank) == found.end()) found.push_back(rank);
+    });
+    std::ranges::sort(found);
+    return found;
+  }
+
+ private:
+  [[nodiscard]] int owner(std::uint32_t key) const {
+    return static_cast<int>(std::ranges::upper_bound(first_key_, key) - first_key_.begin()) - 1;
+  }
+  template <class Area, class Visit>
+  void visit_owners(const Area& area, const CurveGrid::Quadrant& quadrant, const Visit& visit) const {
+    if (!area.may_meet(grid_.square(quadrant))) return;
+    const int first = owner(CurveGrid::first_key(quadrant));
+    if (first == owner(CurveGrid::last_key(quadrant))) return visit(first);
+    for (unsigned i = 0; i < 4; ++i) visit_owners(area, quadrant.part(i), visit);
+  }
+
+  CurveGrid grid_;
+  std::vector<std::uint32_t> first_key_;
+};
+
+/// The division in which ranks own about equally many points. Collective. `points`: those that this rank has read.
+[[nodiscard]] CurveDivision divide_along_curve(std::span<const Point> points, Ranks& ranks);
+
+}  // namespace pardel::engine

@@ -1,0 +1,66 @@
+// The Delaunay triangulation of the points that a rank knows.
+#pragma once
+
+#include <array>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "../../core/result.hpp"
+#include "../concurrency/threads.hpp"
+#include "../construction/bowyer_watson.hpp"
+#include "../triangulation/triangulation.hpp"
+#include "site.hpp"
+
+namespace pardel::engine {
+
+/// A rank knows its own points, which are the first vertices, and some of the others. It learns of more points as it
+/// asks other ranks about its triangles. The triangles depend on the points alone, not on the sequence in which the
+/// rank learns of them (InsertionOrder).
+class LocalDelaunay {
+ public:
+  /// `first`: the position of the first own point. The other own points follow it along the curve.
+  LocalDelaunay(Array<Point> own, std::uint64_t first);
+  LocalDelaunay(const LocalDelaunay&) = delete;
+  LocalDelaunay& operator=(const LocalDelaunay&) = delete;
+
+  /// Triangulates the own points and the others. To be called once, before the other functions. The errors are those of
+  /// triangulate_points().
+  [[nodiscard]] Status triangulate(std::span<const Site> others, const Threads& threads);
+
+  [[nodiscard]] const Triangulation& triangulation() const { return t_; }
+  [[nodiscard]] Triangulation& triangulation() { return t_; }
+  [[nodiscard]] Index own() const { return own_; }
+  [[nodiscard]] bool is_own(VertexId v) const { return v < own_; }
+  [[nodiscard]] Site site(VertexId v) const { return {t_.points[v], order_.position(v)}; }
+  [[nodiscard]] bool has_own_corner(TriangleId id) const;
+
+  /// The vertex of a point, which is inserted if it is new.
+  VertexId vertex(const Site& site);
+  /// A triangle that another rank has: its corners, counter-clockwise. The last one can be the vertex at infinity.
+  using Corners = std::array<VertexId, 3>;
+  /// The neighbours of the corners that lie in the disk of the triangle; ascending. There are some if any vertex lies
+  /// in it: of the edges of a Delaunay triangulation, those that leave a vertex of the triangle's circle lead to a
+  /// vertex inside if there is one (THEORY.md, Given points).
+  [[nodiscard]] std::vector<VertexId> neighbours_in_disk(const Corners& corners);
+
+  /// The slots of the triangles that have been made since the last call, with repetitions.
+  [[nodiscard]] std::vector<TriangleId> take_fresh() { return std::exchange(fresh_, {}); }
+
+ private:
+  [[nodiscard]] bool is_own_position(std::uint64_t position) const {
+    return position >= first_ && position - first_ < own_;
+  }
+  [[nodiscard]] TriangleId triangle_at(VertexId v);
+
+  Triangulation t_;
+  std::uint64_t first_;
+  Index own_;
+  InsertionOrder order_;
+  BowyerWatson inserter_;
+  std::unordered_map<std::uint64_t, VertexId> others_;  ///< by position
+  std::vector<TriangleId> fresh_;
+};
+
+}  // namespace pardel::engine
