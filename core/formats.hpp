@@ -16,6 +16,7 @@
 
 #include "join_pieces.hpp"
 #include "mesh.hpp"
+#include "part_of_points.hpp"
 #include "piece_of_mesh.hpp"
 #include "pslg.hpp"
 #include "ranks.hpp"
@@ -31,6 +32,10 @@ namespace pardel {
 [[nodiscard]] Result<Pslg> read_pslg(const std::filesystem::path& file);
 /// Reads a .poly from `text`; messages use `name` as the file name. A .poly whose points are in a .node is an error.
 [[nodiscard]] Result<Pslg> parse_poly(std::string_view text, const std::string& name);
+
+/// Reads the part of this rank of a .node: about an equal part of its bytes. Collective; all ranks see the same regular
+/// file. All ranks return the error of the first rank that failed, with its line.
+[[nodiscard]] Result<PartOfPoints> read_part_of_points(const std::filesystem::path& node, Ranks& ranks);
 
 /// base: the number of the first vertex in Triangle's files, 0 or 1.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);

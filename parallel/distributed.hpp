@@ -8,6 +8,7 @@
 #include "../core/digest.hpp"
 #include "../core/goal.hpp"
 #include "../core/mesh.hpp"
+#include "../core/part_of_points.hpp"
 #include "../core/piece_of_mesh.hpp"
 #include "../core/ranks.hpp"
 #include "options.hpp"
@@ -69,17 +70,6 @@ struct MeshPiece {
 /// and the goal do not fill the interior: options.interior, and constant bounds on areas or edges.
 [[nodiscard]] Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks,
                                     int pieces, const std::function<Status(MeshPiece&& piece, int number)>& visit);
-
-/// Points of which each rank has a part, for example of a file that they read together. Those of rank 0 are followed by
-/// those of rank 1, and so on.
-struct PartOfPoints {
-  std::vector<Point> points;
-  std::uint64_t first = 0;  ///< the number of the first of them among the points of all ranks, counted from 0
-  std::size_t attributes_per_point = 0;  ///< the same on all ranks
-  std::vector<double> point_attributes;  ///< point by point
-  std::vector<int> point_markers;        ///< one per point; empty on all ranks if points have none
-  FirstId first_id{};                    ///< only messages use it
-};
 
 /// Makes the Delaunay triangulation of the points of all ranks: that of triangulate() in one process, with the edges of
 /// the convex hull as constrained edges. Collective. No rank has all points: they are divided along a space-filling

@@ -50,27 +50,42 @@ int read_numbered_records(TextReader& in, std::string_view what, std::string_vie
   return base;
 }
 
-/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times, into a Pslg or a Mesh. Returns the base: the
-/// number of the first point, 0 or 1. Returns 1 if there is no point.
+/// Makes room for n points with attributes and markers. PointSet: a Pslg, a Mesh or a PartOfPoints.
 template <class PointSet>
-int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
-  const std::size_t n = header.points;
-  if (!in.room_for(n, text_bytes(3 + header.attributes + (header.markers ? 1 : 0)), "points")) return 1;
+void resize_points(PointSet& set, std::size_t n, const PointHeader& header) {
   set.points.resize(n);
   set.attributes_per_point = header.attributes;
   set.point_attributes.resize(n * header.attributes);
   set.point_markers.resize(header.markers ? n : 0);
-  return read_numbered_records(in, "point", "the first point's number", n, [&](TextReader& line, std::size_t i) {
-    const double x = line.number("an x coordinate");
-    const double y = line.number("a y coordinate");
-    set.points[i] = {x, y};
-    for (std::size_t k = 0; k < header.attributes; ++k) {
-      set.point_attributes[i * header.attributes + k] = line.number("a point's attribute");
-    }
-    if (header.markers) {
-      set.point_markers[i] = static_cast<int>(line.integer("a point's marker", any_marker_low, any_marker_high));
-    }
-  });
+}
+
+/// Reads what follows the number of point i: `<x> <y> [attributes] [marker]`.
+template <class PointSet>
+void read_point(TextReader& line, const PointHeader& header, PointSet& set, std::size_t i) {
+  const double x = line.number("an x coordinate");
+  const double y = line.number("a y coordinate");
+  set.points[i] = {x, y};
+  for (std::size_t k = 0; k < header.attributes; ++k) {
+    set.point_attributes[i * header.attributes + k] = line.number("a point's attribute");
+  }
+  if (header.markers) {
+    set.point_markers[i] = static_cast<int>(line.integer("a point's marker", any_marker_low, any_marker_high));
+  }
+}
+
+/// The least number of bytes of a point.
+[[nodiscard]] constexpr std::size_t bytes_of_point(const PointHeader& header) {
+  return text_bytes(3 + header.attributes + (header.markers ? 1 : 0));
+}
+
+/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times. Returns the base: the number of the first point,
+/// 0 or 1. Returns 1 if there is no point.
+template <class PointSet>
+int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
+  if (!in.room_for(header.points, bytes_of_point(header), "points")) return 1;
+  resize_points(set, header.points, header);
+  return read_numbered_records(in, "point", "the first point's number", header.points,
+                               [&](TextReader& line, std::size_t i) { read_point(line, header, set, i); });
 }
 
 /// `<# of segments> <# of markers, 0 or 1>`, then `<segment #> <end> <end> [marker]`. The numbers of the segments are

@@ -9,7 +9,9 @@
 
 namespace pardel {
 
-Status agree(const Status& here, Ranks& ranks) {
+namespace {
+
+Status agreed(const Status& here, Ranks& ranks, bool names_rank) {
   std::vector<char> message;  // empty, or the kind of the error and its text
   if (!here) {
     const std::string& text = here.error().message;
@@ -22,9 +24,15 @@ Status agree(const Status& here, Ranks& ranks) {
   const auto failed = std::ranges::find_if_not(all, is_done);
   if (failed == all.end()) return Done{};
   Error error{static_cast<ErrorKind>(failed->front()), {}};
-  if (std::ranges::any_of(all, is_done)) error.message = "rank " + std::to_string(failed - all.begin()) + ": ";
+  if (names_rank && std::ranges::any_of(all, is_done))
+    error.message = "rank " + std::to_string(failed - all.begin()) + ": ";
   for (const char c : std::span(*failed).subspan(1)) error.message += c;
   return error;
 }
+
+}  // namespace
+
+Status agree(const Status& here, Ranks& ranks) { return agreed(here, ranks, true); }
+Status agree_on_input(const Status& here, Ranks& ranks) { return agreed(here, ranks, false); }
 
 }  // namespace pardel

@@ -10,4 +10,7 @@ namespace pardel {
 /// rank, unless all ranks failed.
 [[nodiscard]] Status agree(const Status& here, Ranks& ranks);
 
+/// The same, with the message as it is: for faults of the input, which do not depend on the rank that finds them.
+[[nodiscard]] Status agree_on_input(const Status& here, Ranks& ranks);
+
 }  // namespace pardel

@@ -72,7 +72,7 @@ Status reason_for(const Error& failure, const LocalDelaunay& delaunay, const Own
 Result<MeshPiece> triangulate_in_ranks(PartOfPoints&& read, Ranks& ranks, const Threads& threads) {
   Stopwatch watch;
   const FirstId first_id = read.first_id;
-  if (Status usable = agree(check_coordinates(read, threads), ranks); !usable) return usable.error();
+  if (Status usable = agree_on_input(check_coordinates(read, threads), ranks); !usable) return usable.error();
   const CurveDivision division = divide_along_curve(read.points, ranks);
   OwnPoints own = send_to_owners(std::move(read), division, ranks, threads);
   const std::uint64_t first = own.first[ranks.rank()];
@@ -80,7 +80,7 @@ Result<MeshPiece> triangulate_in_ranks(PartOfPoints&& read, Ranks& ranks, const 
   LocalDelaunay delaunay(Array<Point>(own.at.span()), first);
   const Status made = delaunay.triangulate(common, threads);
   const Status fault = made ? made : reason_for(made.error(), delaunay, own, first_id, threads);
-  if (Status all = agree(fault, ranks); !all) return all.error();
+  if (Status all = agree_on_input(fault, ranks); !all) return all.error();
   if (!made) return made.error();
   own.at = {};
   ask_others(delaunay, division, ranks, threads);
