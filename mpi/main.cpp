@@ -16,6 +16,7 @@
 #include "check_command.hpp"
 #include "job.hpp"
 #include "mesh_command.hpp"
+#include "triangulate_command.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -39,7 +40,7 @@ ExitCode run(int argc, char** argv, Job& job) {
   program.formatter(std::make_shared<cli::HelpFormatter>());
   program.failure_message(cli::usage_message);
   program.require_subcommand(1);
-  const std::array commands{add_mesh(program, job), add_check(program, job)};
+  const std::array commands{add_mesh(program, job), add_triangulate(program, job), add_check(program, job)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {  // also --help and --version

@@ -18,10 +18,10 @@
 #include "../cli/names.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
-#include "../core/support/collective.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "made.hpp"
 #include "outputs.hpp"
 #include "problem.hpp"
 
@@ -100,30 +100,6 @@ Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& psl
   return Done{};
 }
 
-struct Seconds {
-  double read = 0, refine = 0, pieces = 0, write = 0, all = 0;
-};
-
-/// The mesh, and what this rank has of it.
-struct Made {
-  std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
-  std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
-  Digest digest;                                                               ///< of the pieces of this rank
-  Seconds seconds;
-
-  void add(const MeshPiece& piece) {
-    points = piece.points;
-    triangles = piece.triangles;
-    constrained_edges = piece.constrained_edges;
-    missed = piece.missed;
-    least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
-    most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
-    digest = digest + pardel::digest(piece.mesh);
-    seconds.refine = piece.report.refine_seconds;
-    seconds.pieces += piece.seconds;
-  }
-};
-
 /// One piece per rank.
 Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
   const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
@@ -154,23 +130,6 @@ Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job&
   return made;
 }
 
-void print(const Arguments& arguments, const Made& made, Job& job) {
-  const Digest all = sum_of(made.digest, job.ranks());
-  const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
-  const Job::Range memory = job.range_of(peak_memory());
-  if (!job.is_first() || arguments.quiet) return;
-  constexpr double mib = 0x1p20;
-  fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), arguments.options.threads);
-  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points, made.triangles,
-             made.constrained_edges);
-  fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
-             static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
-  fmt::print("digest  {}\n", to_string(all));
-  fmt::print("time    {:.3f} s (read {:.3f}, refine {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
-             made.seconds.read, made.seconds.refine, made.seconds.pieces, made.seconds.write);
-  fmt::print("output  {}\n", names_of(arguments.outputs));
-}
-
 Status check_arguments(Arguments& arguments, int rank) {
   if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes, rank); !fine) return fine;
   if (arguments.pieces > 0 && (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu"))
@@ -192,7 +151,7 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   if (!made) return made.error();
   made->seconds.read = read_seconds;
   made->seconds.all = watch.seconds();
-  print(arguments, *made, job);
+  print(*made, "refine", arguments.options.threads, arguments.outputs, arguments.quiet, job);
   if (made->missed == 0) return ExitCode::done;
   // Only pardel-mpi checks pieces without joining them, which may take more memory than there is.
   const bool has_pieces = arguments.outputs.front().extension() == ".pvtu";

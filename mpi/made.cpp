@@ -1,0 +1,29 @@
+#include "made.hpp"
+
+#include <fmt/core.h>
+
+#include "../cli/memory.hpp"
+#include "../core/support/collective.hpp"
+#include "outputs.hpp"
+
+namespace pardel::mpi {
+
+void print(const Made& made, const char* making, int threads, std::span<const std::filesystem::path> outputs,
+           bool quiet, Job& job) {
+  const Digest all = sum_of(made.digest, job.ranks());
+  const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
+  const Job::Range memory = job.range_of(peak_memory());
+  if (!job.is_first() || quiet) return;
+  constexpr double mib = 0x1p20;
+  fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), threads);
+  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points, made.triangles,
+             made.constrained_edges);
+  fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
+             static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
+  fmt::print("digest  {}\n", to_string(all));
+  fmt::print("time    {:.3f} s (read {:.3f}, {} {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
+             made.seconds.read, making, made.seconds.refine, made.seconds.pieces, made.seconds.write);
+  fmt::print("output  {}\n", names_of(outputs));
+}
+
+}  // namespace pardel::mpi

@@ -1,0 +1,44 @@
+// What a command has made, and what it prints about it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "../core/digest.hpp"
+#include "../parallel/distributed.hpp"
+#include "job.hpp"
+
+namespace pardel::mpi {
+
+struct Seconds {
+  double read = 0, refine = 0, pieces = 0, write = 0, all = 0;
+};
+
+/// A mesh, and what this rank has of it.
+struct Made {
+  std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
+  std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
+  Digest digest;                                                               ///< of the pieces of this rank
+  Seconds seconds;
+
+  void add(const MeshPiece& piece) {
+    points = piece.points;
+    triangles = piece.triangles;
+    constrained_edges = piece.constrained_edges;
+    missed = piece.missed;
+    least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
+    most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
+    digest = digest + pardel::digest(piece.mesh);
+    seconds.refine = piece.report.refine_seconds;
+    seconds.pieces += piece.seconds;
+  }
+};
+
+/// Prints on the first rank, unless `quiet`. Collective. `threads`: of each rank; `making`: the name of the longest
+/// step.
+void print(const Made& made, const char* making, int threads, std::span<const std::filesystem::path> outputs,
+           bool quiet, Job& job);
+
+}  // namespace pardel::mpi

@@ -1,0 +1,98 @@
+#include "triangulate_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "../cli/memory.hpp"
+#include "../cli/memory_watch.hpp"
+#include "../cli/threads_option.hpp"
+#include "../core/formats.hpp"
+#include "../core/support/stopwatch.hpp"
+#include "../parallel/distributed.hpp"
+#include "made.hpp"
+#include "outputs.hpp"
+
+namespace pardel::mpi {
+namespace {
+
+using namespace cli;
+
+constexpr const char* triangulate_footer =
+    R"(The triangulation is that of 'pardel triangle -c' for the same points, on any number of ranks and threads. No rank
+has all points: each reads a part of IN.node, triangulates the points that it owns, and asks the others about the
+triangles at its border. The edges of the convex hull are constrained edges.
+
+Output: as for 'pardel-mpi mesh'.
+
+Example:
+  mpirun -n 4 pardel-mpi triangulate survey.node -o survey.pvtu)";
+
+struct TriangulateArguments {
+  std::filesystem::path input;
+  std::vector<std::filesystem::path> outputs;
+  int threads = 0;
+  bool msh_ascii = false, quiet = false;
+};
+
+void add_triangulate_options(CLI::App& app, TriangulateArguments& arguments) {
+  app.add_option("IN.node", arguments.input, "The points; all ranks see the file")->required()->type_name("");
+  app.add_option("-o,--output", arguments.outputs,
+                 "The triangles to write (required); the suffix sets the format: .pvtu, .msh, .node;\n"
+                 "may be repeated")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("OUT");
+  add_threads_option(app, arguments.threads, "the triangulation")
+      ->description(
+          "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
+          "the triangulation does not depend on it");
+  app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
+  app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output");
+  app.footer(triangulate_footer);
+}
+
+Status check_triangulate_arguments(const TriangulateArguments& arguments, int rank) {
+  if (arguments.input.extension() != ".node")
+    return Error{ErrorKind::usage, "the input " + arguments.input.string() + " must be a .node"};
+  return check_outputs(arguments.outputs, arguments.input, {}, rank);
+}
+
+Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
+  Stopwatch watch;
+  const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
+  if (Status fine = job.agree(check_triangulate_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
+  const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
+  use_threads(threads);
+  Result<PartOfPoints> points = read_part_of_points(arguments.input, job.ranks());
+  if (!points) return points.error();
+  Made made;
+  made.seconds.read = watch.seconds();
+  const Result<MeshPiece> piece = triangulate(std::move(*points), {.threads = threads}, job.ranks());
+  if (!piece && piece.error().kind == ErrorKind::invalid_input)  // on all ranks
+    return Error{ErrorKind::invalid_input, arguments.input.string() + ": " + piece.error().message};
+  if (!piece) job.abort(piece.error());
+  made.add(*piece);
+  made.seconds.refine = piece->report.triangulate_seconds;
+  const Stopwatch writing;
+  const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
+  for (const std::filesystem::path& output : arguments.outputs)
+    if (Status written = write_pieces(*piece, {}, output, msh, job); !written) return written.error();
+  made.seconds.write = writing.seconds();
+  made.seconds.all = watch.seconds();
+  print(made, "triangulate", threads, arguments.outputs, arguments.quiet, job);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command add_triangulate(CLI::App& program, Job& job) {
+  const auto arguments = std::make_shared<TriangulateArguments>();
+  CLI::App* app = program.add_subcommand("triangulate", "Make the Delaunay triangulation of points, in pieces");
+  add_triangulate_options(*app, *arguments);
+  return {app, [arguments, &job] { return run_triangulate(*arguments, job); }};
+}
+
+}  // namespace pardel::mpi
