@@ -13,6 +13,7 @@
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/hilbert_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
+#include "begin_with_latest.hpp"
 #include "bowyer_watson.hpp"
 #include "point_tiles.hpp"
 
@@ -22,24 +23,26 @@ namespace {
 /// The vertices in the order of their insertion. Round r is order[start[r]] to order[start[r + 1] - 1].
 struct Rounds {
   static constexpr std::size_t count = InsertionOrder::rounds;
+  Array<std::uint8_t> round;  ///< of each vertex
   Array<VertexId> order;
   std::array<std::size_t, count + 1> start{};
 };
 
 /// Distributes the vertices to the rounds. In a round, they are in the order of their indices.
 Rounds in_rounds(std::size_t n, const InsertionOrder& insertion_order, const Threads& threads) {
+  Rounds rounds;
+  rounds.round = make_array(threads, n, [&](std::size_t v) {
+    return static_cast<std::uint8_t>(
+        InsertionOrder::round_of(insertion_order.position(static_cast<VertexId>(v))));
+  });
   // First the number of points of each round in each block, then the position of the next of these points.
   std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));
   const auto for_each_point = [&](const auto& visit) {
     parallel_blocks(threads, n, [&](std::size_t first, std::size_t last, std::size_t block) {
-      for (std::size_t i = first; i < last; ++i) {
-        const std::uint64_t position = insertion_order.position(static_cast<VertexId>(i));
-        visit(i, next[block][InsertionOrder::round_of(position)]);
-      }
+      for (std::size_t i = first; i < last; ++i) visit(i, next[block][rounds.round[i]]);
     });
   };
   for_each_point([](std::size_t, std::size_t& number) { ++number; });
-  Rounds rounds;
   std::size_t place = 0;
   for (std::size_t r = 0; r < Rounds::count; ++r) {
     rounds.start[r] = place;
@@ -277,6 +280,9 @@ Status triangulate_points(Triangulation& t, const InsertionOrder& insertion_orde
     if (Status inserted = inserter.insert(first, last); !inserted) return inserted;
     first = last;
   }
+  begin_with_latest(
+      t, {order[0], order[1], order[2]},
+      [&](VertexId v) { return std::pair(rounds.round[v], insertion_order.position(v)); }, threads);
   return Done{};
 }
 

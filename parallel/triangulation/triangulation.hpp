@@ -104,6 +104,15 @@ struct Triangulation {
       if (const EdgeRef out = slots[to].n[side]; !out.none())
         slots[out.triangle()].n[out.side()] = EdgeRef(to, side, out.constrained());
   }
+  /// Turns a triangle, so that corner `first` becomes its first one.
+  void turn(TriangleId id, unsigned first) {
+    const Slot before = slots[id];
+    for (unsigned i = 0; i < 3; ++i) {
+      const unsigned from = (first + i) % 3;
+      slots[id].v[i] = before.v[from];
+      link({id, i}, before.n[from]);
+    }
+  }
   /// Marks an edge as constrained, on both sides.
   void constrain(EdgeRef e) {
     EdgeRef& outer = slots[e.triangle()].n[e.side()];
