@@ -17,6 +17,8 @@ struct Problem {
   const engine::DomainSegments& segments;
   const engine::Criteria& criteria;
   const Options& options;
+  std::span<const Index> input_of_vertex{};
+  std::span<const int> input_markers{};
 };
 
 struct LoneRank {

@@ -41,19 +41,23 @@ Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
 }  // namespace
 
 void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
-  ownership_.emplace(ownership_of(tiles, work));
+  set_owners(ownership_of(tiles, work));
   const HeldPart::Common common{runner.vertices().end(), runner.triangles().end()};
   unused_common_ = runner.vertices().holes();
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common);
-  for (Index cell = 0; cell < tiles.cells(); ++cell) {
-    other_watchers_.push_back(ownership_->watchers_of_box(cell));
-    std::erase(other_watchers_.back(), ranks_.rank());
-  }
   std::vector<TriangleId> not_held;
   part_->for_each_triangle([&](TriangleId id) {
     if (!is_held_by(ranks_.rank(), t_, id)) not_held.push_back(id);
   });
   for (const TriangleId id : not_held) part_->drop(id);
+}
+
+void Distribution::set_owners(Ownership ownership) {
+  ownership_.emplace(std::move(ownership));
+  for (Index cell = 0; cell < ownership_->cells(); ++cell) {
+    other_watchers_.push_back(ownership_->watchers_of_box(cell));
+    std::erase(other_watchers_.back(), ranks_.rank());
+  }
 }
 
 bool Distribution::is_held_by(int rank, const Triangulation& t, TriangleId id) const {
@@ -197,11 +201,20 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
     cells.insert(cells.end(), more_cells.begin(), more_cells.end());
   }
 
+  const ExcerptWork work{
+      Name::rank(ranks_.count()), names, refine,
+      [&](int rank, const Triangulation& t, TriangleId id) { return is_held_by(rank, t, id); },
+      [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
+        std::vector<VertexId> by_place(inserted.begin(), inserted.end());
+        std::ranges::sort(by_place,
+                          [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
+        for (const VertexId v : by_place) inserted_in_excerpt_.push_back(part.name_of_vertex(v));
+      }};
   bool is_all = false;
   for (unsigned reach = 2;; reach *= 2) {
     const std::vector<Ranks::Bytes> excerpt = excerpt_around(cells, reach, is_all);
     std::uint64_t is_done = 0;
-    if (ranks_.rank() == 0 && refine_excerpt(excerpt, names, refine, messages)) is_done = 1;
+    if (ranks_.rank() == 0 && work_in_excerpt(excerpt, work, messages)) is_done = 1;
     ranks_.add_up({&is_done, 1});
     if (is_done != 0) break;
     if (is_all) throw NotHeld{};
@@ -209,20 +222,19 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
   receive(exchange(messages));
 }
 
-/// Writes the changes into the messages. Returns false if the excerpt was too small.
-bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std::span<const Name> names,
-                                  const RefineExcerpt& refine, std::vector<Writer>& messages) {
+bool Distribution::work_in_excerpt(const std::vector<Ranks::Bytes>& excerpt, const ExcerptWork& work,
+                                   std::vector<Writer>& messages) const {
   const Index common_vertices = part_->common().vertices;
   Triangulation t = empty_excerpt(t_, common_vertices);
   std::optional<HeldPart> part;
-  const std::uint32_t creator = Name::rank(ranks_.count());  // no rank
   const auto fill = [&](PhaseRunner& runner) {
-    part.emplace(t, runner.vertices(), runner.triangles(), creator, HeldPart::Common{common_vertices, 0});
+    part.emplace(t, runner.vertices(), runner.triangles(), work.creator, HeldPart::Common{common_vertices, 0});
     part->forget(0);
     std::vector<Reader> readers = readers_of(excerpt);
     part->read(readers);
+    part->sew();
     std::vector<QueuedTriangle> entries;
-    for (const Name name : names) {
+    for (const Name name : work.names) {
       const TriangleId id = part->triangle(name);
       if (id == no_index) throw Reader::does_not_match();
       entries.push_back(QueuedTriangle::now(t, EdgeRef(id, 0)));
@@ -231,7 +243,7 @@ bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std:
   };
   std::vector<TriangleId> changed;
   try {
-    changed = without_repetitions(refine({fill, t}));
+    changed = without_repetitions(work.refine({fill, t}));
   } catch (const NotHeld&) {
     return false;
   }
@@ -243,16 +255,14 @@ bool Distribution::refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std:
   std::vector<VertexId> inserted;
   for (const TriangleId id : changed)
     for (const VertexId v : t.slots[id].v)
-      if (part->name_of_vertex(v).creator == creator) inserted.push_back(v);
-  inserted = without_repetitions(std::move(inserted));
-  std::ranges::sort(inserted, [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
-  for (const VertexId v : inserted) inserted_in_excerpt_.push_back(part->name_of_vertex(v));
+      if (part->name_of_vertex(v).creator == work.creator) inserted.push_back(v);
+  work.finish(*part, t, without_repetitions(std::move(inserted)));
   for (int rank = 0; rank < ranks_.count(); ++rank) {
     Outgoing out;
     for (const TriangleId id : changed) {
-      if (is_held_by(rank, t, id))
+      if (work.is_held_by(rank, t, id))
         out.triangles.push_back(id);
-      else if (part->name_of(id).creator != creator)
+      else if (part->name_of(id).creator != work.creator)
         out.dropped.push_back(part->name_of(id));
     }
     if (!changed.empty()) part->write(out.triangles, out.dropped, messages[rank]);

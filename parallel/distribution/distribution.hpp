@@ -12,8 +12,11 @@ namespace pardel::engine {
 /// The Partners of a refinement. After the refinement, it tells which rank has which triangles.
 class Distribution : public Partners {
  public:
-  /// `t`: the triangulation that is refined.
-  Distribution(Ranks& ranks, Triangulation& t) : ranks_(ranks), t_(t) {}
+  /// `t`: the triangulation that is refined. The others belong to the input: for each vertex that is an input point, its
+  /// number; the markers of these points, or empty.
+  Distribution(Ranks& ranks, Triangulation& t, std::span<const Index> input_of_vertex = {},
+               std::span<const int> input_markers = {})
+      : ranks_(ranks), t_(t), input_of_vertex_(input_of_vertex), input_markers_(input_markers) {}
 
   void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override;
   [[nodiscard]] bool is_at_home(TriangleId id) const override { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); }
@@ -35,6 +38,25 @@ class Distribution : public Partners {
   /// What all ranks had in common at the division: the number of vertices, and the indices below it that no vertex had.
   [[nodiscard]] Index common_vertices() const { return part_->common().vertices; }
   [[nodiscard]] const std::vector<IndexRange>& unused_common() const { return unused_common_; }
+
+  /// What a rank knows about points of the input: about the vertices below known_inputs().
+  struct InputPoint {
+    std::uint64_t number = 0;
+    int marker = 0;  ///< 0 if it has none
+  };
+  [[nodiscard]] virtual Index known_inputs() const { return static_cast<Index>(input_of_vertex_.size()); }
+  [[nodiscard]] virtual InputPoint input_point(VertexId v) const {
+    const Index input = input_of_vertex_[v];
+    return {input, input_markers_.empty() ? 0 : input_markers_[input]};
+  }
+  /// The number of points of the input, on all ranks.
+  [[nodiscard]] virtual std::uint64_t inputs() const { return input_of_vertex_.size(); }
+  /// True if a rank can have vertices that are input points and above known_inputs(), with markers.
+  [[nodiscard]] virtual bool lacks_markers() const { return false; }
+  /// The vertices that the first rank has inserted into an excerpt before the division, as it has named them; in the
+  /// order of their numbers, on the first rank only. All other vertices from before the division are common or input
+  /// points.
+  [[nodiscard]] std::span<const Name> inserted_before_division() const { return inserted_before_division_; }
   /// The vertices that the tasks of a cell have inserted, in the order of the insertions.
   struct Insertions {
     Index cell;
@@ -56,23 +78,42 @@ class Distribution : public Partners {
     return {tiles, work_of_tasks(tiles, work), ranks_.count()};
   }
 
- private:
+ protected:
   /// For each rank: triangles, and the names of slots whose triangles it no longer holds.
   struct Outgoing {
     std::vector<TriangleId> triangles;
     std::vector<Name> dropped;
   };
+  /// What is done in an excerpt.
+  struct ExcerptWork {
+    std::uint32_t creator;  ///< of what it inserts: no rank
+    std::span<const Name> names;  ///< of the triangles with which the work starts
+    /// Returns the changed triangles, with repetitions.
+    RefineExcerpt refine;
+    std::function<bool(int rank, const Triangulation& t, TriangleId id)> is_held_by;
+    /// Called when the work has succeeded, with the vertices that it has inserted, ascending.
+    std::function<void(const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted)> finish;
+  };
+  /// The owners are set. Then the ranks that watch a part of each cell's box are found.
+  void set_owners(Ownership ownership);
   [[nodiscard]] bool is_held_by(int rank, const Triangulation& t, TriangleId id) const;
   [[nodiscard]] std::vector<Ranks::Bytes> exchange(std::vector<Writer>& messages);
   void receive(const std::vector<Ranks::Bytes>& messages);
-  [[nodiscard]] std::vector<Ranks::Bytes> excerpt_around(std::span<const Index> cells, unsigned reach, bool& is_all);
-  [[nodiscard]] bool refine_excerpt(const std::vector<Ranks::Bytes>& excerpt, std::span<const Name> names,
-                                    const RefineExcerpt& refine, std::vector<Writer>& messages);
+  /// Writes the changes into the messages. Returns false if the excerpt was too small.
+  [[nodiscard]] bool work_in_excerpt(const std::vector<Ranks::Bytes>& excerpt, const ExcerptWork& work,
+                                     std::vector<Writer>& messages) const;
 
   Ranks& ranks_;
   Triangulation& t_;
   std::optional<Ownership> ownership_;
   std::optional<HeldPart> part_;
+  std::vector<Name> inserted_before_division_;
+
+ private:
+  [[nodiscard]] std::vector<Ranks::Bytes> excerpt_around(std::span<const Index> cells, unsigned reach, bool& is_all);
+
+  std::span<const Index> input_of_vertex_;
+  std::span<const int> input_markers_;
   std::vector<IndexRange> unused_common_;
   std::vector<Insertions> insertions_;
   std::vector<Name> inserted_in_excerpt_;

@@ -1,6 +1,7 @@
 #include "held_part.hpp"
 
 #include <limits>
+#include <unordered_map>
 
 namespace pardel::engine {
 
@@ -193,6 +194,24 @@ void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
     if (other == no_index) continue;
     t_.link({id, side}, {other, static_cast<unsigned>(across >> 1U & 3U), (across & constrained_bit) != 0});
   }
+}
+
+void HeldPart::sew() {
+  std::unordered_map<std::uint64_t, EdgeRef> loose;  // by the ends of the side, in the direction of its triangle
+  const auto key = [](VertexId from, VertexId to) { return std::uint64_t{from} << 32U | to; };
+  for_each_triangle([&](TriangleId id) {
+    const Slot& slot = t_.slots[id];
+    for (unsigned side = 0; side < 3; ++side) {
+      if (!is_beyond(slot.n[side]) || slot.n[side].constrained()) continue;
+      const auto other = loose.find(key(slot.to(side), slot.from(side)));
+      if (other == loose.end()) {
+        loose.emplace(key(slot.from(side), slot.to(side)), EdgeRef(id, side));
+        continue;
+      }
+      t_.link({id, side}, other->second);
+      loose.erase(other);
+    }
+  });
 }
 
 struct HeldPart::Arrived {

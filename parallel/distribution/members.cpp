@@ -69,7 +69,7 @@ void Members::mark_owned(const Triangulation& t, const Distribution& distributio
     mark_if_owned({begin, unused.begin});
     begin = unused.end;
   }
-  mark_if_owned({begin, distribution.common_vertices()});
+  mark_if_owned({begin, std::max(distribution.common_vertices(), distribution.known_inputs())});
   for (const Distribution::Insertions& each : distribution.insertions())
     if (distribution.is_interior(each.cell))
       std::fill(vertex_.begin() + each.vertices.begin, vertex_.begin() + each.vertices.end, in_piece | owned);

@@ -80,7 +80,7 @@ class RunInRanks {
   [[nodiscard]] Result<MeshPiece> refine(DomainTriangulation& domain, const Criteria& criteria, InputData input,
                                          Report report) {
     const Options resolved = resolvable(options_, domain.triangulation);
-    Distribution distribution(ranks_, domain.triangulation);
+    Distribution distribution(ranks_, domain.triangulation, domain.input_of_vertex.span(), input.points.markers);
     Result<RefineCounts> counts =
         refine_by_sweeps(domain.triangulation, domain.segments, criteria, resolved, progress_, {}, {}, &distribution);
     if (!counts) return counts.error();

@@ -31,12 +31,13 @@ class PieceMaker {
   PieceMaker(DomainTriangulation& domain, const Distribution& distribution, InputData input, const Threads& threads)
       : domain_(domain),
         t_(domain.triangulation),
+        distribution_(distribution),
         ranks_(distribution.network()),
         part_(distribution.part()),
         input_(std::move(input)),
         threads_(threads),
         members_(t_, distribution, threads),
-        data_(vertex_data(domain, distribution, members_, input_.points.markers)) {}
+        data_(vertex_data(domain, distribution, members_)) {}
 
   [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {
     list_edges();
@@ -80,8 +81,8 @@ class PieceMaker {
       if (members_.has_vertex(v))
         for (const int rank : ranks)
           if (rank != ranks_.rank()) with_rank_[rank].push_back(vertices.now(v));
-    for (VertexId v = 0; v < domain_.input_of_vertex.size(); ++v)
-      if (members_.has_vertex(v)) inputs_.push_back({vertices.now(v), domain_.input_of_vertex[v]});
+    for (VertexId v = 0; v < distribution_.known_inputs(); ++v)
+      if (members_.has_vertex(v)) inputs_.push_back({vertices.now(v), distribution_.input_point(v).number});
     members_.forget_vertices();
     compact(t_, vertices, triangles, threads_);
     number(vertices);
@@ -114,7 +115,7 @@ class PieceMaker {
     const Background on(data.points, std::move(input_.background), threads_);
     LocationHint hint;
     Array<Index> input_point(t_.points.size(), no_index);
-    for (const InputVertex& input : inputs_) input_point[input.v] = input.point;
+    for (const InputVertex& input : inputs_) input_point[input.v] = static_cast<Index>(input.point);
     for (VertexId v = 0; v < t_.points.size(); ++v)
       if (const Index point = input_point[v]; point != no_index)
         mesh.point_attributes.append(data.attributes.subspan(point * k, k));
@@ -156,6 +157,7 @@ class PieceMaker {
 
   DomainTriangulation& domain_;
   Triangulation& t_;
+  const Distribution& distribution_;
   Ranks& ranks_;
   const HeldPart& part_;
   InputData input_;
@@ -165,7 +167,7 @@ class PieceMaker {
   /// The input points of the piece: indices in the piece, and in the input.
   struct InputVertex {
     VertexId v;
-    Index point;
+    std::uint64_t point;
   };
   std::vector<InputVertex> inputs_;
   std::vector<std::vector<Index>> with_rank_ = std::vector<std::vector<Index>>(ranks_.count());

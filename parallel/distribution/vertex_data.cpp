@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/share_of_rank.hpp"
 
 namespace pardel::engine {
@@ -34,14 +35,15 @@ class Collector {
         asked_data_(ranks_.count()) {}
 
   void number_own();
-  void mark_own(std::span<const int> input_markers);
+  void fetch_markers();
+  void mark_own();
   void find_pieces();
   void ask_others();
   [[nodiscard]] VertexData take() { return std::move(data_); }
 
  private:
   [[nodiscard]] std::uint64_t number_common();
-  [[nodiscard]] std::vector<Reason> reasons_for_markers(std::span<const int> input_markers) const;
+  [[nodiscard]] std::vector<Reason> reasons_for_markers() const;
   [[nodiscard]] int marker_of(VertexId v) const;
   void plan_questions();
   [[nodiscard]] Ranks::Bytes question_to(int rank) const;
@@ -54,16 +56,22 @@ class Collector {
   const Distribution& distribution_;
   Ranks& ranks_;
   const Members& members_;
-  VertexNumbers numbers_in_excerpt_;  ///< of the vertices that the first rank has inserted in an excerpt
+  /// Of the vertices that the first rank has inserted in an excerpt, before the division and at the end.
+  VertexNumbers numbers_before_division_, numbers_in_excerpt_;
+  std::vector<std::pair<VertexId, int>> fetched_markers_;
   std::vector<std::vector<VertexId>> asked_numbers_, asked_data_;  ///< for each rank: what it is asked about
   VertexData data_;
 };
 
-/// Numbers the vertices that all ranks have in common. Returns how many they are.
+/// Numbers the vertices from before the division, but the points of the input. Returns how many vertices there are then.
 std::uint64_t Collector::number_common() {
-  const auto inputs = static_cast<Index>(domain_.input_of_vertex.size());
-  Index begin = inputs;
-  std::uint64_t next = inputs;
+  const auto before_division = distribution_.inserted_before_division();
+  std::uint64_t next = distribution_.inputs();
+  for (const Name name : before_division) numbers_before_division_.add({name.id, name.id + 1}, next++);
+  numbers_before_division_.settle();
+  next = distribution_.inputs() + share_of_rank(before_division.size(), ranks_).all;
+  Index begin = distribution_.known_inputs();
+  if (begin >= distribution_.common_vertices()) return next;
   const auto number_until = [&](Index end) {
     data_.numbers.add({begin, end}, next);
     next += end - begin;
@@ -89,7 +97,7 @@ void Collector::number_own() {
   const ShareOfRank share = share_of_rank(inserted, ranks_);
   data_.count = next + share.all;
   next += share.before;
-  data_.first = ranks_.rank() == 0 ? domain_.input_of_vertex.size() : next;
+  data_.first = ranks_.rank() == 0 ? distribution_.inputs() : next;
   for (const auto& each : insertions) {
     data_.numbers.add(each.vertices, next);
     next += each.vertices.size();
@@ -104,13 +112,15 @@ void Collector::number_own() {
 
 /// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of the first segment
 /// with a marker on which the vertex lies. If there is none, it is 1 on the boundary and 0 elsewhere.
-std::vector<Reason> Collector::reasons_for_markers(std::span<const int> input_markers) const {
+std::vector<Reason> Collector::reasons_for_markers() const {
   std::vector<Reason> reasons;
   const auto add = [&](VertexId v, Index rank, int marker) {
     if (members_.owns_vertex(v)) reasons.push_back({v, rank, marker});
   };
-  for (VertexId v = 0; !input_markers.empty() && v < domain_.input_of_vertex.size(); ++v)
-    if (const int given = input_markers[domain_.input_of_vertex[v]]; given != 0) add(v, 0, given);
+  for (VertexId v = 0; v < distribution_.known_inputs(); ++v)
+    if (const int given = distribution_.input_point(v).marker; given != 0) add(v, 0, given);
+  for (const auto& [v, given] : fetched_markers_)
+    if (given != 0) add(v, 0, given);
   for (const EdgeRef e : members_.constrained_sides()) {
     const Slot& slot = t_.slot(e);
     const VertexId a = slot.from(e.side()), b = slot.to(e.side());
@@ -127,8 +137,34 @@ std::vector<Reason> Collector::reasons_for_markers(std::span<const int> input_ma
   return reasons;
 }
 
-void Collector::mark_own(std::span<const int> input_markers) {
-  std::vector<Reason> reasons = reasons_for_markers(input_markers);
+/// Asks for the markers of input points that this rank owns, but about which another one knows.
+void Collector::fetch_markers() {
+  if (!distribution_.lacks_markers()) return;
+  std::vector<std::vector<VertexId>> asked(ranks_.count());
+  std::vector<std::vector<Index>> ids(ranks_.count()), markers(ranks_.count());
+  for (const VertexId v : distribution_.part().vertices_of_others()) {
+    const Name name = distribution_.part().name_of_vertex(v);
+    if (t_.origin[v] != input_vertex || !members_.owns_vertex(v)) continue;
+    asked[Name::rank_of(name.creator)].push_back(v);
+    ids[Name::rank_of(name.creator)].push_back(name.id);
+  }
+  const auto questions = exchange_lists(ids, ranks_);
+  std::vector<std::vector<int>> answers(ranks_.count());
+  for (int rank = 0; rank < ranks_.count(); ++rank)
+    for (const Index id : questions[rank]) {
+      if (id >= distribution_.known_inputs()) throw Reader::does_not_match();
+      answers[rank].push_back(distribution_.input_point(id).marker);
+    }
+  const auto arrived = exchange_lists(answers, ranks_);
+  for (int rank = 0; rank < ranks_.count(); ++rank) {
+    if (arrived[rank].size() != asked[rank].size()) throw Reader::does_not_match();
+    for (std::size_t i = 0; i < asked[rank].size(); ++i)
+      fetched_markers_.emplace_back(asked[rank][i], arrived[rank][i]);
+  }
+}
+
+void Collector::mark_own() {
+  std::vector<Reason> reasons = reasons_for_markers();
   std::ranges::sort(reasons, [](const Reason& a, const Reason& b) { return a.v != b.v ? a.v < b.v : a.rank < b.rank; });
   for (const Reason& reason : reasons)
     if (data_.markers.empty() || data_.markers.back().v != reason.v) data_.markers.push_back({reason.v, reason.marker});
@@ -174,7 +210,11 @@ Ranks::Bytes Collector::question_to(int rank) const {
 
 std::uint64_t Collector::number_of(Name name) const {
   const bool is_own = name.creator == Name::rank(ranks_.rank());
-  const VertexNumbers& numbers = is_own ? data_.numbers : numbers_in_excerpt_;
+  if (is_own && name.id < distribution_.known_inputs()) return distribution_.input_point(name.id).number;
+  const bool is_of_excerpt = name.creator == Name::rank(ranks_.count());
+  const VertexNumbers& numbers = is_own          ? data_.numbers
+                                 : is_of_excerpt ? numbers_in_excerpt_
+                                                 : numbers_before_division_;
   if (!numbers.has(name.id)) throw Reader::does_not_match();
   return numbers.of(name.id);
 }
@@ -231,11 +271,11 @@ void Collector::ask_others() {
 
 }  // namespace
 
-VertexData vertex_data(const DomainTriangulation& domain, const Distribution& distribution, const Members& members,
-                       std::span<const int> input_markers) {
+VertexData vertex_data(const DomainTriangulation& domain, const Distribution& distribution, const Members& members) {
   Collector collector(domain, distribution, members);
   collector.number_own();
-  collector.mark_own(input_markers);
+  collector.fetch_markers();
+  collector.mark_own();
   collector.find_pieces();
   collector.ask_others();
   return collector.take();

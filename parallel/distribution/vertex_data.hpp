@@ -34,8 +34,8 @@ struct VertexData {
   std::uint64_t count = 0;  ///< the number of points of the whole mesh
 };
 
-/// Collective. `input_markers`: per input point, or empty.
+/// Collective.
 [[nodiscard]] VertexData vertex_data(const DomainTriangulation& domain, const Distribution& distribution,
-                                     const Members& members, std::span<const int> input_markers);
+                                     const Members& members);
 
 }  // namespace pardel::engine

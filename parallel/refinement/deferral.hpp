@@ -20,6 +20,9 @@ struct Deferred {
       : triangle(what),
         key(static_cast<std::uint16_t>(a.key)),
         longest(static_cast<std::uint16_t>(BucketQueue::key(a.longest_squared))) {}
+  /// With keys that another rank has computed.
+  Deferred(QueuedTriangle what, std::uint16_t its_key, std::uint16_t its_longest)
+      : triangle(what), key(its_key), longest(its_longest) {}
 };
 
 /// The rule by which a pass defers triangles. It defers a triangle to a finer lattice if the longest side or the

@@ -6,6 +6,7 @@
 #include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
 #include "../criteria/parts.hpp"
+#include "estimates.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -16,7 +17,7 @@ constexpr double triangles_per_input_triangle = 1.7;
 }  // namespace
 
 InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
-                             const Threads& threads) {
+                             const Threads& threads, const std::function<bool(TriangleId)>& is_counted) {
   const std::size_t count = t.slots.size();
   const std::size_t blocks = block_count(count);
   std::vector<TriangleEstimates> estimates(blocks);
@@ -27,14 +28,15 @@ InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, c
     LocalHints hints;
     for (std::size_t id = first; id < last; ++id) {
       const auto triangle = static_cast<TriangleId>(id);
+      if (is_counted && !is_counted(triangle)) continue;
       const Shape shape(t, t.slots[triangle]);
       double wanted = 0;
       visit_parts(shape, divisions, [&](const Shape& part) {
         wanted += criteria.triangles_wanted(part, assessor.region_of(triangle), hints);
       });
-      estimates[block].without_angle_bound += std::max(triangles_per_input_triangle, wanted);
-      estimates[block].with_angle_bound += std::max(criteria.triangles_by_shape(), wanted);
-      estimates[block].lower_bound += criteria.triangles_needed(shape, assessor.region_of(triangle));
+      estimates[block].without_angle_bound += estimate(std::max(triangles_per_input_triangle, wanted));
+      estimates[block].with_angle_bound += estimate(std::max(criteria.triangles_by_shape(), wanted));
+      estimates[block].lower_bound += estimate_below(criteria.triangles_needed(shape, assessor.region_of(triangle)));
       const Assessment a = assessor.assess(triangle, shape, hints);
       if (a.need != Assessment::Need::nothing) bad[block].push_back({assessor.entry(triangle, a), a});
       if (a.left_alone) left_alone[block] = 1;

@@ -1,6 +1,8 @@
 // The assessment of all triangles before the refinement begins.
 #pragma once
 
+#include <functional>
+
 #include "../../core/array.hpp"
 #include "../concurrency/lattice.hpp"
 #include "../concurrency/threads.hpp"
@@ -21,9 +23,11 @@ struct InitialAssessment {
   bool left_alone = false;  ///< a triangle breaks the goal, but it may not or cannot be split
 };
 
-/// Assesses all triangles. Precondition: all their indices are in use. O(n).
+/// Assesses the triangles for which is_counted(id) is true, or all if it is empty. Precondition: the indices of these are
+/// in use. O(n).
 [[nodiscard]] InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
-                                           const Threads& threads);
+                                           const Threads& threads,
+                                           const std::function<bool(TriangleId)>& is_counted = {});
 
 /// The expected number of triangles in the cell of the lattice in which an average triangle of the final mesh will lie,
 /// divided by the average over all cells: 1 if the work is even. Precondition: all indices of triangles are in use.

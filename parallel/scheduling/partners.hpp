@@ -3,16 +3,26 @@
 
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "phase.hpp"
 
 namespace pardel::engine {
 
+/// Triangles that wait on this rank: for the next pass, and for a larger box.
+struct Waiting {
+  std::vector<Deferred> deferred;
+  std::vector<QueuedTriangle> needing_larger_box;
+};
+
 /// Connects the refinement of this rank with that of the other ranks (ranks.hpp). The coarse levels are refined by
 /// every rank alike. Then the mesh is divided. From then on, every rank runs the tasks of the cells that it owns, on
 /// the part of the mesh around them, and the ranks exchange what they changed after every phase. All functions but
-/// is_at_home(), is_first() and ranks() are collective. They throw Stopped if the run has to end.
+/// is_at_home(), is_first(), ranks() and begins_in_parts() are collective. They throw Stopped if the run has to end.
+///
+/// If the mesh begins in parts, no rank ever has all of it. Each rank assesses its part. One rank refines the coarse
+/// levels, in an excerpt of the mesh. Then the mesh is divided anew.
 class Partners {
  public:
   Partners() = default;
@@ -23,8 +33,11 @@ class Partners {
   /// Divides the finest tiles among the ranks, by `work` per cell, and removes from the mesh what this rank need not
   /// hold. Precondition: all ranks have the same mesh.
   virtual void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) = 0;
-  /// After divide(): true if this rank has to process the triangle. For each triangle, true on one rank.
+  /// After divide(), or from begin() on: true if this rank has to process the triangle. For each triangle, true on one
+  /// rank.
   [[nodiscard]] virtual bool is_at_home(TriangleId id) const = 0;
+
+  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
 
   /// True on one rank.
   [[nodiscard]] virtual bool is_first() const = 0;
@@ -51,6 +64,32 @@ class Partners {
   /// them, and calls `refine`; if this throws NotHeld, it gets more and starts again. All ranks then take over the
   /// changes. `rest`: the triangles of this rank.
   virtual void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) = 0;
+
+  // If the mesh begins in parts:
+
+  /// To be called first. The indices of all vertices and triangles are in use.
+  virtual void begin(PhaseRunner& /*runner*/) {}
+  /// True if the slot contains a triangle.
+  [[nodiscard]] virtual bool holds(TriangleId /*id*/) const { return true; }
+  [[nodiscard]] virtual Box bounds_of_all(const Box& here) { return here; }
+  /// Replaces each value by the largest one of all ranks.
+  virtual void take_largest(std::span<double> /*values*/) {}
+  /// Refines the coarse levels in an excerpt. Returns what waits there for finer levels, or for a larger box.
+  using RefineCoarse = std::function<Waiting(const Excerpt& excerpt, std::vector<TriangleId>& changed)>;
+  /// Refines the coarse levels on one rank, which gets the triangles in the cells that the due ones cover and around
+  /// them; if `refine` throws NotHeld, it gets more and starts again. All ranks take over the changes. Returns what now
+  /// waits on this rank in addition. `finest`: the finest tiles; `due`: the triangles of this rank that coarse levels
+  /// have to split.
+  [[nodiscard]] virtual Waiting refine_coarse(const Tiles& /*finest*/, std::span<const Deferred> /*due*/,
+                                              const RefineCoarse& /*refine*/) {
+    return {};
+  }
+  /// divide() for a mesh that begins in parts. Triangles move to the ranks that hold them from now on, and waiting ones
+  /// to those where they are at home. Returns those that wait on this rank.
+  [[nodiscard]] virtual Waiting divide_anew(const Tiles& /*tiles*/, std::span<const double> /*work*/,
+                                            PhaseRunner& /*runner*/, Waiting&& waiting) {
+    return std::move(waiting);
+  }
 
   /// Called at the end, before the runner is destroyed.
   virtual void finish() = 0;

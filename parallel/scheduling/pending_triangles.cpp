@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "../concurrency/parallel_arrays.hpp"
@@ -27,15 +28,20 @@ void PendingTriangles::bring_back() {
   deferred_ = std::exchange(set_aside_, {});
 }
 
-unsigned PendingTriangles::median_key() const {
-  std::vector<std::size_t> count(BucketQueue::last + 1, 0);
+std::vector<std::uint64_t> PendingTriangles::count_keys() const {
+  std::vector<std::uint64_t> count(BucketQueue::last + 1, 0);
   SparseAsk ask(threads_.stop);
   for (const Deferred& d : deferred_) {
     ask();
     ++count[d.key];
   }
+  return count;
+}
+
+unsigned PendingTriangles::median_key(std::span<const std::uint64_t> counts) {
+  const std::uint64_t half = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) / 2;
   unsigned key = 0;
-  for (std::size_t up_to = count[0]; up_to <= deferred_.size() / 2 && key < BucketQueue::last;) up_to += count[++key];
+  for (std::uint64_t up_to = counts[0]; up_to <= half && key < BucketQueue::last;) up_to += counts[++key];
   return key;
 }
 

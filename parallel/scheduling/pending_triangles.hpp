@@ -8,6 +8,7 @@
 #include "../../core/array.hpp"
 #include "../concurrency/tiles.hpp"
 #include "../refinement/deferral.hpp"
+#include "partners.hpp"
 #include "phase.hpp"
 
 namespace pardel::engine {
@@ -26,6 +27,16 @@ class PendingTriangles {
       : t_(t), assessor_(assessor), threads_(threads) {}
 
   void defer(Array<Deferred> triangles) { deferred_ = std::move(triangles); }
+  /// Adds triangles to both lists.
+  void add(const Waiting& waiting) {
+    deferred_.append(waiting.deferred);
+    add_needing_larger_box(waiting.needing_larger_box);
+  }
+  /// The triangles of both lists, which are empty afterwards.
+  [[nodiscard]] Waiting take() {
+    const Array<Deferred> deferred = std::exchange(deferred_, {});
+    return {{deferred.begin(), deferred.end()}, take_needing_larger_box()};
+  }
   /// Adds the triangles that the tasks have deferred, in the order of the tasks.
   void defer_all_of(const std::vector<PlannedTask>& tasks);
   void add_needing_larger_box(std::span<const QueuedTriangle> triangles) {
@@ -42,8 +53,10 @@ class PendingTriangles {
   void set_aside(const Deferral& later);
   void bring_back();
 
-  /// The median of the keys of the deferred triangles, stale ones included.
-  [[nodiscard]] unsigned median_key() const;
+  /// The numbers of deferred triangles with each key, stale ones included.
+  [[nodiscard]] std::vector<std::uint64_t> count_keys() const;
+  /// The median of the keys, given their numbers.
+  [[nodiscard]] static unsigned median_key(std::span<const std::uint64_t> counts);
   /// For each cell, the median of the keys of the deferred triangles whose first corners lie in the cell.
   [[nodiscard]] std::vector<unsigned> median_keys(const Tiles& tiles) const;
   /// The work at each deferred triangle.

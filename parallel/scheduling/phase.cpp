@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../concurrency/parallel_for.hpp"
+#include "estimates.hpp"
 #include "partners.hpp"
 
 namespace pardel::engine {
@@ -15,13 +16,6 @@ namespace {
 
 /// So many seeds are examined sooner by one thread than by several, which have to be woken.
 constexpr std::size_t few_seeds = 10'000;
-
-/// Rounds an estimate to a multiple of 1/1024. Sums of such numbers are exact, so their order does not matter.
-constexpr double parts_of_estimate = 1024;
-double rounded(double triangles) {
-  constexpr double most = 1e9;
-  return std::round(std::min(triangles, most) * parts_of_estimate) / parts_of_estimate;
-}
 
 /// One vertex makes two triangles; a fifth is added as a reserve.
 constexpr double insertions_per_triangle = 0.6;
@@ -31,14 +25,6 @@ Index most_vertices(const Triangulation& t, const Options& options) {
   if (options.max_vertices == 0) return max_engine_triangles;
   return static_cast<Index>(
       std::clamp<std::uint64_t>(options.max_vertices, present, std::max<std::uint64_t>(present, max_engine_triangles)));
-}
-
-/// Adds the estimates of all ranks.
-void add_up(std::vector<double>& estimates, Partners& partners) {
-  std::vector<std::uint64_t> parts;
-  for (const double estimate : estimates) parts.push_back(static_cast<std::uint64_t>(estimate * parts_of_estimate));
-  partners.add_up(parts);
-  for (std::size_t i = 0; i < parts.size(); ++i) estimates[i] = static_cast<double>(parts[i]) / parts_of_estimate;
 }
 
 /// Estimates the largest number of points that can be inserted into an area to split the triangles that are not
@@ -104,7 +90,7 @@ std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, 
     }
   parallel_for(threads_, tasks.size(), [&](std::size_t i, int) { select_seeds(tasks[i], tiles); });
   if (partners_ != nullptr) {
-    add_up(wanted, *partners_);
+    add_up_estimates(wanted, *partners_);
     partners_->deliver(tasks);
   }
   for (PlannedTask& task : tasks) expect_insertions(task, tiles, later, wanted);
@@ -135,7 +121,7 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
       ask();
       if (seed.is_current(t_))
         wanted[cell] +=
-            rounded(criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()), hints));
+            estimate(criteria_.triangles_wanted(Shape(t_, t_.slots[seed.id()]), assessor_.region_of(seed.id()), hints));
     }
   });
   return wanted;

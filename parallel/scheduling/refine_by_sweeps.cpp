@@ -13,6 +13,7 @@
 #include "../triangulation/compact.hpp"
 #include "../triangulation/held.hpp"
 #include "../triangulation/radii.hpp"
+#include "estimates.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
 #include "partners.hpp"
@@ -68,13 +69,13 @@ class Refinement {
         progress_(progress) {}
 
   Status run() {
-    InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_);
+    const Box bounds = bounds_of_all();
+    InitialAssessment initial = assess();
     counts_.left_alone = initial.left_alone;
     pending_.defer(std::move(initial.bad));
     const double whole = initial.estimates.lower_bound + static_cast<double>(progress_.triangles_aside());
     const double needed = partners_ == nullptr ? whole : whole / partners_->ranks();
     if (Status fits = check_size(needed, options_); !fits) return fits;
-    const Box bounds = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, options_);
     progress_.start(initial.estimates.with_angle_bound, runner_.vertices().in_use(), runner_.triangles().in_use());
 
@@ -100,6 +101,26 @@ class Refinement {
   /// From coarse tiles to fine ones. References to the elements stay valid when levels are added.
   using Levels = std::deque<Tiles>;
 
+  [[nodiscard]] bool begins_in_parts() const { return partners_ != nullptr && partners_->begins_in_parts(); }
+
+  [[nodiscard]] Box bounds_of_all() {
+    const Box here = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
+    return begins_in_parts() ? partners_->bounds_of_all(here) : here;
+  }
+
+  [[nodiscard]] InitialAssessment assess() {
+    if (!begins_in_parts()) return assess_all(t_, criteria_, assessor_, threads_);
+    partners_->begin(runner_);
+    InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_, [&](TriangleId id) {
+      return partners_->holds(id) && partners_->is_at_home(id);
+    });
+    TriangleEstimates& e = initial.estimates;
+    std::array sums{e.without_angle_bound, e.with_angle_bound, e.lower_bound};
+    add_up_estimates(sums, *partners_);
+    e = {sums[0], sums[1], sums[2]};
+    return initial;
+  }
+
   [[nodiscard]] bool prefers_quadtree(const Lattice& finest) const {
     if (options_.decomposition == Decomposition::quadtree || options_.decomposition == Decomposition::paper_quadtree)
       return true;
@@ -113,7 +134,8 @@ class Refinement {
     for (const Lattice& lattice : lattice_levels(bounds, finest)) levels.emplace_back(lattice);
     go_down(levels);
     lay_finest(bounds, levels);
-    const Deferral shorter_half{.last_key = pending_.median_key()};
+    const Deferral shorter_half{.last_key = median_key()};
+    pending_.add(std::exchange(waiting_, {}));
     if (partners_ != nullptr) divide(levels.back());
     refine_on_finest(levels.back(), shorter_half);
     go_up(levels);
@@ -189,15 +211,61 @@ class Refinement {
   /// lengths, and no triangle is taken out.)
   void go_down(const Levels& levels) {
     pending_.set_aside(short_enough_for(*levels.back().lattice()));
+    if (begins_in_parts())
+      go_down_in_excerpt(levels);
+    else
+      refine_coarse_levels(levels);
+    pending_.bring_back();
+  }
+
+  void refine_coarse_levels(const Levels& levels) {
     for (std::size_t level = 0; level + 1 < levels.size(); ++level)
       refine_due(levels[level], short_enough_for(*levels[level + 1].lattice()));
-    pending_.bring_back();
+  }
+
+  /// What waits afterwards is added to the pending triangles when the median of the keys is known: for the median, it
+  /// counts on the rank that has refined.
+  void go_down_in_excerpt(const Levels& levels) {
+    const Waiting due = pending_.take();
+    waiting_ = partners_->refine_coarse(
+        levels.back(), due.deferred, [&](const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed) {
+          const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
+          Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, one, schedule_, watcher_, nullptr);
+          in_excerpt.defer_again(excerpt.fill(in_excerpt.runner_));
+          in_excerpt.changed_.emplace();
+          in_excerpt.refine_coarse_levels(levels);
+          counts_.add(in_excerpt.counts_);
+          keys_in_excerpt_ = in_excerpt.pending_.count_keys();
+          changed = *std::move(in_excerpt.changed_);
+          return in_excerpt.pending_.take();
+        });
+  }
+
+  /// Puts triangles into the list of deferred ones, as assess_all() does.
+  void defer_again(std::span<const QueuedTriangle> triangles) {
+    Array<Deferred> bad;
+    for (const QueuedTriangle triangle : triangles)
+      if (const Assessment a = assessor_.assess(triangle.id()); a.need != Assessment::Need::nothing)
+        bad.push_back({assessor_.entry(triangle.id(), a), a});
+    pending_.defer(std::move(bad));
+  }
+
+  [[nodiscard]] unsigned median_key() {
+    std::vector<std::uint64_t> counts = pending_.count_keys();
+    for (std::size_t key = 0; key < keys_in_excerpt_.size(); ++key) counts[key] += keys_in_excerpt_[key];
+    if (begins_in_parts()) partners_->add_up(counts);
+    return PendingTriangles::median_key(counts);
   }
 
   /// Measures the circumradii. With the paper's decomposition, widens the cells of the finest lattice to the size that
   /// the largest circumradius demands.
   void lay_finest(const Box& bounds, Levels& levels) {
-    const Radii largest = largest_radii(t_, runner_.triangles(), threads_);
+    Radii largest = largest_radii(t_, runner_.triangles(), threads_);
+    if (begins_in_parts()) {
+      std::array of_all{largest.radius, largest.ratio, largest.area};
+      partners_->take_largest(of_all);
+      largest = {of_all[0], of_all[1], of_all[2]};
+    }
     if (options_.decomposition == Decomposition::paper)
       levels.back() =
           Tiles(with_cells_at_least(Lattice::radii_per_side * largest.radius, bounds, *levels.back().lattice()));
@@ -215,6 +283,7 @@ class Refinement {
 
   /// From here on, each rank refines its own cells of the finest tiles. Each triangle that waits waits on one rank.
   void divide(const Tiles& finest) {
+    if (begins_in_parts()) return divide_anew(finest);
     // A cell without work takes some time and memory, too.
     std::vector<double> work(finest.cells(), 1);
     for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += each.triangles;
@@ -223,6 +292,16 @@ class Refinement {
     is_divided_ = true;
     if (!partners_->is_first()) counts_ = {};  // what all ranks have done alike counts once
     pending_.keep_if([&](TriangleId id) { return partners_->is_at_home(id); });
+  }
+
+  void divide_anew(const Tiles& finest) {
+    std::vector<double> work(finest.cells(), 0);
+    for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += estimate(each.triangles);
+    add_up_estimates(work, *partners_);
+    for (double& of_cell : work) of_cell += 1;
+    pending_.add(partners_->divide_anew(finest, work, runner_, pending_.take()));
+    runner_.set_partners(partners_);
+    is_divided_ = true;
   }
 
   /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels.
@@ -241,11 +320,8 @@ class Refinement {
       in_excerpt.pending_.add_needing_larger_box(excerpt.fill(in_excerpt.runner_));
       in_excerpt.changed_.emplace();
       in_excerpt.go_up(levels);
-      counts_.inserted += in_excerpt.counts_.inserted;
-      counts_.segment_splits += in_excerpt.counts_.segment_splits;
-      counts_.refused += in_excerpt.counts_.refused;
-      counts_.left_alone =
-          counts_.left_alone || in_excerpt.counts_.left_alone || in_excerpt.pending_.any_needs_larger_box();
+      counts_.add(in_excerpt.counts_);
+      counts_.left_alone = counts_.left_alone || in_excerpt.pending_.any_needs_larger_box();
       return *std::move(in_excerpt.changed_);
     });
   }
@@ -355,6 +431,8 @@ class Refinement {
   const Watcher& watcher_;
   Partners* partners_;
   bool is_divided_ = false;
+  Waiting waiting_;                             ///< what waits after go_down_in_excerpt()
+  std::vector<std::uint64_t> keys_in_excerpt_;  ///< of its deferred triangles, on the rank that has refined it
   std::optional<std::vector<TriangleId>> changed_;  ///< in an excerpt: the triangles made, with repetitions
   Assessor assessor_;
   Threads threads_;

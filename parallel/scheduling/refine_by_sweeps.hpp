@@ -38,6 +38,14 @@ struct RefineCounts {
   bool budget_reached = false;
   bool left_alone = false;  ///< false: no triangle of the result is exempt from the goal
   Tiling tiling;
+
+  /// Adds the counts of a refinement that was a part of this one.
+  void add(const RefineCounts& part) {
+    inserted += part.inserted;
+    segment_splits += part.segment_splits;
+    refused += part.refused;
+    left_alone = left_alone || part.left_alone;
+  }
 };
 
 /// Called with a copy of the triangulation after each sweep. An Error ends the refinement.
