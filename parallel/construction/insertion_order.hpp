@@ -33,9 +33,9 @@ class InsertionOrder {
     return rounds - 1 - std::min(rounds - 1, level);
   }
   /// A number that is greater for vertices that come later. Precondition: fewer than 2^61 points.
-  [[nodiscard]] std::uint64_t rank(VertexId v) const {
-    const std::uint64_t at = position(v);
-    return std::uint64_t{round_of(at)} << 61U | at;
+  [[nodiscard]] std::uint64_t rank(VertexId v) const { return rank_of(position(v)); }
+  [[nodiscard]] static std::uint64_t rank_of(std::uint64_t position) {
+    return std::uint64_t{round_of(position)} << 61U | position;
   }
 
  private:

@@ -15,6 +15,7 @@
 #include "../planning/supervised.hpp"
 #include "../scheduling/limits.hpp"
 #include "piece.hpp"
+#include "refine_in_ranks.hpp"
 
 namespace pardel {
 
@@ -81,21 +82,8 @@ class RunInRanks {
                                          Report report) {
     const Options resolved = resolvable(options_, domain.triangulation);
     Distribution distribution(ranks_, domain.triangulation, domain.input_of_vertex.span(), input.points.markers);
-    Result<RefineCounts> counts =
-        refine_by_sweeps(domain.triangulation, domain.segments, criteria, resolved, progress_, {}, {}, &distribution);
-    if (!counts) return counts.error();
-    report.refine_seconds = watch_.lap();
-    write_report(domain, criteria, resolved, std::move(*counts), threads_, report, [&](TriangleId id) {
-      return distribution.part().has(id) && distribution.owner_of_triangle(id) == ranks_.rank();
-    });
-    MeshPiece piece = make_piece(domain, distribution, std::move(input), report.exempt, threads_);
-    std::ranges::sort(report.exempt, {}, &Exemption::triangle);
-    const auto missed = std::ranges::count_if(report.exempt, [](const Exemption& e) { return !justified(e.reason); });
-    piece.missed = static_cast<std::uint64_t>(missed);
-    ranks_.add_up({&piece.missed, 1});
-    piece.seconds = watch_.lap();
-    piece.report = std::move(report);
-    return piece;
+    return refine_in_ranks(domain, distribution, criteria, resolved, progress_, std::move(input), std::move(report),
+                           watch_);
   }
 
   /// As refine_filled().

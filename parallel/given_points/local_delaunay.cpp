@@ -32,6 +32,12 @@ bool LocalDelaunay::has_own_corner(TriangleId id) const {
   return std::ranges::any_of(t_.slots[id].v, [&](VertexId v) { return v != ghost && is_own(v); });
 }
 
+VertexId LocalDelaunay::known(const Site& site) const {
+  if (is_own_position(site.position)) return static_cast<VertexId>(site.position - first_);
+  const auto at = others_.find(site.position);
+  return at != others_.end() ? at->second : no_index;
+}
+
 VertexId LocalDelaunay::vertex(const Site& site) {
   if (is_own_position(site.position)) return static_cast<VertexId>(site.position - first_);
   const auto [known, is_new] = others_.emplace(site.position, static_cast<VertexId>(t_.points.size()));

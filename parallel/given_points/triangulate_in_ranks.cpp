@@ -12,10 +12,8 @@
 #include "../planning/supervised.hpp"
 #include "../validate.hpp"
 #include "ask_others.hpp"
-#include "curve_division.hpp"
-#include "local_delaunay.hpp"
-#include "own_points.hpp"
 #include "piece_of_points.hpp"
+#include "triangulated_points.hpp"
 
 namespace pardel {
 
@@ -69,34 +67,42 @@ Status reason_for(const Error& failure, const LocalDelaunay& delaunay, const Own
   return refused({{ProblemKind::all_points_collinear, {}, known.empty() ? Point{} : known[0]}}, first_id);
 }
 
-Result<MeshPiece> triangulate_in_ranks(PartOfPoints&& read, Ranks& ranks, const Threads& threads) {
-  Stopwatch watch;
+}  // namespace
+
+Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& read, Ranks& ranks,
+                                                                 const Threads& threads) {
   const FirstId first_id = read.first_id;
   if (Status usable = agree_on_input(check_coordinates(read, threads), ranks); !usable) return usable.error();
-  const CurveDivision division = divide_along_curve(read.points, ranks);
+  CurveDivision division = divide_along_curve(read.points, ranks);
   OwnPoints own = send_to_owners(std::move(read), division, ranks, threads);
   const std::uint64_t first = own.first[ranks.rank()];
   const std::vector<Site> common = common_sites(own.at.span(), first, own.first.back(), ranks);
-  LocalDelaunay delaunay(Array<Point>(own.at.span()), first);
+  Array<Point> at = own.at;
+  // Not std::make_unique: the triangulation is made in its place, because it cannot be moved.
+  std::unique_ptr<TriangulatedPoints> result(
+      new TriangulatedPoints{std::move(division), std::move(own), {std::move(at), first}});
+  LocalDelaunay& delaunay = result->delaunay;
   const Status made = delaunay.triangulate(common, threads);
-  const Status fault = made ? made : reason_for(made.error(), delaunay, own, first_id, threads);
+  const Status fault = made ? made : reason_for(made.error(), delaunay, result->own, first_id, threads);
   if (Status all = agree_on_input(fault, ranks); !all) return all.error();
   if (!made) return made.error();
-  own.at = {};
-  ask_others(delaunay, division, ranks, threads);
-  const double triangulate_seconds = watch.lap();
-  MeshPiece piece = make_piece_of_points(delaunay, own, ranks, threads);
-  piece.mesh.first_id = first_id;
-  piece.report.triangulate_seconds = triangulate_seconds;
-  piece.seconds = watch.lap();
-  return piece;
+  result->own.at = {};
+  ask_others(delaunay, result->division, ranks, threads);
+  return result;
 }
 
-}  // namespace
-
 Result<MeshPiece> triangulate(PartOfPoints&& points, const Options& options, Ranks& ranks) {
-  return supervised(options, [&](const Options&, ProgressMonitor& progress) {
-    return triangulate_in_ranks(std::move(points), ranks, progress.threads());
+  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Result<MeshPiece> {
+    Stopwatch watch;
+    const FirstId first_id = points.first_id;
+    const Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(points), ranks, progress.threads());
+    if (!made) return made.error();
+    const double triangulate_seconds = watch.lap();
+    MeshPiece piece = make_piece_of_points((*made)->delaunay, (*made)->own, ranks, progress.threads());
+    piece.mesh.first_id = first_id;
+    piece.report.triangulate_seconds = triangulate_seconds;
+    piece.seconds = watch.lap();
+    return piece;
   });
 }
 

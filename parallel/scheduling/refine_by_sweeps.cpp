@@ -227,6 +227,7 @@ class Refinement {
   /// counts on the rank that has refined.
   void go_down_in_excerpt(const Levels& levels) {
     const Waiting due = pending_.take();
+    RefineCounts in_last_excerpt;  // an excerpt that was too small does not count
     waiting_ = partners_->refine_coarse(
         levels.back(), due.deferred, [&](const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed) {
           const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
@@ -234,11 +235,12 @@ class Refinement {
           in_excerpt.defer_again(excerpt.fill(in_excerpt.runner_));
           in_excerpt.changed_.emplace();
           in_excerpt.refine_coarse_levels(levels);
-          counts_.add(in_excerpt.counts_);
+          in_last_excerpt = in_excerpt.counts_;
           keys_in_excerpt_ = in_excerpt.pending_.count_keys();
           changed = *std::move(in_excerpt.changed_);
           return in_excerpt.pending_.take();
         });
+    counts_.add(in_last_excerpt);
   }
 
   /// Puts triangles into the list of deferred ones, as assess_all() does.
@@ -313,6 +315,7 @@ class Refinement {
 
   void go_up_in_excerpt(const Levels& levels) {
     const std::vector<QueuedTriangle> rest = pending_.take_needing_larger_box();
+    RefineCounts in_last_excerpt;  // an excerpt that was too small does not count
     partners_->refine_rest(rest, [&](const Partners::Excerpt& excerpt) {
       // On one thread: tasks on several would all write to the triangle that stands for those beyond the excerpt.
       const Threads one(1, threads_.stop);
@@ -320,10 +323,11 @@ class Refinement {
       in_excerpt.pending_.add_needing_larger_box(excerpt.fill(in_excerpt.runner_));
       in_excerpt.changed_.emplace();
       in_excerpt.go_up(levels);
-      counts_.add(in_excerpt.counts_);
-      counts_.left_alone = counts_.left_alone || in_excerpt.pending_.any_needs_larger_box();
+      in_last_excerpt = in_excerpt.counts_;
+      in_last_excerpt.left_alone = in_last_excerpt.left_alone || in_excerpt.pending_.any_needs_larger_box();
       return *std::move(in_excerpt.changed_);
     });
+    counts_.add(in_last_excerpt);
   }
 
   void refine_due(const Tiles& tiles, const Deferrals& later) {

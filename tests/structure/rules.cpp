@@ -81,6 +81,7 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/planning", 9, "pardel::engine"},
       {"parallel", "parallel/distribution", 10, "pardel::engine"},
       {"parallel", "parallel/given_points", 10, "pardel::engine"},
+      {"parallel", "parallel/divided_points", 11, "pardel::engine"},
       {"properties/domains", "properties/domains/generators/lattice", 0, "pardel::generators"},
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
       {"properties/checker", "properties/checker/model", 1, "pardel::checker"},

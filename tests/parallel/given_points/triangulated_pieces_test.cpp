@@ -11,33 +11,12 @@
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "../distribution/whole_of_pieces.hpp"
 #include "../samples.hpp"
+#include "part_of_rank.hpp"
 
 namespace pardel {
 namespace {
 
 using properties::on_ranks;
-
-/// What a rank reads of the points: parts that differ in size, the last one without points if there are many ranks.
-PartOfPoints part_of(const Pslg& pslg, const Ranks& ranks) {
-  const std::size_t n = pslg.points.size(), k = pslg.attributes_per_point;
-  const auto bound = [&](int rank) {
-    return std::min(n, n * static_cast<std::size_t>(rank * rank) / static_cast<std::size_t>(ranks.count()));
-  };
-  const std::size_t first = bound(ranks.rank()), last = ranks.rank() + 1 == ranks.count() ? n : bound(ranks.rank() + 1);
-  PartOfPoints part;
-  const auto slice = [&](const auto& all, std::size_t each) {
-    using List = std::remove_cvref_t<decltype(all)>;
-    if (all.empty()) return List{};
-    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(each * i); };
-    return List(at(first), at(last));
-  };
-  part.first = first;
-  part.points = slice(pslg.points, 1);
-  part.point_markers = slice(pslg.point_markers, 1);
-  part.attributes_per_point = k;
-  part.point_attributes = slice(pslg.point_attributes, k);
-  return part;
-}
 
 std::vector<MeshPiece> pieces_of(const Pslg& pslg, int count, int threads = 1) {
   std::vector<MeshPiece> pieces(static_cast<std::size_t>(count));
@@ -47,12 +26,6 @@ std::vector<MeshPiece> pieces_of(const Pslg& pslg, int count, int threads = 1) {
     pieces[ranks.rank()] = std::move(*piece);
   });
   return pieces;
-}
-
-Pslg with_points(std::vector<Point> points) {
-  Pslg pslg;
-  pslg.points = std::move(points);
-  return pslg;
 }
 
 Pslg with_data() {

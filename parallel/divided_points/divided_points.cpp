@@ -1,0 +1,223 @@
+#include "divided_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../core/support/collective.hpp"
+#include "../../core/support/exchange_lists.hpp"
+#include "../../core/support/point_order.hpp"
+#include "../triangulation/held.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// A triangle that waits, on its way to another rank.
+struct TravellingEntry {
+  enum class Kind : std::uint32_t { deferred, needs_larger_box };
+  Name triangle;
+  std::uint16_t key = 0, longest = 0;
+  Kind kind = Kind::deferred;
+};
+
+/// Calls visit(cell) for the cells that the triangle may meet.
+template <class Visit>
+void for_each_cell_of(const Lattice& lattice, const std::array<Point, 3>& p, const Visit& visit) {
+  const auto [low_x, high_x] = std::minmax({p[0].x, p[1].x, p[2].x});
+  const auto [low_y, high_y] = std::minmax({p[0].y, p[1].y, p[2].y});
+  const Index first = lattice.cell_of({low_x, low_y}), last = lattice.cell_of({high_x, high_y});
+  const Index columns = lattice.columns();
+  for (Index row = first / columns; row <= last / columns; ++row)
+    for (Index column = first % columns; column <= last % columns; ++column) {
+      const Index cell = row * columns + column;
+      // The cell is on the outer side of one of the lines through the sides, if all its corners are.
+      const Point centre = lattice.centre_of(cell);
+      const double half_width = 0.5 * lattice.width(), half_height = 0.5 * lattice.height();
+      const bool is_outside = std::ranges::any_of(std::array{0, 1, 2}, [&](int i) {
+        const Point a = p[static_cast<std::size_t>(i)], b = p[static_cast<std::size_t>((i + 1) % 3)];
+        const double dx = b.x - a.x, dy = b.y - a.y;
+        const double side = dx * (centre.y - a.y) - dy * (centre.x - a.x);
+        const double rounding = 0x1p-40 * (std::abs(dx) * (std::abs(centre.y) + std::abs(a.y)) +
+                                           std::abs(dy) * (std::abs(centre.x) + std::abs(a.x)));
+        return side + std::abs(dx) * half_height + std::abs(dy) * half_width < -rounding;
+      });
+      if (!is_outside) visit(cell);
+    }
+}
+
+std::array<Point, 3> corners_of(const Triangulation& t, TriangleId id) {
+  const auto& v = t.slots[id].v;
+  return {t.points[v[0]], t.points[v[1]], t.points[v[2]]};
+}
+
+/// Chooses the cells that touch chosen ones, too. Returns whether all cells are chosen.
+bool enlarge(const Tiles& tiles, std::vector<char>& chosen) {
+  const std::vector<char> before = chosen;
+  for (Index cell = 0; cell < tiles.cells(); ++cell)
+    if (before[cell] != 0)
+      for (const Index other : tiles.touching(cell)) chosen[other] = 1;
+  return std::ranges::count(chosen, 0) == 0;
+}
+
+}  // namespace
+
+void DividedPoints::begin(PhaseRunner& runner) {
+  part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), HeldPart::Common{start_.hull, 0});
+  for (const auto& [v, name] : start_.named_vertices) part_->name_vertex(v, name);
+  for (const auto& [id, name] : start_.named_triangles) part_->name_triangle(id, name);
+  for (const EdgeRef side : start_.cut) part_->cut(side);
+  has_markers_ = sum_of(start_.marker.empty() ? 0 : 1, ranks_) > 0;
+}
+
+int DividedPoints::home_before(TriangleId id, const Triangulation& t) const {
+  const auto& v = t.slots[id].v;
+  return owner_before(*std::ranges::min_element(v,
+                                                [&](VertexId a, VertexId b) {
+                                                  return lexicographically_less(t.points[a], t.points[b]);
+                                                }),
+                      t);
+}
+
+bool DividedPoints::is_held_before(int rank, const Triangulation& t, TriangleId id) const {
+  return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return owner_before(v, t) == rank; });
+}
+
+bool DividedPoints::is_at_home(TriangleId id) const {
+  return ownership_ ? Distribution::is_at_home(id) : home_before(id, t_) == ranks_.rank();
+}
+
+Box DividedPoints::bounds_of_all(const Box& here) {
+  Box all = empty_box;
+  for (const Box& box : concatenated(lists_of_all(std::vector{here}, ranks_))) all.cover(box);
+  return all;
+}
+
+void DividedPoints::take_largest(std::span<double> values) {
+  for (const std::vector<double>& of_rank : lists_of_all(std::vector(values.begin(), values.end()), ranks_))
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], of_rank[i]);
+}
+
+std::vector<TriangleId> DividedPoints::home_triangles_in(const Tiles& tiles, std::span<const char> chosen) const {
+  std::vector<TriangleId> found;
+  part_->for_each_triangle([&](TriangleId id) {
+    if (home_before(id, t_) != ranks_.rank()) return;
+    bool is_in = false;
+    for_each_cell_of(*tiles.lattice(), corners_of(t_, id), [&](Index cell) { is_in = is_in || chosen[cell] != 0; });
+    if (is_in) found.push_back(id);
+  });
+  return found;
+}
+
+Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferred> due, const RefineCoarse& refine) {
+  std::vector<Name> own_names;
+  std::vector<std::uint64_t> covered(finest.cells(), 0);
+  for (const Deferred& each : due) {
+    own_names.push_back(part_->name_of(each.triangle.id()));
+    for_each_cell_of(*finest.lattice(), corners_of(t_, each.triangle.id()), [&](Index cell) { covered[cell] = 1; });
+  }
+  const std::vector<Name> names = concatenated(lists_of_all(own_names, ranks_));
+  if (names.empty()) return {};
+  ranks_.add_up(covered);
+  std::vector<char> chosen(finest.cells(), 0);
+  for (Index cell = 0; cell < finest.cells(); ++cell) chosen[cell] = covered[cell] > 0 ? 1 : 0;
+
+  std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
+  Waiting waiting;
+  const std::uint32_t creator = Name::rank(ranks_.count() + 1);  // no rank
+  const ExcerptWork work{
+      creator, names,
+      [&](const Excerpt& excerpt) {
+        std::vector<TriangleId> changed;
+        waiting = refine(excerpt, changed);
+        return changed;
+      },
+      [&](int rank, const Triangulation& t, TriangleId id) { return is_held_before(rank, t, id); },
+      [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
+        for (const VertexId v : inserted) inserted_before_division_.push_back(part.name_of_vertex(v));
+        for (const Deferred& d : waiting.deferred)
+          if (d.triangle.is_current(t))
+            entries[home_before(d.triangle.id(), t)].push_back({part.name_of(d.triangle.id()), d.key, d.longest});
+        for (const QueuedTriangle triangle : waiting.needing_larger_box)
+          if (triangle.is_current(t))
+            entries[home_before(triangle.id(), t)].push_back(
+                {part.name_of(triangle.id()), 0, 0, TravellingEntry::Kind::needs_larger_box});
+      }};
+  std::vector<Writer> messages(ranks_.count());
+  for (unsigned reach = 1;; reach *= 2) {
+    bool is_all = false;
+    for (unsigned step = 0; step < (reach + 1) / 2; ++step) is_all = enlarge(finest, chosen);
+    std::vector<Writer> parts(ranks_.count());
+    const std::vector<TriangleId> found = home_triangles_in(finest, chosen);
+    if (!found.empty()) part_->write(found, {}, parts[0]);
+    const std::vector<Ranks::Bytes> excerpt = exchange(parts);
+    std::uint64_t is_done = 0;
+    if (ranks_.rank() == 0 && work_in_excerpt(excerpt, work, messages)) is_done = 1;
+    ranks_.add_up({&is_done, 1});
+    if (is_done != 0) break;
+    if (is_all) throw NotHeld{};
+  }
+  receive(exchange(messages));
+
+  Waiting here;
+  for (const TravellingEntry& entry : concatenated(exchange_lists(entries, ranks_))) {
+    const TriangleId id = part_->triangle(entry.triangle);
+    if (id == no_index) throw Reader::does_not_match();
+    const QueuedTriangle triangle = QueuedTriangle::now(t_, EdgeRef(id, 0));
+    if (entry.kind == TravellingEntry::Kind::deferred)
+      here.deferred.emplace_back(triangle, entry.key, entry.longest);
+    else
+      here.needing_larger_box.push_back(triangle);
+  }
+  return here;
+}
+
+Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& /*runner*/,
+                                   Waiting&& waiting) {
+  set_owners(ownership_of(tiles, work));
+  std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
+  const auto send = [&](QueuedTriangle triangle, TravellingEntry entry) {
+    if (!triangle.is_current(t_)) return;
+    entry.triangle = part_->name_of(triangle.id());
+    entries[owner_of(t_.slots[triangle.id()].v[0])].push_back(entry);
+  };
+  for (const Deferred& d : waiting.deferred) send(d.triangle, {{}, d.key, d.longest});
+  for (const QueuedTriangle triangle : waiting.needing_larger_box)
+    send(triangle, {{}, 0, 0, TravellingEntry::Kind::needs_larger_box});
+  waiting = {};
+
+  std::vector<std::vector<TriangleId>> leaving(static_cast<std::size_t>(ranks_.count()));
+  part_->for_each_triangle([&](TriangleId id) {
+    if (home_before(id, t_) != ranks_.rank()) return;
+    std::vector<int> holders;
+    for (const VertexId v : t_.slots[id].v)
+      for (const int rank : ownership_->near(cell_of(v)))
+        if (rank != ranks_.rank() && ownership_->watches(rank, t_.points[v]) &&
+            std::ranges::find(holders, rank) == holders.end())
+          holders.push_back(rank);
+    for (const int rank : holders) leaving[rank].push_back(id);
+  });
+  std::vector<Writer> messages(ranks_.count());
+  for (int rank = 0; rank < ranks_.count(); ++rank)
+    if (!leaving[rank].empty()) part_->write(leaving[rank], {}, messages[rank]);
+  leaving = {};
+  receive(exchange(messages));
+  std::vector<TriangleId> not_held;
+  part_->for_each_triangle([&](TriangleId id) {
+    if (!is_held_by(ranks_.rank(), t_, id)) not_held.push_back(id);
+  });
+  for (const TriangleId id : not_held) part_->drop(id);
+  part_->sew();
+
+  Waiting here;
+  for (const TravellingEntry& entry : concatenated(exchange_lists(entries, ranks_))) {
+    const TriangleId id = part_->triangle(entry.triangle);
+    if (id == no_index || !part_->holds(id)) throw Reader::does_not_match();
+    const QueuedTriangle triangle = QueuedTriangle::now(t_, EdgeRef(id, 0));
+    if (entry.kind == TravellingEntry::Kind::deferred)
+      here.deferred.emplace_back(triangle, entry.key, entry.longest);
+    else
+      here.needing_larger_box.push_back(triangle);
+  }
+  return here;
+}
+
+}  // namespace pardel::engine

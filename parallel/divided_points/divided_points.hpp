@@ -1,0 +1,52 @@
+// The part of one rank in a refinement that begins with points divided among ranks.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "../distribution/distribution.hpp"
+#include "../given_points/curve_division.hpp"
+#include "part_of_domain.hpp"
+
+namespace pardel::engine {
+
+/// The Partners of such a refinement. Until the finest tiles are divided, a rank holds the triangles with a corner that
+/// it owns by the division of the points; a triangle is at home where its least corner is owned.
+class DividedPoints : public Distribution {
+ public:
+  /// `part` has to outlive the object. Its triangulation is refined.
+  DividedPoints(Ranks& ranks, PartOfDomain& part, const CurveDivision& division)
+      : Distribution(ranks, part.domain.triangulation), start_(part), division_(division) {}
+
+  [[nodiscard]] bool begins_in_parts() const override { return true; }
+  void begin(PhaseRunner& runner) override;
+  [[nodiscard]] bool holds(TriangleId id) const override { return part_->holds(id); }
+  [[nodiscard]] bool is_at_home(TriangleId id) const override;
+  [[nodiscard]] Box bounds_of_all(const Box& here) override;
+  void take_largest(std::span<double> values) override;
+  [[nodiscard]] Waiting refine_coarse(const Tiles& finest, std::span<const Deferred> due,
+                                      const RefineCoarse& refine) override;
+  [[nodiscard]] Waiting divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner,
+                                    Waiting&& waiting) override;
+
+  [[nodiscard]] Index known_inputs() const override { return static_cast<Index>(start_.number.size()); }
+  [[nodiscard]] InputPoint input_point(VertexId v) const override {
+    return {start_.number[v], start_.marker.empty() ? 0 : start_.marker[v]};
+  }
+  [[nodiscard]] std::uint64_t inputs() const override { return start_.points; }
+  [[nodiscard]] bool lacks_markers() const override { return has_markers_; }
+
+ private:
+  [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }
+  [[nodiscard]] int home_before(TriangleId id, const Triangulation& t) const;
+  [[nodiscard]] bool is_held_before(int rank, const Triangulation& t, TriangleId id) const;
+  /// The triangles that are at home here and meet a chosen cell.
+  [[nodiscard]] std::vector<TriangleId> home_triangles_in(const Tiles& tiles, std::span<const char> chosen) const;
+
+  PartOfDomain& start_;
+  const CurveDivision& division_;
+  bool has_markers_ = false;  ///< on any rank
+};
+
+}  // namespace pardel::engine

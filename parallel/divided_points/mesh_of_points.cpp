@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "../../core/support/stopwatch.hpp"
+#include "../conversion/least_min_edge.hpp"
+#include "../distributed.hpp"
+#include "../distribution/refine_in_ranks.hpp"
+#include "../given_points/triangulated_points.hpp"
+#include "../mesher.hpp"
+#include "../planning/run_plan.hpp"
+#include "../planning/supervised.hpp"
+#include "divided_points.hpp"
+#include "part_of_domain.hpp"
+
+namespace pardel {
+
+using namespace engine;
+
+namespace {
+
+Result<MeshPiece> mesh_of(PartOfPoints&& points, const Goal& goal, const Options& options, ProgressMonitor& progress,
+                          Ranks& ranks) {
+  Stopwatch watch;
+  Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(points), ranks, progress.threads());
+  if (!made) return made.error();
+  PartOfDomain part = part_of_domain((*made)->delaunay, (*made)->own, ranks, progress.threads());
+  const CurveDivision division = (*made)->division;
+  made->reset();
+  DividedPoints distribution(ranks, part, division);
+  Options resolved = options;
+  std::array least_edge{least_min_edge(part.domain.triangulation.points.span())};
+  distribution.take_largest(least_edge);
+  resolved.min_edge = std::max(resolved.min_edge, least_edge[0]);
+  Report report;
+  report.triangulate_seconds = watch.lap();
+  const Criteria criteria(goal, placement_for(goal, options, false), {});
+  return refine_in_ranks(part.domain, distribution, criteria, resolved, progress, {}, std::move(report), watch);
+}
+
+}  // namespace
+
+bool can_divide_points(const Goal& goal, const Options& options) {
+  const bool same_everywhere = !goal.size && goal.sources.empty() && goal.grading == INFINITY && goal.feature_edges == 0;
+  const bool on_lattice = options.decomposition == Decomposition::automatic ||
+                          options.decomposition == Decomposition::lattice ||
+                          options.decomposition == Decomposition::none;
+  return same_everywhere && on_lattice && options.interior == Interior::refine && options.max_vertices == 0 &&
+         !options.after_sweep && !options.before_refinement;
+}
+
+Result<MeshPiece> mesh(PartOfPoints&& points, const Goal& goal, const Options& options, Ranks& ranks) {
+  if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
+  if (!can_divide_points(goal, options))
+    return Error{ErrorKind::usage,
+                 "points that are divided among ranks need bounds that are the same everywhere, a lattice, and an "
+                 "interior that is refined"};
+  if (points.attributes_per_point > 0)
+    return Error{ErrorKind::usage, "points that are divided among ranks must not have attributes"};
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+    return mesh_of(std::move(points), goal, safe, progress, ranks);
+  });
+}
+
+}  // namespace pardel

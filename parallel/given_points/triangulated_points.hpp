@@ -1,0 +1,27 @@
+// The triangulation of given points, divided among ranks.
+#pragma once
+
+#include <memory>
+
+#include "../../core/part_of_points.hpp"
+#include "../../core/ranks.hpp"
+#include "../../core/result.hpp"
+#include "../concurrency/threads.hpp"
+#include "curve_division.hpp"
+#include "local_delaunay.hpp"
+#include "own_points.hpp"
+
+namespace pardel::engine {
+
+/// What a rank has of it. All triangles with an own corner are those of the triangulation of all points.
+struct TriangulatedPoints {
+  CurveDivision division;
+  OwnPoints own;  ///< without the coordinates, which are in the triangulation
+  LocalDelaunay delaunay;
+};
+
+/// Uses up the points. Collective; faults of the input are errors on all ranks alike.
+[[nodiscard]] Result<std::unique_ptr<TriangulatedPoints>> triangulated(PartOfPoints&& read, Ranks& ranks,
+                                                                       const Threads& threads);
+
+}  // namespace pardel::engine
