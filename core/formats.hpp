@@ -33,9 +33,10 @@ namespace pardel {
 /// Reads a .poly from `text`; messages use `name` as the file name. A .poly whose points are in a .node is an error.
 [[nodiscard]] Result<Pslg> parse_poly(std::string_view text, const std::string& name);
 
-/// Reads the part of this rank of a .node: about an equal part of its bytes. Collective; all ranks see the same regular
-/// file. All ranks return the error of the first rank that failed, with its line.
-[[nodiscard]] Result<PartOfPoints> read_part_of_points(const std::filesystem::path& node, Ranks& ranks);
+/// Reads the part of this rank of the points in a .node, or in a .poly without segments, holes and regions: about an
+/// equal part of the bytes. Collective; all ranks see the same regular file. Empty, on all ranks, for any other .poly.
+/// All ranks return the error of the first rank that failed, with its line.
+[[nodiscard]] Result<std::optional<PartOfPoints>> read_part_of_points(const std::filesystem::path& file, Ranks& ranks);
 
 /// base: the number of the first vertex in Triangle's files, 0 or 1.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);

@@ -19,6 +19,7 @@ class Job {
 
   [[nodiscard]] MpiRanks& ranks() { return ranks_; }
   [[nodiscard]] bool is_first() const { return ranks_.rank() == 0; }
+  [[nodiscard]] int count() const { return ranks_.count(); }
   /// The processors of this machine, or those of its quota, divided by the number of ranks on it; not more than those
   /// to which this process is bound; at least 1.
   [[nodiscard]] int threads_per_rank() const { return threads_per_rank_; }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,16 +101,39 @@ Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& psl
   return Done{};
 }
 
+/// Writes the only piece of this rank. Collective.
+Result<Made> written(const Arguments& arguments, const MeshPiece& piece, const Pslg& pslg, Job& job) {
+  Made made;
+  made.add(piece);
+  const Stopwatch watch;
+  if (Status done = write(arguments, piece, pslg, job); !done) return done.error();
+  made.seconds.write = watch.seconds();
+  return made;
+}
+
 /// One piece per rank.
 Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
   const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
   if (!piece) job.abort(piece.error());
-  Made made;
-  made.add(*piece);
-  const Stopwatch watch;
-  if (Status written = write(arguments, *piece, input.domain.pslg(), job); !written) return written.error();
-  made.seconds.write = watch.seconds();
-  return made;
+  return written(arguments, *piece, input.domain.pslg(), job);
+}
+
+/// True if no rank needs the whole input, if this has only points.
+bool may_divide_points(const Arguments& arguments, const Job& job) {
+  const std::filesystem::path suffix = arguments.input.extension();
+  return (suffix == ".node" || suffix == ".poly") && job.count() > 1 && arguments.pieces == 0 &&
+         arguments.goal.sizes.empty() && !arguments.goal.regions &&
+         can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
+}
+
+/// One piece per rank, of points of which each rank has a part.
+Result<Made> make_of_points(const Arguments& arguments, PartOfPoints&& points, Job& job) {
+  const Result<MeshPiece> piece =
+      mesh(std::move(points), goal_without_sizes(arguments.goal), arguments.options, job.ranks());
+  if (!piece && piece.error().kind == ErrorKind::invalid_input)  // on all ranks
+    return Error{ErrorKind::invalid_input, arguments.input.string() + ": " + piece.error().message};
+  if (!piece) job.abort(piece.error());
+  return written(arguments, *piece, {}, job);
 }
 
 /// Each piece is written before the rank makes the next one.
@@ -137,19 +161,35 @@ Status check_arguments(Arguments& arguments, int rank) {
   return set_cells(arguments.cells, arguments.options);
 }
 
+Result<Made> make(const Arguments& arguments, Job& job) {
+  const Stopwatch watch;
+  if (may_divide_points(arguments, job)) {
+    Result<std::optional<PartOfPoints>> points = read_part_of_points(arguments.input, job.ranks());
+    if (!points) return points.error();
+    if (*points && (*points)->attributes_per_point == 0) {
+      const double read_seconds = watch.seconds();
+      Result<Made> made = make_of_points(arguments, std::move(**points), job);
+      if (made) made->seconds.read = read_seconds;
+      return made;
+    }
+  }
+  const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
+  if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();
+  const double read_seconds = watch.seconds();
+  Result<Made> made =
+      arguments.pieces > 0 ? make_in_turn(arguments, *input, job) : make_together(arguments, *input, job);
+  if (made) made->seconds.read = read_seconds;
+  return made;
+}
+
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
   if (Status fine = job.agree(check_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
-  const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
-  if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();
-  const double read_seconds = watch.seconds();
-  Result<Made> made =
-      arguments.pieces > 0 ? make_in_turn(arguments, *input, job) : make_together(arguments, *input, job);
+  Result<Made> made = make(arguments, job);
   if (!made) return made.error();
-  made->seconds.read = read_seconds;
   made->seconds.all = watch.seconds();
   print(*made, "refine", arguments.options.threads, arguments.outputs, arguments.quiet, job);
   if (made->missed == 0) return ExitCode::done;

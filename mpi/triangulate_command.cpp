@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ using namespace cli;
 
 constexpr const char* triangulate_footer =
     R"(The triangulation is that of 'pardel triangle -c' for the same points, on any number of ranks and threads. No rank
-has all points: each reads a part of IN.node, triangulates the points that it owns, and asks the others about the
+has all points: each reads a part of IN, triangulates the points that it owns, and asks the others about the
 triangles at its border. The edges of the convex hull are constrained edges.
 
 Output: as for 'pardel-mpi mesh'.
@@ -38,7 +39,9 @@ struct TriangulateArguments {
 };
 
 void add_triangulate_options(CLI::App& app, TriangulateArguments& arguments) {
-  app.add_option("IN.node", arguments.input, "The points; all ranks see the file")->required()->type_name("");
+  app.add_option("IN", arguments.input, "The points: .node, or .poly without segments; all ranks see the file")
+      ->required()
+      ->type_name("");
   app.add_option("-o,--output", arguments.outputs,
                  "The triangles to write (required); the suffix sets the format: .pvtu, .msh, .node;\n"
                  "may be repeated")
@@ -54,23 +57,22 @@ void add_triangulate_options(CLI::App& app, TriangulateArguments& arguments) {
   app.footer(triangulate_footer);
 }
 
-Status check_triangulate_arguments(const TriangulateArguments& arguments, int rank) {
-  if (arguments.input.extension() != ".node")
-    return Error{ErrorKind::usage, "the input " + arguments.input.string() + " must be a .node"};
-  return check_outputs(arguments.outputs, arguments.input, {}, rank);
-}
-
 Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_triangulate_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
+  if (Status fine = job.agree(check_outputs(arguments.outputs, arguments.input, {}, job.ranks().rank())); !fine)
+    return fine.error();
   const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(threads);
-  Result<PartOfPoints> points = read_part_of_points(arguments.input, job.ranks());
+  Result<std::optional<PartOfPoints>> points = read_part_of_points(arguments.input, job.ranks());
   if (!points) return points.error();
+  if (!*points)
+    return Error{ErrorKind::usage, arguments.input.string() +
+                                       ": it has segments, holes or regions, or no points of its "
+                                       "own; 'pardel-mpi mesh' reads it"};
   Made made;
   made.seconds.read = watch.seconds();
-  const Result<MeshPiece> piece = triangulate(std::move(*points), {.threads = threads}, job.ranks());
+  const Result<MeshPiece> piece = triangulate(std::move(**points), {.threads = threads}, job.ranks());
   if (!piece && piece.error().kind == ErrorKind::invalid_input)  // on all ranks
     return Error{ErrorKind::invalid_input, arguments.input.string() + ": " + piece.error().message};
   if (!piece) job.abort(piece.error());

@@ -1,5 +1,6 @@
-// Reads the points of a .node by several ranks, each of which reads a part of the file.
+// Reads points by several ranks, each of which reads a part of the file.
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -88,24 +89,25 @@ class PartReader {
  public:
   PartReader(const fs::path& file, Ranks& ranks) : file_(file), ranks_(ranks) {}
 
-  [[nodiscard]] Result<PartOfPoints> read() {
+  [[nodiscard]] Result<std::optional<PartOfPoints>> read() {
     if (Status text = agree_on_input(read_text(), ranks_); !text) return text.error();
     count();
     if (Status header = agree_on_input(read_header(), ranks_); !header) return header.error();
     share_header();
+    if (file_.extension() == ".poly" && !has_only_points()) return std::optional<PartOfPoints>();
     if (Status base = agree_on_input(read_base(), ranks_); !base) return base.error();
     share_base();
     if (Status points = agree_on_input(read_points(), ranks_); !points) return points.error();
-    return std::move(points_);
+    return std::optional(std::move(points_));
   }
 
  private:
   [[nodiscard]] Status read_text() {
     std::error_code unknown;
     if (!fs::is_regular_file(file_, unknown))
-      return Error{ErrorKind::io, file_.string() + (fs::exists(file_, unknown)
-                                                        ? ": only a regular file can be read by several ranks"
-                                                        : ": cannot be opened: No such file or directory")};
+      return Error{ErrorKind::io,
+                   file_.string() + (fs::exists(file_, unknown) ? ": only a regular file can be read by several ranks"
+                                                                : ": cannot be opened: No such file or directory")};
     const std::uint64_t size = fs::file_size(file_, unknown);
     if (unknown) return Error{ErrorKind::io, file_.string() + ": " + unknown.message()};
     const auto count = static_cast<std::uint64_t>(ranks_.count());
@@ -141,6 +143,24 @@ class PartReader {
     if (ranks_.rank() == with_header_) sent.push_back({header_.points, header_.attributes, header_.markers ? 1U : 0U});
     const SentHeader read = concatenated(lists_of_all(sent, ranks_)).front();
     header_ = {read.points, read.attributes, read.markers != 0};
+  }
+
+  /// True if the sections of segments, holes and regions are there and empty. (Regions may be missing.) The sections
+  /// are the records after those of the header and the points.
+  [[nodiscard]] bool has_only_points() {
+    constexpr std::size_t sections = 3;
+    std::array<std::uint64_t, sections> empty{}, present{};
+    TextReader ahead = *in_;
+    // The header has been read.
+    for (std::uint64_t record = std::max<std::uint64_t>(before_.records, 1); ahead.next_line(); ++record) {
+      if (record <= header_.points || record > header_.points + sections) continue;
+      const std::size_t section = record - header_.points - 1;
+      present[section] = 1;
+      empty[section] = ahead.word() == "0" ? 1 : 0;
+    }
+    ranks_.add_up(empty);
+    ranks_.add_up(present);
+    return header_.points > 0 && empty[0] == 1 && empty[1] == 1 && empty[2] == present[2];
   }
 
   /// The number of points before the end of a rank's part. The first record is the header.
@@ -200,6 +220,8 @@ class PartReader {
 
 }  // namespace
 
-Result<PartOfPoints> read_part_of_points(const fs::path& node, Ranks& ranks) { return PartReader(node, ranks).read(); }
+Result<std::optional<PartOfPoints>> read_part_of_points(const fs::path& file, Ranks& ranks) {
+  return PartReader(file, ranks).read();
+}
 
 }  // namespace pardel

@@ -78,8 +78,8 @@ void read_point(TextReader& line, const PointHeader& header, PointSet& set, std:
   return text_bytes(3 + header.attributes + (header.markers ? 1 : 0));
 }
 
-/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times. Returns the base: the number of the first point,
-/// 0 or 1. Returns 1 if there is no point.
+/// Reads `<point #> <x> <y> [attributes] [marker]`, header.points times. Returns the base: the number of the first
+/// point, 0 or 1. Returns 1 if there is no point.
 template <class PointSet>
 int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
   if (!in.room_for(header.points, bytes_of_point(header), "points")) return 1;

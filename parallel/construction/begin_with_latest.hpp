@@ -9,8 +9,8 @@
 
 namespace pardel::engine {
 
-/// Turns the triangles that do not begin with their latest corner, as they do if points are inserted one by one. Only the
-/// triangle of the first three points begins with the first one. So the first corner, on which the order of the
+/// Turns the triangles that do not begin with their latest corner, as they do if points are inserted one by one. Only
+/// the triangle of the first three points begins with the first one. So the first corner, on which the order of the
 /// refinement depends, follows from the points alone. `when(v)`: greater for later vertices.
 template <class When>
 void begin_with_latest(Triangulation& t, const std::array<VertexId, 3>& first_three, const When& when,
@@ -22,9 +22,8 @@ void begin_with_latest(Triangulation& t, const std::array<VertexId, 3>& first_th
     const auto first = when(slot.v[0]), second = when(slot.v[1]), third = when(slot.v[2]);
     return first > second ? (first > third ? 0 : 2) : (second > third ? 1 : 2);
   };
-  const Array<Index> others = indices_where(threads, t.slots.size(), [&](std::size_t id) {
-    return !t.slots[id].is_ghost() && beginning(t.slots[id]) != 0;
-  });
+  const Array<Index> others = indices_where(
+      threads, t.slots.size(), [&](std::size_t id) { return !t.slots[id].is_ghost() && beginning(t.slots[id]) != 0; });
   for (const TriangleId id : others) t.turn(id, beginning(t.slots[id]));
 }
 

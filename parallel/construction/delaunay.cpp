@@ -32,8 +32,7 @@ struct Rounds {
 Rounds in_rounds(std::size_t n, const InsertionOrder& insertion_order, const Threads& threads) {
   Rounds rounds;
   rounds.round = make_array(threads, n, [&](std::size_t v) {
-    return static_cast<std::uint8_t>(
-        InsertionOrder::round_of(insertion_order.position(static_cast<VertexId>(v))));
+    return static_cast<std::uint8_t>(InsertionOrder::round_of(insertion_order.position(static_cast<VertexId>(v))));
   });
   // First the number of points of each round in each block, then the position of the next of these points.
   std::vector<std::array<std::size_t, Rounds::count>> next(block_count(n));

@@ -201,15 +201,15 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
     cells.insert(cells.end(), more_cells.begin(), more_cells.end());
   }
 
-  const ExcerptWork work{
-      Name::rank(ranks_.count()), names, refine,
-      [&](int rank, const Triangulation& t, TriangleId id) { return is_held_by(rank, t, id); },
-      [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
-        std::vector<VertexId> by_place(inserted.begin(), inserted.end());
-        std::ranges::sort(by_place,
-                          [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); });
-        for (const VertexId v : by_place) inserted_in_excerpt_.push_back(part.name_of_vertex(v));
-      }};
+  const ExcerptWork work{Name::rank(ranks_.count()), names, refine,
+                         [&](int rank, const Triangulation& t, TriangleId id) { return is_held_by(rank, t, id); },
+                         [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
+                           std::vector<VertexId> by_place(inserted.begin(), inserted.end());
+                           std::ranges::sort(by_place, [&](VertexId a, VertexId b) {
+                             return lexicographically_less(t.points[a], t.points[b]);
+                           });
+                           for (const VertexId v : by_place) inserted_in_excerpt_.push_back(part.name_of_vertex(v));
+                         }};
   bool is_all = false;
   for (unsigned reach = 2;; reach *= 2) {
     const std::vector<Ranks::Bytes> excerpt = excerpt_around(cells, reach, is_all);

@@ -12,8 +12,8 @@ namespace pardel::engine {
 /// The Partners of a refinement. After the refinement, it tells which rank has which triangles.
 class Distribution : public Partners {
  public:
-  /// `t`: the triangulation that is refined. The others belong to the input: for each vertex that is an input point, its
-  /// number; the markers of these points, or empty.
+  /// `t`: the triangulation that is refined. The others belong to the input: for each vertex that is an input point,
+  /// its number; the markers of these points, or empty.
   Distribution(Ranks& ranks, Triangulation& t, std::span<const Index> input_of_vertex = {},
                std::span<const int> input_markers = {})
       : ranks_(ranks), t_(t), input_of_vertex_(input_of_vertex), input_markers_(input_markers) {}
@@ -86,7 +86,7 @@ class Distribution : public Partners {
   };
   /// What is done in an excerpt.
   struct ExcerptWork {
-    std::uint32_t creator;  ///< of what it inserts: no rank
+    std::uint32_t creator;        ///< of what it inserts: no rank
     std::span<const Name> names;  ///< of the triangles with which the work starts
     /// Returns the changed triangles, with repetitions.
     RefineExcerpt refine;

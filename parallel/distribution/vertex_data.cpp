@@ -63,7 +63,8 @@ class Collector {
   VertexData data_;
 };
 
-/// Numbers the vertices from before the division, but the points of the input. Returns how many vertices there are then.
+/// Numbers the vertices from before the division, but the points of the input. Returns how many vertices there are
+/// then.
 std::uint64_t Collector::number_common() {
   const auto before_division = distribution_.inserted_before_division();
   std::uint64_t next = distribution_.inputs();

@@ -70,10 +70,8 @@ void DividedPoints::begin(PhaseRunner& runner) {
 
 int DividedPoints::home_before(TriangleId id, const Triangulation& t) const {
   const auto& v = t.slots[id].v;
-  return owner_before(*std::ranges::min_element(v,
-                                                [&](VertexId a, VertexId b) {
-                                                  return lexicographically_less(t.points[a], t.points[b]);
-                                                }),
+  return owner_before(*std::ranges::min_element(
+                          v, [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); }),
                       t);
 }
 

@@ -43,7 +43,8 @@ Result<MeshPiece> mesh_of(PartOfPoints&& points, const Goal& goal, const Options
 }  // namespace
 
 bool can_divide_points(const Goal& goal, const Options& options) {
-  const bool same_everywhere = !goal.size && goal.sources.empty() && goal.grading == INFINITY && goal.feature_edges == 0;
+  const bool same_everywhere =
+      !goal.size && goal.sources.empty() && goal.grading == INFINITY && goal.feature_edges == 0;
   const bool on_lattice = options.decomposition == Decomposition::automatic ||
                           options.decomposition == Decomposition::lattice ||
                           options.decomposition == Decomposition::none;

@@ -70,7 +70,8 @@ class PartMaker {
         first_(own.first[ranks.rank()]) {}
 
   [[nodiscard]] PartOfDomain make() {
-    begin_with_latest(t_, FirstThree(delaunay_, ranks_).find(), [&](VertexId v) { return delaunay_.when(v); }, threads_);
+    begin_with_latest(
+        t_, FirstThree(delaunay_, ranks_).find(), [&](VertexId v) { return delaunay_.when(v); }, threads_);
     share_hull();
     number_triangles();
     number_vertices();
@@ -140,14 +141,14 @@ class PartMaker {
         }
         vertex_[v] = next++;
         others_.push_back(v);
-        part_.named_vertices.emplace_back(
-            vertex_[v], Name{Name::rank(own_.owner(position)), index_at_owner(position)});
+        part_.named_vertices.emplace_back(vertex_[v], Name{Name::rank(own_.owner(position)), index_at_owner(position)});
       }
   }
 
   void add_points() {
     Triangulation& t = part_.domain.triangulation;
-    const bool marked = !own_.marker.empty() || std::ranges::any_of(hull_, [](const HullVertex& v) { return v.marker != 0; });
+    const bool marked =
+        !own_.marker.empty() || std::ranges::any_of(hull_, [](const HullVertex& v) { return v.marker != 0; });
     for (const HullVertex& v : hull_) {
       t.points.push_back(v.at);
       part_.domain.input_of_vertex.push_back(static_cast<Index>(v.number));

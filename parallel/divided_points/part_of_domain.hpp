@@ -15,17 +15,17 @@
 
 namespace pardel::engine {
 
-/// The domain is the convex hull of the points of all ranks. The part of a rank has the triangles with a corner that the
-/// rank owns. The vertices of the hull are known to all ranks, because the segments of the domain join them: they come
-/// first, and have the same indices on all ranks. Then follow the rank's other points, then other corners of its
+/// The domain is the convex hull of the points of all ranks. The part of a rank has the triangles with a corner that
+/// the rank owns. The vertices of the hull are known to all ranks, because the segments of the domain join them: they
+/// come first, and have the same indices on all ranks. Then follow the rank's other points, then other corners of its
 /// triangles.
 struct PartOfDomain {
   DomainTriangulation domain;  ///< input_of_vertex has only the vertices of the hull
   Index hull = 0;              ///< the number of vertices of the hull
   /// Of the vertices of the hull, and then of the rank's others: their numbers and markers in the input.
   Array<std::uint64_t> number;
-  Array<int> marker;           ///< empty if points have no markers
-  std::uint64_t points = 0;    ///< of all ranks
+  Array<int> marker;         ///< empty if points have no markers
+  std::uint64_t points = 0;  ///< of all ranks
   // What other ranks have named:
   std::vector<std::pair<VertexId, Name>> named_vertices;
   std::vector<std::pair<TriangleId, Name>> named_triangles;

@@ -23,8 +23,8 @@ struct InitialAssessment {
   bool left_alone = false;  ///< a triangle breaks the goal, but it may not or cannot be split
 };
 
-/// Assesses the triangles for which is_counted(id) is true, or all if it is empty. Precondition: the indices of these are
-/// in use. O(n).
+/// Assesses the triangles for which is_counted(id) is true, or all if it is empty. Precondition: the indices of these
+/// are in use. O(n).
 [[nodiscard]] InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
                                            const Threads& threads,
                                            const std::function<bool(TriangleId)>& is_counted = {});

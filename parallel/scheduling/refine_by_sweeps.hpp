@@ -28,8 +28,8 @@
 #include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
-#include "progress_monitor.hpp"
 #include "phase.hpp"
+#include "progress_monitor.hpp"
 
 namespace pardel::engine {
 

@@ -21,11 +21,13 @@ Together read_by(int count, const std::filesystem::path& file) {
   std::vector<PartOfPoints> parts(static_cast<std::size_t>(count));
   std::vector<std::string> failures(static_cast<std::size_t>(count));
   properties::on_ranks(count, [&](Ranks& ranks) {
-    Result<PartOfPoints> part = read_part_of_points(file, ranks);
-    if (part)
-      parts[ranks.rank()] = std::move(*part);
-    else
+    Result<std::optional<PartOfPoints>> part = read_part_of_points(file, ranks);
+    if (!part)
       failures[ranks.rank()] = part.error().message;
+    else if (!*part)
+      failures[ranks.rank()] = "more than points";
+    else
+      parts[ranks.rank()] = **std::move(part);
   });
   Together all;
   all.failure = failures.front();
@@ -98,6 +100,25 @@ TEST(PartsOfNode, name_the_line_of_a_fault_as_one_reader_does) {
   expect_the_same(replaced(text, "\n77 ", "\n77 x"));
   expect_the_same(replaced(text, "  200 2", "  205 2"));
   expect_the_same(replaced(text, "200 2 1 1", "200 2 2 1"));
+}
+
+TEST(PartsOfPoly, are_read_if_it_has_only_points) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& after_points, int count) {
+    return read_by(count, folder.write("points.poly", many_points(1) + after_points));
+  };
+  for (const int count : {1, 2, 3, 8}) {
+    for (const std::string none : {"0 0\n0\n", "# segments\n0 1\n# holes\n0\n# regions\n0\n", "0\n0\n\n0\ntext\n"}) {
+      const Together together = read(none, count);
+      EXPECT_EQ(together.failure, "") << none;
+      const Result<Pslg> whole = read_pslg(folder / "points.poly");
+      EXPECT_EQ(together.points.points, whole->points) << none;
+      EXPECT_EQ(together.points.point_markers, whole->point_markers) << none;
+    }
+    for (const std::string more : {"1 0\n1 1 2\n0\n", "0 0\n1\n1 0.5 0.5\n", "0 0\n0\n1\n1 0.5 0.5 1\n", "0 0\n", ""})
+      EXPECT_EQ(read(more, count).failure, "more than points") << more;
+    EXPECT_EQ(read_by(count, folder.write("in_node.poly", "0 2 0 0\n0 0\n0\n")).failure, "more than points");
+  }
 }
 
 TEST(PartsOfNode, of_a_file_that_is_missing_or_no_regular_file_are_refused) {
