@@ -77,7 +77,7 @@ struct MeshPiece {
 /// numbers of the points in the pieces are those of the input. The triangulation depends neither on the number of ranks
 /// nor on which rank has read which points.
 ///
-/// Memory of a rank: its share of the points and triangles, the points of others beside its own, about 64 points per
+/// Memory of a rank: its share of the points and triangles, the points of others beside its own, about 8 points per
 /// rank from all over the plane, and some for the convex hull. Points that differ by less than 2^-16 of the extent of
 /// all points go to one rank.
 ///

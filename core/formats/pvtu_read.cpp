@@ -32,7 +32,8 @@ Result<Mesh> read_pvtu(const std::filesystem::path& file) {
   std::vector<NumberedMesh> pieces;
   for (const std::filesystem::path& source : *sources) {
     Result<NumberedMesh> piece = read_vtu_piece(source);
-    if (!piece) return piece.error();
+    // The list may name any file, so the message names the list, too.
+    if (!piece) return Error{piece.error().kind, file.string() + ": " + piece.error().message};
     pieces.push_back(std::move(*piece));
   }
   return join_read_pieces(std::move(pieces), file);

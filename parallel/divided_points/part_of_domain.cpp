@@ -10,18 +10,10 @@
 #include "../../core/support/point_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/begin_with_latest.hpp"
+#include "../given_points/shared_hull.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// A vertex of the convex hull. Its owner tells all ranks about it.
-struct HullVertex {
-  Point at;
-  std::uint64_t position, next;  ///< of the vertex, and of the next one around the hull, counter-clockwise
-  std::uint64_t number;
-  int marker;
-  int unused = 0;
-};
 
 /// Where a triangle is, on its way from the rank that names it.
 struct NamedTriangle {
@@ -67,12 +59,15 @@ class PartMaker {
         own_(own),
         ranks_(ranks),
         threads_(threads),
-        first_(own.first[ranks.rank()]) {}
+        first_(own.first[ranks.rank()]),
+        hull_(delaunay, own, ranks) {
+    part_.hull = static_cast<Index>(hull_.vertices().size());
+    part_.points = own.first.back();
+  }
 
   [[nodiscard]] PartOfDomain make() {
     begin_with_latest(
         t_, FirstThree(delaunay_, ranks_).find(), [&](VertexId v) { return delaunay_.when(v); }, threads_);
-    share_hull();
     number_triangles();
     number_vertices();
     add_points();
@@ -83,31 +78,6 @@ class PartMaker {
   }
 
  private:
-  void share_hull() {
-    std::vector<HullVertex> own;
-    for (const Slot& slot : t_.slots) {
-      if (!slot.is_ghost()) continue;
-      const unsigned corner = slot.corner_of(ghost);
-      const VertexId v = slot.to(corner), next = slot.from(corner);
-      if (delaunay_.is_own(v))
-        own.push_back({t_.points[v], delaunay_.site(v).position, delaunay_.site(next).position, own_.number[v],
-                       own_.marker.empty() ? 0 : own_.marker[v]});
-    }
-    hull_ = concatenated(lists_of_all(own, ranks_));
-    std::ranges::sort(hull_, {}, &HullVertex::position);
-    part_.hull = static_cast<Index>(hull_.size());
-    part_.points = own_.first.back();
-  }
-
-  /// The number of vertices of the hull before a position.
-  [[nodiscard]] Index hull_before(std::uint64_t position) const {
-    return static_cast<Index>(std::ranges::lower_bound(hull_, position, {}, &HullVertex::position) - hull_.begin());
-  }
-  [[nodiscard]] bool is_on_hull(std::uint64_t position) const {
-    const Index at = hull_before(position);
-    return at < hull_.size() && hull_[at].position == position;
-  }
-
   void number_triangles() {
     kept_ = indices_where(threads_, t_.slots.size(), [&](std::size_t id) {
       return !t_.slots[id].is_ghost() && delaunay_.has_own_corner(static_cast<TriangleId>(id));
@@ -119,7 +89,7 @@ class PartMaker {
   /// The index, on its owner, of a point that is not on the hull.
   [[nodiscard]] Index index_at_owner(std::uint64_t position) const {
     const std::uint64_t first = own_.first[own_.owner(position)];
-    const Index on_hull = hull_before(position) - hull_before(first);
+    const Index on_hull = hull_.before(position) - hull_.before(first);
     return part_.hull + static_cast<Index>(position - first) - on_hull;
   }
 
@@ -128,15 +98,15 @@ class PartMaker {
     Index next = part_.hull;
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const std::uint64_t position = first_ + v;
-      vertex_[v] = is_on_hull(position) ? hull_before(position) : next++;
+      vertex_[v] = hull_.has(position) ? hull_.before(position) : next++;
     }
     known_ = next;
     for (const Index id : kept_)
       for (const VertexId v : t_.slots[id].v) {
         if (vertex_[v] != no_index) continue;
         const std::uint64_t position = delaunay_.site(v).position;
-        if (is_on_hull(position)) {
-          vertex_[v] = hull_before(position);
+        if (hull_.has(position)) {
+          vertex_[v] = hull_.before(position);
           continue;
         }
         vertex_[v] = next++;
@@ -147,9 +117,9 @@ class PartMaker {
 
   void add_points() {
     Triangulation& t = part_.domain.triangulation;
-    const bool marked =
-        !own_.marker.empty() || std::ranges::any_of(hull_, [](const HullVertex& v) { return v.marker != 0; });
-    for (const HullVertex& v : hull_) {
+    const bool marked = !own_.marker.empty() ||
+                        std::ranges::any_of(hull_.vertices(), [](const HullVertex& v) { return v.marker != 0; });
+    for (const HullVertex& v : hull_.vertices()) {
       t.points.push_back(v.at);
       part_.domain.input_of_vertex.push_back(static_cast<Index>(v.number));
     }
@@ -157,8 +127,8 @@ class PartMaker {
     part_.number.resize_uninitialised(known_);
     if (marked) part_.marker.resize(known_, 0);
     for (Index i = 0; i < part_.hull; ++i) {
-      part_.number[i] = hull_[i].number;
-      if (marked) part_.marker[i] = hull_[i].marker;
+      part_.number[i] = hull_.vertices()[i].number;
+      if (marked) part_.marker[i] = hull_.vertices()[i].marker;
     }
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const Index at = vertex_[v];
@@ -168,12 +138,6 @@ class PartMaker {
     }
     for (std::size_t i = 0; i < others_.size(); ++i) t.points[known_ + i] = t_.points[others_[i]];
     t.origin = make_array(threads_, t.points.size(), [](std::size_t) { return input_vertex; });
-  }
-
-  /// True if the directed edge between two old vertices is one of the convex hull.
-  [[nodiscard]] bool is_hull_edge(VertexId from, VertexId to) const {
-    if (vertex_[from] >= part_.hull || vertex_[to] >= part_.hull) return false;
-    return hull_[vertex_[from]].next == hull_[vertex_[to]].position;
   }
 
   void add_triangles() {
@@ -188,7 +152,7 @@ class PartMaker {
         const EdgeRef across = old.n[k];
         if (place_[across.triangle()] != no_index)
           slot.n[k] = EdgeRef(place_[across.triangle()], across.side());
-        else if (!is_hull_edge(old.from(k), old.to(k)))
+        else if (!hull_.has_edge(delaunay_.site(old.from(k)).position, delaunay_.site(old.to(k)).position))
           part_.cut.emplace_back(static_cast<TriangleId>(i), k);
       }
     }
@@ -196,7 +160,7 @@ class PartMaker {
 
   void add_segments() {
     std::vector<Constraint> constraints;
-    for (Index i = 0; i < part_.hull; ++i) constraints.push_back({i, hull_before(hull_[i].next)});
+    for (Index i = 0; i < part_.hull; ++i) constraints.push_back({i, hull_.before(hull_.vertices()[i].next)});
     DomainTriangulation& domain = part_.domain;
     domain.input_segment.assign(constraints.size(), no_index);
     domain.segment_marker.assign(constraints.size(), 0);
@@ -245,7 +209,7 @@ class PartMaker {
   Ranks& ranks_;
   Threads threads_;
   std::uint64_t first_;  ///< the position of the first own point
-  std::vector<HullVertex> hull_;
+  SharedHull hull_;
   Array<Index> kept_, place_;  ///< the slots of the part's triangles; for each slot its new index, or no_index
   Array<Index> vertex_;        ///< for each old vertex its new index, or no_index
   Index known_ = 0;            ///< the number of vertices that are on the hull or own

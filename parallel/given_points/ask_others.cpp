@@ -154,7 +154,7 @@ class Asker {
 }  // namespace
 
 std::vector<Site> common_sites(std::span<const Point> own, std::uint64_t first, std::uint64_t all, Ranks& ranks) {
-  constexpr double sites_per_rank = 64, points_per_round = 16;
+  constexpr double sites_per_rank = 8, points_per_round = 16;
   std::size_t last_round = InsertionOrder::rounds - 1;
   for (double in_round = static_cast<double>(all); last_round > 0 && in_round > sites_per_rank * ranks.count();)
     in_round /= points_per_round, --last_round;

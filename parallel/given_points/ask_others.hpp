@@ -9,7 +9,7 @@
 namespace pardel::engine {
 
 /// Points that all ranks should know before they triangulate: enough that no rank has only collinear ones (unless all
-/// points are collinear), and about 64 per rank from all over the plane, so that circles at the border of a rank do not
+/// points are collinear), and about 8 per rank from all over the plane, so that circles at the border of a rank do not
 /// reach many other ranks. The result of the triangulation does not depend on their choice. Collective.
 [[nodiscard]] std::vector<Site> common_sites(std::span<const Point> own, std::uint64_t first, std::uint64_t all,
                                              Ranks& ranks);

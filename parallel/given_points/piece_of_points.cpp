@@ -9,6 +9,7 @@
 #include "../../core/support/point_order.hpp"
 #include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
+#include "shared_hull.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -23,7 +24,12 @@ struct TravellingVertex {
 class PieceMaker {
  public:
   PieceMaker(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks, const Threads& threads)
-      : delaunay_(delaunay), t_(delaunay.triangulation()), own_(own), ranks_(ranks), threads_(threads) {}
+      : delaunay_(delaunay),
+        t_(delaunay.triangulation()),
+        own_(own),
+        ranks_(ranks),
+        threads_(threads),
+        hull_(delaunay, own, ranks) {}
 
   [[nodiscard]] MeshPiece make() {
     triangle_ = numbered(indices_where(threads_, t_.slots.size(), [&](std::size_t id) {
@@ -31,7 +37,6 @@ class PieceMaker {
       return !slot.is_ghost() && owner_of_triangle(slot) == ranks_.rank();
     }));
     find_pieces();
-    mark_hull();
     number_vertices();
     add_vertices();
     ask_owners();
@@ -83,19 +88,10 @@ class PieceMaker {
     }
   }
 
-  /// The own vertices of the convex hull.
-  void mark_hull() {
-    is_on_hull_ = Array<char>::zeroes(delaunay_.own());
-    for (const Slot& slot : t_.slots) {
-      if (!slot.is_ghost()) continue;
-      for (const VertexId v : slot.v)
-        if (v != ghost && delaunay_.is_own(v)) is_on_hull_[v] = 1;
-    }
-  }
   /// As in a mesh of one process: the marker of the input or, if that is 0, 1 on the boundary.
   [[nodiscard]] int marker(VertexId v) const {
     const int given = own_.marker.empty() ? 0 : own_.marker[v];
-    return given != 0 ? given : is_on_hull_[v];
+    return given == 0 && hull_.has(delaunay_.site(v).position) ? 1 : given;
   }
 
   void number_vertices() {
@@ -204,9 +200,10 @@ class PieceMaker {
     for (const Slot& slot : t_.slots) {
       if (!slot.is_ghost()) continue;
       const unsigned corner = slot.corner_of(ghost);
+      const VertexId from = slot.to(corner), to = slot.from(corner);
       if (triangle_.place[slot.n[corner].triangle()] == no_index) continue;
-      piece_.mesh.constrained_edges.push_back(
-          {vertex_.place[slot.to(corner)], vertex_.place[slot.from(corner)], no_index, 1});
+      if (hull_.has_edge(delaunay_.site(from).position, delaunay_.site(to).position))
+        piece_.mesh.constrained_edges.push_back({vertex_.place[from], vertex_.place[to], no_index, 1});
     }
     std::ranges::sort(piece_.mesh.constrained_edges, {}, [](const ConstrainedEdge& e) { return std::pair(e.a, e.b); });
   }
@@ -237,9 +234,9 @@ class PieceMaker {
   const OwnPoints& own_;
   Ranks& ranks_;
   Threads threads_;
+  SharedHull hull_;
   Places triangle_, vertex_;
   std::map<VertexId, std::vector<int>> pieces_;  ///< the ranks of other pieces, ascending
-  Array<char> is_on_hull_;
   std::map<int, std::vector<Index>> shared_;
   MeshPiece piece_;
 };

@@ -1,0 +1,106 @@
+// Several ranks triangulate and mesh points that none of them has as a whole.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../../../core/digest.hpp"
+#include "../../../parallel/distributed.hpp"
+#include "../framework/local_ranks.hpp"
+#include "../framework/shares.hpp"
+#include "meshing.hpp"
+
+namespace pardel::properties {
+namespace {
+
+constexpr const char* point_families =
+    "points on lattices of 5 to 100,000 columns and rows, shuffled and dealt to two to six "
+    "ranks in parts of any size";
+
+/// Points on a lattice, which are not all on one line. On a small lattice most of them are cocircular with others.
+Pslg some_points(Exhibit& exhibit) {
+  const int side = *rc::gen::element(5, 12, 60, 100'000);
+  const auto places = *rc::gen::resize(300, rc::gen::container<std::vector<std::pair<int, int>>>(
+                                                rc::gen::pair(rc::gen::inRange(0, side), rc::gen::inRange(0, side))));
+  Pslg pslg;
+  std::set<std::pair<int, int>> seen;
+  for (const auto& place : places)
+    if (seen.insert(place).second) pslg.points.push_back({0.5 * place.first, 0.5 * place.second});
+  exhibit.show(pslg);
+  RC_PRE(find_problems(pslg).empty());
+  classify(side <= 12, "with many cocircular points", 20);
+  return pslg;
+}
+
+/// What each rank has read.
+std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
+  std::vector<std::size_t> begin{0};
+  for (int rank = 1; rank < ranks; ++rank) begin.push_back(*rc::gen::inRange<std::size_t>(0, pslg.points.size() + 1));
+  std::ranges::sort(begin);
+  begin.push_back(pslg.points.size());
+  std::vector<PartOfPoints> parts(static_cast<std::size_t>(ranks));
+  for (std::size_t rank = 0; rank < parts.size(); ++rank) {
+    parts[rank].first = begin[rank];
+    parts[rank].points.assign(pslg.points.begin() + static_cast<std::ptrdiff_t>(begin[rank]),
+                              pslg.points.begin() + static_cast<std::ptrdiff_t>(begin[rank + 1]));
+  }
+  return parts;
+}
+
+/// The ranks call make(part, ranks), and together have to get a mesh with the digest and size of this one.
+template <class Make>
+void require_together(const Mesh& whole, std::vector<PartOfPoints> parts, const Make& make) {
+  const int count = static_cast<int>(parts.size());
+  const bool with_delays = *rc::gen::inRange(0, 10) == 0;
+  std::vector<std::string> faults(parts.size());
+  on_ranks(
+      count,
+      [&](pardel::Ranks& ranks) {
+        const Result<MeshPiece> piece = make(std::move(parts[ranks.rank()]), ranks);
+        if (!piece)
+          faults[ranks.rank()] = piece.error().message;
+        else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size())
+          faults[ranks.rank()] = "another mesh";
+      },
+      with_delays ? 1 : 0);
+  for (const std::string& fault : faults) RC_ASSERT(fault == "");
+}
+
+PARDEL_PROPERTY(
+    GivenPoints, are_triangulated_as_by_one_process,
+    {.statement = "Ranks that each have read a part of the points, and that ask each other about the triangles "
+                  "at their borders, make the Delaunay triangulation of one process, also where points are "
+                  "cocircular.",
+     .source = "properties/THEORY.md, Given points",
+     .families = point_families}) {
+  const Pslg pslg = some_points(exhibit);
+  const Meshed whole = value_of(triangulate(pslg, true, {.threads = 1}));
+  require_together(whole.mesh, dealt(pslg, *rc::gen::inRange(2, 7)), [](PartOfPoints&& part, pardel::Ranks& ranks) {
+    return triangulate(std::move(part), {.threads = 1}, ranks);
+  });
+}
+
+PARDEL_PROPERTY(
+    GivenPoints, are_meshed_as_by_one_process,
+    {.statement = "Ranks that each have read a part of the points make the mesh of one process: for bounds on "
+                  "angles, areas and edges, on few and on many tiles.",
+     .source = "properties/THEORY.md, Given points",
+     .families = point_families}) {
+  const Pslg pslg = some_points(exhibit);
+  Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.0, 26.0)};
+  const int bound = *rc::gen::inRange(0, 3);
+  const double extent = std::ranges::max(pslg.points, {}, &Point::x).x + 1;
+  if (bound == 1) goal.max_area = extent * extent * *rc::gen::element(0.01, 0.001);
+  if (bound == 2) goal.max_edge = extent * *rc::gen::element(0.2, 0.05);
+  Options options{.threads = 1};
+  options.placement = *rc::gen::element(Placement::off_centre, Placement::circumcentre);
+  options.triangles_per_tile = *rc::gen::inRange(4U, 80U);
+  const Meshed whole = value_of(mesh(pslg, goal, options));
+  require_together(whole.mesh, dealt(pslg, *rc::gen::inRange(2, 7)), [&](PartOfPoints&& part, pardel::Ranks& ranks) {
+    return mesh(std::move(part), goal, options, ranks);
+  });
+}
+
+}  // namespace
+}  // namespace pardel::properties
