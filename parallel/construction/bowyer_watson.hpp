@@ -27,7 +27,7 @@ enum class Inserted : std::uint8_t {
 class BowyerWatson {
  public:
   /// `order` has to outlive the object.
-  BowyerWatson(Triangulation& t, const InsertionOrder& order) : t_(t), order_(order) {}
+  explicit BowyerWatson(Triangulation& t, const InsertionOrder& order = order_of_indices) : t_(t), order_(order) {}
 
   /// Sets the box, and the triangle at which the next point location starts: a non-ghost triangle whose three corners
   /// lie in the box.

@@ -291,7 +291,7 @@ Result<Delaunay> delaunay(std::span<const Point> points, const Threads& threads,
   result.input_of_vertex = hilbert_order(points, threads);
   Triangulation& t = result.triangulation;
   t.points = make_array(threads, points.size(), [&](std::size_t v) { return points[result.input_of_vertex[v]]; });
-  if (Status made = triangulate_points(t, InsertionOrder{}, threads, per_tile); !made) return made.error();
+  if (Status made = triangulate_points(t, order_of_indices, threads, per_tile); !made) return made.error();
   return result;
 }
 

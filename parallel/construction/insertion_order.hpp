@@ -52,9 +52,12 @@ class InsertionOrder {
   std::vector<std::uint64_t> others_;
 };
 
+/// The order if each vertex has its index as its position.
+inline const InsertionOrder order_of_indices;
+
 /// Does a fourth vertex lie in the circumdisk of a triangle if no four vertices are cocircular? If four are, the latest
 /// of them counts as outside the circle of the other three, as if its height on the paraboloid were increased by an
-/// amount that is tiny, but large compared with those of all earlier vertices (THEORY.md, Delaunay: cocircular points).
+/// amount that is tiny, but large compared with those of all earlier vertices (THEORY.md, Given points).
 /// `v`: the corners, counter-clockwise, none of them the ghost. No vertex is in the disk of a triangle that has a
 /// corner at the same place. Exact.
 [[nodiscard]] inline bool in_perturbed_circumdisk(const Triangulation& t, const std::array<VertexId, 3>& v,

@@ -12,8 +12,7 @@ namespace {
 
 struct Insertion {
   Triangulation t = samples::delaunay_of(samples::lattice_points(9));
-  InsertionOrder order;
-  BowyerWatson worker{t, order};
+  BowyerWatson worker{t};
 
   /// Inserts p in the box; the walk starts at a triangle near the corner (1, 1) of the lattice.
   Inserted insert(Point p, const Box& box) {
@@ -60,8 +59,7 @@ TEST(BowyerWatson, reports_a_point_that_is_a_vertex_of_the_hull_whatever_the_dir
     t.slots.resize(fresh + 2U);
     for (TriangleId start = 0; start < fresh; ++start) {
       if (t.slots[start].is_ghost()) continue;
-      const InsertionOrder order;
-      BowyerWatson worker(t, order);
+      BowyerWatson worker(t);
       worker.start(Box{}, start);
       EXPECT_EQ(worker.insert(static_cast<VertexId>(hull.size()), fresh), Inserted::duplicate) << p.x << ' ' << p.y;
     }
