@@ -2,7 +2,9 @@
 import hashlib
 import json
 import re
+import resource
 import shutil
+import signal
 import subprocess
 import time
 from pathlib import Path
@@ -40,13 +42,16 @@ def key(target, found):
     return hashlib.sha1(text.encode()).hexdigest()[:10]
 
 
-def replay(target, file, seconds=60):
-    """Runs one input. Returns the output of a failure, or None."""
+def replay(target, file, seconds=30):
+    """Runs one input, for up to so many seconds of processor time. Returns the output of a failure, or None."""
     command = [str(target.replay), str(file)]
+    limit = (resource.RLIMIT_CPU, (seconds, seconds))
     try:
-        ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds,
-                             env=programs.environment(), check=False)
-    except subprocess.TimeoutExpired:
+        ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20 * seconds,
+                             env=programs.environment(), check=False, preexec_fn=lambda: resource.setrlimit(*limit))
+    except subprocess.TimeoutExpired:  # it waits for something
+        return "ERROR: libFuzzer: timeout"
+    if ran.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return "ERROR: libFuzzer: timeout"
     return None if ran.returncode == 0 else ran.stdout.decode(errors="replace")
 
@@ -75,9 +80,12 @@ def smaller(data, target, fails, until):
 def record(target, artifact, output, folder, seconds):
     """Files a find below `folder`. Returns its entry, or None if one with the same verdict and stack is there.
 
-    If the replay program does not fail, the verdict is that of the fuzzer: the run depends on more than its input.
+    If the replay program does not fail, the verdict is that of the fuzzer: the run depends on more than its input. Only
+    a time-out of the fuzzer is then no find: it counts elapsed time, of which other work may have taken most.
     """
     again = replay(target, artifact)
+    if again is None and "timeout" in signature(output)["verdict"]:
+        return None
     found = signature(again if again is not None else output)
     name = key(target.name, found)
     place = Path(folder) / target.name / name

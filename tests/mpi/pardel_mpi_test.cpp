@@ -147,6 +147,57 @@ TEST_F(PardelMpi, writes_several_outputs_and_pieces_for_gmsh_that_pardel_reads) 
   EXPECT_EQ(drawn.exit_code, 0) << drawn;
 }
 
+TEST_F(PardelMpi, triangulates_points_that_no_rank_has_as_a_whole) {
+  const Pslg points = domains::random_points(4'000, 5);
+  ASSERT_TRUE(write_poly(points, folder_ / "work" / "points.poly"));
+  const Result<Meshed> whole = triangulate(points);
+  ASSERT_TRUE(whole);
+  std::map<std::string, std::string> expected;
+  for (const int ranks : {1, 2, 3, 5}) {
+    const Ran ran = on_ranks(ranks, {"triangulate", "points.poly", "-o", "out.pvtu", "-o", "out.node"});
+    ASSERT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(whole->mesh)), "mesh    4000 vertices, "})) << ran;
+    for (const char* file : {"out.node", "out.ele", "out.poly"})
+      EXPECT_TRUE(expected.try_emplace(file, read(file)).first->second == read(file)) << file << ranks;
+    const Ran checked = pardel({"check", "points.poly", "out.pvtu", "--min-angle", "0"});
+    EXPECT_EQ(checked.exit_code, 0) << checked;
+  }
+}
+
+TEST_F(PardelMpi, meshes_points_that_no_rank_has_as_a_whole) {
+  Pslg points = domains::random_points(4'000, 6);
+  for (int i = 0; i < 4'000; ++i) points.point_markers.push_back(i % 7);
+  ASSERT_TRUE(write_poly(points, folder_ / "work" / "points.poly"));
+  const Result<Meshed> whole = mesh(points, Goal{.min_angle_deg = 26});
+  ASSERT_TRUE(whole);
+  std::map<std::string, std::string> expected;
+  for (const auto& [ranks, threads] : {std::pair{1, "1"}, {2, "2"}, {3, "1"}, {5, "1"}}) {
+    const Ran ran = on_ranks(ranks, {"mesh", "points.poly", "-o", "out.pvtu", "-o", "out.node", "--min-angle", "26",
+                                     "--triangles-per-tile", "300", "--threads", threads});
+    ASSERT_EQ(ran.exit_code, 0) << ran;
+    for (const char* file : {"out.node", "out.ele", "out.poly"})
+      EXPECT_TRUE(expected.try_emplace(file, read(file)).first->second == read(file)) << file << ranks;
+    const Ran checked = on_ranks(2, {"check", "points.poly", "out.pvtu", "--min-angle", "26"});
+    EXPECT_EQ(checked.exit_code, 0) << checked;
+  }
+}
+
+TEST_F(PardelMpi, says_once_what_is_wrong_with_points) {
+  Pslg points = domains::random_points(500, 7);
+  points.points[420] = points.points[3];
+  ASSERT_TRUE(write_poly(points, folder_ / "work" / "points.poly"));
+  for (const char* command : {"triangulate", "mesh"}) {
+    const Ran ran = on_ranks(3, {command, "points.poly", "-o", "out.pvtu"});
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_TRUE(holds(ran.err, {"pardel-mpi: points.poly: Points 4 and 421 are both at"})) << ran;
+  }
+  const Ran segments = on_ranks(2, {"triangulate", "pipe.poly", "-o", "out.pvtu"});
+  EXPECT_EQ(segments.exit_code, 2) << segments;
+  EXPECT_TRUE(holds(segments.err, {"pipe.poly: it has segments"})) << segments;
+  EXPECT_EQ(on_ranks(2, {"triangulate", "missing.node", "-o", "out.pvtu"}).exit_code, 5);
+  EXPECT_EQ(files(), (Files{"pipe.poly", "points.poly"}));
+}
+
 TEST_F(PardelMpi, writes_pieces_of_a_filled_mesh_for_gmsh) {
   const std::vector<std::string> arguments{"mesh",       "pipe.poly", "-o",         "out.msh",
                                            "--max-area", "2e-4",      "--interior", "fill"};

@@ -389,6 +389,15 @@ TEST(Vtu, has_the_smallest_angle_of_triangles_that_are_turned) {
   }
 }
 
+/// A .pvtu may name any file, so the name of a piece alone would not tell what is wrong.
+TEST(Pvtu, is_named_if_a_piece_cannot_be_read) {
+  const TemporaryFolder folder;
+  const std::filesystem::path list = folder.write("list.pvtu", "<Piece Source=\"/no/such/piece.vtu\"/>");
+  const Result<Mesh> mesh = read_mesh(list);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().message, list.string() + ": /no/such/piece.vtu: cannot be opened: No such file or directory");
+}
+
 /// Earlier versions of write_vtu() stored the constrained edges as field data.
 TEST(Vtu, of_earlier_versions_has_constrained_edges_as_field_data) {
   const std::string data =
