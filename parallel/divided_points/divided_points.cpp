@@ -11,14 +11,6 @@
 namespace pardel::engine {
 namespace {
 
-/// A triangle that waits, on its way to another rank.
-struct TravellingEntry {
-  enum class Kind : std::uint32_t { deferred, needs_larger_box };
-  Name triangle;
-  std::uint16_t key = 0, longest = 0;
-  Kind kind = Kind::deferred;
-};
-
 /// Calls visit(cell) for the cells that the triangle may meet.
 template <class Visit>
 void for_each_cell_of(const Lattice& lattice, const std::array<Point, 3>& p, const Visit& visit) {
@@ -59,6 +51,29 @@ bool enlarge(const Tiles& tiles, std::vector<char>& chosen) {
 }
 
 }  // namespace
+
+/// A triangle that waits, on its way to another rank.
+struct DividedPoints::TravellingEntry {
+  enum class Kind : std::uint32_t { deferred, needs_larger_box };
+  Name triangle;
+  std::uint16_t key = 0, longest = 0;
+  Kind kind = Kind::deferred;
+};
+
+/// Sends the entries of list r to rank r. Returns what arrives here.
+Waiting DividedPoints::exchanged(const std::vector<std::vector<TravellingEntry>>& entries) {
+  Waiting here;
+  for (const TravellingEntry& entry : concatenated(exchange_lists(entries, ranks_))) {
+    const TriangleId id = part_->triangle(entry.triangle);
+    if (id == no_index || !part_->holds(id)) throw Reader::does_not_match();
+    const QueuedTriangle triangle = QueuedTriangle::now(t_, EdgeRef(id, 0));
+    if (entry.kind == TravellingEntry::Kind::deferred)
+      here.deferred.emplace_back(triangle, entry.key, entry.longest);
+    else
+      here.needing_larger_box.push_back(triangle);
+  }
+  return here;
+}
 
 void DividedPoints::begin(PhaseRunner& runner) {
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), HeldPart::Common{start_.hull, 0});
@@ -155,17 +170,7 @@ Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferr
   }
   receive(exchange(messages));
 
-  Waiting here;
-  for (const TravellingEntry& entry : concatenated(exchange_lists(entries, ranks_))) {
-    const TriangleId id = part_->triangle(entry.triangle);
-    if (id == no_index) throw Reader::does_not_match();
-    const QueuedTriangle triangle = QueuedTriangle::now(t_, EdgeRef(id, 0));
-    if (entry.kind == TravellingEntry::Kind::deferred)
-      here.deferred.emplace_back(triangle, entry.key, entry.longest);
-    else
-      here.needing_larger_box.push_back(triangle);
-  }
-  return here;
+  return exchanged(entries);
 }
 
 Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& /*runner*/,
@@ -205,17 +210,7 @@ Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> w
   for (const TriangleId id : not_held) part_->drop(id);
   part_->sew();
 
-  Waiting here;
-  for (const TravellingEntry& entry : concatenated(exchange_lists(entries, ranks_))) {
-    const TriangleId id = part_->triangle(entry.triangle);
-    if (id == no_index || !part_->holds(id)) throw Reader::does_not_match();
-    const QueuedTriangle triangle = QueuedTriangle::now(t_, EdgeRef(id, 0));
-    if (entry.kind == TravellingEntry::Kind::deferred)
-      here.deferred.emplace_back(triangle, entry.key, entry.longest);
-    else
-      here.needing_larger_box.push_back(triangle);
-  }
-  return here;
+  return exchanged(entries);
 }
 
 }  // namespace pardel::engine

@@ -38,6 +38,8 @@ class DividedPoints : public Distribution {
   [[nodiscard]] bool lacks_markers() const override { return has_markers_; }
 
  private:
+  struct TravellingEntry;
+  [[nodiscard]] Waiting exchanged(const std::vector<std::vector<TravellingEntry>>& entries);
   [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }
   [[nodiscard]] int home_before(TriangleId id, const Triangulation& t) const;
   [[nodiscard]] bool is_held_before(int rank, const Triangulation& t, TriangleId id) const;
