@@ -66,13 +66,15 @@ class Collector {
 /// Numbers the vertices from before the division, but the points of the input. Returns how many vertices there are
 /// then.
 std::uint64_t Collector::number_common() {
-  const auto before_division = distribution_.inserted_before_division();
   std::uint64_t next = distribution_.inputs();
-  for (const Name name : before_division) numbers_before_division_.add({name.id, name.id + 1}, next++);
-  numbers_before_division_.settle();
-  next = distribution_.inputs() + share_of_rank(before_division.size(), ranks_).all;
+  if (distribution_.begins_in_parts()) {
+    const auto before_division = distribution_.inserted_before_division();
+    for (std::size_t i = 0; i < before_division.size(); ++i)
+      numbers_before_division_.add({before_division[i].id, before_division[i].id + 1}, next + i);
+    numbers_before_division_.settle();
+    return next + share_of_rank(before_division.size(), ranks_).all;
+  }
   Index begin = distribution_.known_inputs();
-  if (begin >= distribution_.common_vertices()) return next;
   const auto number_until = [&](Index end) {
     data_.numbers.add({begin, end}, next);
     next += end - begin;

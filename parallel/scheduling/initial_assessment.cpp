@@ -5,8 +5,8 @@
 
 #include "../concurrency/parallel_arrays.hpp"
 #include "../concurrency/parallel_for.hpp"
+#include "../criteria/estimates.hpp"
 #include "../criteria/parts.hpp"
-#include "estimates.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -1,11 +1,13 @@
 // The other ranks of a run, as the refinement sees them.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "../criteria/estimates.hpp"
 #include "phase.hpp"
 
 namespace pardel::engine {
@@ -94,5 +96,13 @@ class Partners {
   /// Called at the end, before the runner is destroyed.
   virtual void finish() = 0;
 };
+
+/// Replaces the estimates by their sums over all ranks. Collective.
+inline void add_up_estimates(std::span<double> estimates, Partners& partners) {
+  std::vector<std::uint64_t> parts;
+  for (const double each : estimates) parts.push_back(static_cast<std::uint64_t>(each * parts_of_estimate));
+  partners.add_up(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) estimates[i] = static_cast<double>(parts[i]) / parts_of_estimate;
+}
 
 }  // namespace pardel::engine

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "../concurrency/parallel_for.hpp"
-#include "estimates.hpp"
 #include "partners.hpp"
 
 namespace pardel::engine {

@@ -13,7 +13,6 @@
 #include "../triangulation/compact.hpp"
 #include "../triangulation/held.hpp"
 #include "../triangulation/radii.hpp"
-#include "estimates.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
 #include "partners.hpp"

@@ -2,11 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include "partners.hpp"
 
 namespace pardel::engine {
 
@@ -23,14 +18,6 @@ inline constexpr double parts_of_estimate = 1024;
 /// An estimate that is not larger, at least 0.
 [[nodiscard]] inline double estimate_below(double triangles) {
   return estimate(std::max(0.0, triangles - 0.5 / parts_of_estimate));
-}
-
-/// Replaces the estimates by their sums over all ranks. Collective.
-inline void add_up_estimates(std::span<double> estimates, Partners& partners) {
-  std::vector<std::uint64_t> parts;
-  for (const double each : estimates) parts.push_back(static_cast<std::uint64_t>(each * parts_of_estimate));
-  partners.add_up(parts);
-  for (std::size_t i = 0; i < parts.size(); ++i) estimates[i] = static_cast<double>(parts[i]) / parts_of_estimate;
 }
 
 }  // namespace pardel::engine
