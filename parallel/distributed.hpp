@@ -78,8 +78,8 @@ struct MeshPiece {
 /// nor on which rank has read which points.
 ///
 /// Memory of a rank: its share of the points and triangles, the points of others beside its own, about 8 points per
-/// rank from all over the plane, and some for the convex hull. Points that differ by less than 2^-16 of the extent of
-/// all points go to one rank.
+/// rank from all over the plane, and the convex hull. All points in one cell of a grid of 2^16 by 2^16 cells over the
+/// points go to one rank.
 ///
 /// Errors, on all ranks alike: `invalid_input` for coordinates that validate() refuses, for equal points, with the ids
 /// of one rank, and if all points are collinear; `resources` if a rank gets more than 2^28 - 3 points. Of the options,
