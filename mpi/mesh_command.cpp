@@ -24,6 +24,7 @@
 #include "../parallel/mesher.hpp"
 #include "made.hpp"
 #include "outputs.hpp"
+#include "points.hpp"
 #include "problem.hpp"
 
 namespace pardel::mpi {
@@ -130,9 +131,7 @@ bool may_divide_points(const Arguments& arguments, const Job& job) {
 Result<Made> make_of_points(const Arguments& arguments, PartOfPoints&& points, Job& job) {
   const Result<MeshPiece> piece =
       mesh(std::move(points), goal_without_sizes(arguments.goal), arguments.options, job.ranks());
-  if (!piece && piece.error().kind == ErrorKind::invalid_input)  // on all ranks
-    return Error{ErrorKind::invalid_input, arguments.input.string() + ": " + piece.error().message};
-  if (!piece) job.abort(piece.error());
+  if (!piece) return fault_of_points(piece.error(), arguments.input, arguments.options.threads, job);
   return written(arguments, *piece, {}, job);
 }
 

@@ -11,10 +11,12 @@
 #include "../cli/memory_watch.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
+#include "../core/support/agree.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "made.hpp"
 #include "outputs.hpp"
+#include "points.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -22,8 +24,8 @@ namespace {
 using namespace cli;
 
 constexpr const char* triangulate_footer =
-    R"(The triangulation is that of 'pardel triangle -c' for the same points, on any number of ranks and threads. No rank
-has all points: each reads a part of IN, triangulates the points that it owns, and asks the others about the
+    R"(The triangulation is that of 'pardel triangle -c' for the same points, on any number of ranks and threads. (Equal
+points are refused here, and merged there.) No rank has all points: each reads a part of IN, triangulates the points that it owns, and asks the others about the
 triangles at its border. The edges of the convex hull are constrained edges.
 
 Output: as for 'pardel-mpi mesh'.
@@ -57,6 +59,15 @@ void add_triangulate_options(CLI::App& app, TriangulateArguments& arguments) {
   app.footer(triangulate_footer);
 }
 
+/// The error for a .poly with other sections than points. What is wrong with it counts first.
+Error not_only_points(const std::filesystem::path& input, Job& job) {
+  const Result<Pslg> whole = job.is_first() ? read_pslg(input) : Pslg{};
+  if (Status read = agree_on_input(whole ? Status(Done{}) : whole.error(), job.ranks()); !read) return read.error();
+  return {ErrorKind::usage, input.string() +
+                                ": it has segments, holes or regions, or its points are in a .node; "
+                                "'pardel-mpi mesh' reads it"};
+}
+
 Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
@@ -66,16 +77,11 @@ Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job
   use_threads(threads);
   Result<std::optional<PartOfPoints>> points = read_part_of_points(arguments.input, job.ranks());
   if (!points) return points.error();
-  if (!*points)
-    return Error{ErrorKind::usage, arguments.input.string() +
-                                       ": it has segments, holes or regions, or no points of its "
-                                       "own; 'pardel-mpi mesh' reads it"};
+  if (!*points) return not_only_points(arguments.input, job);
   Made made;
   made.seconds.read = watch.seconds();
   const Result<MeshPiece> piece = triangulate(std::move(**points), {.threads = threads}, job.ranks());
-  if (!piece && piece.error().kind == ErrorKind::invalid_input)  // on all ranks
-    return Error{ErrorKind::invalid_input, arguments.input.string() + ": " + piece.error().message};
-  if (!piece) job.abort(piece.error());
+  if (!piece) return fault_of_points(piece.error(), arguments.input, threads, job);
   made.add(*piece);
   made.seconds.refine = piece->report.triangulate_seconds;
   const Stopwatch writing;

@@ -81,14 +81,18 @@ struct MeshPiece {
 /// rank from all over the plane, and the convex hull. All points in one cell of a grid of 2^16 by 2^16 cells over the
 /// points go to one rank.
 ///
-/// Errors, on all ranks alike: `invalid_input` for coordinates that validate() refuses, for equal points, with the ids
-/// of one rank, and if all points are collinear; `resources` if a rank gets more than 2^28 - 3 points. Of the options,
-/// threads and progress are used.
+/// Errors, on all ranks alike: `invalid_input`, with the problems that find_problems() lists; `resources` if a rank
+/// gets more than 2^28 - 3 points. Of the options, threads and progress are used.
 [[nodiscard]] Result<MeshPiece> triangulate(PartOfPoints&& points, const Options& options, Ranks& ranks);
 
+/// The problems of points of which each rank has a part, on all ranks alike: those of find_problems() (validate.hpp)
+/// for a domain of these points, except that equal points are not searched for if coordinates cannot be used.
+/// Collective. `threads`: of this rank; 0: as many as OpenMP offers.
+[[nodiscard]] std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ranks);
+
 /// True if mesh() can begin with points that are divided among ranks: the bounds are the same everywhere
-/// (Goal::max_area, max_edge, min_angle_deg), the decomposition is a lattice or none, the interior is refined, and there
-/// is neither a limit on vertices nor a function that needs the whole mesh.
+/// (Goal::max_area, max_edge, min_angle_deg), the decomposition is a lattice or none, the interior is refined, and
+/// there is neither a limit on vertices nor a function that needs the whole mesh.
 [[nodiscard]] bool can_divide_points(const Goal& goal, const Options& options);
 
 /// Makes the mesh of the convex hull of the points of all ranks: that of mesh() for a domain of these points without

@@ -106,7 +106,7 @@ class PartReader {
     std::error_code unknown;
     if (!fs::is_regular_file(file_, unknown))
       return Error{ErrorKind::io,
-                   file_.string() + (fs::exists(file_, unknown) ? ": only a regular file can be read by several ranks"
+                   file_.string() + (fs::exists(file_, unknown) ? ": only a regular file can be read in parts"
                                                                 : ": cannot be opened: No such file or directory")};
     const std::uint64_t size = fs::file_size(file_, unknown);
     if (unknown) return Error{ErrorKind::io, file_.string() + ": " + unknown.message()};

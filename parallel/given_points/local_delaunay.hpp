@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -11,9 +12,14 @@
 #include "../concurrency/threads.hpp"
 #include "../construction/bowyer_watson.hpp"
 #include "../triangulation/triangulation.hpp"
-#include "site.hpp"
 
 namespace pardel::engine {
+
+/// One of the given points. Its position along the curve tells who owns it, and when it counts as inserted.
+struct Site {
+  Point at;
+  std::uint64_t position = 0;
+};
 
 /// A rank knows its own points, which are the first vertices, and some of the others. It learns of more points as it
 /// asks other ranks about its triangles. The triangles depend on the points alone, not on the sequence in which the

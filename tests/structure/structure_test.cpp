@@ -44,7 +44,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"given_points/own_points", {"given_points/triangulated_pieces_test"}},
     {"given_points/piece_of_points", {"given_points/triangulated_pieces_test"}},
     {"given_points/shared_hull", {"given_points/triangulated_pieces_test"}},
-    {"given_points/site", {"given_points/local_delaunay_test"}},
+    {"given_points/problems_of_points", {"given_points/triangulated_pieces_test"}},
     {"given_points/triangulate_in_ranks", {"given_points/triangulated_pieces_test"}},
     {"given_points/triangulated_points", {"given_points/triangulated_pieces_test"}},
     {"distribution/distribution", {"distribution/margins_test", "distribution/pieces_test"}},

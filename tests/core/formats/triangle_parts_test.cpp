@@ -125,7 +125,7 @@ TEST(PartsOfNode, of_a_file_that_is_missing_or_no_regular_file_are_refused) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_by(3, folder / "none.node").failure,
             (folder / "none.node").string() + ": cannot be opened: No such file or directory");
-  EXPECT_EQ(read_by(3, "/dev/null").failure, "/dev/null: only a regular file can be read by several ranks");
+  EXPECT_EQ(read_by(3, "/dev/null").failure, "/dev/null: only a regular file can be read in parts");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../../parallel/mesher.hpp"
+#include "../../../parallel/validate.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/domains/generators/random.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
@@ -133,6 +134,31 @@ TEST(TriangulatedPieces, refuse_points_on_a_line_and_unusable_coordinates) {
     EXPECT_NE(refusal(far, count).find("Point 49 at (1e+90"), std::string::npos);
     far.points[49].x = NAN;
     EXPECT_NE(refusal(far, count).find("is not a finite number"), std::string::npos);
+  }
+}
+
+/// Without this, what is listed would depend on the number of ranks.
+TEST(ProblemsOfPoints, are_those_that_one_process_finds) {
+  Pslg duplicates = domains::random_points(600, 9);
+  for (const Index i : {3U, 99U, 204U, 512U}) duplicates.points[i] = duplicates.points[50];
+  for (const Index i : {7U, 580U}) duplicates.points[i] = duplicates.points[300];
+  Pslg unusable = domains::random_points(600, 10);
+  for (const Index i : {2U, 350U, 599U}) unusable.points[i].x = 1e-99;
+  unusable.points[111].y = INFINITY;
+  Pslg line;
+  for (int i = 0; i < 40; ++i) line.points.push_back({1.0 * i, 2.0 * i});
+  Pslg line_with_duplicates = line;
+  line_with_duplicates.points[30] = line.points[4];
+  const Pslg none = domains::random_points(100, 11), one_place = with_points(std::vector<Point>(9, Point{1, 2}));
+  for (const Pslg& pslg : {duplicates, unusable, line, line_with_duplicates, none, one_place, Pslg{}}) {
+    const std::string expected = messages(find_problems(pslg));
+    for (const int count : {1, 2, 5}) {
+      on_ranks(count, [&](Ranks& ranks) {
+        EXPECT_EQ(messages(find_problems(part_of(pslg, ranks), 1, ranks)), expected);
+        const Result<MeshPiece> piece = triangulate(part_of(pslg, ranks), {.threads = 1}, ranks);
+        EXPECT_EQ(piece ? "" : piece.error().message, expected);
+      });
+    }
   }
 }
 

@@ -1,0 +1,23 @@
+#include "points.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "../cli/problems_text.hpp"
+#include "../parallel/distributed.hpp"
+
+namespace pardel::mpi {
+
+Error fault_of_points(const Error& error, const std::filesystem::path& file, int threads, Job& job) {
+  if (error.kind != ErrorKind::invalid_input) job.abort(error);
+  Result<std::optional<PartOfPoints>> points = read_part_of_points(file, job.ranks());
+  if (!points) return points.error();
+  if (!*points) return {error.kind, file.string() + ": " + error.message};
+  const int first_id = (*points)->first_id.value;
+  const std::vector<pardel::Problem> problems = find_problems(std::move(**points), threads, job.ranks());
+  return {error.kind, file.string() + ": " + cli::problems_text(problems, first_id) +
+                          cli::advice({}, problems, file.string(), false)};
+}
+
+}  // namespace pardel::mpi

@@ -1,0 +1,16 @@
+// Inputs that have only points, of which each rank reads a part.
+#pragma once
+
+#include <filesystem>
+
+#include "../core/formats.hpp"
+#include "../core/result.hpp"
+#include "job.hpp"
+
+namespace pardel::mpi {
+
+/// Collective. The error that a command ends with, if `error` was found in the points of a file: an invalid input is
+/// read again, to list all its problems as 'pardel mesh' does. Ends the job if only some ranks have an error.
+[[nodiscard]] Error fault_of_points(const Error& error, const std::filesystem::path& file, int threads, Job& job);
+
+}  // namespace pardel::mpi

@@ -1,0 +1,102 @@
+#include "problems_of_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "../../core/support/exchange_lists.hpp"
+#include "../arithmetic/predicates.hpp"
+#include "../concurrency/parallel_arrays.hpp"
+#include "../distributed.hpp"
+#include "../input/convex_hull.hpp"
+#include "../input/duplicates.hpp"
+#include "ask_others.hpp"
+
+namespace pardel {
+
+using namespace engine;
+
+namespace {
+
+/// So many problems of a rank are listed.
+constexpr std::size_t most = 10'000;
+
+struct TravellingProblem {
+  std::array<std::uint64_t, 2> ids{};
+  std::uint64_t id_count = 0;
+  Point where;
+  ProblemKind kind;
+  std::array<char, 7> unused{};
+};
+
+/// The problems of all ranks, in the order of find_problems().
+std::vector<Problem> of_all(const std::vector<TravellingProblem>& here, Ranks& ranks) {
+  std::vector<Problem> problems;
+  for (const TravellingProblem& each : concatenated(lists_of_all(here, ranks))) {
+    Problem& problem = problems.emplace_back(Problem{each.kind, {}, each.where});
+    // Problems have ids of 32 bits.
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(each.id_count, 2); ++i)
+      problem.ids.push_back(static_cast<Index>(std::min<std::uint64_t>(each.ids[i], no_index)));
+  }
+  std::ranges::sort(
+      problems, [](const Problem& a, const Problem& b) { return std::pair(a.kind, a.ids) < std::pair(b.kind, b.ids); });
+  return problems;
+}
+
+}  // namespace
+
+std::vector<Problem> engine::unusable_coordinates(const PartOfPoints& read, Ranks& ranks, const Threads& threads) {
+  std::vector<TravellingProblem> here;
+  for (const Index i :
+       indices_where(threads, read.points.size(), [&](std::size_t i) { return !is_usable(read.points[i]); })) {
+    if (here.size() == most) break;
+    const Point p = read.points[i];
+    const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
+    here.push_back({{read.first + i, 0},
+                    1,
+                    p,
+                    finite ? ProblemKind::coordinate_out_of_range : ProblemKind::non_finite_coordinate});
+  }
+  return of_all(here, ranks);
+}
+
+/// Equal points have the same owner.
+std::vector<Problem> engine::unusable_positions(const OwnPoints& own, Ranks& ranks, const Threads& threads) {
+  const std::vector<Duplicate> duplicates = find_duplicates(own.at.span(), threads);
+  std::map<Index, std::uint64_t> least;  // of the numbers of equal points, by the first of them on this rank
+  for (const Duplicate& each : duplicates) {
+    std::uint64_t& number = least.try_emplace(each.first, own.number[each.first]).first->second;
+    number = std::min(number, own.number[each.again]);
+  }
+  std::vector<TravellingProblem> here;
+  const auto add = [&](Index first, Index v) {
+    if (own.number[v] != least[first] && here.size() < most)
+      here.push_back({{least[first], own.number[v]}, 2, own.at[v], ProblemKind::duplicate_points});
+  };
+  for (const auto& [first, number] : least) add(first, first);
+  for (const Duplicate& each : duplicates) add(each.first, each.again);
+  // The sites that all ranks know are collinear only if all points are.
+  std::vector<Point> known;
+  for (const Site& site : common_sites(own.at.span(), own.first[ranks.rank()], own.first.back(), ranks))
+    known.push_back(site.at);
+  if (ranks.rank() == 0 && all_collinear(known, threads))
+    here.push_back({{}, 0, known.empty() ? Point{} : known[0], ProblemKind::all_points_collinear});
+  return of_all(here, ranks);
+}
+
+Status engine::status_of(const std::vector<Problem>& problems, FirstId first_id) {
+  if (problems.empty()) return Done{};
+  return Error{ErrorKind::invalid_input, messages(problems, first_id.value)};
+}
+
+std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ranks) {
+  const Threads of_rank(thread_count(threads));
+  std::vector<Problem> problems = unusable_coordinates(points, ranks, of_rank);
+  if (!problems.empty()) return problems;
+  const CurveDivision division = divide_along_curve(points.points, ranks);
+  return unusable_positions(send_to_owners(std::move(points), division, ranks, of_rank), ranks, of_rank);
+}
+
+}  // namespace pardel

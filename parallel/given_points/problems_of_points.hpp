@@ -1,0 +1,24 @@
+// The problems of points that are divided among ranks. All functions are collective, and return the same on all ranks.
+#pragma once
+
+#include <vector>
+
+#include "../../core/part_of_points.hpp"
+#include "../../core/ranks.hpp"
+#include "../concurrency/threads.hpp"
+#include "../validate.hpp"
+#include "own_points.hpp"
+
+namespace pardel::engine {
+
+/// Coordinates that exact arithmetic cannot use. As find_problems() in one process, at most 10,000 for each rank.
+[[nodiscard]] std::vector<Problem> unusable_coordinates(const PartOfPoints& read, Ranks& ranks, const Threads& threads);
+
+/// Equal points, and all_points_collinear. As find_problems() in one process, at most 10,000 for each rank.
+/// Precondition: the coordinates are usable.
+[[nodiscard]] std::vector<Problem> unusable_positions(const OwnPoints& own, Ranks& ranks, const Threads& threads);
+
+/// Done, or the error that lists the problems.
+[[nodiscard]] Status status_of(const std::vector<Problem>& problems, FirstId first_id);
+
+}  // namespace pardel::engine
