@@ -109,7 +109,8 @@ void order_along_curve(std::span<const Point> points, std::span<Index> ids, cons
 void order_in_cells(std::span<const Point> points, std::span<Index> ids, const CurveGrid& grid,
                     const Threads& threads) {
   Array<std::uint64_t> words = make_array(threads, ids.size(), [&](std::size_t k) {
-    return static_cast<std::uint64_t>(grid.key(points[ids[k]])) << 32U | ids[k];
+    const Point p = points[ids[k]];
+    return static_cast<std::uint64_t>(hilbert_key(grid.column(p), grid.row(p))) << 32U | ids[k];
   });
   sort_by_key(words, threads);
   parallel_blocks(threads, ids.size(), [&](std::size_t first, std::size_t last, std::size_t) {
@@ -135,11 +136,7 @@ CurveGrid::CurveGrid(const Box& bounds)
       scale_(bounds.extent() > 0 ? last_cell / bounds.extent() : 0),
       margin_(0x1p-45 * bounds.largest_magnitude()) {}
 
-std::uint32_t CurveGrid::cell(double distance) const {
-  return static_cast<std::uint32_t>(std::clamp(distance * scale_, 0.0, last_cell));
-}
-
-std::uint32_t CurveGrid::key(Point p) const { return hilbert_key(cell(p.x - min_x_), cell(p.y - min_y_)); }
+std::uint32_t CurveGrid::key(Point p) const { return hilbert_key(column(p), row(p)); }
 
 std::uint32_t CurveGrid::first_key(const Quadrant& quadrant) {
   const unsigned below = levels - quadrant.level;

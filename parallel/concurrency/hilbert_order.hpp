@@ -1,6 +1,7 @@
 // The order of points along a Hilbert curve: neighbours in the order are close in the plane.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -21,8 +22,10 @@ class CurveGrid {
   /// The square: with the lower left corner and the longer side of `bounds`. It has one cell if that side is 0.
   explicit CurveGrid(const Box& bounds);
 
-  /// Precondition: the point lies in the bounds.
+  /// Precondition of these: the point lies in the bounds.
   [[nodiscard]] std::uint32_t key(Point p) const;
+  [[nodiscard]] std::uint32_t column(Point p) const { return cell(p.x - min_x_); }
+  [[nodiscard]] std::uint32_t row(Point p) const { return cell(p.y - min_y_); }
   /// A square that divisions into four equal ones lead to: its column and row after `level` divisions, 0 to `levels`.
   struct Quadrant {
     std::uint32_t x = 0, y = 0;
@@ -42,7 +45,10 @@ class CurveGrid {
 
  private:
   /// The column or row of a place, which may be outside. The argument is the distance from the first one.
-  [[nodiscard]] std::uint32_t cell(double distance) const;
+  [[nodiscard]] std::uint32_t cell(double distance) const {
+    constexpr double last_cell = (1U << levels) - 1;
+    return static_cast<std::uint32_t>(std::clamp(distance * scale_, 0.0, last_cell));
+  }
 
   double min_x_, min_y_;
   double scale_;   ///< cells per unit of length; 0 if there is one cell

@@ -15,15 +15,20 @@ namespace pardel::engine {
 template <class When>
 void begin_with_latest(Triangulation& t, const std::array<VertexId, 3>& first_three, const When& when,
                        const Threads& threads) {
-  const auto beginning = [&](const Slot& slot) -> unsigned {
-    const bool is_first =
-        std::ranges::all_of(slot.v, [&](VertexId v) { return std::ranges::count(first_three, v) == 1; });
-    if (is_first) return slot.corner_of(first_three[0]);
+  const auto latest = [&](const Slot& slot) -> unsigned {
     const auto first = when(slot.v[0]), second = when(slot.v[1]), third = when(slot.v[2]);
     return first > second ? (first > third ? 0 : 2) : (second > third ? 1 : 2);
   };
-  const Array<Index> others = indices_where(
-      threads, t.slots.size(), [&](std::size_t id) { return !t.slots[id].is_ghost() && beginning(t.slots[id]) != 0; });
+  const auto beginning = [&](const Slot& slot) -> unsigned {
+    const bool is_first =
+        std::ranges::all_of(slot.v, [&](VertexId v) { return std::ranges::count(first_three, v) == 1; });
+    return is_first ? slot.corner_of(first_three[0]) : latest(slot);
+  };
+  const Array<Index> others = indices_where(threads, t.slots.size(), [&](std::size_t id) {
+    const Slot& slot = t.slots[id];
+    const bool may_be_first = slot.v[0] == first_three[1] || slot.v[0] == first_three[2];
+    return !slot.is_ghost() && (may_be_first || latest(slot) != 0) && beginning(slot) != 0;
+  });
   for (const TriangleId id : others) t.turn(id, beginning(t.slots[id]));
 }
 

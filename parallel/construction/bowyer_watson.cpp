@@ -21,8 +21,15 @@ struct VertexInDisks {
   const Triangulation& t;
   const InsertionOrder& order;
   VertexId v;
+  Point p;
 
-  [[nodiscard]] bool operator()(const Slot& slot) const { return is_in_disk(t, slot, v, order); }
+  [[nodiscard, gnu::always_inline]] bool operator()(const Slot& slot) const {
+    if (slot.is_ghost()) return ghost_disk_contains(t, slot, p);
+    const double sign = incircle(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]], p);
+    if (sign == 0) [[unlikely]]
+      return counts_as_inside(t, slot.v, v, order);
+    return sign > 0;
+  }
 };
 
 constexpr auto no_corners = [](VertexId) { return Corner{}; };
@@ -58,8 +65,7 @@ struct FiniteBoxQuery {
 }  // namespace
 
 bool is_in_disk(const Triangulation& t, const Slot& slot, VertexId v, const InsertionOrder& order) {
-  if (slot.is_ghost()) return ghost_disk_contains(t, slot, t.points[v]);
-  return in_perturbed_circumdisk(t, slot.v, v, order);
+  return VertexInDisks{t, order, v, t.points[v]}(slot);
 }
 
 TriangleId BowyerWatson::locate(Point point) const {
@@ -115,7 +121,7 @@ Inserted BowyerWatson::insert(VertexId v, TriangleId fresh) {
 }
 
 Walk BowyerWatson::find_cavity(TriangleId first, VertexId v) {
-  const VertexInDisks in_disk{t_, order_, v};
+  const VertexInDisks in_disk{t_, order_, v, t_.points[v]};
   if (!holds_infinity_) return cavity_.find(t_, first, FiniteBoxQuery{t_, as_pair(t_.points[v]), box_, in_disk});
   if (!in_disk(t_.slots[first])) return Walk::elsewhere;
   const auto is_hit = [&](EdgeRef e) { return in_disk(t_.slot(e)); };

@@ -96,6 +96,8 @@ class RoundInserter {
     for (int i = 0; i < threads_.count; ++i) workers_.push_back(std::make_unique<BowyerWatson>(t, insertion_order));
   }
 
+  [[nodiscard]] bool has_used_tiles() const { return has_used_tiles_; }
+
   /// Inserts the points at the positions [first, last). Precondition: those before `first` have been inserted.
   Status insert(std::size_t first, std::size_t last) {
     Tile everything{};
@@ -131,6 +133,7 @@ class RoundInserter {
       std::iota(outside.begin(), outside.end(), static_cast<Index>(first));
       return Done{};
     }
+    has_used_tiles_ = true;
     std::vector<Tile> cells = distributed(lattice, first, last);
     if (overload(cells) <= most_overload) return insert_on(lattice, cells, first, outside);
     const double per_leaf = points_per_leaf * static_cast<double>(last - first) / tiles;
@@ -246,6 +249,7 @@ class RoundInserter {
   Threads threads_;
   std::size_t per_tile_;
   std::vector<std::unique_ptr<BowyerWatson>> workers_;
+  bool has_used_tiles_ = false;
 };
 
 Status check_number(std::size_t points) {
@@ -279,9 +283,11 @@ Status triangulate_points(Triangulation& t, const InsertionOrder& insertion_orde
     if (Status inserted = inserter.insert(first, last); !inserted) return inserted;
     first = last;
   }
-  begin_with_latest(
-      t, {order[0], order[1], order[2]},
-      [&](VertexId v) { return std::pair(rounds.round[v], insertion_order.position(v)); }, threads);
+  // Without tiles, points are inserted in their order.
+  if (inserter.has_used_tiles())
+    begin_with_latest(
+        t, {order[0], order[1], order[2]},
+        [&](VertexId v) { return std::uint64_t{rounds.round[v]} << 61U | insertion_order.position(v); }, threads);
   return Done{};
 }
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "../arithmetic/predicates.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
@@ -58,19 +57,9 @@ inline const InsertionOrder order_of_indices;
 /// Does a fourth vertex lie in the circumdisk of a triangle if no four vertices are cocircular? If four are, the latest
 /// of them counts as outside the circle of the other three, as if its height on the paraboloid were increased by an
 /// amount that is tiny, but large compared with those of all earlier vertices (THEORY.md, Given points).
-/// `v`: the corners, counter-clockwise, none of them the ghost. No vertex is in the disk of a triangle that has a
-/// corner at the same place. Exact.
-[[nodiscard]] inline bool in_perturbed_circumdisk(const Triangulation& t, const std::array<VertexId, 3>& v,
-                                                  VertexId fourth, const InsertionOrder& order) {
-  const Point a = t.points[v[0]], b = t.points[v[1]], c = t.points[v[2]], p = t.points[fourth];
-  if (const double sign = incircle(a, b, c, p); sign != 0) return sign > 0;
-  if (p == a || p == b || p == c) return false;
-  const std::array<std::uint64_t, 3> rank{order.rank(v[0]), order.rank(v[1]), order.rank(v[2])};
-  const auto latest = static_cast<unsigned>(std::ranges::max_element(rank) - rank.begin());
-  if (order.rank(fourth) > rank[latest]) return false;
-  // If the latest vertex is a corner, its greater height lifts the plane through the corners on its side of the line
-  // through the other two. A point there is then below the plane, that is inside the circle.
-  return orient2d(t.points[v[next_corner[latest]]], t.points[v[previous_corner[latest]]], p) > 0;
-}
+/// `v`: the corners, counter-clockwise, none of them the ghost. Precondition: the four are cocircular. False if the
+/// fourth vertex has the place of a corner. Exact.
+[[nodiscard]] bool counts_as_inside(const Triangulation& t, const std::array<VertexId, 3>& v, VertexId fourth,
+                                    const InsertionOrder& order);
 
 }  // namespace pardel::engine

@@ -8,6 +8,7 @@
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
 #include "../../core/support/point_order.hpp"
+#include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/begin_with_latest.hpp"
 #include "../given_points/shared_hull.hpp"

@@ -9,6 +9,7 @@
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
 #include "../../core/support/point_order.hpp"
+#include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {

@@ -36,7 +36,8 @@ InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, c
       });
       estimates[block].without_angle_bound += estimate(std::max(triangles_per_input_triangle, wanted));
       estimates[block].with_angle_bound += estimate(std::max(criteria.triangles_by_shape(), wanted));
-      estimates[block].lower_bound += estimate_below(criteria.triangles_needed(shape, assessor.region_of(triangle)));
+      if (const double needed = criteria.triangles_needed(shape, assessor.region_of(triangle)); needed > 0)
+        estimates[block].lower_bound += estimate_below(needed);
       const Assessment a = assessor.assess(triangle, shape, hints);
       if (a.need != Assessment::Need::nothing) bad[block].push_back({assessor.entry(triangle, a), a});
       if (a.left_alone) left_alone[block] = 1;
