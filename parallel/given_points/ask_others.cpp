@@ -19,9 +19,10 @@ namespace {
 std::vector<Index> spanning_points(std::span<const Point> own) {
   std::vector<Index> found;
   if (own.empty()) return found;
-  const auto [least, greatest] = std::ranges::minmax_element(own, lexicographically_less);
-  found = {static_cast<Index>(least - own.begin()), static_cast<Index>(greatest - own.begin())};
-  const auto off_line = std::ranges::find_if(own, [&](Point p) { return orient2d(*least, *greatest, p) != 0; });
+  const auto ends = std::ranges::minmax_element(own, lexicographically_less);
+  const Point least = *ends.min, greatest = *ends.max;
+  found = {static_cast<Index>(ends.min - own.begin()), static_cast<Index>(ends.max - own.begin())};
+  const auto off_line = std::ranges::find_if(own, [&](const Point& p) { return orient2d(least, greatest, p) != 0; });
   if (off_line != own.end()) found.push_back(static_cast<Index>(off_line - own.begin()));
   return found;
 }
@@ -80,7 +81,8 @@ Ranks::Bytes answer(const Ranks::Bytes& questions, LocalDelaunay& delaunay) {
     for (const VertexId v : delaunay.neighbours_in_disk(corners)) in_disks.push_back(delaunay.site(v));
   }
   std::ranges::sort(in_disks, {}, &Site::position);
-  in_disks.erase(std::ranges::unique(in_disks, {}, &Site::position).begin(), in_disks.end());
+  const auto is_same = [](const Site& a, const Site& b) { return a.position == b.position; };
+  in_disks.erase(std::unique(in_disks.begin(), in_disks.end(), is_same), in_disks.end());
   Writer writer;
   if (!in_disks.empty()) writer.list(in_disks);
   return writer.take();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../../../parallel/given_points/ask_others.hpp"
+#include "../../../parallel/arithmetic/predicates.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {
