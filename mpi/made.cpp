@@ -12,7 +12,7 @@ void print(const Made& made, const char* making, int threads, std::span<const st
            bool quiet, Job& job) {
   const Digest all = sum_of(made.digest, job.ranks());
   const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
-  const Job::Range memory = job.range_of(peak_memory());
+  const Job::Range memory = job.range_of(cli::peak_memory());
   if (!job.is_first() || quiet) return;
   constexpr double mib = 0x1p20;
   fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), threads);
