@@ -72,7 +72,7 @@ PARDEL_PROPERTY(
     {.statement = "Ranks that each have read a part of the points, and that ask each other about the triangles "
                   "at their borders, make the Delaunay triangulation of one process, also where points are "
                   "cocircular.",
-     .source = "properties/THEORY.md, Given points",
+     .source = "properties/THEORY.md, GivenPoints",
      .families = point_families}) {
   const Pslg pslg = some_points(exhibit);
   const Meshed whole = value_of(triangulate(pslg, true, {.threads = 1}));
@@ -85,7 +85,7 @@ PARDEL_PROPERTY(
     GivenPoints, are_meshed_as_by_one_process,
     {.statement = "Ranks that each have read a part of the points make the mesh of one process: for bounds on "
                   "angles, areas and edges, on few and on many tiles.",
-     .source = "properties/THEORY.md, Given points",
+     .source = "properties/THEORY.md, GivenPoints",
      .families = point_families}) {
   const Pslg pslg = some_points(exhibit);
   Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.0, 26.0)};
