@@ -25,8 +25,8 @@ using namespace cli;
 
 constexpr const char* triangulate_footer =
     R"(The triangulation is that of 'pardel triangle -c' for the same points, on any number of ranks and threads. (Equal
-points are refused here, and merged there.) No rank has all points: each reads a part of IN, triangulates the points that it owns, and asks the others about the
-triangles at its border. The edges of the convex hull are constrained edges.
+points are refused here, and merged there.) No rank has all points: each reads a part of IN, triangulates the points
+that it owns, and asks the others about the triangles at its border. The edges of the convex hull are constrained edges.
 
 Output: as for 'pardel-mpi mesh'.
 

@@ -66,7 +66,13 @@ class TracedDistribution : public Distribution {
  public:
   TracedDistribution(Ranks& one, Triangulation& t, const Problem& problem, const std::vector<int>& ranks, Extent extent,
                      TaskTimes& times, Trace& trace)
-      : Distribution(one, t, problem.input_of_vertex, problem.input_markers), t_(t), problem_(problem), ranks_(ranks), extent_(extent), times_(times), trace_(trace) {}
+      : Distribution(one, t, problem.input_of_vertex, problem.input_markers),
+        t_(t),
+        problem_(problem),
+        ranks_(ranks),
+        extent_(extent),
+        times_(times),
+        trace_(trace) {}
 
   void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override {
     trace_.before_seconds = watch_.lap();
@@ -202,9 +208,10 @@ Result<Trace> traced(const ValidPslg& valid, const Goal& goal, const Options& op
 
   OneRank one;
   TaskTimes times;
-  TracedDistribution distribution(one, domain->triangulation, {domain->segments, plan->criteria, resolved,
-                                   domain->input_of_vertex.span(), input.points.markers}, ranks,
-                                  extent, times, trace);
+  TracedDistribution distribution(
+      one, domain->triangulation,
+      {domain->segments, plan->criteria, resolved, domain->input_of_vertex.span(), input.points.markers}, ranks, extent,
+      times, trace);
   try {
     Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, plan->criteria, resolved,
                                                    progress, times.hooks(), {}, &distribution);

@@ -42,9 +42,6 @@ constexpr auto four_levels = [] {
   return table;
 }();
 
-/// The last column and row of the grid.
-constexpr double last_cell = (1U << CurveGrid::levels) - 1;
-
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0;
   unsigned state = 0;
@@ -58,9 +55,6 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 
 /// So few words are sorted by comparisons.
 constexpr std::size_t few_words = 1024;
-
-/// So few points are ordered by coordinates.
-constexpr std::size_t few_points = 16;
 
 /// Sorts words by their upper halves. Precondition: equal upper halves are in the order of the lower halves. Radix sort
 /// with digits of 11 bits, least significant digit first. It is stable, so the number of parts does not change the

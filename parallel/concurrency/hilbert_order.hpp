@@ -17,7 +17,8 @@ namespace pardel::engine {
 /// on, one after the other. So these cells have the keys of one range.
 class CurveGrid {
  public:
-  static constexpr unsigned levels = 16;  ///< a key has two bits for each
+  static constexpr unsigned levels = 16;                   ///< a key has two bits for each
+  static constexpr double last_cell = (1U << levels) - 1;  ///< the last column and row
 
   /// The square: with the lower left corner and the longer side of `bounds`. It has one cell if that side is 0.
   explicit CurveGrid(const Box& bounds);
@@ -46,7 +47,6 @@ class CurveGrid {
  private:
   /// The column or row of a place, which may be outside. The argument is the distance from the first one.
   [[nodiscard]] std::uint32_t cell(double distance) const {
-    constexpr double last_cell = (1U << levels) - 1;
     return static_cast<std::uint32_t>(std::clamp(distance * scale_, 0.0, last_cell));
   }
 
@@ -54,6 +54,9 @@ class CurveGrid {
   double scale_;   ///< cells per unit of length; 0 if there is one cell
   double margin_;  ///< of square()
 };
+
+/// So few points are ordered by their coordinates, not along a curve.
+inline constexpr std::size_t few_points = 16;
 
 /// The indices of the points, ordered along a Hilbert curve through a grid of 2^16 by 2^16 cells over their bounding
 /// square. Points in one cell are ordered recursively, along a curve through that cell. The order depends on
@@ -63,7 +66,7 @@ class CurveGrid {
 
 /// The same for some of the points of a larger set: the order in which hilbert_order() has them among all points.
 /// `grid`: over the bounding box of all points. Precondition: if a cell of the grid contains one of these points, all
-/// points in it are among these. All points are more than 16, or the grid has one cell.
+/// points in it are among these. All points are more than few_points, or the grid has one cell.
 [[nodiscard]] Array<Index> hilbert_order(std::span<const Point> points, const CurveGrid& grid,
                                          const Threads& threads = {});
 

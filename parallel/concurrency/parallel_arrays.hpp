@@ -46,6 +46,15 @@ template <class Make>
   return made;
 }
 
+/// For all i < n: the place of i in the list, or no_index. Precondition: the list has different indices below n.
+[[nodiscard]] inline Array<Index> places_in(const Threads& threads, std::span<const Index> list, std::size_t n) {
+  Array<Index> place = make_array(threads, n, [](std::size_t) { return no_index; });
+  parallel_blocks(threads, list.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) place[list[i]] = static_cast<Index>(i);
+  });
+  return place;
+}
+
 /// Calls visit(cell_of[i], i) for all i with cell_of[i] < cells. The calls for one cell are made by one thread, in
 /// ascending order of i; the calls for different cells may be concurrent. Each thread is responsible for a range of
 /// cells and reads all of cell_of, which costs little compared with the visits.

@@ -287,7 +287,7 @@ Status triangulate_points(Triangulation& t, const InsertionOrder& insertion_orde
   if (inserter.has_used_tiles())
     begin_with_latest(
         t, {order[0], order[1], order[2]},
-        [&](VertexId v) { return std::uint64_t{rounds.round[v]} << 61U | insertion_order.position(v); }, threads);
+        [&](VertexId v) { return InsertionOrder::rank_of(rounds.round[v], insertion_order.position(v)); }, threads);
   return Done{};
 }
 

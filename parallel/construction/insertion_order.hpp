@@ -33,8 +33,10 @@ class InsertionOrder {
   }
   /// A number that is greater for vertices that come later. Precondition: fewer than 2^61 points.
   [[nodiscard]] std::uint64_t rank(VertexId v) const { return rank_of(position(v)); }
-  [[nodiscard]] static std::uint64_t rank_of(std::uint64_t position) {
-    return std::uint64_t{round_of(position)} << 61U | position;
+  [[nodiscard]] static std::uint64_t rank_of(std::uint64_t position) { return rank_of(round_of(position), position); }
+  /// `round`: that of the position.
+  [[nodiscard]] static std::uint64_t rank_of(std::size_t round, std::uint64_t position) {
+    return std::uint64_t{round} << 61U | position;
   }
 
  private:

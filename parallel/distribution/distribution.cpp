@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "../../core/support/collective.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../triangulation/held.hpp"
+#include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -64,12 +66,7 @@ bool Distribution::is_held_by(int rank, const Triangulation& t, TriangleId id) c
   return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return ownership_->watches(rank, t.points[v]); });
 }
 
-int Distribution::owner_of_triangle(TriangleId id) const {
-  const auto& v = t_.slots[id].v;
-  const VertexId least = *std::ranges::min_element(
-      v, [&](VertexId a, VertexId b) { return lexicographically_less(t_.points[a], t_.points[b]); });
-  return owner_of(least);
-}
+int Distribution::owner_of_triangle(TriangleId id) const { return owner_of(least_corner(t_, t_.slots[id])); }
 
 std::vector<Ranks::Bytes> Distribution::exchange(std::vector<Writer>& messages) {
   std::vector<Ranks::Bytes> bytes;
@@ -149,8 +146,8 @@ void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
   receive(exchange(messages));
 }
 
-/// Sends to rank 0 the triangles with a corner in the cells, or in those that are at most `reach` steps away from them.
-std::vector<Ranks::Bytes> Distribution::excerpt_around(std::span<const Index> cells, unsigned reach, bool& is_all) {
+/// The triangles with an own corner in the cells, or in those that are at most `reach` steps away from them.
+Distribution::PartOfExcerpt Distribution::part_around(std::span<const Index> cells, unsigned reach) const {
   std::vector<char> is_in(ownership_->cells(), 0);
   std::vector<Index> frontier;
   const auto add = [&](Index cell) {
@@ -160,19 +157,16 @@ std::vector<Ranks::Bytes> Distribution::excerpt_around(std::span<const Index> ce
   for (unsigned step = 0; step < reach; ++step)
     for (const Index cell : std::exchange(frontier, {}))
       for (const Index other : ownership_->touching(cell)) add(other);
-  is_all = std::ranges::count(is_in, 1) == static_cast<std::ptrdiff_t>(is_in.size());
 
-  std::vector<TriangleId> found;
+  PartOfExcerpt part{{}, std::ranges::count(is_in, 0) == 0};
   part_->for_each_triangle([&](TriangleId id) {
     if (std::ranges::any_of(t_.slots[id].v, [&](VertexId v) {
           const Index cell = cell_of(v);
           return is_in[cell] != 0 && ownership_->owner(cell) == ranks_.rank();
         }))
-      found.push_back(id);
+      part.triangles.push_back(id);
   });
-  std::vector<Writer> messages(ranks_.count());
-  if (!found.empty()) part_->write(found, {}, messages[0]);
-  return exchange(messages);
+  return part;
 }
 
 void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) {
@@ -210,14 +204,22 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
                            });
                            for (const VertexId v : by_place) inserted_in_excerpt_.push_back(part.name_of_vertex(v));
                          }};
-  bool is_all = false;
-  for (unsigned reach = 2;; reach *= 2) {
-    const std::vector<Ranks::Bytes> excerpt = excerpt_around(cells, reach, is_all);
-    std::uint64_t is_done = 0;
-    if (ranks_.rank() == 0 && work_in_excerpt(excerpt, work, messages)) is_done = 1;
-    ranks_.add_up({&is_done, 1});
-    if (is_done != 0) break;
-    if (is_all) throw NotHeld{};
+  unsigned reach = 1;
+  work_in_excerpts(work, [&] {
+    reach *= 2;
+    return part_around(cells, reach);
+  });
+}
+
+void Distribution::work_in_excerpts(const ExcerptWork& work, const std::function<PartOfExcerpt()>& next_part) {
+  std::vector<Writer> messages(ranks_.count());
+  for (bool is_done = false; !is_done;) {
+    const PartOfExcerpt part = next_part();
+    std::vector<Writer> parts(ranks_.count());
+    if (!part.triangles.empty()) part_->write(part.triangles, {}, parts[0]);
+    const std::vector<Ranks::Bytes> excerpt = exchange(parts);
+    is_done = sum_of(ranks_.rank() == 0 && work_in_excerpt(excerpt, work, messages) ? 1 : 0, ranks_) > 0;
+    if (!is_done && part.is_largest) throw NotHeld{};
   }
   receive(exchange(messages));
 }

@@ -78,12 +78,6 @@ class Distribution : public Partners {
     return {tiles, work_of_tasks(tiles, work), ranks_.count()};
   }
 
- protected:
-  /// For each rank: triangles, and the names of slots whose triangles it no longer holds.
-  struct Outgoing {
-    std::vector<TriangleId> triangles;
-    std::vector<Name> dropped;
-  };
   /// What is done in an excerpt.
   struct ExcerptWork {
     std::uint32_t creator;        ///< of what it inserts: no rank
@@ -99,9 +93,15 @@ class Distribution : public Partners {
   [[nodiscard]] bool is_held_by(int rank, const Triangulation& t, TriangleId id) const;
   [[nodiscard]] std::vector<Ranks::Bytes> exchange(std::vector<Writer>& messages);
   void receive(const std::vector<Ranks::Bytes>& messages);
-  /// Writes the changes into the messages. Returns false if the excerpt was too small.
-  [[nodiscard]] bool work_in_excerpt(const std::vector<Ranks::Bytes>& excerpt, const ExcerptWork& work,
-                                     std::vector<Writer>& messages) const;
+  /// The part of an excerpt that one rank sends.
+  struct PartOfExcerpt {
+    std::vector<TriangleId> triangles;
+    bool is_largest = false;  ///< no larger excerpt is possible; the same on all ranks
+  };
+  /// The first rank does the work in an excerpt. If it was too small, the ranks send parts of a larger one: those that
+  /// next_part() returns, which is called for each attempt. Then all ranks receive the changes. Throws NotHeld if the
+  /// largest excerpt is too small. Collective.
+  void work_in_excerpts(const ExcerptWork& work, const std::function<PartOfExcerpt()>& next_part);
 
   Ranks& ranks_;
   Triangulation& t_;
@@ -110,7 +110,15 @@ class Distribution : public Partners {
   std::vector<Name> inserted_before_division_;
 
  private:
-  [[nodiscard]] std::vector<Ranks::Bytes> excerpt_around(std::span<const Index> cells, unsigned reach, bool& is_all);
+  /// For one rank: triangles, and the names of slots whose triangles it no longer holds.
+  struct Outgoing {
+    std::vector<TriangleId> triangles;
+    std::vector<Name> dropped;
+  };
+  [[nodiscard]] PartOfExcerpt part_around(std::span<const Index> cells, unsigned reach) const;
+  /// Writes the changes into the messages. Returns false if the excerpt was too small.
+  [[nodiscard]] bool work_in_excerpt(const std::vector<Ranks::Bytes>& excerpt, const ExcerptWork& work,
+                                     std::vector<Writer>& messages) const;
 
   std::span<const Index> input_of_vertex_;
   std::span<const int> input_markers_;

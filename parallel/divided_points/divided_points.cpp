@@ -5,8 +5,7 @@
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
-#include "../../core/support/point_order.hpp"
-#include "../triangulation/held.hpp"
+#include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -84,10 +83,7 @@ void DividedPoints::begin(PhaseRunner& runner) {
 }
 
 int DividedPoints::home_before(TriangleId id, const Triangulation& t) const {
-  const auto& v = t.slots[id].v;
-  return owner_before(*std::ranges::min_element(
-                          v, [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); }),
-                      t);
+  return owner_before(least_corner(t, t.slots[id]), t);
 }
 
 bool DividedPoints::is_held_before(int rank, const Triangulation& t, TriangleId id) const {
@@ -98,11 +94,7 @@ bool DividedPoints::is_at_home(TriangleId id) const {
   return ownership_ ? Distribution::is_at_home(id) : home_before(id, t_) == ranks_.rank();
 }
 
-Box DividedPoints::bounds_of_all(const Box& here) {
-  Box all = empty_box;
-  for (const Box& box : concatenated(lists_of_all(std::vector{here}, ranks_))) all.cover(box);
-  return all;
-}
+Box DividedPoints::bounds_of_all(const Box& here) { return engine::bounds_of_all(here, ranks_); }
 
 void DividedPoints::take_largest(std::span<double> values) {
   for (const std::vector<double>& of_rank : lists_of_all(std::vector(values.begin(), values.end()), ranks_))
@@ -154,22 +146,12 @@ Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferr
             entries[home_before(triangle.id(), t)].push_back(
                 {part.name_of(triangle.id()), 0, 0, TravellingEntry::Kind::needs_larger_box});
       }};
-  std::vector<Writer> messages(ranks_.count());
-  for (unsigned reach = 1;; reach *= 2) {
+  unsigned reach = 0;  // in steps from cell to cell; it doubles: 1, 2, 4, 8
+  work_in_excerpts(work, [&] {
     bool is_all = false;
-    for (unsigned step = 0; step < (reach + 1) / 2; ++step) is_all = enlarge(finest, chosen);
-    std::vector<Writer> parts(ranks_.count());
-    const std::vector<TriangleId> found = home_triangles_in(finest, chosen);
-    if (!found.empty()) part_->write(found, {}, parts[0]);
-    const std::vector<Ranks::Bytes> excerpt = exchange(parts);
-    std::uint64_t is_done = 0;
-    if (ranks_.rank() == 0 && work_in_excerpt(excerpt, work, messages)) is_done = 1;
-    ranks_.add_up({&is_done, 1});
-    if (is_done != 0) break;
-    if (is_all) throw NotHeld{};
-  }
-  receive(exchange(messages));
-
+    for (const unsigned wanted = std::max(1U, 2 * reach); reach < wanted; ++reach) is_all = enlarge(finest, chosen);
+    return PartOfExcerpt{home_triangles_in(finest, chosen), is_all};
+  });
   return exchanged(entries);
 }
 

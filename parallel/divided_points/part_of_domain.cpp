@@ -7,11 +7,11 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
-#include "../../core/support/point_order.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/begin_with_latest.hpp"
 #include "../given_points/shared_hull.hpp"
+#include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -83,8 +83,7 @@ class PartMaker {
     kept_ = indices_where(threads_, t_.slots.size(), [&](std::size_t id) {
       return !t_.slots[id].is_ghost() && delaunay_.has_own_corner(static_cast<TriangleId>(id));
     });
-    place_ = make_array(threads_, t_.slots.size(), [](std::size_t) { return no_index; });
-    for (std::size_t i = 0; i < kept_.size(); ++i) place_[kept_[i]] = static_cast<Index>(i);
+    place_ = places_in(threads_, kept_.span(), t_.slots.size());
   }
 
   /// The index, on its owner, of a point that is not on the hull.
@@ -171,9 +170,7 @@ class PartMaker {
   [[nodiscard]] std::array<std::uint64_t, 3> positions(const Slot& old) const {
     return {delaunay_.site(old.v[0]).position, delaunay_.site(old.v[1]).position, delaunay_.site(old.v[2]).position};
   }
-  [[nodiscard]] int owner(VertexId old) const {
-    return delaunay_.is_own(old) ? ranks_.rank() : own_.owner(delaunay_.site(old).position);
-  }
+  [[nodiscard]] int owner(VertexId old) const { return own_.owner(delaunay_.site(old).position); }
 
   /// A triangle has the name that the owner of its least corner gives it.
   void exchange_names() {
@@ -182,8 +179,7 @@ class PartMaker {
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       const Slot& old = t_.slots[kept_[i]];
       if (std::ranges::all_of(old.v, [&](VertexId v) { return delaunay_.is_own(v); })) continue;
-      const int home = owner(*std::ranges::min_element(
-          old.v, [&](VertexId a, VertexId b) { return lexicographically_less(t_.points[a], t_.points[b]); }));
+      const int home = owner(least_corner(t_, old));
       if (home != ranks_.rank()) {
         unnamed.emplace(positions(old), static_cast<TriangleId>(i));
         continue;

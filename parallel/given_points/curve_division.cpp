@@ -9,9 +9,6 @@
 namespace pardel::engine {
 namespace {
 
-/// So many points are in the order of their coordinates, not of a curve (hilbert_order()).
-constexpr std::uint64_t few_points = 16;
-
 /// Each rank shows the others so many of its keys at most. The sizes of the shares then differ by a few percent.
 constexpr std::size_t keys_shown = 16'384;
 
@@ -22,12 +19,10 @@ struct SampledKey {
   double weight;
 };
 
-Box common_bounds(std::span<const Point> points, Ranks& ranks) {
-  Box own = empty_box;
-  for (const Point p : points) own.cover(Box::around(p));
-  Box all = empty_box;
-  for (const std::vector<Box>& of_rank : lists_of_all(std::vector{own}, ranks)) all.cover(of_rank.front());
-  return all;
+Box bounds_of(std::span<const Point> points) {
+  Box bounds = empty_box;
+  for (const Point p : points) bounds.cover(Box::around(p));
+  return bounds;
 }
 
 /// All ranks get the same list, in ascending order.
@@ -85,9 +80,15 @@ bool CurveDivision::certainly_owns(int rank, const Disk& disk) const {
   return owner(CurveGrid::first_key(quadrant)) == rank && owner(CurveGrid::last_key(quadrant)) == rank;
 }
 
+Box bounds_of_all(const Box& own, Ranks& ranks) {
+  Box all = empty_box;
+  for (const Box& box : concatenated(lists_of_all(std::vector{own}, ranks))) all.cover(box);
+  return all;
+}
+
 CurveDivision divide_along_curve(std::span<const Point> points, Ranks& ranks) {
   const std::uint64_t all = share_of_rank(points.size(), ranks).all;
-  Box bounds = common_bounds(points, ranks);
+  Box bounds = bounds_of_all(bounds_of(points), ranks);
   if (all <= few_points) bounds = Box::around(all > 0 ? Point{bounds.min_x, bounds.min_y} : Point{});
   const CurveGrid grid(bounds);
   const std::vector<SampledKey> sample = sample_keys(points, grid, ranks);

@@ -36,6 +36,9 @@ struct HalfPlane {
   [[nodiscard]] static double resolution() { return 0; }
 };
 
+/// The smallest box that contains the boxes of all ranks. Collective.
+[[nodiscard]] Box bounds_of_all(const Box& own, Ranks& ranks);
+
 /// A rank owns the points in the cells of a range of keys (CurveGrid). The ranges of the ranks follow one another.
 class CurveDivision {
  public:

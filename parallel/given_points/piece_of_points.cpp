@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "../../core/support/message.hpp"
-#include "../../core/support/point_order.hpp"
 #include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
+#include "../triangulation/triangle_shape.hpp"
 #include "shared_hull.hpp"
 
 namespace pardel::engine {
@@ -32,10 +32,10 @@ class PieceMaker {
         hull_(delaunay, own, ranks) {}
 
   [[nodiscard]] MeshPiece make() {
-    triangle_ = numbered(indices_where(threads_, t_.slots.size(), [&](std::size_t id) {
+    triangle_ = numbered(t_.slots.size(), [&](std::size_t id) {
       const Slot& slot = t_.slots[id];
       return !slot.is_ghost() && owner_of_triangle(slot) == ranks_.rank();
-    }));
+    });
     find_pieces();
     number_vertices();
     add_vertices();
@@ -53,20 +53,16 @@ class PieceMaker {
     Array<Index> kept;
     Array<Index> place;
   };
-  [[nodiscard]] Places numbered(Array<Index> kept) const {
-    Places places{std::move(kept), make_array(threads_, t_.slots.size(), [](std::size_t) { return no_index; })};
-    parallel_blocks(threads_, places.kept.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) places.place[places.kept[i]] = static_cast<Index>(i);
-    });
-    return places;
+  template <class IsKept>
+  [[nodiscard]] Places numbered(std::size_t n, const IsKept& is_kept) const {
+    Array<Index> kept = indices_where(threads_, n, is_kept);
+    Array<Index> place = places_in(threads_, kept.span(), n);
+    return {std::move(kept), std::move(place)};
   }
 
-  [[nodiscard]] int owner(VertexId v) const {
-    return delaunay_.is_own(v) ? ranks_.rank() : own_.owner(delaunay_.site(v).position);
-  }
   [[nodiscard]] int owner_of_triangle(const Slot& slot) const {
-    return owner(*std::ranges::min_element(
-        slot.v, [&](VertexId a, VertexId b) { return lexicographically_less(t_.points[a], t_.points[b]); }));
+    const VertexId v = least_corner(t_, slot);
+    return delaunay_.is_own(v) ? ranks_.rank() : own_.owner(delaunay_.site(v).position);
   }
 
   /// Of the own vertices, those that are in pieces of other ranks. All triangles around them are known.
@@ -98,9 +94,7 @@ class PieceMaker {
     Array<char> is_used = Array<char>::zeroes(t_.points.size());
     for (const Index id : triangle_.kept)
       for (const VertexId v : t_.slots[id].v) is_used[v] = 1;
-    vertex_.kept = indices_where(threads_, t_.points.size(), [&](std::size_t v) { return is_used[v] != 0; });
-    vertex_.place = make_array(threads_, t_.points.size(), [](std::size_t) { return no_index; });
-    for (std::size_t i = 0; i < vertex_.kept.size(); ++i) vertex_.place[vertex_.kept[i]] = static_cast<Index>(i);
+    vertex_ = numbered(t_.points.size(), [&](std::size_t v) { return is_used[v] != 0; });
   }
 
   /// Points, and what the rank knows about its own ones.

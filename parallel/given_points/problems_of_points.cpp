@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../distributed.hpp"
+#include "../input/check_values.hpp"
 #include "../input/convex_hull.hpp"
 #include "../input/duplicates.hpp"
 #include "ask_others.hpp"
@@ -53,11 +53,7 @@ std::vector<Problem> engine::unusable_coordinates(const PartOfPoints& read, Rank
        indices_where(threads, read.points.size(), [&](std::size_t i) { return !is_usable(read.points[i]); })) {
     if (here.size() == most) break;
     const Point p = read.points[i];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
-    here.push_back({{read.first + i, 0},
-                    1,
-                    p,
-                    finite ? ProblemKind::coordinate_out_of_range : ProblemKind::non_finite_coordinate});
+    here.push_back({{read.first + i, 0}, 1, p, problem_of_coordinates(p)});
   }
   return of_all(here, ranks);
 }

@@ -22,17 +22,17 @@ Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& 
   OwnPoints own = send_to_owners(std::move(read), division, ranks, threads);
   const std::uint64_t first = own.first[ranks.rank()];
   const std::vector<Site> common = common_sites(own.at.span(), first, own.first.back(), ranks);
-  Array<Point> at = own.at;
+  Array<Point> at = std::exchange(own.at, {});
   // Not std::make_unique: the triangulation is made in its place, because it cannot be moved.
   std::unique_ptr<TriangulatedPoints> result(
       new TriangulatedPoints{std::move(division), std::move(own), {std::move(at), first}});
   LocalDelaunay& delaunay = result->delaunay;
   const Status made = delaunay.triangulate(common, threads);
   if (sum_of(made ? 0 : 1, ranks) > 0) {
+    result->own.at.append(delaunay.triangulation().points.span().first(delaunay.own()));
     if (Status fine = status_of(unusable_positions(result->own, ranks, threads), first_id); !fine) return fine.error();
     if (Status all = agree(made, ranks); !all) return all.error();
   }
-  result->own.at = {};
   ask_others(delaunay, result->division, ranks, threads);
   return result;
 }

@@ -19,8 +19,7 @@ void check_coordinates(const Pslg& pslg, const Threads& threads, Findings& found
   const auto unusable = [&](std::size_t i) { return !is_usable(pslg.points[i]); };
   for (const Index i : indices_where(threads, pslg.points.size(), unusable)) {
     const Point p = pslg.points[i];
-    const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
-    found.add(finite ? ProblemKind::coordinate_out_of_range : ProblemKind::non_finite_coordinate, {i}, p);
+    found.add(problem_of_coordinates(p), {i}, p);
   }
 }
 
@@ -34,6 +33,11 @@ void check_indices(const Pslg& pslg, const Threads& threads, Findings& found) {
 }
 
 }  // namespace
+
+ProblemKind problem_of_coordinates(Point p) {
+  const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
+  return finite ? ProblemKind::coordinate_out_of_range : ProblemKind::non_finite_coordinate;
+}
 
 void check_values(const Pslg& pslg, const Threads& threads, Findings& found) {
   check_counts(pslg, found);

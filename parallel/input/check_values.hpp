@@ -6,6 +6,9 @@
 
 namespace pardel::engine {
 
+/// The problem of a point whose coordinates are not usable (is_usable()).
+[[nodiscard]] ProblemKind problem_of_coordinates(Point p);
+
 /// Adds non_finite_coordinate, coordinate_out_of_range, wrong_count and index_out_of_range. O(n).
 void check_values(const Pslg& pslg, const Threads& threads, Findings& found);
 

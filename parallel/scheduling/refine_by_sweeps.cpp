@@ -227,19 +227,18 @@ class Refinement {
   void go_down_in_excerpt(const Levels& levels) {
     const Waiting due = pending_.take();
     RefineCounts in_last_excerpt;  // an excerpt that was too small does not count
-    waiting_ = partners_->refine_coarse(levels.back(), due.deferred,
-                                        [&](const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed) {
-                                          const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
-                                          Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_,
-                                                                one, schedule_, watcher_, nullptr);
-                                          in_excerpt.defer_again(excerpt.fill(in_excerpt.runner_));
-                                          in_excerpt.changed_.emplace();
-                                          in_excerpt.refine_coarse_levels(levels);
-                                          in_last_excerpt = in_excerpt.counts_;
-                                          keys_in_excerpt_ = in_excerpt.pending_.count_keys();
-                                          changed = *std::move(in_excerpt.changed_);
-                                          return in_excerpt.pending_.take();
-                                        });
+    const auto refine = [&](const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed) {
+      const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
+      Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, one, schedule_, watcher_, nullptr);
+      in_excerpt.defer_again(excerpt.fill(in_excerpt.runner_));
+      in_excerpt.changed_.emplace();
+      in_excerpt.refine_coarse_levels(levels);
+      in_last_excerpt = in_excerpt.counts_;
+      keys_in_excerpt_ = in_excerpt.pending_.count_keys();
+      changed = *std::move(in_excerpt.changed_);
+      return in_excerpt.pending_.take();
+    };
+    waiting_ = partners_->refine_coarse(levels.back(), due.deferred, refine);
     counts_.add(in_last_excerpt);
   }
 

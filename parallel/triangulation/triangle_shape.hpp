@@ -1,9 +1,12 @@
-// The shape of a triangle: its squared side lengths and its area, for one triangle or for two at once.
+// The shape of a triangle: its squared side lengths and its area, for one triangle or for two at once; and its least
+// corner.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "../../core/pslg.hpp"
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/pair.hpp"
 #include "triangulation.hpp"
 
@@ -40,6 +43,13 @@ using Measure = MeasureOf<double>;
 
 [[nodiscard]] inline Point centroid_of(Point a, Point b, Point c) {
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+}
+
+/// The lexicographically least corner. It does not depend on numbers or on which corner is the first one, so all ranks
+/// agree on it. Precondition: the triangle is no ghost.
+[[nodiscard]] inline VertexId least_corner(const Triangulation& t, const Slot& triangle) {
+  const auto less = [&](VertexId a, VertexId b) { return lexicographically_less(t.points[a], t.points[b]); };
+  return std::min({triangle.v[0], triangle.v[1], triangle.v[2]}, less);
 }
 
 /// The vector from a corner of a triangle to its circumcentre. `b`, `c`: the vectors from this corner to the others,
