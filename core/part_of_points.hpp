@@ -19,4 +19,11 @@ struct PartOfPoints {
   FirstId first_id{};                    ///< only messages use it
 };
 
+/// A domain whose points are divided among ranks. All ranks have the rest of it.
+struct PartOfPslg {
+  PartOfPoints points;
+  /// Segments, holes and regions. It has no points: segments name those of all ranks by their numbers.
+  Pslg rest{};
+};
+
 }  // namespace pardel

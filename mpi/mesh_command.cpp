@@ -130,7 +130,7 @@ bool may_divide_points(const Arguments& arguments, const Job& job) {
 /// One piece per rank, of points of which each rank has a part.
 Result<Made> make_of_points(const Arguments& arguments, PartOfPoints&& points, Job& job) {
   const Result<MeshPiece> piece =
-      mesh(std::move(points), goal_without_sizes(arguments.goal), arguments.options, job.ranks());
+      mesh({std::move(points)}, goal_without_sizes(arguments.goal), arguments.options, job.ranks());
   if (!piece) return fault_of_points(piece.error(), arguments.input, arguments.options.threads, job);
   return written(arguments, *piece, {}, job);
 }

@@ -95,16 +95,19 @@ struct MeshPiece {
 /// there is neither a limit on vertices nor a function that needs the whole mesh.
 [[nodiscard]] bool can_divide_points(const Goal& goal, const Options& options);
 
-/// Makes the mesh of the convex hull of the points of all ranks: that of mesh() for a domain of these points without
-/// segments, with the same numbers. Collective. No rank has all points or triangles. The points are triangulated as by
-/// triangulate(). One rank refines the coarse levels, in an excerpt of the mesh with the parts that have triangles that
-/// are long compared with the tiles; then the triangles go to the ranks that refine their tiles.
+/// Makes the mesh of a domain of which no rank has all points: that of mesh() for the domain, with the same numbers.
+/// Collective; all ranks pass the same segments, holes and regions. The points are triangulated as by triangulate().
+/// Then each rank inserts all segments into its part. One rank refines the coarse levels, in an excerpt of the mesh with
+/// the parts that have triangles that are long compared with the tiles; then the triangles go to the ranks that refine
+/// their tiles.
 ///
-/// Memory of a rank: its share of the mesh, a margin around it, and the vertices of the convex hull; on the first rank
-/// also the excerpt. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
+/// Memory of a rank: its share of the mesh, a margin around it, all segments, the corners of all triangles that
+/// segments cross in the triangulation of the points, and the vertices of the convex hull; on the first rank also the
+/// excerpt. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
 ///
-/// Errors as for triangulate() and mesh(), and `usage` if can_divide_points() is false or if points have attributes.
-[[nodiscard]] Result<MeshPiece> mesh(PartOfPoints&& points, const Goal& goal, const Options& options, Ranks& ranks);
+/// Errors as for triangulate() and mesh(); `invalid_input`, with the problems of segments, holes and regions;
+/// `usage` if can_divide_points() is false or if points have attributes.
+[[nodiscard]] Result<MeshPiece> mesh(PartOfPslg&& domain, const Goal& goal, const Options& options, Ranks& ranks);
 
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.
 [[nodiscard]] inline PieceOfMesh view_of(const MeshPiece& piece) {

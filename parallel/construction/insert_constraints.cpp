@@ -7,6 +7,7 @@
 #include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
+#include "crossed_edges.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -23,11 +24,14 @@ class ConstraintInserter {
 
   Status insert(Constraint c) {
     ask_();
-    Result<EdgeRef> first = first_crossing(c);
-    if (!first) return first.error();
-    if (first->none()) return Done{};  // the edge exists already
+    find_crossed_edges(t_, c, triangle_of_[c.a], ask_, crossed_);
+    if (!crossed_.present.none()) {
+      t_.constrain(crossed_.present);
+      return Done{};
+    }
+    if (Status possible = check_crossed(c); !possible) return possible;
     crossing_.clear();
-    if (Status walked = collect_crossings(c, *first); !walked) return walked;
+    for (const EdgeRef e : crossed_.edges) crossing_.push_back({t_.slot(e).from(e.side()), t_.slot(e).to(e.side())});
     remove_crossings(c);
     t_.constrain(edge(c.a, c.b));
     suspects_.clear();
@@ -48,22 +52,10 @@ class ConstraintInserter {
       if (v != ghost) triangle_of_[v] = id;
   }
 
-  /// Calls visit(triangle, corner) for the triangles around v, counter-clockwise, until it returns true.
-  template <class Visit>
-  void around(VertexId v, const Visit& visit) const {
-    const TriangleId start = triangle_of_[v];
-    TriangleId id = start;
-    do {
-      const unsigned corner = t_.slots[id].corner_of(v);
-      if (visit(id, corner)) return;
-      id = t_.slots[id].n[next_corner[corner]].triangle();
-    } while (id != start);
-  }
-
   /// The edge from u to v as a side of the triangle on its left; none() if there is no such edge.
   EdgeRef edge(VertexId u, VertexId v) const {
     EdgeRef found;
-    around(u, [&](TriangleId id, unsigned corner) {
+    for_each_around(t_, u, triangle_of_[u], [&](TriangleId id, unsigned corner) {
       if (t_.slots[id].from(corner) != v) return false;
       found = EdgeRef(id, previous_corner[corner]);
       return true;
@@ -71,65 +63,19 @@ class ConstraintInserter {
     return found;
   }
 
-  /// The side opposite c.a that the constraint crosses first. If the constraint is an edge already, marks this edge as
-  /// constrained and returns none().
-  Result<EdgeRef> first_crossing(Constraint c) {
-    EdgeRef out;
-    VertexId passed = no_index;
-    bool present = false;
-    const Point a = t_.points[c.a], b = t_.points[c.b];
-    around(c.a, [&](TriangleId id, unsigned corner) {
-      const Slot& slot = t_.slots[id];
-      const VertexId x = slot.from(corner), y = slot.to(corner);
-      if (x == c.b) {
-        t_.constrain(EdgeRef(id, previous_corner[corner]));
-        return present = true;
-      }
-      if (x == ghost) return false;
-      const double right = orient2d(a, t_.points[x], b);
-      const bool ahead = (t_.points[x].x - a.x) * (b.x - a.x) + (t_.points[x].y - a.y) * (b.y - a.y) > 0;
-      if (right == 0 && ahead) {
-        passed = x;
-        return true;
-      }
-      if (y != ghost && right > 0 && orient2d(a, t_.points[y], b) < 0) {
-        out = EdgeRef(id, corner);
-        return true;
-      }
-      return false;
-    });
-    if (passed != no_index) return through_vertex(c, passed);
-    if (out.none() && !present)
-      return Error{ErrorKind::invalid_input,
-                   "the triangulation has no triangle in the direction of the segment from " + shortest(a)};
-    return out;
-  }
-
-  Error through_vertex(Constraint c, VertexId v) const {
-    return {ErrorKind::invalid_input, "the segment from " + shortest(t_.points[c.a]) + " to " +
-                                          shortest(t_.points[c.b]) + " passes through the point " +
-                                          shortest(t_.points[v])};
-  }
-
-  /// Lists the edges that the constraint crosses, in the order along the constraint. e is the first of them.
-  Status collect_crossings(Constraint c, EdgeRef e) {
-    const Point a = t_.points[c.a], b = t_.points[c.b];
-    for (;;) {
-      ask_();
+  /// Done if the edges that the constraint crosses can be flipped.
+  [[nodiscard]] Status check_crossed(Constraint c) const {
+    const auto at = [&](VertexId v) { return shortest(t_.points[v]); };
+    const auto invalid = [&](const std::string& what) {
+      return Error{ErrorKind::invalid_input, "the segment from " + at(c.a) + " to " + at(c.b) + what};
+    };
+    if (crossed_.passed != no_index) return invalid(" passes through the point " + at(crossed_.passed));
+    if (const EdgeRef e = crossed_.constrained; !e.none()) {
       const Slot& slot = t_.slot(e);
-      const EdgeRef across = slot.n[e.side()];
-      if (across.constrained())
-        return Error{ErrorKind::invalid_input,
-                     "the segment from " + shortest(a) + " to " + shortest(b) + " crosses the segment from " +
-                         shortest(t_.points[slot.from(e.side())]) + " to " + shortest(t_.points[slot.to(e.side())])};
-      crossing_.push_back({slot.from(e.side()), slot.to(e.side())});
-      const VertexId q = t_.slot(across).apex(across.side());
-      if (q == c.b) return Done{};
-      const double side = orient2d(a, b, t_.points[q]);
-      if (side == 0) return through_vertex(c, q);
-      // Seen from the far triangle, `from` lies to the left of the constraint and `to` to its right.
-      e = EdgeRef(across.triangle(), side > 0 ? next_corner[across.side()] : previous_corner[across.side()]);
+      return invalid(" crosses the segment from " + at(slot.from(e.side())) + " to " + at(slot.to(e.side())));
     }
+    if (crossed_.edges.empty()) return invalid(" begins where the triangulation has no triangle");
+    return Done{};
   }
 
   /// Flips edges until none crosses the constraint. An edge whose quadrilateral is not strictly convex goes to the end
@@ -166,8 +112,9 @@ class ConstraintInserter {
   Threads threads_;
   SparseAsk ask_;
   std::vector<TriangleId> triangle_of_;  ///< for each vertex, one of its triangles
-  std::deque<VertexPair> crossing_;      ///< the edges that cross the constraint
-  std::vector<VertexPair> fresh_;        ///< edges that flips made and that do not cross the constraint
+  CrossedEdges crossed_;
+  std::deque<VertexPair> crossing_;  ///< the edges that cross the constraint
+  std::vector<VertexPair> fresh_;    ///< edges that flips made and that do not cross the constraint
   std::vector<EdgeRef> suspects_;
   std::vector<TriangleId> changed_;
 };
@@ -175,19 +122,23 @@ class ConstraintInserter {
 }  // namespace
 
 Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints, const Threads& threads) {
-  if (constraints.empty()) return Done{};
   // Sort by vertices, which are numbered by coordinates. The result then does not depend on the order of the input.
-  std::vector<std::pair<VertexId, VertexId>> ordered;
+  std::vector<Constraint> ordered;
   ordered.reserve(constraints.size());
-  for (const Constraint c : constraints) ordered.push_back(std::minmax(c.a, c.b));
+  for (const Constraint c : constraints) ordered.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
   SparseAsk ask(threads.stop);
-  std::sort(ordered.begin(), ordered.end(), [&](const auto& c, const auto& d) {
+  std::sort(ordered.begin(), ordered.end(), [&](const Constraint& c, const Constraint& d) {
     ask();
-    return c < d;
+    return std::pair(c.a, c.b) < std::pair(d.a, d.b);
   });
+  return insert_in_order(t, ordered, threads);
+}
+
+Status insert_in_order(Triangulation& t, std::span<const Constraint> constraints, const Threads& threads) {
+  if (constraints.empty()) return Done{};
   ConstraintInserter inserter(t, threads);
-  for (const auto& [a, b] : ordered)
-    if (Status inserted = inserter.insert({a, b}); !inserted) return inserted;
+  for (const Constraint c : constraints)
+    if (Status inserted = inserter.insert(c); !inserted) return inserted;
   return Done{};
 }
 

@@ -16,4 +16,8 @@ namespace pardel::engine {
 [[nodiscard]] Status insert_constraints(Triangulation& t, std::span<const Constraint> constraints,
                                         const Threads& threads = {});
 
+/// The same for constraints that are sorted already: by the order of their vertices in the triangulation of all points,
+/// first by the earlier end. Which of several constrained Delaunay triangulations results depends on this order.
+[[nodiscard]] Status insert_in_order(Triangulation& t, std::span<const Constraint> constraints, const Threads& threads);
+
 }  // namespace pardel::engine

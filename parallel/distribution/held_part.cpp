@@ -166,6 +166,12 @@ VertexId HeldPart::place(const TravellingVertex& vertex) {
   return v;
 }
 
+void HeldPart::add(std::span<const LoosePoint> loose) {
+  for (const LoosePoint& point : loose)
+    static_cast<void>(place(TravellingVertex{Names::packed(point.name), point.at, input_vertex}));
+  vertices_.settle();
+}
+
 TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const VertexId> vertices) {
   const Name name = Names::unpacked(triangle.name);
   TriangleId id = triangle_names_.index_of(name);
@@ -202,10 +208,10 @@ void HeldPart::sew() {
   for_each_triangle([&](TriangleId id) {
     const Slot& slot = t_.slots[id];
     for (unsigned side = 0; side < 3; ++side) {
-      if (!is_beyond(slot.n[side]) || slot.n[side].constrained()) continue;
+      if (!is_beyond(slot.n[side])) continue;
       const auto other = loose.find(key(slot.to(side), slot.from(side)));
       if (other == loose.end()) {
-        loose.emplace(key(slot.from(side), slot.to(side)), EdgeRef(id, side));
+        loose.emplace(key(slot.from(side), slot.to(side)), EdgeRef(id, side, slot.n[side].constrained()));
         continue;
       }
       t_.link({id, side}, other->second);

@@ -58,21 +58,27 @@ class HeldPart {
     triangles_ = &*final_triangles_;
   }
 
-  // For a part that was not made by write() and read():
+  // For what does not come from write() and read():
   /// Another rank has named the vertex.
   void name_vertex(VertexId v, Name name) {
     vertex_names_.bind(name, v);
     vertices_of_others_.push_back(v);
   }
+  /// A point of the input that another rank has named, and that is in no triangle.
+  struct LoosePoint {
+    Name name;
+    Point at;
+  };
+  void add(std::span<const LoosePoint> loose);
   /// Another rank has named the slot of the triangle.
   void name_triangle(TriangleId id, Name name) {
     triangle_names_.bind(name, id);
     is_known_elsewhere_.set(id, 1);
   }
   /// The triangle across the side is not held.
-  void cut(EdgeRef side) { t_.slots[side.triangle()].n[side.side()] = beyond(false); }
+  void cut(EdgeRef side) { t_.slots[side.triangle()].n[side.side()] = beyond(side.constrained()); }
   /// Links triangles that are held and have a side in common, but do not know it: a sender names a neighbour only if it
-  /// holds it, too. The side is not constrained.
+  /// holds it, too.
   void sew();
 
   /// Declares that a slot contains no triangle.

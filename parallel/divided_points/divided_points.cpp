@@ -75,7 +75,8 @@ Waiting DividedPoints::exchanged(const std::vector<std::vector<TravellingEntry>>
 }
 
 void DividedPoints::begin(PhaseRunner& runner) {
-  part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), HeldPart::Common{start_.hull, 0});
+  part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()),
+                HeldPart::Common{start_.shared, 0});
   for (const auto& [v, name] : start_.named_vertices) part_->name_vertex(v, name);
   for (const auto& [id, name] : start_.named_triangles) part_->name_triangle(id, name);
   for (const EdgeRef side : start_.cut) part_->cut(side);
@@ -112,7 +113,12 @@ std::vector<TriangleId> DividedPoints::home_triangles_in(const Tiles& tiles, std
   return found;
 }
 
+void DividedPoints::drop_borrowed() {
+  for (const TriangleId id : std::exchange(start_.borrowed, {})) part_->drop(id);
+}
+
 Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferred> due, const RefineCoarse& refine) {
+  drop_borrowed();
   std::vector<Name> own_names;
   std::vector<std::uint64_t> covered(finest.cells(), 0);
   for (const Deferred& each : due) {
@@ -157,6 +163,7 @@ Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferr
 
 Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& /*runner*/,
                                    Waiting&& waiting) {
+  drop_borrowed();
   set_owners(ownership_of(tiles, work));
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
   const auto send = [&](QueuedTriangle triangle, TravellingEntry entry) {
@@ -191,8 +198,17 @@ Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> w
   });
   for (const TriangleId id : not_held) part_->drop(id);
   part_->sew();
+  send_loose_points();
 
   return exchanged(entries);
+}
+
+void DividedPoints::send_loose_points() {
+  std::vector<std::vector<HeldPart::LoosePoint>> leaving(static_cast<std::size_t>(ranks_.count()));
+  for (const VertexId v : start_.loose)
+    if (const int owner = owner_of(v); owner != ranks_.rank())
+      leaving[owner].push_back({part_->name_of_vertex(v), t_.points[v]});
+  part_->add(concatenated(exchange_lists(leaving, ranks_)));
 }
 
 }  // namespace pardel::engine

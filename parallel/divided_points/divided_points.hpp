@@ -40,6 +40,10 @@ class DividedPoints : public Distribution {
  private:
   struct TravellingEntry;
   [[nodiscard]] Waiting exchanged(const std::vector<std::vector<TravellingEntry>>& entries);
+  /// They serve the assessment at the beginning; nobody tells this rank about their changes.
+  void drop_borrowed();
+  /// A point belongs to the piece of the rank that owns its cell, even if it is in no triangle.
+  void send_loose_points();
   [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }
   [[nodiscard]] int home_before(TriangleId id, const Triangulation& t) const;
   [[nodiscard]] bool is_held_before(int rank, const Triangulation& t, TriangleId id) const;

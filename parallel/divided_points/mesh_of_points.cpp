@@ -21,12 +21,16 @@ using namespace engine;
 
 namespace {
 
-Result<MeshPiece> mesh_of(PartOfPoints&& points, const Goal& goal, const Options& options, ProgressMonitor& progress,
+Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& options, ProgressMonitor& progress,
                           Ranks& ranks) {
   Stopwatch watch;
-  Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(points), ranks, progress.threads());
+  input.rest.first_id = input.points.first_id;
+  Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(input.points), ranks, progress.threads());
   if (!made) return made.error();
-  PartOfDomain part = part_of_domain((*made)->delaunay, (*made)->own, ranks, progress.threads());
+  Result<PartOfDomain> part_made =
+      part_of_domain((*made)->delaunay, (*made)->own, input.rest, goal.convex_hull, ranks, progress.threads());
+  if (!part_made) return part_made.error();
+  PartOfDomain& part = *part_made;
   const CurveDivision division = (*made)->division;
   made->reset();
   DividedPoints distribution(ranks, part, division);
@@ -36,8 +40,15 @@ Result<MeshPiece> mesh_of(PartOfPoints&& points, const Goal& goal, const Options
   resolved.min_edge = std::max(resolved.min_edge, least_edge[0]);
   Report report;
   report.triangulate_seconds = watch.lap();
-  const Criteria criteria(goal, placement_for(goal, options, false), {});
-  return refine_in_ranks(part.domain, distribution, criteria, resolved, progress, {}, std::move(report), watch);
+  InputData data;
+  std::vector<double> caps;
+  for (const Region& region : input.rest.regions) {
+    data.region_attributes.push_back(region.attribute);
+    caps.push_back(region.max_area);
+  }
+  const Criteria criteria(goal, placement_for(goal, options, false), std::move(caps));
+  return refine_in_ranks(part.domain, distribution, criteria, resolved, progress, std::move(data), std::move(report),
+                         watch);
 }
 
 }  // namespace
@@ -52,16 +63,16 @@ bool can_divide_points(const Goal& goal, const Options& options) {
          !options.after_sweep && !options.before_refinement;
 }
 
-Result<MeshPiece> mesh(PartOfPoints&& points, const Goal& goal, const Options& options, Ranks& ranks) {
+Result<MeshPiece> mesh(PartOfPslg&& input, const Goal& goal, const Options& options, Ranks& ranks) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
   if (!can_divide_points(goal, options))
     return Error{ErrorKind::usage,
                  "points that are divided among ranks need bounds that are the same everywhere, a lattice, and an "
                  "interior that is refined"};
-  if (points.attributes_per_point > 0)
+  if (input.points.attributes_per_point > 0)
     return Error{ErrorKind::usage, "points that are divided among ranks must not have attributes"};
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
-    return mesh_of(std::move(points), goal, safe, progress, ranks);
+    return mesh_of(std::move(input), goal, safe, progress, ranks);
   });
 }
 

@@ -2,26 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
+#include <set>
 
+#include "../../core/support/agree.hpp"
 #include "../../core/support/exchange_lists.hpp"
-#include "../../core/support/message.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/begin_with_latest.hpp"
+#include "../construction/insert_constraints.hpp"
+#include "../given_points/problems_of_points.hpp"
 #include "../given_points/shared_hull.hpp"
-#include "../triangulation/triangle_shape.hpp"
+#include "../input/findings.hpp"
+#include "crossed_triangles.hpp"
+#include "labels.hpp"
+#include "shared_vertices.hpp"
+#include "triangles_at_borders.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// Where a triangle is, on its way from the rank that names it.
-struct NamedTriangle {
-  std::array<std::uint64_t, 3> corners;  ///< positions
-  Index id;
-  Index unused = 0;
-};
 
 /// The two vertices that come first in the order of insertion, and the first one that is not on a line with them. As
 /// vertices of the local triangulation; no_index for those that it does not have.
@@ -52,61 +51,114 @@ class FirstThree {
   Ranks& ranks_;
 };
 
+/// The problems of segments, holes and regions, except points inside segments. Collective.
+std::vector<Problem> problems_of_rest(const SharedVertices& shared, const Pslg& rest, bool convex_hull,
+                                      const Threads& threads) {
+  // The convex hull of the shared vertices is that of all points.
+  Pslg known = rest;
+  for (Index i = 0; i < shared.size(); ++i) known.points.push_back(shared[i].at);
+  known.segments = shared.segments();
+  std::vector<Problem> problems = find_problems(known, ValidateOptions{.convex_hull = convex_hull}, threads);
+  for (Problem& problem : problems)
+    if (problem.kind == ProblemKind::point_on_segment)
+      problem.ids[0] = static_cast<Index>(shared[problem.ids[0]].number);
+  return problems;
+}
+
 class PartMaker {
  public:
-  PartMaker(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks, const Threads& threads)
+  PartMaker(LocalDelaunay& delaunay, const OwnPoints& own, const Pslg& rest, bool convex_hull, Ranks& ranks,
+            const Threads& threads)
       : delaunay_(delaunay),
         t_(delaunay.triangulation()),
         own_(own),
+        rest_(rest),
+        convex_hull_(convex_hull || rest.segments.empty()),
         ranks_(ranks),
         threads_(threads),
         first_(own.first[ranks.rank()]),
-        hull_(delaunay, own, ranks) {
-    part_.hull = static_cast<Index>(hull_.vertices().size());
+        hull_(delaunay, own, ranks),
+        shared_(hull_, rest.segments, delaunay, own, ranks) {
+    part_.shared = shared_.size();
     part_.points = own.first.back();
   }
 
-  [[nodiscard]] PartOfDomain make() {
-    begin_with_latest(
-        t_, FirstThree(delaunay_, ranks_).find(), [&](VertexId v) { return delaunay_.when(v); }, threads_);
-    number_triangles();
+  [[nodiscard]] Result<PartOfDomain> make() {
+    if (Status inserted = insert_segments(); !inserted) return inserted.error();
+    DomainRules rules{convex_hull_, rest_.holes, {}};
+    for (const Region& region : rest_.regions) rules.region_seeds.push_back(region.seed);
+    const Labels labels(delaunay_, own_, hull_, rules, ranks_, threads_);
+    number_triangles(labels);
     number_vertices();
     add_points();
-    add_triangles();
+    add_triangles(labels);
+    add_regions(labels);
     add_segments();
     exchange_names();
     return std::move(part_);
   }
 
  private:
-  void number_triangles() {
-    kept_ = indices_where(threads_, t_.slots.size(), [&](std::size_t id) {
-      return !t_.slots[id].is_ghost() && delaunay_.has_own_corner(static_cast<TriangleId>(id));
-    });
-    place_ = places_in(threads_, kept_.span(), t_.slots.size());
+  [[nodiscard]] Status insert_segments() {
+    const FirstId first_id = rest_.first_id;
+    OrderedConstraints constraints;
+    if (!is_point_set(rest_)) {
+      if (Status fine = status_of(problems_of_rest(shared_, rest_, convex_hull_, threads_), first_id); !fine)
+        return fine;
+      constraints = ordered_constraints(shared_, delaunay_);
+      if (Status fine = status_of(learn_crossed_triangles(constraints, delaunay_, own_, ranks_, threads_), first_id);
+          !fine)
+        return fine;
+    }
+    begin_with_latest(
+        t_, FirstThree(delaunay_, ranks_).find(), [&](VertexId v) { return delaunay_.when(v); }, threads_);
+    return agree(insert_in_order(t_, constraints.edges, threads_), ranks_);
   }
 
-  /// The index, on its owner, of a point that is not on the hull.
+  void number_triangles(const Labels& labels) {
+    kept_ = indices_where(threads_, t_.slots.size(), [&](std::size_t slot) {
+      const auto id = static_cast<TriangleId>(slot);
+      return !t_.slots[id].is_ghost() && delaunay_.has_own_corner(id) && labels.is_in_domain(id);
+    });
+    place_ = places_in(threads_, kept_.span(), t_.slots.size());
+    own_triangles_ = static_cast<Index>(kept_.size());
+    for (Index i = 0; i < own_triangles_; ++i) borrow_neighbours(t_.slots[kept_[i]], labels);
+  }
+
+  void borrow_neighbours(const Slot& slot, const Labels& labels) {
+    if (!slot.any_constrained()) return;
+    for (unsigned side = 0; side < 3; ++side) {
+      const EdgeRef across = slot.n[side];
+      if (!across.constrained() || place_[across.triangle()] != no_index || is_on_boundary(slot, side, labels))
+        continue;
+      place_[across.triangle()] = static_cast<Index>(kept_.size());
+      part_.borrowed.push_back(place_[across.triangle()]);
+      kept_.push_back(across.triangle());
+    }
+  }
+
+  /// The index, on its owner, of a point that is not shared.
   [[nodiscard]] Index index_at_owner(std::uint64_t position) const {
     const std::uint64_t first = own_.first[own_.owner(position)];
-    const Index on_hull = hull_.before(position) - hull_.before(first);
-    return part_.hull + static_cast<Index>(position - first) - on_hull;
+    const Index shared = shared_.before(position) - shared_.before(first);
+    return part_.shared + static_cast<Index>(position - first) - shared;
   }
 
   void number_vertices() {
     vertex_ = make_array(threads_, t_.points.size(), [](std::size_t) { return no_index; });
-    Index next = part_.hull;
+    Index next = part_.shared;
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const std::uint64_t position = first_ + v;
-      vertex_[v] = hull_.has(position) ? hull_.before(position) : next++;
+      vertex_[v] = shared_.has(position) ? shared_.before(position) : next++;
     }
     known_ = next;
+    list_loose_points();
     for (const Index id : kept_)
       for (const VertexId v : t_.slots[id].v) {
         if (vertex_[v] != no_index) continue;
         const std::uint64_t position = delaunay_.site(v).position;
-        if (hull_.has(position)) {
-          vertex_[v] = hull_.before(position);
+        if (shared_.has(position)) {
+          vertex_[v] = shared_.before(position);
           continue;
         }
         vertex_[v] = next++;
@@ -115,20 +167,32 @@ class PartMaker {
       }
   }
 
+  void list_loose_points() {
+    std::vector<bool> is_corner(delaunay_.own());
+    for (const Index id : kept_)
+      for (const VertexId v : t_.slots[id].v)
+        if (delaunay_.is_own(v)) is_corner[v] = true;
+    for (VertexId v = 0; v < delaunay_.own(); ++v)
+      if (!is_corner[v] && vertex_[v] >= part_.shared) part_.loose.push_back(vertex_[v]);
+  }
+
+  [[nodiscard]] bool has_markers() const {
+    for (Index i = 0; i < shared_.size(); ++i)
+      if (shared_[i].marker != 0) return true;
+    return !own_.marker.empty();
+  }
+
   void add_points() {
     Triangulation& t = part_.domain.triangulation;
-    const bool marked = !own_.marker.empty() ||
-                        std::ranges::any_of(hull_.vertices(), [](const HullVertex& v) { return v.marker != 0; });
-    for (const HullVertex& v : hull_.vertices()) {
-      t.points.push_back(v.at);
-      part_.domain.input_of_vertex.push_back(static_cast<Index>(v.number));
-    }
+    const bool marked = has_markers();
     t.points.resize_uninitialised(known_ + others_.size());
     part_.number.resize_uninitialised(known_);
     if (marked) part_.marker.resize(known_, 0);
-    for (Index i = 0; i < part_.hull; ++i) {
-      part_.number[i] = hull_.vertices()[i].number;
-      if (marked) part_.marker[i] = hull_.vertices()[i].marker;
+    for (Index i = 0; i < part_.shared; ++i) {
+      t.points[i] = shared_[i].at;
+      part_.domain.input_of_vertex.push_back(static_cast<Index>(shared_[i].number));
+      part_.number[i] = shared_[i].number;
+      if (marked) part_.marker[i] = shared_[i].marker;
     }
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const Index at = vertex_[v];
@@ -140,7 +204,7 @@ class PartMaker {
     t.origin = make_array(threads_, t.points.size(), [](std::size_t) { return input_vertex; });
   }
 
-  void add_triangles() {
+  void add_triangles(const Labels& labels) {
     Triangulation& t = part_.domain.triangulation;
     t.slots.resize_uninitialised(kept_.size());
     for (std::size_t i = 0; i < kept_.size(); ++i) {
@@ -151,73 +215,80 @@ class PartMaker {
         slot.v[k] = vertex_[old.v[k]];
         const EdgeRef across = old.n[k];
         if (place_[across.triangle()] != no_index)
-          slot.n[k] = EdgeRef(place_[across.triangle()], across.side());
-        else if (!hull_.has_edge(delaunay_.site(old.from(k)).position, delaunay_.site(old.to(k)).position))
-          part_.cut.emplace_back(static_cast<TriangleId>(i), k);
+          slot.n[k] = EdgeRef(place_[across.triangle()], across.side(), across.constrained());
+        else if (!is_on_boundary(old, k, labels))
+          part_.cut.emplace_back(static_cast<TriangleId>(i), k, across.constrained());
       }
     }
   }
 
+  /// Whether the domain ends at this side. (The local neighbour need not be that of the triangulation of all points.)
+  [[nodiscard]] bool is_on_boundary(const Slot& old, unsigned side, const Labels& labels) const {
+    const std::uint64_t from = delaunay_.site(old.from(side)).position, to = delaunay_.site(old.to(side)).position;
+    return hull_.has_edge(from, to) || (old.n[side].constrained() && !labels.is_in_domain_beside(to, from));
+  }
+
+  void add_regions(const Labels& labels) {
+    if (rest_.regions.empty()) return;
+    Array<Index>& region = part_.domain.triangulation.region;
+    // Not empty even without triangles: this would mean that there are no regions.
+    region.resize(std::max<std::size_t>(kept_.size(), 1), no_index);
+    for (Index i = 0; i < own_triangles_; ++i) region[i] = labels.region(kept_[i]);
+  }
+
+  /// Then, if the domain is the convex hull, its edges that are no segments.
   void add_segments() {
-    std::vector<Constraint> constraints;
-    for (Index i = 0; i < part_.hull; ++i) constraints.push_back({i, hull_.before(hull_.vertices()[i].next)});
     DomainTriangulation& domain = part_.domain;
-    domain.input_segment.assign(constraints.size(), no_index);
-    domain.segment_marker.assign(constraints.size(), 0);
+    std::vector<Constraint> constraints;
+    std::set<std::pair<Index, Index>> present;
+    for (Index s = 0; const Segment& segment : shared_.segments()) {
+      constraints.push_back({segment.a, segment.b});
+      present.insert(std::minmax(segment.a, segment.b));
+      domain.input_segment.push_back(s++);
+      domain.segment_marker.push_back(segment.marker);
+    }
+    for (const HullVertex& v : hull_.vertices()) {
+      const Constraint edge{shared_.before(v.position), shared_.before(v.next)};
+      if (!convex_hull_ || present.contains(std::minmax(edge.a, edge.b))) continue;
+      constraints.push_back(edge);
+      domain.input_segment.push_back(no_index);
+      domain.segment_marker.push_back(0);
+    }
     domain.segments = DomainSegments(domain.triangulation.points, constraints, threads_);
   }
 
-  [[nodiscard]] std::array<std::uint64_t, 3> positions(const Slot& old) const {
-    return {delaunay_.site(old.v[0]).position, delaunay_.site(old.v[1]).position, delaunay_.site(old.v[2]).position};
-  }
-  [[nodiscard]] int owner(VertexId old) const { return own_.owner(delaunay_.site(old).position); }
-
-  /// A triangle has the name that the owner of its least corner gives it.
+  /// A triangle has the name that its home gives it.
   void exchange_names() {
-    std::vector<std::vector<NamedTriangle>> told(static_cast<std::size_t>(ranks_.count()));
-    std::map<std::array<std::uint64_t, 3>, TriangleId> unnamed;
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      const Slot& old = t_.slots[kept_[i]];
-      if (std::ranges::all_of(old.v, [&](VertexId v) { return delaunay_.is_own(v); })) continue;
-      const int home = owner(least_corner(t_, old));
-      if (home != ranks_.rank()) {
-        unnamed.emplace(positions(old), static_cast<TriangleId>(i));
-        continue;
-      }
-      std::vector<int> others{owner(old.v[0]), owner(old.v[1]), owner(old.v[2])};
-      std::ranges::sort(others);
-      others.erase(std::unique(others.begin(), others.end()), others.end());
-      for (const int rank : others)
-        if (rank != ranks_.rank()) told[rank].push_back({positions(old), static_cast<Index>(i)});
-    }
-    const auto arrived = exchange_lists(told, ranks_);
-    for (int rank = 0; rank < ranks_.count(); ++rank)
-      for (const NamedTriangle& named : arrived[rank]) {
-        const auto at = unnamed.find(named.corners);
-        if (at == unnamed.end()) throw Reader::does_not_match();
-        part_.named_triangles.emplace_back(at->second, Name{Name::rank(rank), named.id});
-      }
-    if (part_.named_triangles.size() != unnamed.size()) throw Reader::does_not_match();
+    const auto place = [&](TriangleId id) { return place_[id]; };
+    for (const ToldTriangle& told : told_by_homes(
+             delaunay_, own_, ranks_, [&](TriangleId id) { return place(id) < own_triangles_; }, place))
+      part_.named_triangles.emplace_back(place(told.id), Name{Name::rank(told.home), told.value});
   }
 
   LocalDelaunay& delaunay_;
   Triangulation& t_;
   const OwnPoints& own_;
+  const Pslg& rest_;
+  bool convex_hull_;
   Ranks& ranks_;
   Threads threads_;
   std::uint64_t first_;  ///< the position of the first own point
   SharedHull hull_;
-  Array<Index> kept_, place_;  ///< the slots of the part's triangles; for each slot its new index, or no_index
-  Array<Index> vertex_;        ///< for each old vertex its new index, or no_index
-  Index known_ = 0;            ///< the number of vertices that are on the hull or own
+  SharedVertices shared_;
+  /// The slots of the part's triangles, first those with own corners; for each slot its new index, or no_index.
+  Array<Index> kept_, place_;
+  Index own_triangles_ = 0;
+  Array<Index> vertex_;  ///< for each old vertex its new index, or no_index
+  Index known_ = 0;      ///< the number of vertices that are shared or own
   std::vector<VertexId> others_;
   PartOfDomain part_;
 };
 
 }  // namespace
 
-PartOfDomain part_of_domain(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks, const Threads& threads) {
-  return PartMaker(delaunay, own, ranks, threads).make();
+Result<PartOfDomain> part_of_domain(LocalDelaunay& delaunay, const OwnPoints& own, const Pslg& rest, bool convex_hull,
+                                    Ranks& ranks, const Threads& threads) {
+  return PartMaker(delaunay, own, rest, convex_hull, ranks, threads).make();
 }
 
 }  // namespace pardel::engine

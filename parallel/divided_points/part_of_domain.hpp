@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "../../core/array.hpp"
+#include "../../core/pslg.hpp"
 #include "../../core/ranks.hpp"
+#include "../../core/result.hpp"
 #include "../concurrency/threads.hpp"
 #include "../conversion/domain_triangulation.hpp"
 #include "../distribution/names.hpp"
@@ -15,26 +17,34 @@
 
 namespace pardel::engine {
 
-/// The domain is the convex hull of the points of all ranks. The part of a rank has the triangles with a corner that
-/// the rank owns. The vertices of the hull are known to all ranks, because the segments of the domain join them: they
-/// come first, and have the same indices on all ranks. Then follow the rank's other points, then other corners of its
-/// triangles.
+/// The part of a rank has the triangles of the domain with a corner that the rank owns. All ranks have all segments.
+/// The ends of segments and the vertices of the convex hull (SharedVertices) come first, and have the same indices on
+/// all ranks. Then follow the rank's other points, then other corners of its triangles.
 struct PartOfDomain {
-  DomainTriangulation domain;  ///< input_of_vertex has only the vertices of the hull
-  Index hull = 0;              ///< the number of vertices of the hull
-  /// Of the vertices of the hull, and then of the rank's others: their numbers and markers in the input.
+  DomainTriangulation domain;  ///< input_of_vertex has only the shared vertices
+  Index shared = 0;            ///< the number of shared vertices
+  /// Of the shared vertices, and then of the rank's others: their numbers and markers in the input.
   Array<std::uint64_t> number;
   Array<int> marker;         ///< empty if points have no markers
   std::uint64_t points = 0;  ///< of all ranks
+  /// Triangles without an own corner, across constrained sides of the others. Whether such a side is encroached on can
+  /// depend on them. They have no names.
+  std::vector<TriangleId> borrowed;
+  /// The rank's points that are in no triangle and not shared.
+  std::vector<VertexId> loose;
   // What other ranks have named:
   std::vector<std::pair<VertexId, Name>> named_vertices;
   std::vector<std::pair<TriangleId, Name>> named_triangles;
-  std::vector<EdgeRef> cut;  ///< sides of triangles whose neighbours are not in the part; they refer to none
+  /// Sides of triangles whose neighbours are not in the part. They refer to none; the bit tells whether they are
+  /// constrained.
+  std::vector<EdgeRef> cut;
 };
 
-/// Collective. Uses up the triangulation. Precondition: all triangles with an own corner are those of the triangulation
-/// of all points (ask_others()).
-[[nodiscard]] PartOfDomain part_of_domain(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks,
-                                          const Threads& threads);
+/// Collective. Uses up the triangulation. `rest`: segments, holes and regions. The domain is the convex hull of the
+/// points of all ranks if `convex_hull` is true or there are no segments. Precondition: all triangles with an own
+/// corner are those of the triangulation of all points (ask_others()). Error: `invalid_input`, with problems of the
+/// segments, holes and regions, on all ranks alike.
+[[nodiscard]] Result<PartOfDomain> part_of_domain(LocalDelaunay& delaunay, const OwnPoints& own, const Pslg& rest,
+                                                  bool convex_hull, Ranks& ranks, const Threads& threads);
 
 }  // namespace pardel::engine

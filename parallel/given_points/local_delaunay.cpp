@@ -55,7 +55,6 @@ VertexId LocalDelaunay::vertex(const Site& site) {
   return v;
 }
 
-/// A triangle with the corner v.
 TriangleId LocalDelaunay::triangle_at(VertexId v) {
   const TriangleId id = inserter_.locate(t_.points[v]);
   if (id == no_index || t_.slots[id].is_ghost() || std::ranges::count(t_.slots[id].v, v) == 0)

@@ -45,9 +45,15 @@ class LocalDelaunay {
   /// The vertex of a point; no_index if the rank does not know the point.
   [[nodiscard]] VertexId known(const Site& site) const;
   [[nodiscard]] bool has_own_corner(TriangleId id) const;
+  /// The position of each corner. Precondition: no ghost.
+  [[nodiscard]] std::array<std::uint64_t, 3> positions(const Slot& slot) const {
+    return {order_.position(slot.v[0]), order_.position(slot.v[1]), order_.position(slot.v[2])};
+  }
 
   /// The vertex of a point, which is inserted if it is new.
   VertexId vertex(const Site& site);
+  /// A triangle with the corner v. The search begins near the last vertex that was inserted or searched for.
+  [[nodiscard]] TriangleId triangle_at(VertexId v);
   /// A triangle that another rank has: its corners, counter-clockwise. The last one can be the vertex at infinity.
   using Corners = std::array<VertexId, 3>;
   /// The neighbours of the corners that lie in the disk of the triangle; ascending. There are some if any vertex lies
@@ -62,7 +68,6 @@ class LocalDelaunay {
   [[nodiscard]] bool is_own_position(std::uint64_t position) const {
     return position >= first_ && position - first_ < own_;
   }
-  [[nodiscard]] TriangleId triangle_at(VertexId v);
 
   Triangulation t_;
   std::uint64_t first_;

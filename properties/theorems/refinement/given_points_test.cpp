@@ -1,5 +1,6 @@
 // Several ranks triangulate and mesh points that none of them has as a whole.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -42,8 +43,10 @@ std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
   std::vector<PartOfPoints> parts(static_cast<std::size_t>(ranks));
   for (std::size_t rank = 0; rank < parts.size(); ++rank) {
     parts[rank].first = begin[rank];
-    parts[rank].points.assign(pslg.points.begin() + static_cast<std::ptrdiff_t>(begin[rank]),
-                              pslg.points.begin() + static_cast<std::ptrdiff_t>(begin[rank + 1]));
+    const auto first = static_cast<std::ptrdiff_t>(begin[rank]), last = static_cast<std::ptrdiff_t>(begin[rank + 1]);
+    parts[rank].points.assign(pslg.points.begin() + first, pslg.points.begin() + last);
+    if (!pslg.point_markers.empty())
+      parts[rank].point_markers.assign(pslg.point_markers.begin() + first, pslg.point_markers.begin() + last);
   }
   return parts;
 }
@@ -98,8 +101,63 @@ PARDEL_PROPERTY(
   options.triangles_per_tile = *rc::gen::inRange(4U, 80U);
   const Meshed whole = value_of(mesh(pslg, goal, options));
   require_together(whole.mesh, dealt(pslg, *rc::gen::inRange(2, 7)), [&](PartOfPoints&& part, pardel::Ranks& ranks) {
-    return mesh(std::move(part), goal, options, ranks);
+    return mesh({std::move(part)}, goal, options, ranks);
   });
+}
+
+/// Adds points of a lattice around the domain that are on no segment.
+Pslg with_loose_points(Pslg pslg) {
+  const auto [low_x, high_x] = std::ranges::minmax(pslg.points, {}, &Point::x);
+  const auto [low_y, high_y] = std::ranges::minmax(pslg.points, {}, &Point::y);
+  const double step_x = (high_x.x - low_x.x) / 16, step_y = (high_y.y - low_y.y) / 16;
+  const Point first{low_x.x - 4 * step_x, low_y.y - 4 * step_y};
+  const auto places = *rc::gen::resize(60, rc::gen::container<std::vector<std::pair<int, int>>>(
+                                               rc::gen::pair(rc::gen::inRange(0, 25), rc::gen::inRange(0, 25))));
+  for (const auto& [x, y] : places) {
+    Pslg with_point = pslg;
+    with_point.points.push_back({first.x + step_x * x, first.y + step_y * y});
+    if (!pslg.point_markers.empty()) with_point.point_markers.push_back(x % 3);
+    if (find_problems(with_point, {.convex_hull = true}).empty()) pslg = std::move(with_point);
+  }
+  return pslg;
+}
+
+/// What a rank passes of a domain whose points have been dealt.
+PartOfPslg with_rest_of(const Pslg& pslg, PartOfPoints&& points) {
+  PartOfPslg part{std::move(points), pslg};
+  part.rest.points.clear();
+  part.rest.point_markers.clear();
+  return part;
+}
+
+PARDEL_PROPERTY(
+    GivenPoints, of_domains_with_segments_are_meshed_as_by_one_process,
+    {.statement = "Ranks that each have read a part of the points of a domain, and all its segments, holes and "
+                  "regions, make the mesh of one process, with points in and around the domain that are on no "
+                  "segment.",
+     .source = "properties/THEORY.md, GivenPoints",
+     .families = "lattice domains of every family with up to 60 points on no segment, dealt to two to six ranks; "
+                 "random goals without fields of sizes"}) {
+  Problem problem = some_problem(exhibit);
+  problem.goal.size = {};
+  problem.goal.sources.clear();
+  problem.goal.grading = INFINITY;
+  problem.goal.feature_edges = 0;
+  problem.pslg.attributes_per_point = 0;
+  problem.pslg.point_attributes.clear();
+  problem.pslg = with_loose_points(std::move(problem.pslg));
+  exhibit.show(problem.pslg);
+  RC_PRE(find_problems(problem.pslg, {.convex_hull = problem.goal.convex_hull}).empty());
+  Options options{.threads = 1};
+  options.placement = *rc::gen::element(Placement::off_centre, Placement::circumcentre, Placement::search);
+  options.decomposition = *rc::gen::element(Decomposition::automatic, Decomposition::none);
+  options.triangles_per_tile = *rc::gen::inRange(4U, 80U);
+  const Meshed whole = meshed(problem, exhibit, options);
+  classify(!problem.pslg.segments.empty(), "with segments", 50);
+  require_together(whole.mesh, dealt(problem.pslg, *rc::gen::inRange(2, 7)),
+                   [&](PartOfPoints&& part, pardel::Ranks& ranks) {
+                     return mesh(with_rest_of(problem.pslg, std::move(part)), problem.goal, options, ranks);
+                   });
 }
 
 }  // namespace

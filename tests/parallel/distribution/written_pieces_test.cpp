@@ -33,6 +33,9 @@ struct Case {
   Options options{.threads = 1};
 };
 
+/// Names of tests contain it. Without it they would contain the bytes of the case, which differ from run to run.
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
 /// Two attributes per point; files list the markers of segments.
 Pslg regions_with_data() {
   Pslg pslg = square_with_data(2);

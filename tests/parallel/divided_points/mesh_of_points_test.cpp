@@ -20,7 +20,7 @@ using properties::on_ranks;
 std::vector<MeshPiece> meshed_pieces(const Pslg& pslg, const Goal& goal, const Options& options, int count) {
   std::vector<MeshPiece> pieces(static_cast<std::size_t>(count));
   on_ranks(count, [&](Ranks& ranks) {
-    Result<MeshPiece> piece = mesh(part_of(pslg, ranks), goal, options, ranks);
+    Result<MeshPiece> piece = mesh(part_of_domain_of(pslg, ranks), goal, options, ranks);
     ASSERT_TRUE(piece) << count << " ranks, rank " << ranks.rank() << ": " << piece.error().message;
     pieces[ranks.rank()] = std::move(*piece);
   });
@@ -74,6 +74,40 @@ TEST(MeshOfPoints, in_difficult_positions_is_the_mesh_of_one_process) {
   for (const engine::samples::Family& family : engine::samples::families(400, 5))
     expect_the_mesh_of_one_process(with_points(family.points), {.min_angle_deg = 25},
                                    {.triangles_per_tile = 50, .min_edge = 0}, family.name);
+}
+
+/// Adds points at random places in and around the domain.
+Pslg with_loose_points(Pslg pslg, std::size_t count) {
+  const auto [low_x, high_x] = std::ranges::minmax(pslg.points, {}, &Point::x);
+  const auto [low_y, high_y] = std::ranges::minmax(pslg.points, {}, &Point::y);
+  const Pslg loose = domains::random_points(count, 11);  // in the unit square
+  const double width = high_x.x - low_x.x, height = high_y.y - low_y.y;
+  for (const Point p : loose.points)
+    pslg.points.push_back({low_x.x + width * (1.2 * p.x - 0.1), low_y.y + height * (1.2 * p.y - 0.1)});
+  if (!pslg.point_markers.empty()) pslg.point_markers.resize(pslg.points.size(), 0);
+  return pslg;
+}
+
+struct NamedDomain {
+  const char* name;
+  Pslg pslg;
+};
+
+std::vector<NamedDomain> domains_with_segments() {
+  return {{"square", domains::square()},   {"pipe", domains::pipe()},     {"key", domains::key()},
+          {"star", domains::star(5, 20)},  {"comb", domains::comb(4, 0.1)}, {"wedge", domains::wedge(5, 10)},
+          {"grid", domains::grid(5)},      {"cracks", domains::cracks()}, {"touching holes", domains::touching_holes()},
+          {"regions", domains::regions()}, {"radial", domains::radial(2)}};
+}
+
+TEST(MeshOfPoints, with_segments_is_the_mesh_of_one_process) {
+  for (const NamedDomain& domain : domains_with_segments()) {
+    expect_the_mesh_of_one_process(domain.pslg, {.min_angle_deg = 25}, {}, domain.name);
+    expect_the_mesh_of_one_process(with_loose_points(domain.pslg, 500), {.min_angle_deg = 25},
+                                   {.triangles_per_tile = 50}, domain.name);
+    expect_the_mesh_of_one_process(with_loose_points(domain.pslg, 300), {.min_angle_deg = 20, .convex_hull = true},
+                                   {.triangles_per_tile = 100}, domain.name);
+  }
 }
 
 }  // namespace

@@ -34,6 +34,16 @@ inline PartOfPoints part_of(const Pslg& pslg, const Ranks& ranks) {
   return part;
 }
 
+/// The same of a domain. All ranks have its segments, holes and regions.
+inline PartOfPslg part_of_domain_of(const Pslg& pslg, const Ranks& ranks) {
+  PartOfPslg part{part_of(pslg, ranks), pslg};
+  part.rest.points.clear();
+  part.rest.point_markers.clear();
+  part.rest.point_attributes.clear();
+  part.rest.attributes_per_point = 0;
+  return part;
+}
+
 inline Pslg with_points(std::vector<Point> points) {
   Pslg pslg;
   pslg.points = std::move(points);
