@@ -19,6 +19,7 @@
 #include "../cli/names.hpp"
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
+#include "../core/support/agree.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
@@ -119,20 +120,34 @@ Result<Made> make_together(const Arguments& arguments, const Problem& input, Job
   return written(arguments, *piece, input.domain.pslg(), job);
 }
 
-/// True if no rank needs the whole input, if this has only points.
+/// True if no rank needs all points, if there are enough of them.
 bool may_divide_points(const Arguments& arguments, const Job& job) {
   const std::filesystem::path suffix = arguments.input.extension();
   return (suffix == ".node" || suffix == ".poly") && job.count() > 1 && arguments.pieces == 0 &&
-         arguments.goal.sizes.empty() && !arguments.goal.regions &&
-         can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
+         arguments.goal.sizes.empty() && can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
 }
 
-/// One piece per rank, of points of which each rank has a part.
-Result<Made> make_of_points(const Arguments& arguments, PartOfPoints&& points, Job& job) {
+/// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
+/// problems as 'pardel mesh' does.
+Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) {
+  if (error.kind != ErrorKind::invalid_input) job.abort(error);
+  Status valid = Done{};
+  if (job.is_first())
+    if (const Result<Problem> whole = read_problem(arguments.input, arguments.goal, arguments.options.threads); !whole)
+      valid = whole.error();
+  if (Status all = agree_on_input(valid, job.ranks()); !all) return all.error();
+  return {error.kind, arguments.input.string() + ": " + error.message};
+}
+
+/// One piece per rank, of a domain of whose points each rank has a part.
+Result<Made> make_of_parts(const Arguments& arguments, PartOfPslg&& input, Job& job) {
+  const Pslg rest = input.rest;
+  const bool has_only_points = input.has_only_points();
   const Result<MeshPiece> piece =
-      mesh({std::move(points)}, goal_without_sizes(arguments.goal), arguments.options, job.ranks());
-  if (!piece) return fault_of_points(piece.error(), arguments.input, arguments.options.threads, job);
-  return written(arguments, *piece, {}, job);
+      mesh(std::move(input), goal_without_sizes(arguments.goal), arguments.options, job.ranks());
+  if (piece) return written(arguments, *piece, rest, job);
+  if (has_only_points) return fault_of_points(piece.error(), arguments.input, arguments.options.threads, job);
+  return fault_of_domain(piece.error(), arguments, job);
 }
 
 /// Each piece is written before the rank makes the next one.
@@ -163,11 +178,11 @@ Status check_arguments(Arguments& arguments, int rank) {
 Result<Made> make(const Arguments& arguments, Job& job) {
   const Stopwatch watch;
   if (may_divide_points(arguments, job)) {
-    Result<std::optional<PartOfPoints>> points = read_part_of_points(arguments.input, job.ranks());
-    if (!points) return points.error();
-    if (*points && (*points)->attributes_per_point == 0) {
+    Result<std::optional<PartOfPslg>> input = read_part_of_pslg(arguments.input, job.ranks());
+    if (!input) return input.error();
+    if (*input && (*input)->points.attributes_per_point == 0) {
       const double read_seconds = watch.seconds();
-      Result<Made> made = make_of_points(arguments, std::move(**points), job);
+      Result<Made> made = make_of_parts(arguments, std::move(**input), job);
       if (made) made->seconds.read = read_seconds;
       return made;
     }

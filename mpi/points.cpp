@@ -11,11 +11,15 @@ namespace pardel::mpi {
 
 Error fault_of_points(const Error& error, const std::filesystem::path& file, int threads, Job& job) {
   if (error.kind != ErrorKind::invalid_input) job.abort(error);
-  Result<std::optional<PartOfPoints>> points = read_part_of_points(file, job.ranks());
-  if (!points) return points.error();
-  if (!*points) return {error.kind, file.string() + ": " + error.message};
-  const int first_id = (*points)->first_id.value;
-  const std::vector<pardel::Problem> problems = find_problems(std::move(**points), threads, job.ranks());
+  Result<std::optional<PartOfPslg>> input = read_part_of_pslg(file, job.ranks());
+  if (!input) return input.error();
+  const Error unexplained{error.kind, file.string() + ": " + error.message};
+  if (!*input) return unexplained;
+  PartOfPoints& points = (*input)->points;
+  const int first_id = points.first_id.value;
+  std::vector<pardel::Problem> problems;
+  if ((*input)->has_only_points()) problems = find_problems(std::move(points), threads, job.ranks());
+  if (problems.empty()) return unexplained;
   return {error.kind, file.string() + ": " + cli::problems_text(problems, first_id) +
                           cli::advice({}, problems, file.string(), false)};
 }

@@ -63,9 +63,7 @@ void add_triangulate_options(CLI::App& app, TriangulateArguments& arguments) {
 Error not_only_points(const std::filesystem::path& input, Job& job) {
   const Result<Pslg> whole = job.is_first() ? read_pslg(input) : Pslg{};
   if (Status read = agree_on_input(whole ? Status(Done{}) : whole.error(), job.ranks()); !read) return read.error();
-  return {ErrorKind::usage, input.string() +
-                                ": it has segments, holes or regions, or its points are in a .node; "
-                                "'pardel-mpi mesh' reads it"};
+  return {ErrorKind::usage, input.string() + ": it has segments, holes or regions; 'pardel-mpi mesh' reads it"};
 }
 
 Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
@@ -75,12 +73,12 @@ Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job
     return fine.error();
   const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(threads);
-  Result<std::optional<PartOfPoints>> points = read_part_of_points(arguments.input, job.ranks());
-  if (!points) return points.error();
-  if (!*points) return not_only_points(arguments.input, job);
+  Result<std::optional<PartOfPslg>> input = read_part_of_pslg(arguments.input, job.ranks());
+  if (!input) return input.error();
+  if (!*input || !(*input)->has_only_points()) return not_only_points(arguments.input, job);
   Made made;
   made.seconds.read = watch.seconds();
-  const Result<MeshPiece> piece = triangulate(std::move(**points), {.threads = threads}, job.ranks());
+  const Result<MeshPiece> piece = triangulate(std::move((*input)->points), {.threads = threads}, job.ranks());
   if (!piece) return fault_of_points(piece.error(), arguments.input, threads, job);
   made.add(*piece);
   made.seconds.refine = piece->report.triangulate_seconds;

@@ -33,4 +33,33 @@ SegmentSection read_segments(TextReader& in, std::size_t points, int base) {
   return section;
 }
 
+void read_holes(TextReader& in, std::vector<Point>& holes) {
+  in.expect_line("the number of holes");
+  const std::size_t n = in.count("the number of holes");
+  if (!in.room_for(n, text_bytes(3), "holes")) return;
+  holes.resize(n);
+  for (std::size_t i = 0; i < n && in.expect_record("hole", i, n); ++i) {
+    in.integer("a hole's number", any_marker_low, any_marker_high);
+    holes[i].x = in.number("an x coordinate");
+    holes[i].y = in.number("a y coordinate");
+    if (in.failed()) return;
+  }
+}
+
+void read_regions(TextReader& in, std::vector<Region>& regions) {
+  if (!in.next_line()) return;
+  const std::size_t n = in.count("the number of regions");
+  if (!in.room_for(n, text_bytes(4), "regions")) return;
+  regions.resize(n);
+  for (std::size_t i = 0; i < n && in.expect_record("region", i, n); ++i) {
+    in.integer("a region's number", any_marker_low, any_marker_high);
+    regions[i].seed.x = in.number("an x coordinate");
+    regions[i].seed.y = in.number("a y coordinate");
+    regions[i].attribute = in.number("a region's attribute");
+    const double area = in.has_field() ? in.number("a region's maximum area") : regions[i].attribute;
+    if (area > 0) regions[i].max_area = area;
+    if (in.failed()) return;
+  }
+}
+
 }  // namespace pardel::files

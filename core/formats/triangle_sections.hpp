@@ -96,6 +96,13 @@ struct SegmentSection {
 };
 SegmentSection read_segments(TextReader& in, std::size_t points, int base);
 
+/// `<# of holes>`, then `<hole #> <x> <y>`.
+void read_holes(TextReader& in, std::vector<Point>& holes);
+
+/// Optional: `<# of regions>`, then `<region #> <x> <y> <attribute> <maximum area>`. If there is only one value after
+/// y, it is both the attribute and the area. An area that is not positive means no bound.
+void read_regions(TextReader& in, std::vector<Region>& regions);
+
 /// Reads the number of a point and returns its index.
 inline Index read_point_index(TextReader& in, std::string_view what, std::size_t points, int base) {
   if (points == 0) {

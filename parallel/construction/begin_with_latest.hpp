@@ -11,12 +11,15 @@ namespace pardel::engine {
 
 /// Turns the triangles that do not begin with their latest corner, as they do if points are inserted one by one. Only
 /// the triangle of the first three points begins with the first one. So the first corner, on which the order of the
-/// refinement depends, follows from the points alone. `when(v)`: greater for later vertices.
+/// refinement depends, follows from the points alone. `when(v)`: greater for later vertices; but the third of
+/// `first_three` comes before all vertices after the second one, even if they are on a line with the first two.
 template <class When>
 void begin_with_latest(Triangulation& t, const std::array<VertexId, 3>& first_three, const When& when,
                        const Threads& threads) {
+  using Time = decltype(when(VertexId{}));
+  const auto inserted = [&](VertexId v) { return v == first_three[2] ? Time{} : when(v); };
   const auto latest = [&](const Slot& slot) -> unsigned {
-    const auto first = when(slot.v[0]), second = when(slot.v[1]), third = when(slot.v[2]);
+    const Time first = inserted(slot.v[0]), second = inserted(slot.v[1]), third = inserted(slot.v[2]);
     return first > second ? (first > third ? 0 : 2) : (second > third ? 1 : 2);
   };
   const auto beginning = [&](const Slot& slot) -> unsigned {

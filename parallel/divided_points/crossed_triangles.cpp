@@ -75,7 +75,7 @@ std::vector<Problem> problems_of(std::vector<PointInside> all) {
 
 }  // namespace
 
-OrderedConstraints ordered_constraints(const SharedVertices& shared, LocalDelaunay& delaunay) {
+OrderedConstraints ordered_constraints(const CommonVertices& shared, LocalDelaunay& delaunay) {
   const std::vector<Segment>& segments = shared.segments();
   OrderedConstraints ordered;
   for (Index s = 0; s < segments.size(); ++s) ordered.segment.push_back(s);

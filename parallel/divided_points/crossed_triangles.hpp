@@ -9,7 +9,7 @@
 #include "../given_points/local_delaunay.hpp"
 #include "../given_points/own_points.hpp"
 #include "../validate.hpp"
-#include "shared_vertices.hpp"
+#include "common_vertices.hpp"
 
 namespace pardel::engine {
 
@@ -20,12 +20,13 @@ struct OrderedConstraints {
 };
 
 /// All ends of segments become vertices.
-[[nodiscard]] OrderedConstraints ordered_constraints(const SharedVertices& shared, LocalDelaunay& delaunay);
+[[nodiscard]] OrderedConstraints ordered_constraints(const CommonVertices& shared, LocalDelaunay& delaunay);
 
 /// Afterwards the triangulation of each rank has all triangles that the constraints cross, or have as a side, in the
-/// triangulation of all points. Those that they cross are the only ones that change when the constraints become edges, so each rank can insert all
-/// constraints for itself, and gets all triangles with an own corner right (THEORY.md, GivenPoints). Collective.
-/// Returns the points inside segments, as problems, on all ranks alike. If there are any, nothing has been added.
+/// triangulation of all points. Those that they cross are the only ones that change when the constraints become edges,
+/// so each rank can insert all constraints for itself, and gets all triangles with an own corner right (THEORY.md,
+/// GivenPoints). Collective. Returns the points inside segments, as problems, on all ranks alike. If there are any,
+/// nothing has been added.
 ///
 /// Precondition: all triangles with an own corner are those of the triangulation of all points; no two segments cross.
 [[nodiscard]] std::vector<Problem> learn_crossed_triangles(const OrderedConstraints& constraints,

@@ -16,7 +16,7 @@
 #include "../input/findings.hpp"
 #include "crossed_triangles.hpp"
 #include "labels.hpp"
-#include "shared_vertices.hpp"
+#include "common_vertices.hpp"
 #include "triangles_at_borders.hpp"
 
 namespace pardel::engine {
@@ -52,7 +52,7 @@ class FirstThree {
 };
 
 /// The problems of segments, holes and regions, except points inside segments. Collective.
-std::vector<Problem> problems_of_rest(const SharedVertices& shared, const Pslg& rest, bool convex_hull,
+std::vector<Problem> problems_of_rest(const CommonVertices& shared, const Pslg& rest, bool convex_hull,
                                       const Threads& threads) {
   // The convex hull of the shared vertices is that of all points.
   Pslg known = rest;
@@ -274,7 +274,7 @@ class PartMaker {
   Threads threads_;
   std::uint64_t first_;  ///< the position of the first own point
   SharedHull hull_;
-  SharedVertices shared_;
+  CommonVertices shared_;
   /// The slots of the part's triangles, first those with own corners; for each slot its new index, or no_index.
   Array<Index> kept_, place_;
   Index own_triangles_ = 0;

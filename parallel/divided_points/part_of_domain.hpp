@@ -18,7 +18,7 @@
 namespace pardel::engine {
 
 /// The part of a rank has the triangles of the domain with a corner that the rank owns. All ranks have all segments.
-/// The ends of segments and the vertices of the convex hull (SharedVertices) come first, and have the same indices on
+/// The ends of segments and the vertices of the convex hull (CommonVertices) come first, and have the same indices on
 /// all ranks. Then follow the rank's other points, then other corners of its triangles.
 struct PartOfDomain {
   DomainTriangulation domain;  ///< input_of_vertex has only the shared vertices

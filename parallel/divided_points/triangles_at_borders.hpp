@@ -29,13 +29,19 @@ struct ToldTriangle {
 template <class Has, class Value>
 [[nodiscard]] std::vector<ToldTriangle> told_by_homes(const LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks,
                                                       const Has& has, const Value& value) {
-  using Corners = std::array<std::uint64_t, 3>;
+  using Corners = std::array<std::uint64_t, 3>;  // their positions, ascending
   struct Told {
-    Corners corners;  ///< positions
+    Corners corners;
     Index value;
     Index unused = 0;
   };
   const Triangulation& t = delaunay.triangulation();
+  const auto corners_of = [&](const Slot& slot) {
+    Corners corners;
+    std::ranges::transform(slot.v, corners.begin(), [&](VertexId v) { return delaunay.site(v).position; });
+    std::ranges::sort(corners);
+    return corners;
+  };
   const auto owner = [&](VertexId v) { return own.owner(delaunay.site(v).position); };
   std::vector<std::vector<Told>> told(static_cast<std::size_t>(ranks.count()));
   std::map<Corners, TriangleId> awaited;
@@ -44,14 +50,14 @@ template <class Has, class Value>
     if (std::ranges::all_of(slot.v, [&](VertexId v) { return v != ghost && delaunay.is_own(v); }) || !has(id)) continue;
     const int home = owner(least_corner(t, slot));
     if (home != ranks.rank()) {
-      awaited.emplace(delaunay.positions(slot), id);
+      awaited.emplace(corners_of(slot), id);
       continue;
     }
     std::vector<int> others{owner(slot.v[0]), owner(slot.v[1]), owner(slot.v[2])};
     std::ranges::sort(others);
     others.erase(std::unique(others.begin(), others.end()), others.end());
     for (const int rank : others)
-      if (rank != ranks.rank()) told[rank].push_back({delaunay.positions(slot), value(id)});
+      if (rank != ranks.rank()) told[rank].push_back({corners_of(slot), value(id)});
   }
   const auto arrived = exchange_lists(told, ranks);
   std::vector<ToldTriangle> result;

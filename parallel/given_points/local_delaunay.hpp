@@ -45,10 +45,6 @@ class LocalDelaunay {
   /// The vertex of a point; no_index if the rank does not know the point.
   [[nodiscard]] VertexId known(const Site& site) const;
   [[nodiscard]] bool has_own_corner(TriangleId id) const;
-  /// The position of each corner. Precondition: no ghost.
-  [[nodiscard]] std::array<std::uint64_t, 3> positions(const Slot& slot) const {
-    return {order_.position(slot.v[0]), order_.position(slot.v[1]), order_.position(slot.v[2])};
-  }
 
   /// The vertex of a point, which is inserted if it is new.
   VertexId vertex(const Site& site);

@@ -1,4 +1,4 @@
-// A .node of which several ranks read a part each.
+// A domain of which several ranks read a part of the points each.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -13,44 +13,48 @@ namespace {
 
 /// The parts of all ranks put together, or the message that all ranks return.
 struct Together {
-  Pslg points;
+  Pslg pslg;
   std::string failure;
 };
 
 Together read_by(int count, const std::filesystem::path& file) {
-  std::vector<PartOfPoints> parts(static_cast<std::size_t>(count));
+  std::vector<PartOfPslg> parts(static_cast<std::size_t>(count));
   std::vector<std::string> failures(static_cast<std::size_t>(count));
   properties::on_ranks(count, [&](Ranks& ranks) {
-    Result<std::optional<PartOfPoints>> part = read_part_of_points(file, ranks);
+    Result<std::optional<PartOfPslg>> part = read_part_of_pslg(file, ranks);
     if (!part)
       failures[ranks.rank()] = part.error().message;
     else if (!*part)
-      failures[ranks.rank()] = "more than points";
+      failures[ranks.rank()] = "too many segments";
     else
       parts[ranks.rank()] = **std::move(part);
   });
   Together all;
   all.failure = failures.front();
   for (const std::string& failure : failures) EXPECT_EQ(failure, all.failure);
-  for (const PartOfPoints& part : parts) {
+  for (const PartOfPslg& part : parts) {
     if (!all.failure.empty()) break;
-    EXPECT_EQ(part.first, all.points.points.size());
-    EXPECT_EQ(part.attributes_per_point, parts.front().attributes_per_point);
-    EXPECT_EQ(part.first_id.value, parts.front().first_id.value);
+    EXPECT_EQ(part.points.first, all.pslg.points.size());
+    EXPECT_EQ(part.points.attributes_per_point, parts.front().points.attributes_per_point);
+    EXPECT_EQ(part.points.first_id.value, parts.front().points.first_id.value);
+    EXPECT_EQ(part.rest, parts.front().rest);
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(all.points.points, part.points);
-    append(all.points.point_attributes, part.point_attributes);
-    append(all.points.point_markers, part.point_markers);
+    append(all.pslg.points, part.points.points);
+    append(all.pslg.point_attributes, part.points.point_attributes);
+    append(all.pslg.point_markers, part.points.point_markers);
   }
-  all.points.attributes_per_point = parts.front().attributes_per_point;
-  all.points.first_id = parts.front().first_id;
+  const PartOfPslg& first = parts.front();
+  all.pslg.attributes_per_point = first.points.attributes_per_point;
+  all.pslg.first_id = first.points.first_id;
+  all.pslg.segments = first.rest.segments;
+  all.pslg.has_segment_markers = first.rest.has_segment_markers;
+  all.pslg.holes = first.rest.holes;
+  all.pslg.regions = first.rest.regions;
   return all;
 }
 
-/// Reads the text in one process and by ranks, and expects the same points or the same message.
-void expect_the_same(const std::string& text) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder.write("points.node", text);
+/// Reads the file in one process and by ranks, and expects the same domain or the same message.
+void expect_the_same(const std::filesystem::path& file, const std::string& text) {
   const Result<Pslg> whole = read_pslg(file);
   for (const int count : {1, 2, 3, 5, 8, 40}) {
     const Together together = read_by(count, file);
@@ -58,10 +62,20 @@ void expect_the_same(const std::string& text) {
       EXPECT_EQ(together.failure, whole.error().message) << count << " ranks: " << text;
     } else {
       EXPECT_EQ(together.failure, "") << text;
-      EXPECT_EQ(together.points, *whole) << count << " ranks: " << text;
-      EXPECT_EQ(together.points.first_id.value, whole->first_id.value);
+      EXPECT_EQ(together.pslg, *whole) << count << " ranks: " << text;
+      EXPECT_EQ(together.pslg.first_id.value, whole->first_id.value);
     }
   }
+}
+
+void expect_the_same(const std::string& text) {
+  const TemporaryFolder folder;
+  expect_the_same(folder.write("points.node", text), text);
+}
+
+void expect_the_same_poly(const std::string& text) {
+  const TemporaryFolder folder;
+  expect_the_same(folder.write("domain.poly", text), text);
 }
 
 std::string many_points(int base) {
@@ -102,23 +116,41 @@ TEST(PartsOfNode, name_the_line_of_a_fault_as_one_reader_does) {
   expect_the_same(replaced(text, "200 2 1 1", "200 2 2 1"));
 }
 
-TEST(PartsOfPoly, are_read_if_it_has_only_points) {
+std::string domain_with(const std::string& after_points) { return many_points(1) + after_points; }
+
+TEST(PartsOfPoly, are_together_the_domain_of_the_file) {
+  for (const std::string none : {"0 0\n0\n", "# segments\n0 1\n# holes\n0\n# regions\n0\n", "0\n0\n\n0\ntext\n"})
+    expect_the_same_poly(domain_with(none));
+  expect_the_same_poly(domain_with("1 0\n1 1 2\n0\n"));
+  expect_the_same_poly(
+      domain_with("2 1 # two segments\n1 1 2 -5\n\n2 7 8 6\n# holes\n1\n1 0.5 0.5\n2\n1 1 1 4 0.25\n2 2 2 3"));
+  expect_the_same_poly(domain_with("0 0\n1\n1 0.5 0.5\n"));
+}
+
+TEST(PartsOfPoly, have_the_points_of_its_node) {
   const TemporaryFolder folder;
-  const auto read = [&](const std::string& after_points, int count) {
-    return read_by(count, folder.write("points.poly", many_points(1) + after_points));
-  };
-  for (const int count : {1, 2, 3, 8}) {
-    for (const std::string none : {"0 0\n0\n", "# segments\n0 1\n# holes\n0\n# regions\n0\n", "0\n0\n\n0\ntext\n"}) {
-      const Together together = read(none, count);
-      EXPECT_EQ(together.failure, "") << none;
-      const Result<Pslg> whole = read_pslg(folder / "points.poly");
-      EXPECT_EQ(together.points.points, whole->points) << none;
-      EXPECT_EQ(together.points.point_markers, whole->point_markers) << none;
-    }
-    for (const std::string more : {"1 0\n1 1 2\n0\n", "0 0\n1\n1 0.5 0.5\n", "0 0\n0\n1\n1 0.5 0.5 1\n", "0 0\n", ""})
-      EXPECT_EQ(read(more, count).failure, "more than points") << more;
-    EXPECT_EQ(read_by(count, folder.write("in_node.poly", "0 2 0 0\n0 0\n0\n")).failure, "more than points");
-  }
+  folder.write("domain.node", many_points(0));
+  const std::string rest = "# no points here\n0 2 0 0\n3 0\n1 0 1\n2 1 2\n3 5 199\n1\n1 0.5 0.5\n";
+  expect_the_same(folder.write("domain.poly", rest), rest);
+  expect_the_same_poly(rest);  // the .node is missing
+}
+
+TEST(PartsOfPoly, name_the_line_of_a_fault_as_one_reader_does) {
+  for (const std::string faulty :
+       {"", "0 0\n", "\n# nothing\n\n", "two\n0\n", "1 0\n1 1 201\n0\n", "2 0\n1 1 2\n\n2 3 x\n0\n",
+        "1 0\n1 1 2\n2\n1 0 0\n2 0\n", "0 0\n0\n1\n1 0.5 0.5\n", "3 0\n1 1 2\n2 2 3\n"})
+    expect_the_same_poly(domain_with(faulty));
+  expect_the_same_poly(replaced(domain_with("1 0\n1 1 2\n0\n"), "\n77 ", "\n77 x"));
+  expect_the_same_poly(replaced(domain_with("0 0\n0\n"), "  200 2", "  205 2"));
+}
+
+TEST(PartsOfPoly, are_not_read_if_it_has_many_segments) {
+  const TemporaryFolder folder;
+  std::string segments = "26 0\n";
+  for (int s = 1; s <= 26; ++s)
+    segments += std::to_string(s) + " " + std::to_string(s) + " " + std::to_string(s + 1) + "\n";
+  for (const int count : {1, 2, 3, 8})
+    EXPECT_EQ(read_by(count, folder.write("many.poly", domain_with(segments + "0\n"))).failure, "too many segments");
 }
 
 TEST(PartsOfNode, of_a_file_that_is_missing_or_no_regular_file_are_refused) {

@@ -94,10 +94,35 @@ struct NamedDomain {
 };
 
 std::vector<NamedDomain> domains_with_segments() {
-  return {{"square", domains::square()},   {"pipe", domains::pipe()},     {"key", domains::key()},
-          {"star", domains::star(5, 20)},  {"comb", domains::comb(4, 0.1)}, {"wedge", domains::wedge(5, 10)},
-          {"grid", domains::grid(5)},      {"cracks", domains::cracks()}, {"touching holes", domains::touching_holes()},
-          {"regions", domains::regions()}, {"radial", domains::radial(2)}};
+  return {
+      {"square", domains::square()},   {"pipe", domains::pipe()},       {"key", domains::key()},
+      {"star", domains::star(5, 20)},  {"comb", domains::comb(4, 0.1)}, {"wedge", domains::wedge(5, 10)},
+      {"grid", domains::grid(5)},      {"cracks", domains::cracks()},   {"touching holes", domains::touching_holes()},
+      {"regions", domains::regions()}, {"radial", domains::radial(2)}};
+}
+
+/// The first four points along the curve are on a line. So a later point is inserted as the third one.
+TEST(MeshOfPoints, whose_first_points_are_on_a_line_is_the_mesh_of_one_process) {
+  Pslg pslg = with_points({{5, 1},
+                           {96, 48},
+                           {30, 96},
+                           {72, 96},
+                           {51, 96},
+                           {51, 0},
+                           {4, 2},
+                           {96, 24},
+                           {6, 0},
+                           {13, 5},
+                           {3, 3},
+                           {28, 0},
+                           {73, 0},
+                           {-2.8125, 12},
+                           {-2.8125, 18},
+                           {-2.8125, 24},
+                           {14.625, -24}});
+  pslg.segments = {{1, 7}, {7, 12}, {11, 8}, {3, 4},  {2, 10}, {1, 3},
+                   {8, 0}, {12, 5}, {5, 11}, {10, 6}, {4, 2},  {0, 6}};
+  expect_the_mesh_of_one_process(pslg, {}, {.triangles_per_tile = 4}, "lattice points");
 }
 
 TEST(MeshOfPoints, with_segments_is_the_mesh_of_one_process) {

@@ -14,7 +14,7 @@
 
 namespace pardel::engine {
 
-struct SharedVertex {
+struct CommonVertex {
   Point at;
   std::uint64_t position;
   std::uint64_t number;  ///< in the input
@@ -24,17 +24,17 @@ struct SharedVertex {
 
 /// The vertices of the convex hull, and the ends of the segments. They have the same indices on all ranks, in the order
 /// of their positions. This is also the order of the vertices in one process.
-class SharedVertices {
+class CommonVertices {
  public:
   /// Collective; all ranks pass the same segments, which name points by their numbers.
-  SharedVertices(const SharedHull& hull, std::span<const Segment> segments, const LocalDelaunay& delaunay,
+  CommonVertices(const SharedHull& hull, std::span<const Segment> segments, const LocalDelaunay& delaunay,
                  const OwnPoints& own, Ranks& ranks);
 
   [[nodiscard]] Index size() const { return static_cast<Index>(vertices_.size()); }
-  [[nodiscard]] const SharedVertex& operator[](Index i) const { return vertices_[i]; }
+  [[nodiscard]] const CommonVertex& operator[](Index i) const { return vertices_[i]; }
   /// The number of vertices before a position. So it is the index of the vertex at this position.
   [[nodiscard]] Index before(std::uint64_t position) const {
-    return static_cast<Index>(std::ranges::lower_bound(vertices_, position, {}, &SharedVertex::position) -
+    return static_cast<Index>(std::ranges::lower_bound(vertices_, position, {}, &CommonVertex::position) -
                               vertices_.begin());
   }
   [[nodiscard]] bool has(std::uint64_t position) const {
@@ -45,7 +45,7 @@ class SharedVertices {
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
  private:
-  std::vector<SharedVertex> vertices_;
+  std::vector<CommonVertex> vertices_;
   std::vector<Segment> segments_;
 };
 

@@ -1,4 +1,4 @@
-#include "shared_vertices.hpp"
+#include "common_vertices.hpp"
 
 #include "../../core/support/exchange_lists.hpp"
 
@@ -16,20 +16,20 @@ std::vector<std::uint64_t> numbers_of_ends(std::span<const Segment> segments) {
 
 }  // namespace
 
-SharedVertices::SharedVertices(const SharedHull& hull, std::span<const Segment> segments, const LocalDelaunay& delaunay,
+CommonVertices::CommonVertices(const SharedHull& hull, std::span<const Segment> segments, const LocalDelaunay& delaunay,
                                const OwnPoints& own, Ranks& ranks) {
   for (const HullVertex& v : hull.vertices()) vertices_.push_back({v.at, v.position, v.number, v.marker});
   const std::vector<std::uint64_t> ends = numbers_of_ends(segments);
-  std::vector<SharedVertex> here;
+  std::vector<CommonVertex> here;
   for (VertexId v = 0; v < delaunay.own() && !ends.empty(); ++v)
     if (std::ranges::binary_search(ends, own.number[v])) {
       const Site site = delaunay.site(v);
       here.push_back({site.at, site.position, own.number[v], own.marker.empty() ? 0 : own.marker[v]});
     }
-  const std::vector<SharedVertex> all = concatenated(lists_of_all(here, ranks));
+  const std::vector<CommonVertex> all = concatenated(lists_of_all(here, ranks));
   vertices_.insert(vertices_.end(), all.begin(), all.end());
-  std::ranges::sort(vertices_, {}, &SharedVertex::position);
-  const auto is_same = [](const SharedVertex& v, const SharedVertex& w) { return v.position == w.position; };
+  std::ranges::sort(vertices_, {}, &CommonVertex::position);
+  const auto is_same = [](const CommonVertex& v, const CommonVertex& w) { return v.position == w.position; };
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end(), is_same), vertices_.end());
 
   std::vector<std::pair<std::uint64_t, Index>> by_number;
