@@ -182,6 +182,50 @@ TEST_F(PardelMpi, meshes_points_that_no_rank_has_as_a_whole) {
   }
 }
 
+/// Three regions and a hole, with points in and around them; markers of points and segments.
+Pslg survey() {
+  Pslg pslg = domains::regions();
+  pslg.points.insert(pslg.points.end(), {{0.2, 0.2}, {0.4, 0.2}, {0.3, 0.4}});
+  const auto last = static_cast<Index>(pslg.points.size() - 1);
+  for (const Segment side : {Segment{last - 2, last - 1, 5}, {last - 1, last, 6}, {last, last - 2, 7}})
+    pslg.segments.push_back(side);
+  pslg.has_segment_markers = true;
+  pslg.holes.push_back({0.3, 0.3});
+  for (const Point p : domains::random_points(4'000, 8).points)
+    pslg.points.push_back({3.3 * p.x - 0.15, 1.1 * p.y - 0.05});
+  for (Index i = 0; i < pslg.points.size(); ++i) pslg.point_markers.push_back(static_cast<int>(i % 7));
+  return pslg;
+}
+
+TEST_F(PardelMpi, meshes_a_domain_whose_points_no_rank_has_as_a_whole) {
+  ASSERT_TRUE(write_poly(survey(), folder_ / "work" / "survey.poly"));
+  std::map<std::string, std::string> expected;
+  for (const auto& [ranks, threads] : {std::pair{1, "1"}, {2, "2"}, {3, "1"}, {5, "1"}}) {
+    const Ran ran = on_ranks(ranks, {"mesh", "survey.poly", "-o", "out.pvtu", "-o", "out.node", "--min-angle", "26",
+                                     "--regions", "--triangles-per-tile", "300", "--threads", threads});
+    ASSERT_EQ(ran.exit_code, 0) << ran;
+    for (const char* file : {"out.node", "out.ele", "out.poly"})
+      EXPECT_TRUE(expected.try_emplace(file, read(file)).first->second == read(file)) << file << ranks;
+    const Ran checked = on_ranks(2, {"check", "survey.poly", "out.pvtu", "--min-angle", "26", "--regions"});
+    EXPECT_EQ(checked.exit_code, 0) << checked;
+  }
+}
+
+TEST_F(PardelMpi, says_what_is_wrong_with_a_domain_as_pardel_does) {
+  Pslg inside = survey(), crossing = survey(), open = survey();
+  inside.points[20] = {0.3, 0.2};
+  crossing.segments.push_back({30, 900, 0});
+  open.segments = {{0, 1, 0}};
+  for (const Pslg& pslg : {inside, crossing, open}) {
+    ASSERT_TRUE(write_poly(pslg, folder_ / "work" / "survey.poly"));
+    const Ran ran = on_ranks(3, {"mesh", "survey.poly", "-o", "out.pvtu"});
+    const Ran expected = pardel({"mesh", "survey.poly", "-o", "out.msh"});
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_TRUE(holds(ran.err, {expected.err.substr(expected.err.find(": "))})) << ran << expected;
+    EXPECT_EQ(files(), (Files{"pipe.poly", "survey.poly"}));
+  }
+}
+
 TEST_F(PardelMpi, says_once_what_is_wrong_with_points) {
   Pslg points = domains::random_points(500, 7);
   points.points[420] = points.points[3];

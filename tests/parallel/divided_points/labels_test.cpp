@@ -69,7 +69,7 @@ TEST(Labels, are_those_of_one_process) {
     expect_the_domain_of_one_process(with_points_in_it(domains::regions()), convex_hull, "regions");
     expect_the_domain_of_one_process(with_points_in_it(domains::touching_holes()), convex_hull, "touching holes");
     expect_the_domain_of_one_process(with_points_in_it(domains::cracks()), convex_hull, "cracks");
-    expect_the_domain_of_one_process(with_points_in_it(domains::comb(6, 0.2)), convex_hull, "comb");
+    expect_the_domain_of_one_process(with_points_in_it(domains::comb(4, 0.1)), convex_hull, "comb");
     expect_the_domain_of_one_process(domains::pipe(), convex_hull, "pipe");
   }
 }
