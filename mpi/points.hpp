@@ -1,4 +1,4 @@
-// Inputs that have only points, of which each rank reads a part.
+// Inputs that have only points, and errors about them.
 #pragma once
 
 #include <filesystem>

@@ -75,15 +75,15 @@ std::vector<Problem> problems_of(std::vector<PointInside> all) {
 
 }  // namespace
 
-OrderedConstraints ordered_constraints(const CommonVertices& shared, LocalDelaunay& delaunay) {
-  const std::vector<Segment>& segments = shared.segments();
+OrderedConstraints ordered_constraints(const CommonVertices& common, LocalDelaunay& delaunay) {
+  const std::vector<Segment>& segments = common.segments();
   OrderedConstraints ordered;
   for (Index s = 0; s < segments.size(); ++s) ordered.segment.push_back(s);
   std::ranges::sort(ordered.segment, {}, [&](Index s) { return std::minmax(segments[s].a, segments[s].b); });
-  std::vector<VertexId> vertex(shared.size(), no_index);
+  std::vector<VertexId> vertex(common.size(), no_index);
   for (const Index s : ordered.segment) {
     const auto [a, b] = std::minmax(segments[s].a, segments[s].b);
-    for (const Index end : {a, b}) vertex[end] = delaunay.vertex({shared[end].at, shared[end].position});
+    for (const Index end : {a, b}) vertex[end] = delaunay.vertex({common[end].at, common[end].position});
     ordered.edges.push_back({vertex[a], vertex[b]});
   }
   return ordered;

@@ -20,7 +20,7 @@ struct OrderedConstraints {
 };
 
 /// All ends of segments become vertices.
-[[nodiscard]] OrderedConstraints ordered_constraints(const CommonVertices& shared, LocalDelaunay& delaunay);
+[[nodiscard]] OrderedConstraints ordered_constraints(const CommonVertices& common, LocalDelaunay& delaunay);
 
 /// Afterwards the triangulation of each rank has all triangles that the constraints cross, or have as a side, in the
 /// triangulation of all points. Those that they cross are the only ones that change when the constraints become edges,

@@ -76,7 +76,7 @@ Waiting DividedPoints::exchanged(const std::vector<std::vector<TravellingEntry>>
 
 void DividedPoints::begin(PhaseRunner& runner) {
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()),
-                HeldPart::Common{start_.shared, 0});
+                HeldPart::Common{start_.common, 0});
   for (const auto& [v, name] : start_.named_vertices) part_->name_vertex(v, name);
   for (const auto& [id, name] : start_.named_triangles) part_->name_triangle(id, name);
   for (const EdgeRef side : start_.cut) part_->cut(side);

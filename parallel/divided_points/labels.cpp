@@ -109,6 +109,22 @@ struct LabelOfSet {
   Index unused = 0;
 };
 
+struct TravellingSide {
+  std::uint64_t from, to;
+};
+
+/// Calls visit(triangle) for the triangles of this rank that are certainly beside the exterior: an edge of the hull is
+/// no constraint.
+template <class Visit>
+void for_each_open_to_exterior(const LocalDelaunay& delaunay, const SharedHull& hull, const Visit& visit) {
+  for (const Slot& slot : delaunay.triangulation().slots) {
+    if (!slot.is_ghost()) continue;
+    const unsigned corner = slot.corner_of(ghost);
+    const std::uint64_t from = delaunay.site(slot.to(corner)).position, to = delaunay.site(slot.from(corner)).position;
+    if (!slot.n[corner].constrained() && hull.has_edge(from, to)) visit(slot.n[corner].triangle());
+  }
+}
+
 }  // namespace
 
 Labels::Labels(const LocalDelaunay& delaunay, const OwnPoints& own, const SharedHull& hull, const DomainRules& rules,
@@ -118,24 +134,18 @@ Labels::Labels(const LocalDelaunay& delaunay, const OwnPoints& own, const Shared
   if (rules.convex_hull && rules.holes.empty() && rules.region_seeds.empty()) return;
   const Components components(delaunay, own, ranks, threads);
   std::vector<LabelOfSet> here;
-  if (!rules.convex_hull)
-    for (const Slot& slot : t.slots) {
-      if (!slot.is_ghost()) continue;
-      const unsigned corner = slot.corner_of(ghost);
-      const EdgeRef inner = slot.n[corner];
-      if (!inner.constrained() && components.has(inner.triangle()) &&
-          hull.has_edge(delaunay.site(slot.to(corner)).position, delaunay.site(slot.from(corner)).position))
-        here.push_back({components.set_of(inner.triangle()), outside});
-    }
-  TriangleId inside = 0;
-  while (t.slots[inside].is_ghost()) ++inside;
-  const auto label_face = [&](Point seed, Index label) {
-    threads.ask();
-    if (const TriangleId id = locate(t, seed, inside); components.has(id))
-      here.push_back({components.set_of(id), label});
+  const auto label_set_of = [&](TriangleId id, Index label) {
+    if (components.has(id)) here.push_back({components.set_of(id), label});
   };
-  for (const Point hole : rules.holes) label_face(hole, outside);
-  for (Index r = 0; r < rules.region_seeds.size(); ++r) label_face(rules.region_seeds[r], r);
+  if (!rules.convex_hull) for_each_open_to_exterior(delaunay, hull, [&](TriangleId id) { label_set_of(id, outside); });
+  TriangleId start = 0;
+  while (t.slots[start].is_ghost()) ++start;
+  const auto label_face_of = [&](Point seed, Index label) {
+    threads.ask();  // a walk through a large triangulation takes long
+    label_set_of(locate(t, seed, start), label);
+  };
+  for (const Point hole : rules.holes) label_face_of(hole, outside);
+  for (Index r = 0; r < rules.region_seeds.size(); ++r) label_face_of(rules.region_seeds[r], r);
 
   // What is outside stays outside. Of several seeds, the last one counts.
   std::vector<Index> label(components.size(), no_index);
@@ -146,22 +156,22 @@ Labels::Labels(const LocalDelaunay& delaunay, const OwnPoints& own, const Shared
   }
   for (TriangleId id = 0; id < t.slots.size(); ++id)
     if (components.has(id)) of_slot_[id] = label[components.set_of(id)];
+  share_sides_outside(delaunay, ranks);
+}
 
-  // The owner of its first end knows the triangle beside a constrained edge.
-  using Side = std::pair<std::uint64_t, std::uint64_t>;
-  struct TravellingSide {
-    std::uint64_t from, to;
-  };
-  std::vector<TravellingSide> sides;
+/// The owner of the first end of a constrained edge knows the triangle beside it.
+void Labels::share_sides_outside(const LocalDelaunay& delaunay, Ranks& ranks) {
+  const Triangulation& t = delaunay.triangulation();
+  std::vector<TravellingSide> here;
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     const Slot& slot = t.slots[id];
-    if (!components.has(id) || is_in_domain(id) || !slot.any_constrained()) continue;
+    if (of_slot_[id] != outside || !slot.any_constrained()) continue;
     for (unsigned side = 0; side < 3; ++side)
       if (slot.n[side].constrained() && delaunay.is_own(slot.from(side)))
-        sides.push_back({delaunay.site(slot.from(side)).position, delaunay.site(slot.to(side)).position});
+        here.push_back({delaunay.site(slot.from(side)).position, delaunay.site(slot.to(side)).position});
   }
-  for (const TravellingSide& side : concatenated(lists_of_all(sides, ranks)))
-    sides_outside_.push_back(Side(side.from, side.to));
+  for (const TravellingSide& side : concatenated(lists_of_all(here, ranks)))
+    sides_outside_.emplace_back(side.from, side.to);
   std::ranges::sort(sides_outside_);
 }
 

@@ -37,6 +37,8 @@ class Labels {
  private:
   static constexpr Index outside = no_index - 1;
 
+  void share_sides_outside(const LocalDelaunay& delaunay, Ranks& ranks);
+
   Array<Index> of_slot_;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> sides_outside_;  ///< constrained edges; sorted
 };

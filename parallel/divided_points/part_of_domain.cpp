@@ -14,9 +14,9 @@
 #include "../given_points/problems_of_points.hpp"
 #include "../given_points/shared_hull.hpp"
 #include "../input/findings.hpp"
+#include "common_vertices.hpp"
 #include "crossed_triangles.hpp"
 #include "labels.hpp"
-#include "common_vertices.hpp"
 #include "triangles_at_borders.hpp"
 
 namespace pardel::engine {
@@ -52,16 +52,16 @@ class FirstThree {
 };
 
 /// The problems of segments, holes and regions, except points inside segments. Collective.
-std::vector<Problem> problems_of_rest(const CommonVertices& shared, const Pslg& rest, bool convex_hull,
+std::vector<Problem> problems_of_rest(const CommonVertices& common, const Pslg& rest, bool convex_hull,
                                       const Threads& threads) {
-  // The convex hull of the shared vertices is that of all points.
+  // The convex hull of the common vertices is that of all points.
   Pslg known = rest;
-  for (Index i = 0; i < shared.size(); ++i) known.points.push_back(shared[i].at);
-  known.segments = shared.segments();
+  for (Index i = 0; i < common.size(); ++i) known.points.push_back(common[i].at);
+  known.segments = common.segments();
   std::vector<Problem> problems = find_problems(known, ValidateOptions{.convex_hull = convex_hull}, threads);
   for (Problem& problem : problems)
     if (problem.kind == ProblemKind::point_on_segment)
-      problem.ids[0] = static_cast<Index>(shared[problem.ids[0]].number);
+      problem.ids[0] = static_cast<Index>(common[problem.ids[0]].number);
   return problems;
 }
 
@@ -78,8 +78,8 @@ class PartMaker {
         threads_(threads),
         first_(own.first[ranks.rank()]),
         hull_(delaunay, own, ranks),
-        shared_(hull_, rest.segments, delaunay, own, ranks) {
-    part_.shared = shared_.size();
+        common_(hull_, rest.segments, delaunay, own, ranks) {
+    part_.common = common_.size();
     part_.points = own.first.back();
   }
 
@@ -103,9 +103,9 @@ class PartMaker {
     const FirstId first_id = rest_.first_id;
     OrderedConstraints constraints;
     if (!is_point_set(rest_)) {
-      if (Status fine = status_of(problems_of_rest(shared_, rest_, convex_hull_, threads_), first_id); !fine)
+      if (Status fine = status_of(problems_of_rest(common_, rest_, convex_hull_, threads_), first_id); !fine)
         return fine;
-      constraints = ordered_constraints(shared_, delaunay_);
+      constraints = ordered_constraints(common_, delaunay_);
       if (Status fine = status_of(learn_crossed_triangles(constraints, delaunay_, own_, ranks_, threads_), first_id);
           !fine)
         return fine;
@@ -137,19 +137,19 @@ class PartMaker {
     }
   }
 
-  /// The index, on its owner, of a point that is not shared.
+  /// The index, on its owner, of a point that is not common.
   [[nodiscard]] Index index_at_owner(std::uint64_t position) const {
     const std::uint64_t first = own_.first[own_.owner(position)];
-    const Index shared = shared_.before(position) - shared_.before(first);
-    return part_.shared + static_cast<Index>(position - first) - shared;
+    const Index common = common_.before(position) - common_.before(first);
+    return part_.common + static_cast<Index>(position - first) - common;
   }
 
   void number_vertices() {
     vertex_ = make_array(threads_, t_.points.size(), [](std::size_t) { return no_index; });
-    Index next = part_.shared;
+    Index next = part_.common;
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const std::uint64_t position = first_ + v;
-      vertex_[v] = shared_.has(position) ? shared_.before(position) : next++;
+      vertex_[v] = common_.has(position) ? common_.before(position) : next++;
     }
     known_ = next;
     list_loose_points();
@@ -157,8 +157,8 @@ class PartMaker {
       for (const VertexId v : t_.slots[id].v) {
         if (vertex_[v] != no_index) continue;
         const std::uint64_t position = delaunay_.site(v).position;
-        if (shared_.has(position)) {
-          vertex_[v] = shared_.before(position);
+        if (common_.has(position)) {
+          vertex_[v] = common_.before(position);
           continue;
         }
         vertex_[v] = next++;
@@ -173,12 +173,12 @@ class PartMaker {
       for (const VertexId v : t_.slots[id].v)
         if (delaunay_.is_own(v)) is_corner[v] = true;
     for (VertexId v = 0; v < delaunay_.own(); ++v)
-      if (!is_corner[v] && vertex_[v] >= part_.shared) part_.loose.push_back(vertex_[v]);
+      if (!is_corner[v] && vertex_[v] >= part_.common) part_.loose.push_back(vertex_[v]);
   }
 
   [[nodiscard]] bool has_markers() const {
-    for (Index i = 0; i < shared_.size(); ++i)
-      if (shared_[i].marker != 0) return true;
+    for (Index i = 0; i < common_.size(); ++i)
+      if (common_[i].marker != 0) return true;
     return !own_.marker.empty();
   }
 
@@ -188,11 +188,11 @@ class PartMaker {
     t.points.resize_uninitialised(known_ + others_.size());
     part_.number.resize_uninitialised(known_);
     if (marked) part_.marker.resize(known_, 0);
-    for (Index i = 0; i < part_.shared; ++i) {
-      t.points[i] = shared_[i].at;
-      part_.domain.input_of_vertex.push_back(static_cast<Index>(shared_[i].number));
-      part_.number[i] = shared_[i].number;
-      if (marked) part_.marker[i] = shared_[i].marker;
+    for (Index i = 0; i < part_.common; ++i) {
+      t.points[i] = common_[i].at;
+      part_.domain.input_of_vertex.push_back(static_cast<Index>(common_[i].number));
+      part_.number[i] = common_[i].number;
+      if (marked) part_.marker[i] = common_[i].marker;
     }
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const Index at = vertex_[v];
@@ -241,14 +241,14 @@ class PartMaker {
     DomainTriangulation& domain = part_.domain;
     std::vector<Constraint> constraints;
     std::set<std::pair<Index, Index>> present;
-    for (Index s = 0; const Segment& segment : shared_.segments()) {
+    for (Index s = 0; const Segment& segment : common_.segments()) {
       constraints.push_back({segment.a, segment.b});
       present.insert(std::minmax(segment.a, segment.b));
       domain.input_segment.push_back(s++);
       domain.segment_marker.push_back(segment.marker);
     }
     for (const HullVertex& v : hull_.vertices()) {
-      const Constraint edge{shared_.before(v.position), shared_.before(v.next)};
+      const Constraint edge{common_.before(v.position), common_.before(v.next)};
       if (!convex_hull_ || present.contains(std::minmax(edge.a, edge.b))) continue;
       constraints.push_back(edge);
       domain.input_segment.push_back(no_index);
@@ -274,12 +274,12 @@ class PartMaker {
   Threads threads_;
   std::uint64_t first_;  ///< the position of the first own point
   SharedHull hull_;
-  CommonVertices shared_;
+  CommonVertices common_;
   /// The slots of the part's triangles, first those with own corners; for each slot its new index, or no_index.
   Array<Index> kept_, place_;
   Index own_triangles_ = 0;
   Array<Index> vertex_;  ///< for each old vertex its new index, or no_index
-  Index known_ = 0;      ///< the number of vertices that are shared or own
+  Index known_ = 0;      ///< the number of vertices that are common or own
   std::vector<VertexId> others_;
   PartOfDomain part_;
 };

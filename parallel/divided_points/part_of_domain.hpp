@@ -21,16 +21,16 @@ namespace pardel::engine {
 /// The ends of segments and the vertices of the convex hull (CommonVertices) come first, and have the same indices on
 /// all ranks. Then follow the rank's other points, then other corners of its triangles.
 struct PartOfDomain {
-  DomainTriangulation domain;  ///< input_of_vertex has only the shared vertices
-  Index shared = 0;            ///< the number of shared vertices
-  /// Of the shared vertices, and then of the rank's others: their numbers and markers in the input.
+  DomainTriangulation domain;  ///< input_of_vertex has only the common vertices
+  Index common = 0;            ///< the number of common vertices
+  /// Of the common vertices, and then of the rank's others: their numbers and markers in the input.
   Array<std::uint64_t> number;
   Array<int> marker;         ///< empty if points have no markers
   std::uint64_t points = 0;  ///< of all ranks
   /// Triangles without an own corner, across constrained sides of the others. Whether such a side is encroached on can
   /// depend on them. They have no names.
   std::vector<TriangleId> borrowed;
-  /// The rank's points that are in no triangle and not shared.
+  /// The rank's points that are in no triangle and not common.
   std::vector<VertexId> loose;
   // What other ranks have named:
   std::vector<std::pair<VertexId, Name>> named_vertices;

@@ -187,6 +187,25 @@ Pslg cracks() {
   return pslg;
 }
 
+Pslg survey(std::uint64_t n, std::uint64_t seed) {
+  const auto wavy_circle = [](Point centre, double radius, int pieces, int waves) {
+    std::vector<Point> corners;
+    for (int i = 0; i < pieces; ++i) {
+      const double degrees = 360.0 * i / pieces;
+      const double height = 0.1 * std::sin(waves * degrees * (std::numbers::pi / 180));
+      corners.push_back(on_circle(centre, radius * (1 + height), degrees));
+    }
+    return corners;
+  };
+  Pslg pslg;
+  add_closed(pslg, wavy_circle({0, 0}, 1, 400, 7), 1);
+  add_closed(pslg, wavy_circle({0.3, 0.2}, 0.15, 100, 3), 2);
+  pslg.holes.push_back({0.3, 0.2});
+  add_open(pslg, {{-0.6875, -0.3125}, {-0.25, -0.4375}, {0.125, -0.375}, {0.625, -0.3125}}, 3);
+  for (const Point p : random_points(n, seed).points) pslg.points.push_back({2.5 * p.x - 1.25, 2.5 * p.y - 1.25});
+  return pslg;
+}
+
 Pslg regions() {
   // A straight path and a bent path of segments divide the rectangle into three regions.
   Pslg pslg;
@@ -257,6 +276,8 @@ const std::vector<Entry>& entries() {
        [](int n, std::uint64_t seed) { return line_points(static_cast<std::uint64_t>(n), seed); }},
       {"clusters", 1000, 3, 1'000'000'000,
        [](int n, std::uint64_t seed) { return clustered_points(static_cast<std::uint64_t>(n), seed); }},
+      {"survey", 1000, 0, 1'000'000'000,
+       [](int n, std::uint64_t seed) { return survey(static_cast<std::uint64_t>(n), seed); }},
       {"star", 12, 3, 100'000, [](int n, std::uint64_t) { return star(n, 5); }},
       {"comb", 16, 1, 100'000, [](int n, std::uint64_t) { return comb(n, 0.0625 / n); }},
       {"wedge", 50, 1, 10'000, [](int n, std::uint64_t) { return wedge(n, 90.0 / n); }},
