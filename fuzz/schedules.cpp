@@ -2,6 +2,7 @@
 // messages: the same domain is meshed with one thread, with several threads, and on several ranks.
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "../core/digest.hpp"
@@ -29,7 +30,48 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
   if (one->report.exempt.size() != several->report.exempt.size()) fail("the report depends on the number of threads");
 }
 
-/// The same for ranks, which have no limit on vertices: only where the mesh keeps it anyway.
+/// The part of a rank in a domain whose points the ranks have read in equal parts.
+PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
+  const std::size_t n = pslg.points.size(), count = static_cast<std::size_t>(ranks.count());
+  const std::size_t first = n * static_cast<std::size_t>(ranks.rank()) / count;
+  const std::size_t last = n * static_cast<std::size_t>(ranks.rank() + 1) / count;
+  const auto part_of_list = [&](const auto& all) {
+    using List = std::remove_cvref_t<decltype(all)>;
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+    return all.empty() ? List{} : List(at(first), at(last));
+  };
+  PartOfPslg part;
+  part.rest = pslg;
+  part.points.first = first;
+  part.points.points = part_of_list(pslg.points);
+  part.points.point_markers = part_of_list(pslg.point_markers);
+  part.rest.points.clear();
+  part.rest.point_markers.clear();
+  return part;
+}
+
+/// Each rank calls make(ranks) for its piece. Together the pieces have to be the mesh.
+template <class Make>
+void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays, const Make& make) {
+  std::vector<std::string> faults(static_cast<std::size_t>(count));
+  properties::on_ranks(
+      count,
+      [&](Ranks& ranks) {
+        std::string& fault = faults[static_cast<std::size_t>(ranks.rank())];
+        const Result<MeshPiece> piece = make(ranks);
+        if (!piece)
+          fault = piece.error().message;
+        else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size() ||
+                 piece->points != whole.points.size())
+          fault = "another mesh";
+      },
+      seed_of_delays);
+  for (const std::string& fault : faults)
+    if (!fault.empty()) fail("on " + std::to_string(count) + " ranks: " + fault);
+}
+
+/// The same for ranks, which have no limit on vertices: only where the mesh keeps it anyway. If possible, also for
+/// ranks of which none has all points.
 void compare_with_ranks(const Pslg& pslg, const MeshCase& drawn, Options options) {
   Goal goal = drawn.goal;
   goal.min_angle_deg = std::min(goal.min_angle_deg, 28.0);
@@ -40,20 +82,11 @@ void compare_with_ranks(const Pslg& pslg, const MeshCase& drawn, Options options
   const Result<Meshed> whole = mesh(pslg, goal, options);
   const auto domain = validate(pslg, {.convex_hull = goal.convex_hull});
   if (!whole || !domain) fail("a valid Pslg was rejected");
-  std::vector<std::string> faults(static_cast<std::size_t>(drawn.ranks));
-  properties::on_ranks(
-      drawn.ranks,
-      [&](Ranks& ranks) {
-        std::string& fault = faults[static_cast<std::size_t>(ranks.rank())];
-        const Result<MeshPiece> piece = mesh(*domain, goal, options, ranks);
-        if (!piece)
-          fault = piece.error().message;
-        else if (digest(*piece, ranks) != digest(whole->mesh) || piece->triangles != whole->mesh.triangles.size())
-          fault = "another mesh";
-      },
-      drawn.seed % 4 == 0 ? drawn.seed + 1 : 0);
-  for (const std::string& fault : faults)
-    if (!fault.empty()) fail("on " + std::to_string(drawn.ranks) + " ranks: " + fault);
+  compare_on_ranks(whole->mesh, drawn.ranks, drawn.seed % 4 == 0 ? drawn.seed + 1 : 0,
+                   [&](Ranks& ranks) { return mesh(*domain, goal, options, ranks); });
+  if (can_divide_points(goal, options) && pslg.attributes_per_point == 0)
+    compare_on_ranks(whole->mesh, drawn.ranks, 0,
+                     [&](Ranks& ranks) { return mesh(part_of(pslg, ranks), goal, options, ranks); });
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ Status FileInParts::read(const fs::path& file, Ranks& ranks) {
   name_ = file.string();
   rank_ = ranks.rank();
   if (Status text = agree_on_input(read_bytes(file, ranks), ranks); !text) return text;
-  Part part{static_cast<std::uint64_t>(std::ranges::count(text_, '\n')), 0};
+  Part part{static_cast<std::uint64_t>(std::ranges::count(text_, '\n')), 0, text_.size()};
   for (TextReader in(text_, {}); in.next_line();) ++part.records;
   parts_ = concatenated(lists_of_all(std::vector{part}, ranks));
   for (int rank = 0; rank < rank_; ++rank) before_.lines += parts_[rank].lines;
@@ -77,6 +77,8 @@ Status FileInParts::read(const fs::path& file, Ranks& ranks) {
 
 Status FileInParts::read_bytes(const fs::path& file, const Ranks& ranks) {
   std::error_code unknown;
+  if (fs::is_directory(file, unknown))
+    return Error{ErrorKind::io, file.string() + ": cannot be read: Is a directory"};
   if (!fs::is_regular_file(file, unknown))
     return Error{ErrorKind::io,
                  file.string() + (fs::exists(file, unknown) ? ": only a regular file can be read in parts"
@@ -90,6 +92,12 @@ Status FileInParts::read_bytes(const fs::path& file, const Ranks& ranks) {
   text_ = {bytes_.data(), bytes_.size()};
   if (rank_ == 0) text_ = without_byte_order_mark(text_);
   return Done{};
+}
+
+std::uint64_t FileInParts::bytes_after() const {
+  std::uint64_t bytes = 0;
+  for (std::size_t r = static_cast<std::size_t>(rank_) + 1; r < parts_.size(); ++r) bytes += parts_[r].bytes;
+  return bytes;
 }
 
 std::uint64_t FileInParts::records_before(int rank) const {

@@ -23,6 +23,8 @@ class FileInParts {
 
   /// A reader of the lines of this rank. Its messages name the file, and lines of the whole file.
   [[nodiscard]] TextReader lines() const { return TextReader({}, name_).part(text_, before_.lines + 1); }
+  /// The number of bytes in the parts after that of this rank.
+  [[nodiscard]] std::uint64_t bytes_after() const;
   /// The number of records before the part of a rank.
   [[nodiscard]] std::uint64_t records_before(int rank) const;
 
@@ -40,7 +42,7 @@ class FileInParts {
 
  private:
   struct Part {
-    std::uint64_t lines = 0, records = 0;
+    std::uint64_t lines = 0, records = 0, bytes = 0;
   };
   [[nodiscard]] Status read_bytes(const std::filesystem::path& file, const Ranks& ranks);
 

@@ -222,10 +222,10 @@ std::size_t TextReader::count(std::string_view what) {
   return static_cast<std::size_t>(integer(what, 0, std::numeric_limits<std::int64_t>::max()));
 }
 
-bool TextReader::room_for(std::size_t n, std::size_t bytes_each, std::string_view what) {
+bool TextReader::room_for(std::size_t n, std::size_t bytes_each, std::string_view what, std::size_t more) {
   if (failed_) return false;
   // The text counts as one byte longer, because the newline of the last record may be missing.
-  if (n <= (rest().size() + 1) / bytes_each) return true;
+  if (n <= (rest().size() + more + 1) / bytes_each) return true;
   fail("announces " + std::to_string(n) + " " + std::string(what) + ", but the rest of the file is too short for that");
   return false;
 }

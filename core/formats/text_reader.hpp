@@ -81,7 +81,8 @@ class TextReader {
   std::size_t count(std::string_view what);
   /// Fails if the rest of the text is too short for n records of at least `bytes_each` bytes. Call it before memory is
   /// allocated for n records: a wrong count then cannot cost more memory than a small multiple of the file's size.
-  bool room_for(std::size_t n, std::size_t bytes_each, std::string_view what);
+  /// `more`: so many bytes follow the text in the file.
+  bool room_for(std::size_t n, std::size_t bytes_each, std::string_view what, std::size_t more = 0);
 
   /// Goes to the first byte after the end of the current line, where binary data begin.
   void end_line();

@@ -49,6 +49,7 @@ class PointsReader {
   [[nodiscard]] Status read_first_record() {
     if (ranks_.rank() != with_header_) return Done{};
     header_ = read_point_header(*in_);
+    static_cast<void>(in_->room_for(header_.points, bytes_of_point(header_), "points", file_.bytes_after()));
     return in_->failed() ? Status(in_->error()) : Done{};
   }
 
@@ -90,7 +91,6 @@ class PointsReader {
     points_.first = points_before(ranks_.rank());
     const std::uint64_t end = points_before(ranks_.rank() + 1);
     const auto count = static_cast<std::size_t>(end - points_.first);
-    if (!in.room_for(count, bytes_of_point(header_), "points")) return in.error();
     resize_points(points_, count, header_);
     read_records(in, "point", points_.first, end, [&](TextReader& line, std::size_t i) {
       read_number(line, "point", i, points_.first_id.value);

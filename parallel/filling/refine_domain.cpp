@@ -36,14 +36,15 @@ Options resolvable(Options options, const Triangulation& t) {
 }
 
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
-                  const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports) {
+                  const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports,
+                  std::vector<TriangleId>* undecided) {
   report.inserted = counts.inserted;
   report.segment_splits = counts.segment_splits;
   report.refused = counts.refused;
   report.tiling = std::move(counts.tiling);
   if (counts.left_alone)
-    report.exempt =
-        exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads, reports);
+    report.exempt = exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads,
+                               reports, undecided);
   for (Exemption& e : report.exempt)
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
 }

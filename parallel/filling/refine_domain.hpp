@@ -39,9 +39,10 @@ using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
 [[nodiscard]] Options resolvable(Options options, const Triangulation& t);
 
 /// Writes to the report what a refinement has done, and which triangles it left. `options`: those of the refinement.
-/// `reports`: if given, only triangles for which it is true are reported.
+/// `reports`: if given, only triangles for which it is true are reported. `undecided`: see exemptions().
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
-                  const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports = {});
+                  const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports = {},
+                  std::vector<TriangleId>* undecided = nullptr);
 
 /// Refines the domain, and makes its mesh. Errors: as from refine_by_sweeps().
 [[nodiscard]] Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,

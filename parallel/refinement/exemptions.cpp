@@ -8,7 +8,7 @@ namespace pardel::engine {
 
 std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                   const Options& options, bool budget_reached, const Threads& threads,
-                                  const std::function<bool(TriangleId)>& counts) {
+                                  const std::function<bool(TriangleId)>& counts, std::vector<TriangleId>* undecided) {
   const Assessor assessor(t, segments, criteria, options);
   Insertion insertion(t, criteria, options.min_edge);
   const Box everywhere;
@@ -39,10 +39,16 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     ask();
     if (counts && !counts(id)) continue;
+    bool is_decided = false;
     try {
-      if (assessor.breaks_goal(id, hints)) result.push_back(why_not_split(id));
+      const bool breaks_goal = assessor.breaks_goal(id, hints);
+      is_decided = true;
+      if (breaks_goal) result.push_back(why_not_split(id));
     } catch (const NotHeld&) {
-      result.push_back({id, ExemptReason::precision});
+      if (is_decided || undecided == nullptr)
+        result.push_back({id, ExemptReason::precision});
+      else
+        undecided->push_back(id);
     }
   }
   return result;

@@ -198,11 +198,11 @@ Pslg survey(std::uint64_t n, std::uint64_t seed) {
     return corners;
   };
   Pslg pslg;
-  add_closed(pslg, wavy_circle({0, 0}, 1, 400, 7), 1);
+  add_closed(pslg, wavy_circle({0, 0}, 0.85, 400, 7), 1);
   add_closed(pslg, wavy_circle({0.3, 0.2}, 0.15, 100, 3), 2);
   pslg.holes.push_back({0.3, 0.2});
-  add_open(pslg, {{-0.6875, -0.3125}, {-0.25, -0.4375}, {0.125, -0.375}, {0.625, -0.3125}}, 3);
-  for (const Point p : random_points(n, seed).points) pslg.points.push_back({2.5 * p.x - 1.25, 2.5 * p.y - 1.25});
+  add_open(pslg, {{-0.5, -0.3125}, {-0.25, -0.4375}, {0.125, -0.375}, {0.5, -0.3125}}, 3);
+  for (const Point p : random_points(n, seed).points) pslg.points.push_back({2 * p.x - 1, 2 * p.y - 1});
   return pslg;
 }
 

@@ -40,7 +40,7 @@ namespace pardel::domains {
 /// n points in 100 clusters around the unit square, whose radii range from 2^-5 to 2^-15, without segments.
 [[nodiscard]] Pslg clustered_points(std::uint64_t n, std::uint64_t seed);
 
-/// A survey of a lake: n points, uniform in a square with sides of length 2.5, in and around a shore of 400 segments
+/// A survey of a lake: n points, uniform in a square with sides of length 2, in and around a shore of 400 segments
 /// (marker 1) with an island of 100 segments (marker 2), and a line of three segments on the ground (marker 3).
 [[nodiscard]] Pslg survey(std::uint64_t n, std::uint64_t seed);
 

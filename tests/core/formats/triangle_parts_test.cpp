@@ -114,6 +114,10 @@ TEST(PartsOfNode, name_the_line_of_a_fault_as_one_reader_does) {
   expect_the_same(replaced(text, "\n77 ", "\n77 x"));
   expect_the_same(replaced(text, "  200 2", "  205 2"));
   expect_the_same(replaced(text, "200 2 1 1", "200 2 2 1"));
+  expect_the_same("27 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  expect_the_same("4000000000 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  expect_the_same("3 2 2000000000 0\n1 0 0\n2 1 0\n3 0 1\n");
+  expect_the_same("# points\n\n3 2\n1 0 0\n2 1 0\n3");
 }
 
 std::string domain_with(const std::string& after_points) { return many_points(1) + after_points; }

@@ -1,0 +1,75 @@
+// Reads the bytes as a .poly, perhaps with its .node (file_bundle.hpp): once as a whole, and once by several ranks,
+// each of which reads a part of the points. Together the ranks must have the same domain, or all have the same error.
+#include <string>
+#include <vector>
+
+#include "../core/formats.hpp"
+#include "../properties/theorems/framework/local_ranks.hpp"
+#include "file_bundle.hpp"
+#include "fuzz_one.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+using Part = Result<std::optional<PartOfPslg>>;
+
+std::vector<Part> read_by(int count, const std::filesystem::path& file) {
+  std::vector<Part> parts(static_cast<std::size_t>(count), Part(std::optional<PartOfPslg>()));
+  properties::on_ranks(
+      count, [&](Ranks& ranks) { parts[static_cast<std::size_t>(ranks.rank())] = read_part_of_pslg(file, ranks); });
+  return parts;
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& part) {
+  all.insert(all.end(), part.begin(), part.end());
+}
+
+Pslg together(const std::vector<Part>& parts) {
+  const PartOfPslg& first = **parts.front();
+  Pslg all = first.rest;
+  all.attributes_per_point = first.points.attributes_per_point;
+  for (const Part& part : parts) {
+    const PartOfPslg& read = **part;
+    if (read.rest != first.rest) fail("the ranks have read different segments, holes or regions");
+    if (read.points.first != all.points.size()) fail("the points of a rank do not follow those before it");
+    append(all.points, read.points.points);
+    append(all.point_attributes, read.points.point_attributes);
+    append(all.point_markers, read.points.point_markers);
+  }
+  return all;
+}
+
+void compare(const Result<Pslg>& whole, const std::vector<Part>& parts) {
+  for (const Part& part : parts) {
+    if (part.ok() != parts.front().ok()) fail("only some ranks have an error");
+    if (!part && part.error().message != parts.front().error().message) fail("the ranks have different errors");
+    if (part && part->has_value() != parts.front()->has_value()) fail("only some ranks have read the domain");
+  }
+  const Part& first = parts.front();
+  if (!first) {
+    if (whole) fail("only ranks have an error: " + first.error().message);
+    if (whole.error().message != first.error().message)
+      fail("another error: " + first.error().message + "; instead of: " + whole.error().message);
+    return;
+  }
+  if (!first->has_value()) {
+    if (whole && whole->segments.size() * least_points_per_segment <= whole->points.size())
+      fail("ranks have not read a domain with few segments");
+    return;
+  }
+  if (!whole) fail("only one process has an error: " + whole.error().message);
+  if (together(parts) != *whole) fail("ranks have read another domain");
+}
+
+}  // namespace
+
+int fuzz_one(std::span<const std::uint8_t> bytes) {
+  const Scratch scratch;
+  for (const NamedText& file : files_of(bytes, "domain.poly")) scratch.write(file);
+  const std::filesystem::path path = scratch / "domain.poly";
+  compare(read_pslg(path), read_by(static_cast<int>(bytes.size() % 5) + 1, path));
+  return 0;
+}
+
+}  // namespace pardel::fuzz
