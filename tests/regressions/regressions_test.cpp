@@ -10,11 +10,13 @@
 #include <string>
 
 #include "../../core/formats.hpp"
+#include "../../parallel/distributed.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
 #include "../../parallel/validate.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "../../properties/theorems/framework/local_ranks.hpp"
 #include "../properties/checker/written_mesh.hpp"
 
 namespace pardel {
@@ -125,6 +127,21 @@ TEST(ReasonRegression, the_smallest_angle_of_a_flat_triangle_is_found_exactly) {
   for (const Exemption& e : meshed->report.exempt)
     EXPECT_TRUE(!justified(e.reason) || std::ranges::count(certificate.justified, e.triangle, &Justified::triangle) > 0)
         << name(e.reason) << " triangle " << e.triangle;
+}
+
+TEST(RanksRegression, a_triangle_beside_a_segment_between_ranks_counts_as_in_one_process) {
+  const Pslg pslg = domain_for_bounds("triangle_beside_a_segment_between_ranks");
+  const Goal goal{.min_angle_deg = 0, .region_caps = true, .conforming = true};
+  const Options options{.threads = 1, .cells = {20, 3}, .min_edge = 0.004};
+  const Result<Meshed> whole = mesh(pslg, goal, options);
+  ASSERT_TRUE(whole) << whole.error().message;
+  const ValidPslg domain = std::move(validate(pslg)).value();
+  for (const int count : {2, 3, 6})
+    properties::on_ranks(count, [&](Ranks& ranks) {
+      const Result<MeshPiece> piece = mesh(domain, goal, options, ranks);
+      ASSERT_TRUE(piece) << piece.error().message;
+      EXPECT_EQ(piece->missed, whole->report.exempt.size()) << count << " ranks";
+    });
 }
 
 class RepairRegression : public ::testing::TestWithParam<fs::path> {};
