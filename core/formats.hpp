@@ -33,7 +33,8 @@ namespace pardel {
 /// Reads a .poly from `text`; messages use `name` as the file name. A .poly whose points are in a .node is an error.
 [[nodiscard]] Result<Pslg> parse_poly(std::string_view text, const std::string& name);
 
-/// With fewer points per segment, it is better if each rank reads the whole domain.
+/// With fewer points per segment, each rank reads the whole domain: all ranks need all segments, their ends, and the
+/// corners of the triangles that they cross, so little would be divided.
 inline constexpr std::size_t least_points_per_segment = 8;
 
 /// Reads what read_pslg() reads, but of the points only the part of this rank: about an equal part of the bytes. All

@@ -24,11 +24,6 @@ struct PartOfPslg {
   PartOfPoints points;
   /// Segments, holes and regions. It has no points: segments name those of all ranks by their numbers.
   Pslg rest{};
-
-  /// The domain is then the convex hull of the points.
-  [[nodiscard]] bool has_only_points() const {
-    return rest.segments.empty() && rest.holes.empty() && rest.regions.empty();
-  }
 };
 
 }  // namespace pardel

@@ -59,4 +59,9 @@ struct Pslg {
   friend bool operator==(const Pslg&, const Pslg&) = default;
 };
 
+/// True if the Pslg has points only: no segments, holes or regions.
+[[nodiscard]] inline bool is_point_set(const Pslg& pslg) {
+  return pslg.segments.empty() && pslg.holes.empty() && pslg.regions.empty();
+}
+
 }  // namespace pardel

@@ -128,7 +128,7 @@ bool may_divide_points(const Arguments& arguments, const Job& job) {
 }
 
 /// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
-/// problems as 'pardel mesh' does.
+/// problems as 'pardel mesh' does. Other errors end the job.
 Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) {
   if (error.kind != ErrorKind::invalid_input) job.abort(error);
   Status valid = Done{};
@@ -141,11 +141,14 @@ Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) 
 
 /// One piece per rank, of a domain of whose points each rank has a part.
 Result<Made> make_of_parts(const Arguments& arguments, PartOfPslg&& input, Job& job) {
-  const Pslg rest = input.rest;
-  const bool has_only_points = input.has_only_points();
+  const bool has_only_points = is_point_set(input.rest);
+  Pslg for_writers;  // they write holes and regions again
+  for_writers.holes = input.rest.holes;
+  for_writers.regions = input.rest.regions;
+  for_writers.first_id = input.points.first_id;
   const Result<MeshPiece> piece =
       mesh(std::move(input), goal_without_sizes(arguments.goal), arguments.options, job.ranks());
-  if (piece) return written(arguments, *piece, rest, job);
+  if (piece) return written(arguments, *piece, for_writers, job);
   if (has_only_points) return fault_of_points(piece.error(), arguments.input, arguments.options.threads, job);
   return fault_of_domain(piece.error(), arguments, job);
 }

@@ -18,7 +18,7 @@ Error fault_of_points(const Error& error, const std::filesystem::path& file, int
   PartOfPoints& points = (*input)->points;
   const int first_id = points.first_id.value;
   std::vector<pardel::Problem> problems;
-  if ((*input)->has_only_points()) problems = find_problems(std::move(points), threads, job.ranks());
+  if (is_point_set((*input)->rest)) problems = find_problems(std::move(points), threads, job.ranks());
   if (problems.empty()) return unexplained;
   return {error.kind, file.string() + ": " + cli::problems_text(problems, first_id) +
                           cli::advice({}, problems, file.string(), false)};

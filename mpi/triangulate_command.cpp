@@ -41,7 +41,8 @@ struct TriangulateArguments {
 };
 
 void add_triangulate_options(CLI::App& app, TriangulateArguments& arguments) {
-  app.add_option("IN", arguments.input, "The points: .node, or .poly without segments; all ranks see the file")
+  app.add_option("IN", arguments.input,
+                 "The points: .node, or .poly without segments, holes and regions; all ranks see the file")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", arguments.outputs,
@@ -75,7 +76,7 @@ Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job
   use_threads(threads);
   Result<std::optional<PartOfPslg>> input = read_part_of_pslg(arguments.input, job.ranks());
   if (!input) return input.error();
-  if (!*input || !(*input)->has_only_points()) return not_only_points(arguments.input, job);
+  if (!*input || !is_point_set((*input)->rest)) return not_only_points(arguments.input, job);
   Made made;
   made.seconds.read = watch.seconds();
   const Result<MeshPiece> piece = triangulate(std::move((*input)->points), {.threads = threads}, job.ranks());

@@ -90,9 +90,9 @@ struct MeshPiece {
 /// Collective. `threads`: of this rank; 0: as many as OpenMP offers.
 [[nodiscard]] std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ranks);
 
-/// True if mesh() can begin with points that are divided among ranks: the bounds are the same everywhere
-/// (Goal::max_area, max_edge, min_angle_deg), the decomposition is a lattice or none, the interior is refined, and
-/// there is neither a limit on vertices nor a function that needs the whole mesh.
+/// True if mesh() can begin with points that are divided among ranks: the goal has no field of sizes and no gradation
+/// (bounds on angles, areas, edges, and areas of regions are possible), the decomposition is a lattice or none, the
+/// interior is refined, and there is neither a limit on vertices nor a function that needs the whole mesh.
 [[nodiscard]] bool can_divide_points(const Goal& goal, const Options& options);
 
 /// Makes the mesh of a domain of which no rank has all points: that of mesh() for the domain, with the same numbers.
@@ -101,12 +101,14 @@ struct MeshPiece {
 /// the parts that have triangles that are long compared with the tiles; then the triangles go to the ranks that refine
 /// their tiles.
 ///
-/// Memory of a rank: its share of the mesh, a margin around it, all segments, the corners of all triangles that
-/// segments cross in the triangulation of the points, and the vertices of the convex hull; on the first rank also the
-/// excerpt. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
+/// Memory of a rank: its share of the mesh, a margin around it, all segments with their ends, the corners of all
+/// triangles that segments cross in the triangulation of the points, and the vertices of the convex hull; on the first
+/// rank also the excerpt. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull vertices
+/// and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
 ///
-/// Errors as for triangulate() and mesh(); `invalid_input`, with the problems of segments, holes and regions;
-/// `usage` if can_divide_points() is false or if points have attributes.
+/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with problems of segments, holes and
+/// regions (all of them, or else points inside segments, of which at least one is listed if there are any); `usage` if
+/// can_divide_points() is false, if points have attributes, or if domain.rest has points.
 [[nodiscard]] Result<MeshPiece> mesh(PartOfPslg&& domain, const Goal& goal, const Options& options, Ranks& ranks);
 
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.

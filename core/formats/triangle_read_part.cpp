@@ -132,7 +132,7 @@ Status read_rest(TextReader in, std::size_t points, PartOfPslg& pslg) {
 Result<std::optional<PartOfPslg>> read_part_of_pslg(const fs::path& file, Ranks& ranks) {
   PointsReader first(ranks), in_node(ranks);
   if (Status header = first.read_header(file); !header) return header.error();
-  const bool is_poly = file.extension() == ".poly";
+  const bool is_poly = file.extension() != ".node";
   PointsReader& points = is_poly && first.header().points == 0 ? in_node : first;
   if (&points == &in_node)
     if (Status header = points.read_header(fs::path(file).replace_extension(".node")); !header) return header.error();

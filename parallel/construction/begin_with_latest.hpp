@@ -11,8 +11,10 @@ namespace pardel::engine {
 
 /// Turns the triangles that do not begin with their latest corner, as they do if points are inserted one by one. Only
 /// the triangle of the first three points begins with the first one. So the first corner, on which the order of the
-/// refinement depends, follows from the points alone. `when(v)`: greater for later vertices; but the third of
-/// `first_three` comes before all vertices after the second one, even if they are on a line with the first two.
+/// refinement depends, follows from the points alone.
+///
+/// `when(v)`: greater for later vertices. `first_three`: the first two, and the first one that is not on a line with
+/// them. This one is inserted third, so it counts as earlier than those on the line, whatever when() says.
 template <class When>
 void begin_with_latest(Triangulation& t, const std::array<VertexId, 3>& first_three, const When& when,
                        const Threads& threads) {

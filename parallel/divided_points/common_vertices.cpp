@@ -28,9 +28,7 @@ CommonVertices::CommonVertices(const SharedHull& hull, std::span<const Segment> 
     }
   const std::vector<CommonVertex> all = concatenated(lists_of_all(here, ranks));
   vertices_.insert(vertices_.end(), all.begin(), all.end());
-  std::ranges::sort(vertices_, {}, &CommonVertex::position);
-  const auto is_same = [](const CommonVertex& v, const CommonVertex& w) { return v.position == w.position; };
-  vertices_.erase(std::unique(vertices_.begin(), vertices_.end(), is_same), vertices_.end());
+  sort_by_position(vertices_);
 
   std::vector<std::pair<std::uint64_t, Index>> by_number;
   for (Index i = 0; i < size(); ++i) by_number.emplace_back(vertices_[i].number, i);

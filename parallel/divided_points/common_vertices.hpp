@@ -22,6 +22,14 @@ struct CommonVertex {
   int unused = 0;
 };
 
+/// Sorts what has positions. Of several with the same position, one is left.
+template <class T>
+void sort_by_position(std::vector<T>& all) {
+  std::ranges::sort(all, {}, &T::position);
+  const auto is_same = [](const T& a, const T& b) { return a.position == b.position; };
+  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+}
+
 /// The vertices of the convex hull, and the ends of the segments. They have the same indices on all ranks, in the order
 /// of their positions. This is also the order of the vertices in one process.
 class CommonVertices {

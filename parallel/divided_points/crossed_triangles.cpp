@@ -6,6 +6,7 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../construction/crossed_edges.hpp"
+#include "../given_points/problems_of_points.hpp"
 #include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
@@ -57,19 +58,13 @@ class Surveyor {
   std::vector<PointInside> inside_;
 };
 
-void sort_by_position(std::vector<Site>& sites) {
-  std::ranges::sort(sites, {}, &Site::position);
-  const auto is_same = [](const Site& a, const Site& b) { return a.position == b.position; };
-  sites.erase(std::unique(sites.begin(), sites.end(), is_same), sites.end());
-}
-
 std::vector<Problem> problems_of(std::vector<PointInside> all) {
   std::ranges::sort(all, [](const PointInside& a, const PointInside& b) {
     return std::pair(a.point, a.segment) < std::pair(b.point, b.segment);
   });
   std::vector<Problem> problems;
   for (const PointInside& each : all)
-    problems.push_back({ProblemKind::point_on_segment, {static_cast<Index>(each.point), each.segment}, each.at});
+    problems.push_back({ProblemKind::point_on_segment, {id_of_problem(each.point), each.segment}, each.at});
   return problems;
 }
 

@@ -25,8 +25,8 @@ struct OrderedConstraints {
 /// Afterwards the triangulation of each rank has all triangles that the constraints cross, or have as a side, in the
 /// triangulation of all points. Those that they cross are the only ones that change when the constraints become edges,
 /// so each rank can insert all constraints for itself, and gets all triangles with an own corner right (THEORY.md,
-/// GivenPoints). Collective. Returns the points inside segments, as problems, on all ranks alike. If there are any,
-/// nothing has been added.
+/// GivenPoints). Collective. If points lie inside segments, returns some of them, as problems, on all ranks alike;
+/// then nothing has been added.
 ///
 /// Precondition: all triangles with an own corner are those of the triangulation of all points; no two segments cross.
 [[nodiscard]] std::vector<Problem> learn_crossed_triangles(const OrderedConstraints& constraints,

@@ -67,8 +67,10 @@ Result<MeshPiece> mesh(PartOfPslg&& input, const Goal& goal, const Options& opti
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
   if (!can_divide_points(goal, options))
     return Error{ErrorKind::usage,
-                 "points that are divided among ranks need bounds that are the same everywhere, a lattice, and an "
-                 "interior that is refined"};
+                 "points that are divided among ranks need bounds without a field of sizes, a lattice, and an interior "
+                 "that is refined"};
+  if (!input.rest.points.empty())
+    return Error{ErrorKind::usage, "the part of a domain that all ranks have must have no points"};
   if (input.points.attributes_per_point > 0)
     return Error{ErrorKind::usage, "points that are divided among ranks must not have attributes"};
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {

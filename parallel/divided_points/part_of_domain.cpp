@@ -55,13 +55,14 @@ class FirstThree {
 std::vector<Problem> problems_of_rest(const CommonVertices& common, const Pslg& rest, bool convex_hull,
                                       const Threads& threads) {
   // The convex hull of the common vertices is that of all points.
-  Pslg known = rest;
+  Pslg known;
+  known.holes = rest.holes;
+  known.regions = rest.regions;
   for (Index i = 0; i < common.size(); ++i) known.points.push_back(common[i].at);
   known.segments = common.segments();
   std::vector<Problem> problems = find_problems(known, ValidateOptions{.convex_hull = convex_hull}, threads);
   for (Problem& problem : problems)
-    if (problem.kind == ProblemKind::point_on_segment)
-      problem.ids[0] = static_cast<Index>(common[problem.ids[0]].number);
+    if (problem.kind == ProblemKind::point_on_segment) problem.ids[0] = id_of_problem(common[problem.ids[0]].number);
   return problems;
 }
 

@@ -37,7 +37,7 @@ Options resolvable(Options options, const Triangulation& t) {
 
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
                   const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports,
-                  std::vector<TriangleId>* undecided) {
+                  std::vector<EdgeRef>* undecided) {
   report.inserted = counts.inserted;
   report.segment_splits = counts.segment_splits;
   report.refused = counts.refused;

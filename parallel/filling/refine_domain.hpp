@@ -42,7 +42,7 @@ using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
 /// `reports`: if given, only triangles for which it is true are reported. `undecided`: see exemptions().
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
                   const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports = {},
-                  std::vector<TriangleId>* undecided = nullptr);
+                  std::vector<EdgeRef>* undecided = nullptr);
 
 /// Refines the domain, and makes its mesh. Errors: as from refine_by_sweeps().
 [[nodiscard]] Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,

@@ -36,9 +36,8 @@ std::vector<Problem> of_all(const std::vector<TravellingProblem>& here, Ranks& r
   std::vector<Problem> problems;
   for (const TravellingProblem& each : concatenated(lists_of_all(here, ranks))) {
     Problem& problem = problems.emplace_back(Problem{each.kind, {}, each.where});
-    // Problems have ids of 32 bits.
     for (std::uint64_t i = 0; i < std::min<std::uint64_t>(each.id_count, 2); ++i)
-      problem.ids.push_back(static_cast<Index>(std::min<std::uint64_t>(each.ids[i], no_index)));
+      problem.ids.push_back(id_of_problem(each.ids[i]));
   }
   std::ranges::sort(
       problems, [](const Problem& a, const Problem& b) { return std::pair(a.kind, a.ids) < std::pair(b.kind, b.ids); });

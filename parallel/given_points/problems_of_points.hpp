@@ -1,6 +1,8 @@
 // The problems of points that are divided among ranks. All functions are collective, and return the same on all ranks.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "../../core/part_of_points.hpp"
@@ -10,6 +12,11 @@
 #include "own_points.hpp"
 
 namespace pardel::engine {
+
+/// The id of a point in a Problem, which has 32 bits: no_index for a number that is too large.
+[[nodiscard]] constexpr Index id_of_problem(std::uint64_t number) {
+  return static_cast<Index>(std::min<std::uint64_t>(number, no_index));
+}
 
 /// Coordinates that exact arithmetic cannot use. As find_problems() in one process, at most 10,000 for each rank.
 [[nodiscard]] std::vector<Problem> unusable_coordinates(const PartOfPoints& read, Ranks& ranks, const Threads& threads);

@@ -41,9 +41,6 @@ class Findings {
 [[nodiscard]] std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options,
                                                  const Threads& threads);
 
-/// True if the Pslg has points only: no segments, holes or regions.
-[[nodiscard]] bool is_point_set(const Pslg& pslg);
-
 /// The problems of a point set except duplicate points, of which the Delaunay triangulation finds the first one anyway.
 /// The search for all of them takes a twentieth of the time of the triangulation. Precondition: is_point_set(pslg).
 [[nodiscard]] std::vector<Problem> find_problems_but_duplicates(const Pslg& pslg, const Threads& threads);

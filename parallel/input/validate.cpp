@@ -136,10 +136,6 @@ void check_collinear(const Pslg& pslg, const Threads& threads, Findings& found) 
 
 }  // namespace
 
-bool engine::is_point_set(const Pslg& pslg) {
-  return pslg.segments.empty() && pslg.holes.empty() && pslg.regions.empty();
-}
-
 std::vector<Problem> engine::find_problems_but_duplicates(const Pslg& pslg, const Threads& threads) {
   Findings found(ValidateOptions{}.max_problems);
   check_values(pslg, threads, found);

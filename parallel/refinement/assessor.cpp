@@ -44,11 +44,13 @@ bool Assessor::breaks_goal(TriangleId id, LocalHints& hints) const {
 
 unsigned Assessor::non_delaunay_side(TriangleId id) const {
   unsigned side = criteria_.conforming() ? 0 : 3;
-  for (; side < 3; ++side) {
-    const EdgeRef across = t_.slots[id].n[side];
-    if (across.constrained() && !across.none() && !delaunay_across(t_, EdgeRef(id, side))) break;
-  }
+  while (side < 3 && !is_non_delaunay_segment(EdgeRef(id, side))) ++side;
   return side;
+}
+
+bool Assessor::is_non_delaunay_segment(EdgeRef side) const {
+  const EdgeRef across = t_.slot(side).n[side.side()];
+  return across.constrained() && !across.none() && !delaunay_across(t_, side);
 }
 
 Index Assessor::segment_of(EdgeRef e) const {

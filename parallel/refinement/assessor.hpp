@@ -76,6 +76,8 @@ class Assessor {
   }
   /// For a conforming goal: a constrained side that is not Delaunay, or 3 if there is none. For other goals: 3.
   [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
+  /// True if the side is constrained, has triangles on both sides, and is not Delaunay.
+  [[nodiscard]] bool is_non_delaunay_segment(EdgeRef side) const;
   /// True if the options do not allow to split the edge, or if it lies on the border of a patch.
   [[nodiscard]] bool forbidden(EdgeRef e) const;
   /// True if the halves of the edge would be shorter than options.min_edge (the floor).

@@ -17,13 +17,19 @@ namespace pardel::engine {
 /// `budget_reached`: the refinement ended at options.max_vertices. The triangulation is not changed. Runs on
 /// one thread. O(n). `counts`: if given, only triangles for which it is true are listed.
 ///
-/// If a rank does not hold all that the reason depends on, the reason is `precision`. If it does not hold the triangle
-/// beyond a segment that decides whether a triangle breaks the criteria (Goal::conforming), the triangle is added to
-/// `undecided`, if given, and is not listed.
+/// If a rank does not hold all that the reason depends on, the reason is `precision`. For a conforming goal, it also
+/// depends on the triangle beyond a segment whether a triangle breaks the criteria. If the rank does not hold the
+/// former, and nothing else decides, the side is added to `undecided`, and the triangle is not listed. Precondition: a
+/// rank passes `undecided`.
 [[nodiscard]] std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segments,
                                                 const Criteria& criteria, const Options& options, bool budget_reached,
                                                 const Threads& threads = {},
                                                 const std::function<bool(TriangleId)>& counts = {},
-                                                std::vector<TriangleId>* undecided = nullptr);
+                                                std::vector<EdgeRef>* undecided = nullptr);
+
+/// The reason why a subsegment that is not Delaunay was not split; `precision` if a rank does not hold all that this
+/// depends on.
+[[nodiscard]] ExemptReason why_not_split(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
+                                         const Options& options, EdgeRef side);
 
 }  // namespace pardel::engine

@@ -132,7 +132,54 @@ TEST(MeshOfPoints, with_segments_is_the_mesh_of_one_process) {
                                    {.triangles_per_tile = 50}, domain.name);
     expect_the_mesh_of_one_process(with_loose_points(domain.pslg, 300), {.min_angle_deg = 20, .convex_hull = true},
                                    {.triangles_per_tile = 100}, domain.name);
+    expect_the_mesh_of_one_process(with_loose_points(domain.pslg, 200),
+                                   {.min_angle_deg = 20, .region_caps = true, .conforming = true},
+                                   {.triangles_per_tile = 40}, domain.name);
   }
+}
+
+/// The message of mesh(), the same on all ranks.
+std::string failure(const Pslg& pslg, const Goal& goal = {}, const Options& options = {}) {
+  std::vector<std::string> messages(3);
+  on_ranks(3, [&](Ranks& ranks) {
+    const Result<MeshPiece> piece = mesh(part_of_domain_of(pslg, ranks), goal, options, ranks);
+    messages[ranks.rank()] = piece ? "none" : piece.error().message;
+  });
+  EXPECT_EQ(messages[1], messages[0]);
+  EXPECT_EQ(messages[2], messages[0]);
+  return messages[0];
+}
+
+TEST(MeshOfPoints, with_invalid_segments_has_an_error_on_all_ranks) {
+  const Pslg valid = with_loose_points(domains::regions(), 300);
+  const auto changed = [&](const auto& change) {
+    Pslg pslg = valid;
+    change(pslg);
+    return failure(pslg);
+  };
+  EXPECT_EQ(failure(valid), "none");
+  EXPECT_EQ(changed([](Pslg& p) {
+              p.segments.push_back({2, 1'000, 0});
+            }),
+            "Segment 11 names a point that does not exist.");
+  EXPECT_EQ(changed([](Pslg& p) { p.segments.push_back(p.segments[3]); }),
+            "Segments 3 and 11, from (3, 0), have the same ends.");
+  EXPECT_EQ(changed([](Pslg& p) {
+              p.holes.push_back({3.2, 0.5});
+            }),
+            "Hole 0 at (3.2, 0.5) lies outside every closed outline.");
+  EXPECT_EQ(changed([](Pslg& p) {
+              p.regions[1].seed = {0.25, 0.25};
+            }),
+            "Regions 0 and 1 lie in one face, the second at (0.25, 0.25).");
+  EXPECT_EQ(changed([](Pslg& p) {
+              p.points[100] = {0.5, 0};
+            }),
+            "Point 100 at (0.5, 0) lies in the interior of segment 0.");
+  EXPECT_EQ(failure(valid, {.grading = 0.5}).substr(0, 36), "points that are divided among ranks ");
+  on_ranks(2, [&](Ranks& ranks) {
+    EXPECT_EQ(mesh({part_of(valid, ranks), valid}, {}, {}, ranks).error().kind, ErrorKind::usage);
+  });
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ using Corners = std::array<std::pair<double, double>, 3>;
 inline Corners corners_of(const Triangulation& t, const Slot& slot) {
   Corners corners;
   for (unsigned i = 0; i < 3; ++i) corners[i] = {t.points[slot.v[i]].x, t.points[slot.v[i]].y};
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 
