@@ -64,11 +64,13 @@ namespace pardel::engine {
       domain, criteria, options, std::move(*counts), progress.threads(), report,
       [&](TriangleId id) { return distribution.part().has(id) && distribution.owner_of_triangle(id) == ranks.rank(); },
       &undecided);
-  std::set<TriangleId> listed;
-  for (const EdgeRef e : non_delaunay_of(undecided, domain.triangulation, distribution))
-    if (listed.insert(e.triangle()).second)
-      report.exempt.push_back(
-          {e.triangle(), why_not_split(domain.triangulation, domain.segments, criteria, options, e)});
+  if (criteria.conforming()) {  // for other goals, all is decided
+    std::set<TriangleId> listed;
+    for (const EdgeRef e : non_delaunay_of(undecided, domain.triangulation, distribution))
+      if (listed.insert(e.triangle()).second)
+        report.exempt.push_back(
+            {e.triangle(), why_not_split(domain.triangulation, domain.segments, criteria, options, e)});
+  }
   MeshPiece piece = make_piece(domain, distribution, std::move(input), report.exempt, progress.threads());
   std::ranges::sort(report.exempt, {}, &Exemption::triangle);
   const auto missed = std::ranges::count_if(report.exempt, [](const Exemption& e) { return !justified(e.reason); });

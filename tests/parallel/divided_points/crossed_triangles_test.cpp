@@ -6,7 +6,6 @@
 #include <set>
 #include <string>
 
-#include "../../../parallel/construction/insert_constraints.hpp"
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
@@ -35,10 +34,8 @@ TEST(CrossedTriangles, are_all_that_a_rank_needs_to_insert_segments) {
     std::atomic<int> wrong = 0;
     on_ranks(count, [&](Ranks& ranks) {
       TriangulatedPart part(pslg, ranks);
-      LocalDelaunay& delaunay = part.points->delaunay;
-      const OrderedConstraints constraints = ordered_constraints(part.common, delaunay);
-      ASSERT_TRUE(learn_crossed_triangles(constraints, delaunay, part.points->own, ranks, {}).empty());
-      ASSERT_TRUE(insert_in_order(delaunay.triangulation(), constraints.edges, {}));
+      part.insert_segments(ranks);
+      const LocalDelaunay& delaunay = part.points->delaunay;
       const Triangulation& t = delaunay.triangulation();
       for (TriangleId id = 0; id < t.slots.size(); ++id)
         if (!t.slots[id].is_ghost() && delaunay.has_own_corner(id) && !expected.contains(corners_of(t, t.slots[id])))

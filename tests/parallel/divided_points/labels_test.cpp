@@ -7,9 +7,7 @@
 #include <set>
 #include <string>
 
-#include "../../../parallel/construction/insert_constraints.hpp"
 #include "../../../parallel/conversion/domain_triangulation.hpp"
-#include "../../../parallel/divided_points/crossed_triangles.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "triangulated_domain.hpp"
@@ -34,10 +32,8 @@ void expect_the_domain_of_one_process(const Pslg& pslg, bool convex_hull, const 
     std::atomic<int> wrong = 0, wrong_beside = 0;
     on_ranks(count, [&](Ranks& ranks) {
       TriangulatedPart part(pslg, ranks);
-      LocalDelaunay& delaunay = part.points->delaunay;
-      const OrderedConstraints constraints = ordered_constraints(part.common, delaunay);
-      ASSERT_TRUE(learn_crossed_triangles(constraints, delaunay, part.points->own, ranks, {}).empty());
-      ASSERT_TRUE(insert_in_order(delaunay.triangulation(), constraints.edges, {}));
+      part.insert_segments(ranks);
+      const LocalDelaunay& delaunay = part.points->delaunay;
       const Labels labels(delaunay, part.points->own, part.hull, rules, ranks, {});
       const Triangulation& t = delaunay.triangulation();
       for (TriangleId id = 0; id < t.slots.size(); ++id) {
