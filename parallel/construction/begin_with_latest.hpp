@@ -9,19 +9,27 @@
 
 namespace pardel::engine {
 
+/// If the first points are on a line, the first point off the line is inserted third, before the others on the line. So
+/// it counts as early, whatever when() says.
+template <class When>
+[[nodiscard]] auto with_early_third(VertexId third, const When& when) {
+  return [third, when](VertexId v) {
+    using Time = decltype(when(v));
+    return v == third ? Time{} : when(v);
+  };
+}
+
 /// Turns the triangles that do not begin with their latest corner, as they do if points are inserted one by one. Only
 /// the triangle of the first three points begins with the first one. So the first corner, on which the order of the
 /// refinement depends, follows from the points alone.
 ///
 /// `when(v)`: greater for later vertices. `first_three`: the first two, and the first one that is not on a line with
-/// them. This one is inserted third, so it counts as earlier than those on the line, whatever when() says.
+/// them, which is inserted third (see with_early_third()).
 template <class When>
 void begin_with_latest(Triangulation& t, const std::array<VertexId, 3>& first_three, const When& when,
                        const Threads& threads) {
-  using Time = decltype(when(VertexId{}));
-  const auto inserted = [&](VertexId v) { return v == first_three[2] ? Time{} : when(v); };
   const auto latest = [&](const Slot& slot) -> unsigned {
-    const Time first = inserted(slot.v[0]), second = inserted(slot.v[1]), third = inserted(slot.v[2]);
+    const auto first = when(slot.v[0]), second = when(slot.v[1]), third = when(slot.v[2]);
     return first > second ? (first > third ? 0 : 2) : (second > third ? 1 : 2);
   };
   const auto beginning = [&](const Slot& slot) -> unsigned {

@@ -111,8 +111,9 @@ class PartMaker {
           !fine)
         return fine;
     }
-    begin_with_latest(
-        t_, FirstThree(delaunay_, ranks_).find(), [&](VertexId v) { return delaunay_.when(v); }, threads_);
+    const std::array<VertexId, 3> first_three = FirstThree(delaunay_, ranks_).find();
+    const auto when = [&](VertexId v) { return delaunay_.when(v); };
+    begin_with_latest(t_, first_three, with_early_third(first_three[2], when), threads_);
     return agree(insert_in_order(t_, constraints.edges, threads_), ranks_);
   }
 

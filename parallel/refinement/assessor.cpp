@@ -42,8 +42,8 @@ bool Assessor::breaks_goal(TriangleId id, LocalHints& hints) const {
   return criteria_.bad_shape(shape) || too_large(id, shape, hints) || non_delaunay_side(id) < 3;
 }
 
-unsigned Assessor::non_delaunay_side(TriangleId id) const {
-  unsigned side = criteria_.conforming() ? 0 : 3;
+unsigned Assessor::find_non_delaunay_side(TriangleId id) const {
+  unsigned side = 0;
   while (side < 3 && !is_non_delaunay_segment(EdgeRef(id, side))) ++side;
   return side;
 }

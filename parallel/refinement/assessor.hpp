@@ -75,7 +75,9 @@ class Assessor {
     return breaks_goal(id, none);
   }
   /// For a conforming goal: a constrained side that is not Delaunay, or 3 if there is none. For other goals: 3.
-  [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const;
+  [[nodiscard]] unsigned non_delaunay_side(TriangleId id) const {
+    return criteria_.conforming() ? find_non_delaunay_side(id) : 3;
+  }
   /// True if the side is constrained, has triangles on both sides, and is not Delaunay.
   [[nodiscard]] bool is_non_delaunay_segment(EdgeRef side) const;
   /// True if the options do not allow to split the edge, or if it lies on the border of a patch.
@@ -107,6 +109,7 @@ class Assessor {
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
+  [[nodiscard]] unsigned find_non_delaunay_side(TriangleId id) const;
   [[nodiscard]] Assessment assess_at_constraint(TriangleId id, const Measure& m, LocalHints& hints) const;
   [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
   [[nodiscard]] bool too_large(TriangleId id, const Measure& m, LocalHints& hints) const {
