@@ -2,12 +2,12 @@
 // messages: the same domain is meshed with one thread, with several threads, and on several ranks.
 #include <algorithm>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "../core/digest.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "../properties/theorems/framework/dealt_points.hpp"
 #include "../properties/theorems/framework/local_ranks.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
@@ -32,22 +32,11 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
 
 /// The part of a rank in a domain whose points the ranks have read in equal parts.
 PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
-  const std::size_t n = pslg.points.size(), count = static_cast<std::size_t>(ranks.count());
-  const std::size_t first = n * static_cast<std::size_t>(ranks.rank()) / count;
-  const std::size_t last = n * static_cast<std::size_t>(ranks.rank() + 1) / count;
-  const auto part_of_list = [&](const auto& all) {
-    using List = std::remove_cvref_t<decltype(all)>;
-    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
-    return all.empty() ? List{} : List(at(first), at(last));
+  const auto bound = [&](int rank) {
+    return pslg.points.size() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
   };
-  PartOfPslg part;
-  part.rest = pslg;
-  part.points.first = first;
-  part.points.points = part_of_list(pslg.points);
-  part.points.point_markers = part_of_list(pslg.point_markers);
-  part.rest.points.clear();
-  part.rest.point_markers.clear();
-  return part;
+  return {properties::points_between(pslg, bound(ranks.rank()), bound(ranks.rank() + 1)),
+          properties::without_points(pslg)};
 }
 
 /// Each rank calls make(ranks) for its piece. Together the pieces have to be the mesh.

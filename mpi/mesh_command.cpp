@@ -183,7 +183,7 @@ Result<Made> make(const Arguments& arguments, Job& job) {
   if (may_divide_points(arguments, job)) {
     Result<std::optional<PartOfPslg>> input = read_part_of_pslg(arguments.input, job.ranks());
     if (!input) return input.error();
-    if (*input && (*input)->points.attributes_per_point == 0) {
+    if (*input) {
       const double read_seconds = watch.seconds();
       Result<Made> made = make_of_parts(arguments, std::move(**input), job);
       if (made) made->seconds.read = read_seconds;

@@ -97,18 +97,19 @@ struct MeshPiece {
 
 /// Makes the mesh of a domain of which no rank has all points: that of mesh() for the domain, with the same numbers.
 /// Collective; all ranks pass the same segments, holes and regions. The points are triangulated as by triangulate().
-/// Then each rank inserts all segments into its part. One rank refines the coarse levels, in an excerpt of the mesh with
-/// the parts that have triangles that are long compared with the tiles; then the triangles go to the ranks that refine
-/// their tiles.
+/// Then each rank inserts all segments into its part. One rank refines the coarse levels, in an excerpt of the mesh
+/// with the parts that have triangles that are long compared with the tiles; then the triangles go to the ranks that
+/// refine their tiles.
 ///
 /// Memory of a rank: its share of the mesh, a margin around it, all segments with their ends, the corners of all
 /// triangles that segments cross in the triangulation of the points, and the vertices of the convex hull; on the first
-/// rank also the excerpt. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull vertices
+/// rank also the excerpt. If points have attributes, also its share of the triangulation of the points, on which they
+/// are interpolated. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull vertices
 /// and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
 ///
 /// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with problems of segments, holes and
 /// regions (all of them, or else points inside segments, of which at least one is listed if there are any); `usage` if
-/// can_divide_points() is false, if points have attributes, or if domain.rest has points.
+/// can_divide_points() is false, or if domain.rest has points.
 [[nodiscard]] Result<MeshPiece> mesh(PartOfPslg&& domain, const Goal& goal, const Options& options, Ranks& ranks);
 
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.

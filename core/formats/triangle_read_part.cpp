@@ -121,7 +121,6 @@ Status read_rest(TextReader in, std::size_t points, PartOfPslg& pslg) {
   SegmentSection section = read_segments(in, points, pslg.points.first_id.value);
   pslg.rest.segments = std::move(section.segments);
   pslg.rest.has_segment_markers = section.markers;
-  pslg.rest.first_id = pslg.points.first_id;
   read_holes(in, pslg.rest.holes);
   read_regions(in, pslg.rest.regions);
   return in.failed() ? Status(in.error()) : Done{};

@@ -144,15 +144,6 @@ void name_input_segments(DomainTriangulation& domain, const Threads& threads) {
   });
 }
 
-void append_attributes(const Located& at, const PointData& data, Array<double>& attributes) {
-  const std::size_t k = data.attributes_per_point;
-  for (std::size_t a = 0; a < k; ++a) {
-    double value = 0;
-    for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * data.attributes[at.v[i] * k + a];
-    attributes.push_back(value);
-  }
-}
-
 Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,
                           std::span<const Point> input_points, const Threads& threads) {
   Mesh mesh;

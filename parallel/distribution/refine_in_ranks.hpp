@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../core/support/exchange_lists.hpp"
+#include "../../core/support/answers_of_ranks.hpp"
 #include "../../core/support/stopwatch.hpp"
 #include "../refinement/exemptions.hpp"
 #include "../scheduling/refine_by_sweeps.hpp"
@@ -23,28 +23,18 @@ namespace pardel::engine {
     Name triangle;
     std::uint64_t side;
   };
-  Ranks& ranks = distribution.network();
-  std::vector<std::vector<Question>> questions(static_cast<std::size_t>(ranks.count()));
-  std::vector<std::vector<EdgeRef>> asked(questions.size());
-  for (const EdgeRef e : sides) {
-    const int rank = distribution.owner_of(t.slot(e).from(e.side()));
-    questions[rank].push_back({distribution.part().name_of(e.triangle()), e.side()});
-    asked[rank].push_back(e);
-  }
-  std::vector<std::vector<char>> answers;
-  for (const std::vector<Question>& list : exchange_lists(questions, ranks)) {
-    std::vector<char>& answer = answers.emplace_back();
-    for (const Question& q : list) {
-      const TriangleId id = distribution.part().triangle(q.triangle);
-      if (id == no_index || q.side > 2) throw Reader::does_not_match();
-      answer.push_back(delaunay_across(t, EdgeRef(id, static_cast<unsigned>(q.side))) ? 1 : 0);
-    }
-  }
+  std::vector<Question> questions;
+  for (const EdgeRef e : sides) questions.push_back({distribution.part().name_of(e.triangle()), e.side()});
+  const auto whom = [&](std::size_t i) { return distribution.owner_of(t.slot(sides[i]).from(sides[i].side())); };
+  const auto answer = [&](const Question& q, std::vector<char>& are_delaunay) {
+    const TriangleId id = distribution.part().triangle(q.triangle);
+    if (id == no_index || q.side > 2) throw Reader::does_not_match();
+    are_delaunay.push_back(delaunay_across(t, EdgeRef(id, static_cast<unsigned>(q.side))) ? 1 : 0);
+  };
+  const std::vector<char> are_delaunay = answers_of_ranks<char>(questions, 1, distribution.network(), whom, answer);
   std::vector<EdgeRef> found;
-  const auto arrived = exchange_lists(answers, ranks);
-  for (std::size_t rank = 0; rank < asked.size(); ++rank)
-    for (std::size_t i = 0; i < asked[rank].size(); ++i)
-      if (arrived[rank].at(i) == 0) found.push_back(asked[rank][i]);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (are_delaunay[i] == 0) found.push_back(sides[i]);
   return found;
 }
 

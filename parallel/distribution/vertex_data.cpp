@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "../../core/support/exchange_lists.hpp"
+#include "../../core/support/answers_of_ranks.hpp"
 #include "../../core/support/share_of_rank.hpp"
 
 namespace pardel::engine {
@@ -143,27 +143,20 @@ std::vector<Reason> Collector::reasons_for_markers() const {
 /// Asks for the markers of input points that this rank owns, but about which another one knows.
 void Collector::fetch_markers() {
   if (!distribution_.lacks_markers()) return;
-  std::vector<std::vector<VertexId>> asked(ranks_.count());
-  std::vector<std::vector<Index>> ids(ranks_.count()), markers(ranks_.count());
+  std::vector<VertexId> vertices;
+  std::vector<Name> names;
   for (const VertexId v : distribution_.part().vertices_of_others()) {
-    const Name name = distribution_.part().name_of_vertex(v);
     if (t_.origin[v] != input_vertex || !members_.owns_vertex(v)) continue;
-    asked[Name::rank_of(name.creator)].push_back(v);
-    ids[Name::rank_of(name.creator)].push_back(name.id);
+    vertices.push_back(v);
+    names.push_back(distribution_.part().name_of_vertex(v));
   }
-  const auto questions = exchange_lists(ids, ranks_);
-  std::vector<std::vector<int>> answers(ranks_.count());
-  for (int rank = 0; rank < ranks_.count(); ++rank)
-    for (const Index id : questions[rank]) {
-      if (id >= distribution_.known_inputs()) throw Reader::does_not_match();
-      answers[rank].push_back(distribution_.input_point(id).marker);
-    }
-  const auto arrived = exchange_lists(answers, ranks_);
-  for (int rank = 0; rank < ranks_.count(); ++rank) {
-    if (arrived[rank].size() != asked[rank].size()) throw Reader::does_not_match();
-    for (std::size_t i = 0; i < asked[rank].size(); ++i)
-      fetched_markers_.emplace_back(asked[rank][i], arrived[rank][i]);
-  }
+  const auto whom = [&](std::size_t i) { return Name::rank_of(names[i].creator); };
+  const auto answer = [&](Name name, std::vector<int>& markers) {
+    if (name.id >= distribution_.known_inputs()) throw Reader::does_not_match();
+    markers.push_back(distribution_.input_point(name.id).marker);
+  };
+  const std::vector<int> markers = answers_of_ranks<int>(names, 1, ranks_, whom, answer);
+  for (std::size_t i = 0; i < vertices.size(); ++i) fetched_markers_.emplace_back(vertices[i], markers[i]);
 }
 
 void Collector::mark_own() {

@@ -1,5 +1,7 @@
 #include "common_vertices.hpp"
 
+#include <algorithm>
+
 #include "../../core/support/exchange_lists.hpp"
 
 namespace pardel::engine {

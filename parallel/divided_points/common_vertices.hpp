@@ -1,7 +1,6 @@
 // The points of the input that all ranks know.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,14 +21,6 @@ struct CommonVertex {
   int unused = 0;
 };
 
-/// Sorts what has positions. Of several with the same position, one is left.
-template <class T>
-void sort_by_position(std::vector<T>& all) {
-  std::ranges::sort(all, {}, &T::position);
-  const auto is_same = [](const T& a, const T& b) { return a.position == b.position; };
-  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
-}
-
 /// The vertices of the convex hull, and the ends of the segments. They have the same indices on all ranks, in the order
 /// of their positions. This is also the order of the vertices in one process.
 class CommonVertices {
@@ -41,14 +32,8 @@ class CommonVertices {
   [[nodiscard]] Index size() const { return static_cast<Index>(vertices_.size()); }
   [[nodiscard]] const CommonVertex& operator[](Index i) const { return vertices_[i]; }
   /// The number of vertices before a position. So it is the index of the vertex at this position.
-  [[nodiscard]] Index before(std::uint64_t position) const {
-    return static_cast<Index>(std::ranges::lower_bound(vertices_, position, {}, &CommonVertex::position) -
-                              vertices_.begin());
-  }
-  [[nodiscard]] bool has(std::uint64_t position) const {
-    const Index at = before(position);
-    return at < vertices_.size() && vertices_[at].position == position;
-  }
+  [[nodiscard]] Index before(std::uint64_t position) const { return count_before(vertices_, position); }
+  [[nodiscard]] bool has(std::uint64_t position) const { return at_position(vertices_, position) != nullptr; }
   /// The segments, with indices of these vertices as ends. no_index for a point that does not exist.
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 

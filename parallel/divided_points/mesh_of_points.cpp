@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -8,12 +9,15 @@
 #include "../conversion/least_min_edge.hpp"
 #include "../distributed.hpp"
 #include "../distribution/refine_in_ranks.hpp"
+#include "../given_points/problems_of_points.hpp"
 #include "../given_points/triangulated_points.hpp"
 #include "../mesher.hpp"
 #include "../planning/run_plan.hpp"
 #include "../planning/supervised.hpp"
+#include "divided_background.hpp"
 #include "divided_points.hpp"
 #include "part_of_domain.hpp"
+#include "read_attributes.hpp"
 
 namespace pardel {
 
@@ -25,6 +29,9 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
                           Ranks& ranks) {
   Stopwatch watch;
   input.rest.first_id = input.points.first_id;
+  if (Status fine = status_of(unusable_values(input.points, ranks, progress.threads()), input.rest.first_id); !fine)
+    return fine.error();
+  const ReadAttributes attributes(input.points, ranks);
   Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(input.points), ranks, progress.threads());
   if (!made) return made.error();
   Result<PartOfDomain> part_made =
@@ -33,6 +40,8 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   PartOfDomain& part = *part_made;
   const CurveDivision division = (*made)->division;
   made->reset();
+  std::optional<DividedBackground> background;
+  if (attributes.per_point() > 0) background.emplace(part, division, ranks, progress.threads());
   DividedPoints distribution(ranks, part, division);
   Options resolved = options;
   std::array least_edge{least_min_edge(part.domain.triangulation.points.span())};
@@ -47,8 +56,13 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
     caps.push_back(region.max_area);
   }
   const Criteria criteria(goal, placement_for(goal, options, false), std::move(caps));
-  return refine_in_ranks(part.domain, distribution, criteria, resolved, progress, std::move(data), std::move(report),
-                         watch);
+  Result<MeshPiece> piece = refine_in_ranks(part.domain, distribution, criteria, resolved, progress, std::move(data),
+                                            std::move(report), watch);
+  if (piece && background) {
+    std::move(*background).add_attributes(*piece, attributes, ranks);
+    piece->seconds += watch.lap();
+  }
+  return piece;
 }
 
 }  // namespace
@@ -71,8 +85,6 @@ Result<MeshPiece> mesh(PartOfPslg&& input, const Goal& goal, const Options& opti
                  "that is refined"};
   if (!input.rest.points.empty())
     return Error{ErrorKind::usage, "the part of a domain that all ranks have must have no points"};
-  if (input.points.attributes_per_point > 0)
-    return Error{ErrorKind::usage, "points that are divided among ranks must not have attributes"};
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
     return mesh_of(std::move(input), goal, safe, progress, ranks);
   });

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "../../core/support/stop_signal.hpp"
+#include "../construction/crossed_edges.hpp"
 #include "../construction/delaunay.hpp"
 
 namespace pardel::engine {
@@ -68,15 +69,11 @@ std::vector<VertexId> LocalDelaunay::neighbours_in_disk(const Corners& corners) 
   std::vector<VertexId> found;
   for (const VertexId corner : corners) {
     if (corner == ghost) continue;
-    const TriangleId first = triangle_at(corner);
-    TriangleId id = first;
-    do {
-      const Slot& slot = t_.slots[id];
-      const unsigned at = slot.corner_of(corner);
-      const VertexId neighbour = slot.from(at);
+    for_each_around(t_, corner, triangle_at(corner), [&](TriangleId id, unsigned at) {
+      const VertexId neighbour = t_.slots[id].from(at);
       if (neighbour != ghost && is_in_disk(t_, asked, neighbour, order_)) found.push_back(neighbour);
-      id = slot.n[next_corner[at]].triangle();
-    } while (id != first);
+      return false;
+    });
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -44,10 +44,26 @@ std::vector<Problem> of_all(const std::vector<TravellingProblem>& here, Ranks& r
   return problems;
 }
 
+/// Whether attributes or markers do not fit the number of points on a rank, or ranks differ about what a point has.
+bool have_wrong_counts(const PartOfPoints& read, Ranks& ranks) {
+  struct Counts {
+    std::uint64_t points, per_point, attributes, markers;
+  };
+  const Counts here{read.points.size(), read.attributes_per_point, read.point_attributes.size(),
+                    read.point_markers.size()};
+  const std::vector<Counts> counts = concatenated(lists_of_all(std::vector{here}, ranks));
+  const bool are_marked = std::ranges::any_of(counts, [](const Counts& each) { return each.markers != 0; });
+  return std::ranges::any_of(counts, [&](const Counts& each) {
+    return each.per_point != counts[0].per_point || each.attributes != each.points * each.per_point ||
+           each.markers != (are_marked ? each.points : 0);
+  });
+}
+
 }  // namespace
 
-std::vector<Problem> engine::unusable_coordinates(const PartOfPoints& read, Ranks& ranks, const Threads& threads) {
+std::vector<Problem> engine::unusable_values(const PartOfPoints& read, Ranks& ranks, const Threads& threads) {
   std::vector<TravellingProblem> here;
+  if (have_wrong_counts(read, ranks) && ranks.rank() == 0) here.push_back({{}, 0, {}, ProblemKind::wrong_count});
   for (const Index i :
        indices_where(threads, read.points.size(), [&](std::size_t i) { return !is_usable(read.points[i]); })) {
     if (here.size() == most) break;
@@ -88,7 +104,7 @@ Status engine::status_of(const std::vector<Problem>& problems, FirstId first_id)
 
 std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ranks) {
   const Threads of_rank(thread_count(threads));
-  std::vector<Problem> problems = unusable_coordinates(points, ranks, of_rank);
+  std::vector<Problem> problems = unusable_values(points, ranks, of_rank);
   if (!problems.empty()) return problems;
   const CurveDivision division = divide_along_curve(points.points, ranks);
   return unusable_positions(send_to_owners(std::move(points), division, ranks, of_rank), ranks, of_rank);

@@ -18,8 +18,9 @@ namespace pardel::engine {
   return static_cast<Index>(std::min<std::uint64_t>(number, no_index));
 }
 
-/// Coordinates that exact arithmetic cannot use. As find_problems() in one process, at most 10,000 for each rank.
-[[nodiscard]] std::vector<Problem> unusable_coordinates(const PartOfPoints& read, Ranks& ranks, const Threads& threads);
+/// wrong_count, if attributes or markers are not one per point on a rank, and coordinates that exact arithmetic cannot
+/// use. As find_problems() in one process, at most 10,000 for each rank.
+[[nodiscard]] std::vector<Problem> unusable_values(const PartOfPoints& read, Ranks& ranks, const Threads& threads);
 
 /// Equal points, and all_points_collinear. As find_problems() in one process, at most 10,000 for each rank.
 /// Precondition: the coordinates are usable.

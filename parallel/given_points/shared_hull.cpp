@@ -16,7 +16,7 @@ SharedHull::SharedHull(const LocalDelaunay& delaunay, const OwnPoints& own, Rank
                       own.marker.empty() ? 0 : own.marker[v]});
   }
   vertices_ = concatenated(lists_of_all(here, ranks));
-  std::ranges::sort(vertices_, {}, &HullVertex::position);
+  sort_by_position(vertices_);
 }
 
 }  // namespace pardel::engine

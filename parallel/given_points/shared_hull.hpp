@@ -1,7 +1,6 @@
 // The convex hull of points that are divided among ranks. All ranks know it.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -30,19 +29,11 @@ class SharedHull {
 
   /// In the order of positions.
   [[nodiscard]] const std::vector<HullVertex>& vertices() const { return vertices_; }
-  /// The number of vertices before a position.
-  [[nodiscard]] Index before(std::uint64_t position) const {
-    return static_cast<Index>(std::ranges::lower_bound(vertices_, position, {}, &HullVertex::position) -
-                              vertices_.begin());
-  }
-  [[nodiscard]] bool has(std::uint64_t position) const {
-    const Index at = before(position);
-    return at < vertices_.size() && vertices_[at].position == position;
-  }
+  [[nodiscard]] bool has(std::uint64_t position) const { return at_position(vertices_, position) != nullptr; }
   /// True if the hull has this edge, counter-clockwise.
   [[nodiscard]] bool has_edge(std::uint64_t from, std::uint64_t to) const {
-    const Index at = before(from);
-    return at < vertices_.size() && vertices_[at].position == from && vertices_[at].next == to;
+    const HullVertex* v = at_position(vertices_, from);
+    return v != nullptr && v->next == to;
   }
 
  private:

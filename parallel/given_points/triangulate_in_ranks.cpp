@@ -17,7 +17,6 @@ using namespace engine;
 Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& read, Ranks& ranks,
                                                                  const Threads& threads) {
   const FirstId first_id = read.first_id;
-  if (Status usable = status_of(unusable_coordinates(read, ranks, threads), first_id); !usable) return usable.error();
   CurveDivision division = divide_along_curve(read.points, ranks);
   OwnPoints own = send_to_owners(std::move(read), division, ranks, threads);
   const std::uint64_t first = own.first[ranks.rank()];
@@ -41,6 +40,8 @@ Result<MeshPiece> triangulate(PartOfPoints&& points, const Options& options, Ran
   return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Result<MeshPiece> {
     Stopwatch watch;
     const FirstId first_id = points.first_id;
+    if (Status usable = status_of(unusable_values(points, ranks, progress.threads()), first_id); !usable)
+      return usable.error();
     const Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(points), ranks, progress.threads());
     if (!made) return made.error();
     const double triangulate_seconds = watch.lap();

@@ -20,7 +20,8 @@ struct TriangulatedPoints {
   LocalDelaunay delaunay;
 };
 
-/// Uses up the points. Collective; faults of the input are errors on all ranks alike.
+/// Uses up the points. Collective; faults of the input are errors on all ranks alike. Precondition: the values of the
+/// points are usable (unusable_values()).
 [[nodiscard]] Result<std::unique_ptr<TriangulatedPoints>> triangulated(PartOfPoints&& read, Ranks& ranks,
                                                                        const Threads& threads);
 

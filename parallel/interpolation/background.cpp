@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../../core/neighbours.hpp"
+#include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/hilbert_order.hpp"
@@ -155,7 +156,8 @@ Located Background::locate(Point p, LocationHint& hint) const {
   return end == Walk::inside ? found : search(p);
 }
 
-/// Finds the triangle by the hierarchy alone.
+/// Finds the triangle by the hierarchy alone. Of several at the same distance, the one with the least corners counts.
+/// So the result depends on the triangles near p only, not on their order.
 Located Background::search(Point p) const {
   Located best;
   double best_distance = INFINITY;
@@ -178,13 +180,23 @@ Located Background::search(Point p) const {
     here = weights_in(static_cast<Index>(node - leaf_count_), p);
     const Point q = point_at(here);
     const bool inside = here.weight[0] > 0 && here.weight[1] > 0 && here.weight[2] > 0;
-    const double distance = inside ? 0 : (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
-    if (distance < best_distance) {
+    // Rounding must not put the point nearer than the box: then the order of the search would count.
+    const double to_point = inside ? 0 : (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    const double distance = std::max(to_point, squared_distance(boxes_[node], p));
+    if (distance < best_distance || (distance == best_distance && has_lesser_corners(here, best))) {
       best = here;
       best_distance = distance;
     }
   }
   return best;
+}
+
+bool Background::has_lesser_corners(const Located& a, const Located& b) const {
+  for (unsigned i = 0; i < 3; ++i) {
+    const Point p = points_[a.v[i]], q = points_[b.v[i]];
+    if (p != q) return lexicographically_less(p, q);
+  }
+  return false;
 }
 
 Point Background::point_at(const Located& at) const {

@@ -43,8 +43,8 @@ class Background {
 
   /// The triangle that contains p in its interior, and the weights of p in it. If p lies on an edge, or outside because
   /// of rounding: a nearest triangle, and the weights of its point nearest to p. The interiors are found by a walk from
-  /// the hint, decided exactly, so the result does not depend on the hint. O(1) if p is near the last point, O(log n)
-  /// without a hint on typical input.
+  /// the hint, decided exactly, so the result depends neither on the hint nor on triangles that are farther away. O(1)
+  /// if p is near the last point, O(log n) without a hint on typical input.
   [[nodiscard]] Located locate(Point p, LocationHint& hint) const;
   [[nodiscard]] Located locate(Point p) const {
     LocationHint none;
@@ -81,6 +81,7 @@ class Background {
   [[nodiscard]] Located search(Point p) const;
   [[nodiscard]] Located weights_in(Index leaf, Point p) const;
   [[nodiscard]] Located nearest_in(Index leaf, Point p) const;
+  [[nodiscard]] bool has_lesser_corners(const Located& a, const Located& b) const;
   [[nodiscard]] Point point_at(const Located& at) const;
 
   std::vector<Point> points_;

@@ -64,6 +64,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"input/findings", {"input/validate_test"}},
     {"construction/flood", {"construction/carve_test"}},
     {"construction/remove_triangles", {"construction/carve_test"}},
+    {"divided_points/divided_background", {"divided_points/mesh_of_points_test"}},
     {"patches/border_edges", {"filling/filling_test"}},
     {"patches/cut_out", {"filling/filling_test"}},
     {"patches/lay_patches", {"filling/filling_test"}},

@@ -8,6 +8,7 @@
 
 #include "../../../core/digest.hpp"
 #include "../../../parallel/distributed.hpp"
+#include "../framework/dealt_points.hpp"
 #include "../framework/local_ranks.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
@@ -40,22 +41,32 @@ std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
   for (int rank = 1; rank < ranks; ++rank) begin.push_back(*rc::gen::inRange<std::size_t>(0, pslg.points.size() + 1));
   std::ranges::sort(begin);
   begin.push_back(pslg.points.size());
-  std::vector<PartOfPoints> parts(static_cast<std::size_t>(ranks));
-  for (std::size_t rank = 0; rank < parts.size(); ++rank) {
-    parts[rank].first = begin[rank];
-    const auto first = static_cast<std::ptrdiff_t>(begin[rank]), last = static_cast<std::ptrdiff_t>(begin[rank + 1]);
-    parts[rank].points.assign(pslg.points.begin() + first, pslg.points.begin() + last);
-    if (!pslg.point_markers.empty())
-      parts[rank].point_markers.assign(pslg.point_markers.begin() + first, pslg.point_markers.begin() + last);
-  }
+  std::vector<PartOfPoints> parts;
+  for (std::size_t rank = 0; rank + 1 < begin.size(); ++rank)
+    parts.push_back(points_between(pslg, begin[rank], begin[rank + 1]));
   return parts;
 }
 
-/// The ranks call make(part, ranks), and together have to get a mesh with the digest and size of this one.
+/// The points of a mesh with their attributes, sorted.
+std::vector<std::vector<double>> points_and_attributes(const Mesh& mesh) {
+  std::vector<std::vector<double>> all;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const auto attributes = mesh.point_attributes.span().subspan(mesh.attributes_per_point * v);
+    std::vector<double>& point = all.emplace_back(std::vector{mesh.points[v].x, mesh.points[v].y});
+    point.insert(point.end(), attributes.begin(),
+                 attributes.begin() + static_cast<std::ptrdiff_t>(mesh.attributes_per_point));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+/// The ranks call make(part, ranks), and together have to get a mesh with the digest and size of this one, and its
+/// attributes of points.
 template <class Make>
 void require_together(const Mesh& whole, std::vector<PartOfPoints> parts, const Make& make) {
   const int count = static_cast<int>(parts.size());
   const bool with_delays = *rc::gen::inRange(0, 10) == 0;
+  const auto points = points_and_attributes(whole);
   std::vector<std::string> faults(parts.size());
   on_ranks(
       count,
@@ -65,9 +76,19 @@ void require_together(const Mesh& whole, std::vector<PartOfPoints> parts, const 
           faults[ranks.rank()] = piece.error().message;
         else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size())
           faults[ranks.rank()] = "another mesh";
+        else if (!std::ranges::includes(points, points_and_attributes(piece->mesh)))
+          faults[ranks.rank()] = "other attributes";
       },
       with_delays ? 1 : 0);
   for (const std::string& fault : faults) RC_ASSERT(fault == "");
+}
+
+/// Adds an attribute that is not linear, in half of the cases.
+Pslg with_attributes(Pslg pslg) {
+  if (pslg.attributes_per_point > 0 || *rc::gen::arbitrary<bool>()) return pslg;
+  pslg.attributes_per_point = 1;
+  for (const Point p : pslg.points) pslg.point_attributes.push_back(p.x * p.x + 0.1 * p.y);
+  return pslg;
 }
 
 PARDEL_PROPERTY(
@@ -77,7 +98,7 @@ PARDEL_PROPERTY(
                   "cocircular.",
      .source = "properties/THEORY.md, GivenPoints",
      .families = point_families}) {
-  const Pslg pslg = some_points(exhibit);
+  const Pslg pslg = with_attributes(some_points(exhibit));
   const Meshed whole = value_of(triangulate(pslg, true, {.threads = 1}));
   require_together(whole.mesh, dealt(pslg, *rc::gen::inRange(2, 7)), [](PartOfPoints&& part, pardel::Ranks& ranks) {
     return triangulate(std::move(part), {.threads = 1}, ranks);
@@ -90,7 +111,7 @@ PARDEL_PROPERTY(
                   "angles, areas and edges, on few and on many tiles.",
      .source = "properties/THEORY.md, GivenPoints",
      .families = point_families}) {
-  const Pslg pslg = some_points(exhibit);
+  const Pslg pslg = with_attributes(some_points(exhibit));
   Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.0, 26.0)};
   const int bound = *rc::gen::inRange(0, 3);
   const double extent = std::ranges::max(pslg.points, {}, &Point::x).x + 1;
@@ -117,24 +138,17 @@ Pslg with_loose_points(Pslg pslg) {
     Pslg with_point = pslg;
     with_point.points.push_back({first.x + step_x * x, first.y + step_y * y});
     if (!pslg.point_markers.empty()) with_point.point_markers.push_back(x % 3);
+    with_point.point_attributes.resize(with_point.points.size() * pslg.attributes_per_point, 0.1 * x + y);
     if (find_problems(with_point, {.convex_hull = true}).empty()) pslg = std::move(with_point);
   }
   return pslg;
-}
-
-/// What a rank passes of a domain whose points have been dealt.
-PartOfPslg with_rest_of(const Pslg& pslg, PartOfPoints&& points) {
-  PartOfPslg part{std::move(points), pslg};
-  part.rest.points.clear();
-  part.rest.point_markers.clear();
-  return part;
 }
 
 PARDEL_PROPERTY(
     GivenPoints, of_domains_with_segments_are_meshed_as_by_one_process,
     {.statement = "Ranks that each have read a part of the points of a domain, and all its segments, holes and "
                   "regions, make the mesh of one process, with points in and around the domain that are on no "
-                  "segment.",
+                  "segment, and with the attributes of its points.",
      .source = "properties/THEORY.md, GivenPoints",
      .families = "lattice domains of every family with up to 60 points on no segment, dealt to two to six ranks; "
                  "random goals without fields of sizes"}) {
@@ -143,9 +157,7 @@ PARDEL_PROPERTY(
   problem.goal.sources.clear();
   problem.goal.grading = INFINITY;
   problem.goal.feature_edges = 0;
-  problem.pslg.attributes_per_point = 0;
-  problem.pslg.point_attributes.clear();
-  problem.pslg = with_loose_points(std::move(problem.pslg));
+  problem.pslg = with_attributes(with_loose_points(std::move(problem.pslg)));
   exhibit.show(problem.pslg);
   RC_PRE(find_problems(problem.pslg, {.convex_hull = problem.goal.convex_hull}).empty());
   Options options{.threads = 1};
@@ -156,7 +168,7 @@ PARDEL_PROPERTY(
   classify(!problem.pslg.segments.empty(), "with segments", 50);
   require_together(whole.mesh, dealt(problem.pslg, *rc::gen::inRange(2, 7)),
                    [&](PartOfPoints&& part, pardel::Ranks& ranks) {
-                     return mesh(with_rest_of(problem.pslg, std::move(part)), problem.goal, options, ranks);
+                     return mesh({std::move(part), without_points(problem.pslg)}, problem.goal, options, ranks);
                    });
 }
 

@@ -138,6 +138,28 @@ TEST(MeshOfPoints, with_segments_is_the_mesh_of_one_process) {
   }
 }
 
+/// Adds attributes that are not linear, so that each vertex shows in which triangle it was located.
+Pslg with_attributes(Pslg pslg, std::size_t per_point) {
+  pslg.attributes_per_point = per_point;
+  for (const Point p : pslg.points)
+    for (std::size_t a = 0; a < per_point; ++a)
+      pslg.point_attributes.push_back(std::sin(static_cast<double>(a + 3) * p.x) * std::cos(7 * p.y));
+  return pslg;
+}
+
+TEST(MeshOfPoints, has_the_attributes_of_the_mesh_of_one_process) {
+  expect_the_mesh_of_one_process(with_attributes(domains::random_points(1'000, 4), 1), {.min_angle_deg = 28},
+                                 {.triangles_per_tile = 100}, "random points");
+  for (const engine::samples::Family& family : engine::samples::families(150, 6))
+    expect_the_mesh_of_one_process(with_attributes(with_points(family.points), 2), {.min_angle_deg = 25},
+                                   {.triangles_per_tile = 50, .min_edge = 0}, family.name);
+  for (const NamedDomain& domain : domains_with_segments()) {
+    const Pslg pslg = with_attributes(with_loose_points(domain.pslg, 150), 1);
+    expect_the_mesh_of_one_process(pslg, {.min_angle_deg = 25}, {.triangles_per_tile = 50}, domain.name);
+    expect_the_mesh_of_one_process(pslg, {.max_area = 1e-3}, {.placement = Placement::circumcentre}, domain.name);
+  }
+}
+
 /// The message of mesh(), the same on all ranks.
 std::string failure(const Pslg& pslg, const Goal& goal = {}, const Options& options = {}) {
   std::vector<std::string> messages(3);

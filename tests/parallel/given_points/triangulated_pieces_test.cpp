@@ -162,5 +162,41 @@ TEST(ProblemsOfPoints, are_those_that_one_process_finds) {
   }
 }
 
+TEST(ProblemsOfPoints, are_counts_that_do_not_fit_the_points_of_a_rank) {
+  Pslg whole = domains::random_points(60, 12);
+  whole.attributes_per_point = 2;
+  whole.point_attributes.assign(120, 0.5);
+  whole.point_markers.assign(60, 1);
+  Pslg wrong = whole;
+  wrong.point_markers.pop_back();
+  const std::string expected = messages(find_problems(wrong));
+  const auto found = [&](const auto& change) {
+    std::string first;
+    on_ranks(3, [&](Ranks& ranks) {
+      const auto changed = [&] {
+        PartOfPoints part = part_of(whole, ranks);
+        if (ranks.rank() == 1) change(part);
+        return part;
+      };
+      const std::string here = messages(find_problems(changed(), 1, ranks));
+      const Result<MeshPiece> piece = triangulate(changed(), {.threads = 1}, ranks);
+      const Result<MeshPiece> meshed = mesh({changed()}, {}, {.threads = 1}, ranks);
+      EXPECT_EQ(piece ? "" : piece.error().message, here);
+      EXPECT_EQ(meshed ? "" : meshed.error().message, here);
+      if (ranks.rank() == 0) first = here;
+    });
+    return first;
+  };
+  EXPECT_EQ(found([](PartOfPoints&) {}), "");
+  EXPECT_EQ(found([](PartOfPoints& part) { part.point_markers.pop_back(); }), expected);
+  EXPECT_EQ(found([](PartOfPoints& part) { part.point_markers.clear(); }), expected);
+  EXPECT_EQ(found([](PartOfPoints& part) { part.point_attributes.push_back(1); }), expected);
+  EXPECT_EQ(found([](PartOfPoints& part) {
+              part.attributes_per_point = 1;
+              part.point_attributes.resize(part.points.size());
+            }),
+            expected);
+}
+
 }  // namespace
 }  // namespace pardel

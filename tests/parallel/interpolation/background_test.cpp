@@ -217,12 +217,47 @@ TEST(Background, begins_a_search_beside_the_point_if_the_hint_is_beyond_a_gap) {
   }
 }
 
-TEST(Background, prefers_the_first_of_two_triangles_at_the_same_distance) {
+TEST(Background, prefers_the_lesser_corners_of_two_triangles_at_the_same_distance) {
   const std::vector<Point> points{{-2, 0}, {-1, -1}, {-1, 1}, {2, 0}, {1, 1}, {1, -1}};
   const Located left = Background(points, {{0, 1, 2}, {3, 4, 5}}).locate({0, 0});
-  EXPECT_EQ(left.v, (std::array<Index, 3>{0, 1, 2})) << "the curve begins at the left";
+  EXPECT_EQ(left.v, (std::array<Index, 3>{0, 1, 2}));
   EXPECT_EQ(left.weight, (std::array<double, 3>{0, 0.5, 0.5}));
   EXPECT_EQ(Background(points, {{3, 4, 5}, {0, 1, 2}}).locate({0, 0}).v, left.v);
+}
+
+struct DividedSquares {
+  [[nodiscard]] std::array<Point, 3> corners_at(Point p) const {
+    const Located at = background.locate(p);
+    return {points[at.v[0]], points[at.v[1]], points[at.v[2]]};
+  }
+  std::vector<Point> points;
+  Background background;
+};
+
+/// The unit squares in a rectangle, each divided into two triangles.
+DividedSquares divided_squares(int left, int low, int right, int high) {
+  std::vector<Point> points;
+  for (int y = low; y <= high; ++y)
+    for (int x = left; x <= right; ++x) points.push_back({1.0 * x, 1.0 * y});
+  std::vector<std::array<Index, 3>> triangles;
+  const auto columns = static_cast<Index>(right - left + 1);
+  for (Index v = 0; v + columns < points.size(); ++v) {
+    if (v % columns == columns - 1) continue;
+    triangles.push_back({v, v + 1, v + columns + 1});
+    triangles.push_back({v, v + columns + 1, v + columns});
+  }
+  return {points, Background(points, std::move(triangles))};
+}
+
+/// The order of the triangles along the curve changes with the rectangle.
+TEST(Background, prefers_the_same_triangle_whatever_lies_farther_away) {
+  const DividedSquares few = divided_squares(0, 0, 4, 4);
+  for (const DividedSquares& many : {divided_squares(-9, 0, 4, 13), divided_squares(0, -5, 9, 4)})
+    for (int y = 1; y < 16; ++y)
+      for (int x = 1; x < 16; ++x) {
+        const Point p{0.25 * x, 0.25 * y};
+        EXPECT_EQ(few.corners_at(p), many.corners_at(p)) << p.x << ' ' << p.y;
+      }
 }
 
 TEST(Background, interpolates_in_flat_triangles_along_the_first_of_the_nearest_sides) {

@@ -1,0 +1,38 @@
+// The parts of a domain that ranks would have read.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "../../../core/part_of_points.hpp"
+#include "../../../core/pslg.hpp"
+
+namespace pardel::properties {
+
+/// The points from index `first` to before index `last`.
+inline PartOfPoints points_between(const Pslg& pslg, std::size_t first, std::size_t last) {
+  PartOfPoints part;
+  const auto slice = [&](const auto& all, std::size_t per_point) {
+    using List = std::remove_cvref_t<decltype(all)>;
+    if (all.empty()) return List{};
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(per_point * i); };
+    return List(at(first), at(last));
+  };
+  part.first = first;
+  part.points = slice(pslg.points, 1);
+  part.point_markers = slice(pslg.point_markers, 1);
+  part.attributes_per_point = pslg.attributes_per_point;
+  part.point_attributes = slice(pslg.point_attributes, pslg.attributes_per_point);
+  return part;
+}
+
+/// Segments, holes and regions, which all ranks have.
+inline Pslg without_points(Pslg pslg) {
+  pslg.points.clear();
+  pslg.point_markers.clear();
+  pslg.point_attributes.clear();
+  pslg.attributes_per_point = 0;
+  return pslg;
+}
+
+}  // namespace pardel::properties
