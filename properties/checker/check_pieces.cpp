@@ -179,7 +179,7 @@ class PieceCheck {
       const Result<Piece*> piece = open_again(i, described_later);
       if (!piece) return piece.error();
       KeptPart& part = read_.pieces[i].part;
-      part = part_to_keep(**piece, input_->places, numbers);
+      part = part_to_keep(**piece, input_->places, input_->free, numbers);
       for (const KeptVertex& vertex : part.vertices)
         if (std::ranges::binary_search(numbers, vertex.number)) points.push_back({vertex.number, vertex.at});
     }
@@ -192,8 +192,9 @@ class PieceCheck {
     const Result<std::optional<Skeleton>> skeleton = gather_skeleton(read_, special, ranks_);
     if (!skeleton) return skeleton.error();
     Ranks::Bytes message;
+    const std::vector<char> settled = settled_inputs(read_, task_.pslg.points.size(), ranks_);
     if (skeleton->has_value())
-      message = judge(**skeleton, task_, input_->domain, labels, counter_clockwise, found_).message();
+      message = judge(**skeleton, settled, task_, input_->domain, labels, counter_clockwise, found_).message();
     return Judgement::read(from_first(message, ranks_));
   }
 

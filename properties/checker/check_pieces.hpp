@@ -26,8 +26,9 @@ namespace pardel {
 ///
 /// A rank reads its pieces in turn, and tests the triangles of each. It keeps the triangles at the border of the piece
 /// and around vertices that have to do with the input, the numbers of the vertices as one bit each, and the measures.
-/// When all ranks have done so, they compare the borders, and the first rank gets the triangles around the vertices on
-/// segments and at input points. It checks there that segments are chains of edges, and that the boundary is that of
+/// Input points at which no segment ends are judged in the piece that has their triangles; only what is wrong there
+/// remains. When all ranks have done so, they compare the borders, and the first rank gets the triangles around the
+/// vertices on segments and at the remaining input points. It checks there that segments are chains of edges, and that the boundary is that of
 /// the domain, from which the coverage follows. Then a rank reads those pieces again in which something was found that
 /// only a segment can excuse, or that has to be described: a triangle below the angle bound, an edge that is not
 /// locally Delaunay, any violation. Each piece is read again if a triangle may contain the seed of a hole, which the
@@ -40,7 +41,7 @@ namespace pardel {
 /// or if a piece has not one number for each vertex; resources if the mesh has more vertices or triangles than an Index
 /// can number; those of PiecesOfRank::read(), and io if a piece that is read again has another size. Memory of a rank,
 /// beside the piece that it holds and the input: 10 bytes per triangle of this piece; for all its pieces, about 300
-/// bytes per vertex at a border, on a segment or at an input point; one bit per point of the whole mesh; and on the
+/// bytes per vertex at a border, on a segment or at an end of a segment; one bit per point of the whole mesh; and on the
 /// first rank the triangles at segments.
 [[nodiscard]] Result<Certificate> check(const Pslg& pslg, const PiecesOfRank& pieces, const Goal& goal,
                                         const CheckOptions& options, Ranks& ranks);

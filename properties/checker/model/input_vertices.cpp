@@ -1,7 +1,6 @@
 #include "input_vertices.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "../../../core/support/point_order.hpp"
 
@@ -20,11 +19,11 @@ InputVertices InputVertices::by_index(std::size_t inputs, std::size_t vertices) 
   return result;
 }
 
-InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
-                                            const Adjacency& adjacency, StopSignal* stop) {
+InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::vector<Index> wanted,
+                                            std::span<const Point> vertices, const Adjacency& adjacency,
+                                            StopSignal* stop) {
   Array<Index> vertex(inputs.size(), no_index);
-  std::vector<Index> sorted(inputs.size());
-  std::iota(sorted.begin(), sorted.end(), Index{0});
+  std::vector<Index>& sorted = wanted;
   const auto less = [&](Index a, Index b) { return lexicographically_less(inputs[a], inputs[b]); };
   stoppable_sort(sorted.begin(), sorted.end(), less, stop);
   SparseAsk ask(stop);

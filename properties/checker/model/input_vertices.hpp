@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "../../../core/mesh.hpp"
 #include "adjacency.hpp"
@@ -15,10 +16,11 @@ class InputVertices {
   InputVertices(Array<Index> vertex, std::size_t vertices);
   /// Input point i is vertex i.
   [[nodiscard]] static InputVertices by_index(std::size_t inputs, std::size_t vertices);
-  /// Input points and vertices with equal coordinates correspond. If several vertices are at one place, the first
-  /// vertex that has a triangle is taken. O(n log n).
-  [[nodiscard]] static InputVertices by_coordinates(std::span<const Point> inputs, std::span<const Point> vertices,
-                                                    const Adjacency& adjacency, StopSignal* stop = nullptr);
+  /// Input points and vertices with equal coordinates correspond, of those input points that are `wanted`. If several
+  /// vertices are at one place, the first vertex that has a triangle is taken. O(n log n).
+  [[nodiscard]] static InputVertices by_coordinates(std::span<const Point> inputs, std::vector<Index> wanted,
+                                                    std::span<const Point> vertices, const Adjacency& adjacency,
+                                                    StopSignal* stop = nullptr);
 
   /// no_index if the input point is not a vertex.
   [[nodiscard]] Index vertex(Index input) const { return vertex_[input]; }

@@ -15,8 +15,9 @@ namespace pardel::checker {
 
 /// By default, the numbers are the indices.
 struct Numbering {
-  std::span<const std::uint64_t> vertices{};  ///< per vertex; each is less than no_index. Empty: the indices.
-  std::span<const Index> triangles{};         ///< per triangle. Empty: the indices plus `first_triangle`.
+  /// Per vertex; each is less than no_index. Empty: the indices.
+  std::span<const std::uint64_t> vertices{};
+  std::span<const Index> triangles{};  ///< per triangle. Empty: the indices plus `first_triangle`.
   Index first_triangle = 0;
   Index first_listed_edge = 0;
   /// Sides of triangles whose neighbour belongs to another part, and has a smaller number. Sorted.

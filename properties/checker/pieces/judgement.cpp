@@ -24,8 +24,8 @@ Adjacency adjacency_of(const Skeleton& skeleton, const Subject& subject, Finding
 
 }  // namespace
 
-Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain, bool labels, bool counter_clockwise,
-                Findings& found) {
+Judgement judge(const Skeleton& skeleton, std::span<const char> settled, const Task& task, const Domain& domain,
+                bool labels, bool counter_clockwise, Findings& found) {
   const Subject subject{task.pslg,
                         skeleton.mesh,
                         task.goal,
@@ -33,7 +33,7 @@ Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain
                         {.vertices = skeleton.vertices, .triangles = skeleton.triangles}};
   Adjacency adjacency = adjacency_of(skeleton, subject, found);
   check_boundary_vertices(subject, adjacency, found);
-  const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
+  const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found, settled);
   const Chains chains = check_segments(subject, domain, adjacency, inputs, Scan{}, found);
 
   Judgement judgement;
@@ -47,7 +47,7 @@ Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain
     judgement.chains.push_back({skeleton.vertices[edge.from], skeleton.vertices[edge.to], edge.segment});
   for (Index i = 0; i < subject.pslg.points.size(); ++i) {
     const Index v = inputs.vertex(i);
-    judgement.vertex_of_input.push_back(v == no_index ? Judgement::no_vertex : skeleton.vertices[v]);
+    if (v != no_index) judgement.vertices_of_inputs.push_back({skeleton.vertices[v], i});
   }
   judgement.area = covered_area(skeleton.mesh.points.span(), adjacency).rounded() / 2;
   return judgement;
@@ -56,7 +56,7 @@ Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain
 Ranks::Bytes Judgement::message() const {
   Writer message;
   message.list(chains);
-  message.list(vertex_of_input);
+  message.list(vertices_of_inputs);
   message.list(suspects);
   message.list(std::vector<double>{area});
   return message.take();
@@ -66,7 +66,7 @@ Judgement Judgement::read(const Ranks::Bytes& message) {
   Reader reader(message);
   Judgement judgement;
   judgement.chains = reader.list<NumberedChainEdge>();
-  judgement.vertex_of_input = reader.list<std::uint64_t>();
+  judgement.vertices_of_inputs = reader.list<VertexOfInput>();
   judgement.suspects = reader.list<Index>();
   judgement.area = reader.list<double>().at(0);
   return judgement;

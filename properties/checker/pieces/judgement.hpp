@@ -16,19 +16,24 @@ struct NumberedChainEdge {
 
 struct Judgement {
   std::vector<NumberedChainEdge> chains;
-  std::vector<std::uint64_t> vertex_of_input;  ///< the number of the vertex at each input point, or no_vertex
-  std::vector<Index> suspects;                 ///< holes with seeds that triangles may contain
-  double area = 0;                             ///< the area of the triangles, rounded once
-  static constexpr std::uint64_t no_vertex = UINT64_MAX;
+  /// An input point, and the number of the vertex there. Points that are settled in a piece are left out.
+  struct VertexOfInput {
+    std::uint64_t number;
+    Index input;
+    Index unused = 0;
+  };
+  std::vector<VertexOfInput> vertices_of_inputs;
+  std::vector<Index> suspects;  ///< holes with seeds that triangles may contain
+  double area = 0;              ///< the area of the triangles, rounded once
 
   [[nodiscard]] Ranks::Bytes message() const;
   [[nodiscard]] static Judgement read(const Ranks::Bytes& message);
 };
 
-/// Checks on the skeleton what the stages of check() check on a whole mesh: the vertices of the boundary, input
-/// vertices, chains, coverage, and labels if they are usable in all pieces. `counter_clockwise`: all triangles of all
-/// pieces are.
-[[nodiscard]] Judgement judge(const Skeleton& skeleton, const Task& task, const Domain& domain, bool labels,
-                              bool counter_clockwise, Findings& found);
+/// `settled`: see settled_inputs(). Checks on the skeleton what the stages of check() check on a whole mesh: the
+/// vertices of the boundary, input vertices, chains, coverage, and labels if they are usable in all pieces.
+/// `counter_clockwise`: all triangles of all pieces are.
+[[nodiscard]] Judgement judge(const Skeleton& skeleton, std::span<const char> settled, const Task& task,
+                              const Domain& domain, bool labels, bool counter_clockwise, Findings& found);
 
 }  // namespace pardel::checker

@@ -22,13 +22,14 @@ bool has_open_test(const Scan& scan, Index t) {
 
 class PartMaker {
  public:
-  PartMaker(const Piece& piece, const InputPlaces& inputs, std::span<const std::uint64_t> also)
+  PartMaker(const Piece& piece, const InputPlaces& inputs, const FreePoints& free, std::span<const std::uint64_t> also)
       : piece_(piece), mesh_(piece.mesh()), why_(mesh_.points.size(), 0) {
-    mark(inputs, also);
+    mark(inputs, free, also);
   }
 
   KeptPart make() {
     part_.kinds = {mesh_.point_markers.empty() ? 0u : 1u, mesh_.origin.empty() ? 0u : 1u, mesh_.attributes_per_point};
+    list_settled();
     list_triangles();
     list_vertices();
     for (KeptTriangle& triangle : part_.triangles)
@@ -46,28 +47,39 @@ class PartMaker {
   }
 
  private:
-  static constexpr char special = 1, at_border = 2, also_kept = 4, corner = 8;
+  static constexpr char special = 1, at_border = 2, also_kept = 4, corner = 8, settled = 16;
 
   [[nodiscard]] Index number(Index v) const { return static_cast<Index>(piece_.source->number[v]); }
   [[nodiscard]] bool has_markers() const { return mesh_.point_markers.size() == mesh_.points.size(); }
   [[nodiscard]] bool has_origins() const { return mesh_.origin.size() == mesh_.points.size(); }
 
-  void mark(const InputPlaces& inputs, std::span<const std::uint64_t> also) {
+  void mark(const InputPlaces& inputs, const FreePoints& free, std::span<const std::uint64_t> also) {
     const Adjacency& adjacency = *piece_.adjacency;
     for_each_index(mesh_.points.size(), nullptr, [&](std::size_t i, std::size_t) {
       const auto v = static_cast<Index>(i);
       const std::uint64_t number = piece_.source->number[v];
       int why = 0;
-      if (!adjacency.has_triangle(v) || number < inputs.count() || inputs.contains(mesh_.points[v]) ||
-          (has_markers() && mesh_.point_markers[v] != 0) || (has_origins() && mesh_.origin[v] != interior_vertex))
-        why |= special;
       if (is_at_border(v, adjacency)) why |= at_border;
       if (!also.empty() && std::ranges::binary_search(also, number)) why |= also_kept;
+      if ((why & also_kept) == 0 && free.is_settled(piece_, v))
+        why |= settled;
+      else if (!adjacency.has_triangle(v) || number < inputs.count() || inputs.contains(mesh_.points[v]) ||
+               (has_markers() && mesh_.point_markers[v] != 0) || (has_origins() && mesh_.origin[v] != interior_vertex))
+        why |= special;
       why_[v] = static_cast<char>(why);
     });
     for (const ConstrainedEdge& edge : mesh_.constrained_edges)
       for (const Index end : {edge.a, edge.b})
-        if (end < why_.size()) why_[end] = static_cast<char>(why_[end] | special);
+        if (end < why_.size()) why_[end] = static_cast<char>((why_[end] | special) & ~settled);
+  }
+
+  /// From here on, `why_` says only why vertices are kept.
+  void list_settled() {
+    for (Index v = 0; v < why_.size(); ++v) {
+      if ((why_[v] & settled) == 0) continue;
+      part_.settled.insert(number(v));
+      why_[v] = static_cast<char>(why_[v] & ~settled);
+    }
   }
 
   void list_triangles() {
@@ -105,8 +117,9 @@ class PartMaker {
 
 }  // namespace
 
-KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, std::span<const std::uint64_t> also) {
-  return PartMaker(piece, inputs, also).make();
+KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free,
+                      std::span<const std::uint64_t> also) {
+  return PartMaker(piece, inputs, free, also).make();
 }
 
 }  // namespace pardel::checker

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "free_points.hpp"
+#include "number_set.hpp"
 #include "piece.hpp"
 
 namespace pardel::checker {
@@ -52,9 +54,10 @@ struct KeptPart {
   std::vector<KeptTriangle> triangles;  ///< those with a vertex that is special or at the border, in ascending order
   std::vector<KeptSide> sides;          ///< in the order of Adjacency::boundary()
   std::vector<KeptEdge> edges;          ///< that the piece lists
+  NumberSet settled;                    ///< the input points that are settled (FreePoints)
 };
 
-/// The places of the points of the input.
+/// The places of all points of the input.
 class InputPlaces {
  public:
   explicit InputPlaces(std::span<const Point> inputs);
@@ -66,9 +69,9 @@ class InputPlaces {
 };
 
 /// Special are, in one piece: the points of the input, the ends of listed edges, vertices with a marker or an origin,
-/// and vertices without triangles. `also`: the numbers of vertices that are kept as if they were at the border, sorted.
-/// Precondition: the piece has an adjacency.
-[[nodiscard]] KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs,
+/// and vertices without triangles; but not settled points. `also`: the numbers of vertices that are kept as if they
+/// were at the border, sorted. These are not settled. Precondition: the piece has an adjacency.
+[[nodiscard]] KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free,
                                     std::span<const std::uint64_t> also = {});
 
 }  // namespace pardel::checker

@@ -24,11 +24,12 @@ struct KeptPiece {
 /// What a piece is judged by before the other pieces are known.
 struct InputOfPieces {
   InputOfPieces(const Pslg& pslg, const Goal& goal)
-      : domain(pslg, goal.convex_hull), wanted(pslg, goal), places(pslg.points) {}
+      : domain(pslg, goal.convex_hull), wanted(pslg, goal), places(pslg.points), free(pslg, domain) {}
 
   Domain domain;
   WantedSize wanted;
   InputPlaces places;
+  FreePoints free;
 };
 
 /// `input`: nothing if it is not usable.

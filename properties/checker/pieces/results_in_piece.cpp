@@ -21,8 +21,8 @@ Chains chains_in_piece(const Piece& piece, const Judgement& judgement, const Spe
   chains.segment_of.resize(piece.mesh().points.size(), no_index);
   chains.on_chain.resize(piece.mesh().triangles.size(), 0);
   std::vector<char> is_input(piece.mesh().points.size(), 0);
-  for (const std::uint64_t number : judgement.vertex_of_input)
-    if (const Index v = special.find(number); v != no_index) is_input[v] = 1;
+  for (const auto& at : judgement.vertices_of_inputs)
+    if (const Index v = special.find(at.number); v != no_index) is_input[v] = 1;
   const Adjacency& adjacency = *piece.adjacency;
   for (const auto& [from_number, to_number, segment] : judgement.chains) {
     const Index from = special.find(from_number), to = special.find(to_number);
@@ -39,8 +39,8 @@ Chains chains_in_piece(const Piece& piece, const Judgement& judgement, const Spe
 }
 
 InputVertices input_vertices_in_piece(const Piece& piece, const Judgement& judgement, const SpecialVertices& special) {
-  Array<Index> vertex;
-  for (const std::uint64_t number : judgement.vertex_of_input) vertex.push_back(special.find(number));
+  Array<Index> vertex(piece.subject.pslg.points.size(), no_index);
+  for (const auto& at : judgement.vertices_of_inputs) vertex[at.input] = special.find(at.number);
   return {std::move(vertex), piece.mesh().points.size()};
 }
 

@@ -29,6 +29,23 @@ NumberSet special_numbers(const PiecesRead& read, const Border& border, Ranks& r
   return special;
 }
 
+std::vector<char> settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks) {
+  NumberSet here;
+  std::vector<std::uint64_t> common;
+  for (const KeptPiece& piece : read.pieces) here.unite(piece.part.settled, common);
+  Writer message;
+  message.list(here.words(0, inputs));
+  const std::vector<Ranks::Bytes> messages = to_first(message.take(), ranks);
+  if (ranks.rank() != 0) return {};
+  std::vector<char> settled(inputs, 0);
+  for (const Ranks::Bytes& from : messages) {
+    const NumberSet there(Reader(from).list<std::uint64_t>());
+    for (std::size_t i = 0; i < inputs; ++i)
+      if (there.contains(i)) settled[i] = 1;
+  }
+  return settled;
+}
+
 namespace {
 
 /// A triangle of the skeleton. Its corners are the numbers of vertices.

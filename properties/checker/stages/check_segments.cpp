@@ -6,27 +6,69 @@
 namespace pardel::checker {
 namespace {
 
-/// True if the vertices of the mesh begin with the input points, in their order, and each point of the domain has a
-/// triangle. Then the numbers tell which vertices are input points, also if another vertex has the same coordinates.
-bool is_numbered_as_input(const Subject& subject, const Domain& domain, const Adjacency& adjacency) {
-  const auto& points = subject.pslg.points;
-  if (subject.mesh.points.size() < points.size()) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(subject.mesh.points[i] == points[i])) return false;
-    if (!adjacency.has_triangle(static_cast<Index>(i)) && domain.has_point(static_cast<Index>(i))) return false;
+class InputVertexSearch {
+ public:
+  InputVertexSearch(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
+                    std::span<const char> settled)
+      : subject_(subject),
+        domain_(domain),
+        adjacency_(adjacency),
+        settled_(settled),
+        points_(subject.pslg.points),
+        by_number_(points_.size(), no_index) {
+    const std::span<const std::uint64_t> names = subject.names.vertices;
+    const std::size_t vertices = subject.mesh.points.size();
+    for (std::size_t v = 0; v < vertices && number_of(names, v) < points_.size(); ++v)
+      by_number_[number_of(names, v)] = static_cast<Index>(v);
   }
-  return true;
-}
+
+  [[nodiscard]] InputVertices run(StopSignal* stop) && {
+    const std::span<const Point> vertices = subject_.mesh.points.span();
+    if (!subject_.options.foreign || is_numbered_as_input()) {
+      if (subject_.names.vertices.empty()) return InputVertices::by_index(points_.size(), vertices.size());
+      return {std::move(by_number_), vertices.size()};
+    }
+    std::vector<Index> wanted;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (!is_elsewhere(i)) wanted.push_back(static_cast<Index>(i));
+    return InputVertices::by_coordinates(points_, std::move(wanted), vertices, adjacency_, stop);
+  }
+
+ private:
+  [[nodiscard]] static std::uint64_t number_of(std::span<const std::uint64_t> names, std::size_t v) {
+    return names.empty() ? v : names[v];
+  }
+  [[nodiscard]] bool is_elsewhere(std::size_t i) const {
+    return by_number_[i] == no_index && !settled_.empty() && settled_[i] != 0;
+  }
+
+  /// True if the vertices of the mesh begin with the input points, in their order, and each point of the domain has a
+  /// triangle. Then the numbers tell which vertices are input points, also if another vertex has the same coordinates.
+  [[nodiscard]] bool is_numbered_as_input() const {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Index v = by_number_[i];
+      if (is_elsewhere(i)) continue;
+      if (v == no_index || !(subject_.mesh.points[v] == points_[i])) return false;
+      if (!adjacency_.has_triangle(v) && domain_.has_point(static_cast<Index>(i))) return false;
+    }
+    return true;
+  }
+
+  const Subject& subject_;
+  const Domain& domain_;
+  const Adjacency& adjacency_;
+  std::span<const char> settled_;
+  const std::vector<Point>& points_;
+  Array<Index> by_number_;  ///< per input point, the vertex with its number
+};
 
 }  // namespace
 
 InputVertices check_input_vertices(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                                   Findings& found) {
+                                   Findings& found, std::span<const char> settled) {
   const Mesh& mesh = subject.mesh;
   const auto& points = subject.pslg.points;
-  const bool by_index = !subject.options.foreign || is_numbered_as_input(subject, domain, adjacency);
-  InputVertices inputs = by_index ? InputVertices::by_index(points.size(), mesh.points.size())
-                                  : InputVertices::by_coordinates(points, mesh.points.span(), adjacency, found.stop());
+  InputVertices inputs = InputVertexSearch(subject, domain, adjacency, settled).run(found.stop());
   check_each(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
@@ -35,7 +77,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
       mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + to_text(i) + what);
     };
     if (vertex == no_index) {
-      if (needed) report(" of the domain is not a vertex of the mesh");
+      if (needed && (settled.empty() || settled[i] == 0)) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
       report(" was moved or renumbered: vertex " + to_text(subject.names.vertex(vertex)) + " is " +
              to_text(mesh.points[vertex]));

@@ -214,6 +214,74 @@ PARDEL_PROPERTY(
   RC_ASSERT(checked.certificate.valid == whole.valid);
 }
 
+/// A square with points in it and around it, with a marker and an attribute of each point. The points with even numbers
+/// have no marker.
+MeshedCase square_among_points() {
+  MeshedCase made{domains::square(), {}, {.min_angle_deg = 20}};
+  const Pslg scattered = domains::random_points(80, 21);
+  for (const Point p : scattered.points) made.pslg.points.push_back({2 * p.x - 0.5, 2 * p.y - 0.5});
+  made.pslg.attributes_per_point = 1;
+  for (Index i = 0; i < made.pslg.points.size(); ++i) {
+    made.pslg.point_attributes.push_back(0.5 * i);
+    made.pslg.point_markers.push_back(i % 2 == 0 ? 0 : static_cast<int>(i));
+  }
+  made.mesh = std::move(mesh(made.pslg, made.goal)).value().mesh;
+  return made;
+}
+
+PARDEL_FACT(Pieces, with_points_on_no_segment_have_the_certificate_of_the_whole_mesh,
+            {.statement = "what is wrong with a point on no segment, its place, its data or its number, is reported "
+                          "as for the joined mesh",
+             .source = "properties/checker/check_pieces.hpp",
+             .families = "a square with points in and around it, in three slabs; nine kinds of damage"}) {
+  const MeshedCase right = square_among_points();
+  const Index inputs = static_cast<Index>(right.pslg.points.size()), last = inputs - 1;
+  const auto is_used = [&](Index v) {
+    return std::ranges::any_of(right.mesh.triangles, [&](const Triangle& t) { return std::ranges::count(t.v, v) > 0; });
+  };
+  Index inside = 4, outside = 4;
+  while (!is_used(inside)) ++inside;
+  while (is_used(outside) || right.pslg.point_markers[outside] == 0) ++outside;
+  ASSERT_LT(std::max(inside, outside), last);
+  const auto expect_same = [&](const std::string& damage, const auto& change, bool valid) {
+    MeshedCase made = right;
+    change(made);
+    std::vector<std::size_t> owner;
+    for (const Triangle& t : made.mesh.triangles)
+      owner.push_back(static_cast<std::size_t>(std::clamp(3 * made.mesh.points[t.v[0]].x, 0.0, 2.0)));
+    const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, owner, 3);
+    for (const bool foreign : {false, true}) {
+      if (!foreign && made.mesh.origin.empty()) continue;  // only another mesher may leave them out
+      const CheckOptions options{.foreign = foreign};
+      const Certificate whole = check(made.pslg, join_pieces(pieces).value(), made.goal, options);
+      const Checked checked = check_on_ranks(made.pslg, pieces, {0, 1, 2}, made.goal, options);
+      EXPECT_EQ(checked.fault, "") << damage;
+      EXPECT_EQ(whole.valid, valid) << damage;
+      EXPECT_EQ(to_json(checked.certificate), to_json(whole)) << damage;
+    }
+  };
+  expect_same(
+      "none", [](MeshedCase&) {}, true);
+  expect_same(
+      "no data", [](MeshedCase& made) { made.mesh.origin = {}, made.mesh.point_markers = {}; }, true);
+  for (const Index v : {inside, outside}) {
+    const Index next = v + 1;
+    expect_same(
+        "marker", [&](MeshedCase& made) { made.mesh.point_markers[v] += 1; }, false);
+    expect_same(
+        "attribute", [&](MeshedCase& made) { made.mesh.point_attributes[v] = NAN; }, false);
+    expect_same(
+        "origin", [&](MeshedCase& made) { made.mesh.origin[v] = interior_vertex; }, false);
+    expect_same(
+        "another place", [&](MeshedCase& made) { made.pslg.points[v].x += 1e-9; }, false);
+    expect_same(
+        "another number", [&](MeshedCase& made) { std::swap(made.pslg.points[v], made.pslg.points[next]); }, false);
+  }
+  // Points outside belong to the domain if it is the convex hull.
+  expect_same(
+      "outside", [](MeshedCase& made) { made.goal.convex_hull = true; }, false);
+}
+
 /// The square [0, 1] x [0, 1] in eight triangles around nine points. Each piece has four; with
 /// second = 0, the first piece has all.
 std::vector<NumberedMesh> two_halves(Index second = 1) {
