@@ -1,7 +1,7 @@
 // Questions to other ranks, each of which has the same number of values as its answer.
 #pragma once
 
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "exchange_lists.hpp"
@@ -10,7 +10,7 @@
 namespace pardel {
 
 /// Collective. Asks rank whom(i) questions[i]. Returns the answers in the order of the questions, one after the other.
-/// On the rank that is asked, answer(question, answers) appends `per_question` values.
+/// On the rank that is asked, answer(questions) returns `per_question` values for each question of one rank.
 template <class Value, class Question, class Whom, class Answer>
 [[nodiscard]] std::vector<Value> answers_of_ranks(const std::vector<Question>& questions, std::size_t per_question,
                                                   Ranks& ranks, const Whom& whom, const Answer& answer) {
@@ -18,11 +18,7 @@ template <class Value, class Question, class Whom, class Answer>
   for (std::size_t i = 0; i < questions.size(); ++i) asked[whom(i)].push_back(questions[i]);
   asked = exchange_lists(asked, ranks);
   std::vector<std::vector<Value>> answers(asked.size());
-  for (std::size_t rank = 0; rank < asked.size(); ++rank) {
-    answers[rank].reserve(per_question * asked[rank].size());
-    for (const Question& question : asked[rank]) answer(question, answers[rank]);
-  }
-  asked = {};
+  for (std::size_t rank = 0; rank < asked.size(); ++rank) answers[rank] = answer(std::exchange(asked[rank], {}));
   answers = exchange_lists(answers, ranks);
   std::vector<Value> all;
   all.reserve(per_question * questions.size());

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../concurrency/hilbert_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
 
@@ -114,12 +115,7 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
   mesh.point_attributes.reserve(mesh.points.size() * k);
   mesh.point_attributes.append(data.attributes);
   const Background on(mesh.points.span().first(inputs), std::move(background), threads);
-  SparseAsk ask(threads.stop);
-  LocationHint hint;
-  for (std::size_t v = inputs; v < mesh.points.size(); ++v) {
-    ask();
-    append_attributes(on.locate(mesh.points[v], hint), data, mesh.point_attributes);
-  }
+  mesh.point_attributes.append(interpolated_attributes(on, mesh.points.span().subspan(inputs), data, threads));
 }
 
 }  // namespace
@@ -142,6 +138,27 @@ void name_input_segments(DomainTriangulation& domain, const Threads& threads) {
         origin[v] = input == no_index ? hull_vertex : origin_on_segment(input);
       }
   });
+}
+
+std::vector<double> interpolated_attributes(const Background& on, std::span<const Point> places, const PointData& data,
+                                            const Threads& threads) {
+  const std::size_t k = data.attributes_per_point;
+  std::vector<double> values(k * places.size());
+  // Along a curve, each search begins beside the place where the last one ended.
+  const Array<Index> order = hilbert_order(places, threads);
+  parallel_blocks(threads, order.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    LocationHint hint;
+    for (std::size_t i = first; i < last; ++i) {
+      const Located at = on.locate(places[order[i]], hint);
+      for (std::size_t a = 0; a < k; ++a) {
+        double value = 0;
+        for (unsigned corner = 0; corner < 3; ++corner)
+          value += at.weight[corner] * data.attributes[at.v[corner] * k + a];
+        values[order[i] * k + a] = value;
+      }
+    }
+  });
+  return values;
 }
 
 Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,

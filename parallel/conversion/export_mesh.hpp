@@ -48,15 +48,8 @@ void add_point_data(Mesh& mesh, const DomainTriangulation& domain, const PointDa
                                                               unsigned side);
 /// For each vertex inside a domain segment, replaces the index of this segment by the input segment or hull_vertex.
 void name_input_segments(DomainTriangulation& domain, const Threads& threads);
-/// Appends the attributes that are interpolated at a place on the input points.
-template <class List>
-void append_attributes(const Located& at, const PointData& data, List& attributes) {
-  const std::size_t k = data.attributes_per_point;
-  for (std::size_t a = 0; a < k; ++a) {
-    double value = 0;
-    for (unsigned i = 0; i < 3; ++i) value += at.weight[i] * data.attributes[at.v[i] * k + a];
-    attributes.push_back(value);
-  }
-}
+/// The attributes that are interpolated at these places on the input points, place by place.
+[[nodiscard]] std::vector<double> interpolated_attributes(const Background& on, std::span<const Point> places,
+                                                          const PointData& data, const Threads& threads);
 
 }  // namespace pardel::engine

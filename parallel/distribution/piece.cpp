@@ -113,14 +113,16 @@ class PieceMaker {
     Mesh& mesh = piece_.mesh;
     mesh.attributes_per_point = k;
     const Background on(data.points, std::move(input_.background), threads_);
-    LocationHint hint;
     Array<Index> input_point(t_.points.size(), no_index);
     for (const InputVertex& input : inputs_) input_point[input.v] = static_cast<Index>(input.point);
+    std::vector<Point> inserted;
     for (VertexId v = 0; v < t_.points.size(); ++v)
-      if (const Index point = input_point[v]; point != no_index)
-        mesh.point_attributes.append(data.attributes.subspan(point * k, k));
-      else
-        append_attributes(on.locate(t_.points[v], hint), data, mesh.point_attributes);
+      if (input_point[v] == no_index) inserted.push_back(t_.points[v]);
+    const std::vector<double> interpolated = interpolated_attributes(on, inserted, data, threads_);
+    std::size_t next = 0;
+    for (const Index point : input_point)
+      mesh.point_attributes.append(point != no_index ? data.attributes.subspan(point * k, k)
+                                                     : std::span(interpolated).subspan(k * next++, k));
   }
 
   void add_shared_vertices() {

@@ -26,10 +26,14 @@ namespace pardel::engine {
   std::vector<Question> questions;
   for (const EdgeRef e : sides) questions.push_back({distribution.part().name_of(e.triangle()), e.side()});
   const auto whom = [&](std::size_t i) { return distribution.owner_of(t.slot(sides[i]).from(sides[i].side())); };
-  const auto answer = [&](const Question& q, std::vector<char>& are_delaunay) {
-    const TriangleId id = distribution.part().triangle(q.triangle);
-    if (id == no_index || q.side > 2) throw Reader::does_not_match();
-    are_delaunay.push_back(delaunay_across(t, EdgeRef(id, static_cast<unsigned>(q.side))) ? 1 : 0);
+  const auto answer = [&](const std::vector<Question>& asked) {
+    std::vector<char> are_delaunay;
+    for (const Question& q : asked) {
+      const TriangleId id = distribution.part().triangle(q.triangle);
+      if (id == no_index || q.side > 2) throw Reader::does_not_match();
+      are_delaunay.push_back(delaunay_across(t, EdgeRef(id, static_cast<unsigned>(q.side))) ? 1 : 0);
+    }
+    return are_delaunay;
   };
   const std::vector<char> are_delaunay = answers_of_ranks<char>(questions, 1, distribution.network(), whom, answer);
   std::vector<EdgeRef> found;

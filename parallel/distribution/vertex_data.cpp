@@ -151,9 +151,13 @@ void Collector::fetch_markers() {
     names.push_back(distribution_.part().name_of_vertex(v));
   }
   const auto whom = [&](std::size_t i) { return Name::rank_of(names[i].creator); };
-  const auto answer = [&](Name name, std::vector<int>& markers) {
-    if (name.id >= distribution_.known_inputs()) throw Reader::does_not_match();
-    markers.push_back(distribution_.input_point(name.id).marker);
+  const auto answer = [&](const std::vector<Name>& asked) {
+    std::vector<int> markers;
+    for (const Name name : asked) {
+      if (name.id >= distribution_.known_inputs()) throw Reader::does_not_match();
+      markers.push_back(distribution_.input_point(name.id).marker);
+    }
+    return markers;
   };
   const std::vector<int> markers = answers_of_ranks<int>(names, 1, ranks_, whom, answer);
   for (std::size_t i = 0; i < vertices.size(); ++i) fetched_markers_.emplace_back(vertices[i], markers[i]);

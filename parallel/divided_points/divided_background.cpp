@@ -51,9 +51,13 @@ void DividedBackground::add_points_of(const PartOfDomain& part, Ranks& ranks) {
   for (const auto& [v, name] : part.named_vertices) asked.push_back(name);
   const std::vector<std::uint64_t> answers = answers_of_ranks<std::uint64_t>(
       asked, 1, ranks, [&](std::size_t i) { return Name::rank_of(asked[i].creator); },
-      [&](Name name, std::vector<std::uint64_t>& numbers) {
-        if (name.id >= part.number.size()) throw Reader::does_not_match();
-        numbers.push_back(part.number[name.id]);
+      [&](const std::vector<Name>& names) {
+        std::vector<std::uint64_t> numbers;
+        for (const Name name : names) {
+          if (name.id >= part.number.size()) throw Reader::does_not_match();
+          numbers.push_back(part.number[name.id]);
+        }
+        return numbers;
       });
   for (std::size_t i = 0; i < asked.size(); ++i) number_[part.named_vertices[i].first] = answers[i];
 }
@@ -92,6 +96,7 @@ void DividedBackground::add_attributes(MeshPiece& piece, const ReadAttributes& r
   const std::vector<double> values = read.of(number_, ranks);
   number_ = {};
   const PointData data{points_, k, values, {}};
+  const bool is_empty = triangles_.empty();
   const Background background(points_, std::move(triangles_), threads_);
 
   std::vector<std::uint64_t> numbers;
@@ -102,15 +107,11 @@ void DividedBackground::add_attributes(MeshPiece& piece, const ReadAttributes& r
     else
       inserted.push_back(mesh.points[v]);
   const std::vector<double> given = read.of(numbers, ranks);
-  LocationHint hint;
-  SparseAsk ask(threads_.stop);
-  const std::vector<double> interpolated = answers_of_ranks<double>(
-      inserted, k, ranks, [&](std::size_t i) { return division_.owner(inserted[i]); },
-      [&](Point p, std::vector<double>& answers) {
-        ask();
-        const Located at = background.locate(p, hint);
-        if (at.triangle == no_index) throw Reader::does_not_match();
-        append_attributes(at, data, answers);
+  const auto owner = [&](std::size_t i) { return division_.owner(inserted[i]); };
+  const std::vector<double> interpolated =
+      answers_of_ranks<double>(inserted, k, ranks, owner, [&](const std::vector<Point>& places) {
+        if (is_empty && !places.empty()) throw Reader::does_not_match();
+        return interpolated_attributes(background, places, data, threads_);
       });
   auto next_given = given.begin(), next_interpolated = interpolated.begin();
   mesh.point_attributes.reserve(k * mesh.points.size());

@@ -17,11 +17,16 @@ std::vector<double> ReadAttributes::of(const std::vector<std::uint64_t>& numbers
   const auto reader = [&](std::size_t i) {
     return static_cast<int>(std::ranges::upper_bound(first_, numbers[i]) - first_.begin()) - 1;
   };
-  const auto answer = [&](std::uint64_t number, std::vector<double>& answers) {
-    const std::uint64_t first = first_[ranks.rank()], end = (number - first + 1) * per_point_;
-    if (number < first || end > values_.size()) throw Reader::does_not_match();
-    const auto last = values_.begin() + static_cast<std::ptrdiff_t>(end);
-    answers.insert(answers.end(), last - static_cast<std::ptrdiff_t>(per_point_), last);
+  const auto answer = [&](const std::vector<std::uint64_t>& asked) {
+    std::vector<double> answers;
+    answers.reserve(per_point_ * asked.size());
+    for (const std::uint64_t number : asked) {
+      const std::uint64_t first = first_[ranks.rank()], end = (number - first + 1) * per_point_;
+      if (number < first || end > values_.size()) throw Reader::does_not_match();
+      const auto last = values_.begin() + static_cast<std::ptrdiff_t>(end);
+      answers.insert(answers.end(), last - static_cast<std::ptrdiff_t>(per_point_), last);
+    }
+    return answers;
   };
   return answers_of_ranks<double>(numbers, per_point_, ranks, reader, answer);
 }

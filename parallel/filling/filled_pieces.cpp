@@ -193,9 +193,8 @@ class FilledPieceMaker {
     if (k == 0) return;
     for (std::size_t v = 0; v < points_around_; ++v)
       mesh.point_attributes.append(all_.around_.point_attributes.span().subspan(piece_.number[v] * k, k));
-    LocationHint hint;
-    for (std::size_t v = points_around_; v < mesh.points.size(); ++v)
-      append_attributes(all_.background_->locate(mesh.points[v], hint), all_.input_.points, mesh.point_attributes);
+    mesh.point_attributes.append(interpolated_attributes(*all_.background_, mesh.points.span().subspan(points_around_),
+                                                         all_.input_.points, threads_));
   }
 
   void write_regions() {
