@@ -43,6 +43,7 @@ PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
 template <class Make>
 void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays, const Make& make) {
   std::vector<std::string> faults(static_cast<std::size_t>(count));
+  const auto points = properties::points_and_attributes(whole);
   properties::on_ranks(
       count,
       [&](Ranks& ranks) {
@@ -53,6 +54,8 @@ void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays
         else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size() ||
                  piece->points != whole.points.size())
           fault = "another mesh";
+        else if (!std::ranges::includes(points, properties::points_and_attributes(piece->mesh)))
+          fault = "other attributes";
       },
       seed_of_delays);
   for (const std::string& fault : faults)
@@ -60,8 +63,12 @@ void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays
 }
 
 /// The same for ranks, which have no limit on vertices: only where the mesh keeps it anyway. If possible, also for
-/// ranks of which none has all points.
-void compare_with_ranks(const Pslg& pslg, const MeshCase& drawn, Options options) {
+/// ranks of which none has all points. Half of the domains get an attribute that is not linear.
+void compare_with_ranks(Pslg pslg, const MeshCase& drawn, Options options) {
+  if (drawn.seed % 2 == 0 && pslg.attributes_per_point == 0) {
+    pslg.attributes_per_point = 1;
+    for (const Point p : pslg.points) pslg.point_attributes.push_back(p.x * p.x + p.y);
+  }
   Goal goal = drawn.goal;
   goal.min_angle_deg = std::min(goal.min_angle_deg, 28.0);
   options.threads = 1;
@@ -73,7 +80,7 @@ void compare_with_ranks(const Pslg& pslg, const MeshCase& drawn, Options options
   if (!whole || !domain) fail("a valid Pslg was rejected");
   compare_on_ranks(whole->mesh, drawn.ranks, drawn.seed % 4 == 0 ? drawn.seed + 1 : 0,
                    [&](Ranks& ranks) { return mesh(*domain, goal, options, ranks); });
-  if (can_divide_points(goal, options) && pslg.attributes_per_point == 0)
+  if (can_divide_points(goal, options))
     compare_on_ranks(whole->mesh, drawn.ranks, 0,
                      [&](Ranks& ranks) { return mesh(part_of(pslg, ranks), goal, options, ranks); });
 }

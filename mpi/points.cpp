@@ -13,10 +13,12 @@ Error fault_of_points(const Error& error, const std::filesystem::path& file, int
   if (error.kind != ErrorKind::invalid_input) job.abort(error);
   Result<std::optional<PartOfPslg>> input = read_part_of_pslg(file, job.ranks());
   if (!input) return input.error();
-  if (!*input) return {error.kind, file.string() + ": " + error.message};
+  const Error unexplained{error.kind, file.string() + ": " + error.message};
+  if (!*input) return unexplained;
   PartOfPoints& points = (*input)->points;
   const int first_id = points.first_id.value;
   const std::vector<pardel::Problem> problems = find_problems(std::move(points), threads, job.ranks());
+  if (problems.empty()) return unexplained;  // the file has changed
   return {error.kind, file.string() + ": " + cli::problems_text(problems, first_id) +
                           cli::advice({}, problems, file.string(), false)};
 }

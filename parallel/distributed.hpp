@@ -86,7 +86,7 @@ struct MeshPiece {
 [[nodiscard]] Result<MeshPiece> triangulate(PartOfPoints&& points, const Options& options, Ranks& ranks);
 
 /// The problems of points of which each rank has a part, on all ranks alike: those of find_problems() (validate.hpp)
-/// for a domain of these points, except that equal points are not searched for if coordinates cannot be used.
+/// for a domain of these points, except that equal points are not searched for if coordinates or counts cannot be used.
 /// Collective. `threads`: of this rank; 0: as many as OpenMP offers.
 [[nodiscard]] std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ranks);
 

@@ -30,6 +30,8 @@ template <class Value, class Question, class Whom, class Answer>
     if (used[rank] > answers[rank].size()) throw Reader::does_not_match();
     all.insert(all.end(), next, next + static_cast<std::ptrdiff_t>(per_question));
   }
+  for (std::size_t rank = 0; rank < answers.size(); ++rank)
+    if (used[rank] != answers[rank].size()) throw Reader::does_not_match();
   return all;
 }
 

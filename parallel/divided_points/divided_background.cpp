@@ -67,6 +67,7 @@ void DividedBackground::add_points_of(const PartOfDomain& part, Ranks& ranks) {
 void DividedBackground::add_triangles_at_home(const PartOfDomain& part, Ranks& ranks) {
   const Triangulation& t = part.domain.triangulation;
   std::vector<std::vector<TravellingTriangle>> leaving(static_cast<std::size_t>(ranks.count()));
+  std::unordered_map<std::uint64_t, Index> known;  // vertices by their numbers
   SparseAsk ask(threads_.stop);
   for (const Slot& slot : t.slots) {
     ask();
@@ -74,10 +75,11 @@ void DividedBackground::add_triangles_at_home(const PartOfDomain& part, Ranks& r
     triangles_.push_back(slot.v);
     const std::array<Point, 3> p{t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]};
     if (division_.certainly_owns(ranks.rank(), Disk::around(p[0], p[1], p[2]))) continue;
+    // Triangles that arrive from others may be neighbours of this one.
+    for (const VertexId v : slot.v) known.emplace(number_[v], v);
     for (const int rank : division_.others_in(TriangleArea(p), ranks.rank()))
       leaving[rank].push_back({p, {number_[slot.v[0]], number_[slot.v[1]], number_[slot.v[2]]}});
   }
-  std::unordered_map<std::uint64_t, Index> known;
   for (const TravellingTriangle& each : concatenated(exchange_lists(leaving, ranks))) {
     std::array<Index, 3>& triangle = triangles_.emplace_back();
     for (unsigned i = 0; i < 3; ++i) {

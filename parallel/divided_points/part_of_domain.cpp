@@ -51,8 +51,7 @@ class FirstThree {
   Ranks& ranks_;
 };
 
-/// The problems of segments, holes and regions, except points inside segments. They are the same on
-/// all ranks.
+/// The problems of segments, holes and regions, except points inside segments. They are the same on all ranks.
 std::vector<Problem> problems_of_rest(const CommonVertices& common, const Pslg& rest, bool convex_hull,
                                       const Threads& threads) {
   // The convex hull of the common vertices is that of all points.

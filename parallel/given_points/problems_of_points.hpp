@@ -18,8 +18,8 @@ namespace pardel::engine {
   return static_cast<Index>(std::min<std::uint64_t>(number, no_index));
 }
 
-/// wrong_count, if attributes or markers are not one per point on a rank, and coordinates that exact arithmetic cannot
-/// use. As find_problems() in one process, at most 10,000 for each rank.
+/// wrong_count, if the numbers of attributes or markers do not fit the points of a rank or if ranks differ about them,
+/// and coordinates that exact arithmetic cannot use. As find_problems() in one process, at most 10,000 for each rank.
 [[nodiscard]] std::vector<Problem> unusable_values(const PartOfPoints& read, Ranks& ranks, const Threads& threads);
 
 /// Equal points, and all_points_collinear. As find_problems() in one process, at most 10,000 for each rank.

@@ -156,17 +156,19 @@ Located Background::locate(Point p, LocationHint& hint) const {
   return end == Walk::inside ? found : search(p);
 }
 
-/// Finds the triangle by the hierarchy alone. Of several at the same distance, the one with the least corners counts.
-/// So the result depends on the triangles near p only, not on their order.
+/// Finds the triangle by the hierarchy alone. Triangles that have p on a side come before the others, then the nearest,
+/// then that with the least corners. So the result depends on the triangles near p only, not on their order.
 Located Background::search(Point p) const {
   Located best;
   double best_distance = INFINITY;
+  bool best_contains = false;
   std::vector<std::size_t> stack{1};
   while (!stack.empty()) {
     const std::size_t node = stack.back();
     stack.pop_back();
     // A box at the same distance is searched, too: it may contain the triangle that has p in its interior.
-    if (squared_distance(boxes_[node], p) > best_distance) continue;
+    const double to_box = squared_distance(boxes_[node], p);
+    if (to_box > best_distance) continue;
     if (node < leaf_count_) {
       const bool left_first = squared_distance(boxes_[2 * node], p) <= squared_distance(boxes_[2 * node + 1], p);
       stack.push_back(2 * node + (left_first ? 1 : 0));
@@ -176,19 +178,27 @@ Located Background::search(Point p) const {
     if (node - leaf_count_ >= leaves_.size()) continue;
     auto leaf = static_cast<Index>(node - leaf_count_);
     Located here;
-    if (walk(p, leaf, 1, here) == Walk::inside) return here;
+    const Walk end = walk(p, leaf, 1, here);
+    if (end == Walk::inside) return here;
+    const bool contains = end == Walk::on_edge;
     here = weights_in(static_cast<Index>(node - leaf_count_), p);
-    const Point q = point_at(here);
-    const bool inside = here.weight[0] > 0 && here.weight[1] > 0 && here.weight[2] > 0;
     // Rounding must not put the point nearer than the box: then the order of the search would count.
-    const double to_point = inside ? 0 : (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
-    const double distance = std::max(to_point, squared_distance(boxes_[node], p));
-    if (distance < best_distance || (distance == best_distance && has_lesser_corners(here, best))) {
+    const double distance = contains ? 0 : std::max(to_box, squared_distance_to(here, p));
+    if (distance < best_distance || (contains && !best_contains) ||
+        (distance == best_distance && contains == best_contains && has_lesser_corners(here, best))) {
       best = here;
       best_distance = distance;
+      best_contains = contains;
     }
   }
   return best;
+}
+
+/// From p to the place with these weights, rounded; 0 if it is in the interior of its triangle.
+double Background::squared_distance_to(const Located& at, Point p) const {
+  if (at.weight[0] > 0 && at.weight[1] > 0 && at.weight[2] > 0) return 0;
+  const Point q = point_at(at);
+  return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
 }
 
 bool Background::has_lesser_corners(const Located& a, const Located& b) const {

@@ -81,6 +81,7 @@ class Background {
   [[nodiscard]] Located search(Point p) const;
   [[nodiscard]] Located weights_in(Index leaf, Point p) const;
   [[nodiscard]] Located nearest_in(Index leaf, Point p) const;
+  [[nodiscard]] double squared_distance_to(const Located& at, Point p) const;
   [[nodiscard]] bool has_lesser_corners(const Located& a, const Located& b) const;
   [[nodiscard]] Point point_at(const Located& at) const;
 

@@ -65,7 +65,7 @@ class PieceCheck {
     Findings not_yet_described(0);
     const Result<Piece*> piece = reader_.open(i, {}, not_yet_described);
     if (!piece) return piece.error();
-    read_.pieces.push_back(kept_piece(**piece, input_ ? &*input_ : nullptr));
+    read_.pieces.push_back(kept_piece(**piece, input_ ? &*input_ : nullptr, read_.settled));
     if (read_.pieces.back().has_geometry) numbers_.add((*piece)->number(), *(*piece)->adjacency);
     return Done{};
   }
@@ -174,12 +174,13 @@ class PieceCheck {
   /// The vertices with these numbers. The triangles around them are kept from now on.
   Result<std::vector<NumberedPoint>> find_points(const std::vector<std::uint64_t>& numbers) {
     std::vector<NumberedPoint> points;
+    for (const std::uint64_t number : numbers) read_.settled.erase(number);
     for (std::size_t i = 0; i < reader_.count(); ++i) {
       Findings described_later(0);
       const Result<Piece*> piece = open_again(i, described_later);
       if (!piece) return piece.error();
       KeptPart& part = read_.pieces[i].part;
-      part = part_to_keep(**piece, input_->places, input_->free, numbers);
+      part = part_to_keep(**piece, input_->places, input_->free, read_.settled, numbers);
       for (const KeptVertex& vertex : part.vertices)
         if (std::ranges::binary_search(numbers, vertex.number)) points.push_back({vertex.number, vertex.at});
     }
@@ -192,7 +193,7 @@ class PieceCheck {
     const Result<std::optional<Skeleton>> skeleton = gather_skeleton(read_, special, ranks_);
     if (!skeleton) return skeleton.error();
     Ranks::Bytes message;
-    const std::vector<char> settled = settled_inputs(read_, task_.pslg.points.size(), ranks_);
+    const std::vector<std::uint64_t> settled = settled_inputs(read_, task_.pslg.points.size(), ranks_);
     if (skeleton->has_value())
       message = judge(**skeleton, settled, task_, input_->domain, labels, counter_clockwise, found_).message();
     return Judgement::read(from_first(message, ranks_));

@@ -28,21 +28,21 @@ namespace pardel {
 /// and around vertices that have to do with the input, the numbers of the vertices as one bit each, and the measures.
 /// Input points at which no segment ends are judged in the piece that has their triangles; only what is wrong there
 /// remains. When all ranks have done so, they compare the borders, and the first rank gets the triangles around the
-/// vertices on segments and at the remaining input points. It checks there that segments are chains of edges, and that the boundary is that of
-/// the domain, from which the coverage follows. Then a rank reads those pieces again in which something was found that
-/// only a segment can excuse, or that has to be described: a triangle below the angle bound, an edge that is not
-/// locally Delaunay, any violation. Each piece is read again if a triangle may contain the seed of a hole, which the
-/// boundary decides, or if a vertex in the interior of one piece is in another piece. If the input has regions, each
-/// piece is read three times: chains divide its triangles into sets, and all sets have to be known before a triangle
-/// has a region. A rank with one piece keeps it in memory instead.
+/// vertices on segments and at the remaining input points. It checks there that segments are chains of edges, and that
+/// the boundary is that of the domain, from which the coverage follows. Then a rank reads those pieces again in which
+/// something was found that only a segment can excuse, or that has to be described: a triangle below the angle bound,
+/// an edge that is not locally Delaunay, any violation. Each piece is read again if a triangle may contain the seed of
+/// a hole, which the boundary decides, or if a vertex in the interior of one piece is in another piece. If the input
+/// has regions, each piece is read three times: chains divide its triangles into sets, and all sets have to be known
+/// before a triangle has a region. A rank with one piece keeps it in memory instead.
 ///
 /// Errors: invalid_input if the numbers of vertices are wrong (see join_pieces()), if pieces do not have the same kinds
 /// of data, or do not agree on the marker, the origin or the attributes of a vertex on a segment or at an input point,
 /// or if a piece has not one number for each vertex; resources if the mesh has more vertices or triangles than an Index
 /// can number; those of PiecesOfRank::read(), and io if a piece that is read again has another size. Memory of a rank,
 /// beside the piece that it holds and the input: 10 bytes per triangle of this piece; for all its pieces, about 300
-/// bytes per vertex at a border, on a segment or at an end of a segment; one bit per point of the whole mesh; and on the
-/// first rank the triangles at segments.
+/// bytes per vertex at a border or on a segment; one bit per point of the whole mesh; and on the first rank the
+/// triangles at segments.
 [[nodiscard]] Result<Certificate> check(const Pslg& pslg, const PiecesOfRank& pieces, const Goal& goal,
                                         const CheckOptions& options, Ranks& ranks);
 

@@ -23,6 +23,7 @@ struct Across {
 struct PiecesRead {
   std::vector<KeptPiece> pieces;
   std::vector<Index> first_triangle, first_listed_edge;
+  NumberSet settled;  ///< the numbers of input points that are settled in one of the pieces (part_to_keep())
 };
 
 /// What is across the sides of all pieces of a rank.

@@ -1,4 +1,4 @@
-// The input points at which no segment ends.
+// The input points at which no segment and no edge of the convex outline ends.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ class FreePoints {
 
   /// True if vertex v is the input point with its number, if this point is free, and if nothing is wrong with it: it
   /// has the place and the data of the point. All its triangles are in this piece; or it has none, and the point is not
-  /// in the domain. Precondition: the piece has an adjacency.
+  /// in the domain. Listed edges are not examined. Precondition: the piece has an adjacency.
   [[nodiscard]] bool is_settled(const Piece& piece, Index v) const;
 
  private:

@@ -27,9 +27,9 @@ class PartMaker {
     mark(inputs, free, also);
   }
 
-  KeptPart make() {
+  KeptPart make(NumberSet& all_settled) {
     part_.kinds = {mesh_.point_markers.empty() ? 0u : 1u, mesh_.origin.empty() ? 0u : 1u, mesh_.attributes_per_point};
-    list_settled();
+    list_settled(all_settled);
     list_triangles();
     list_vertices();
     for (KeptTriangle& triangle : part_.triangles)
@@ -74,10 +74,10 @@ class PartMaker {
   }
 
   /// From here on, `why_` says only why vertices are kept.
-  void list_settled() {
+  void list_settled(NumberSet& all_settled) {
     for (Index v = 0; v < why_.size(); ++v) {
       if ((why_[v] & settled) == 0) continue;
-      part_.settled.insert(number(v));
+      all_settled.insert(number(v));
       why_[v] = static_cast<char>(why_[v] & ~settled);
     }
   }
@@ -117,9 +117,9 @@ class PartMaker {
 
 }  // namespace
 
-KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free,
+KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free, NumberSet& settled,
                       std::span<const std::uint64_t> also) {
-  return PartMaker(piece, inputs, free, also).make();
+  return PartMaker(piece, inputs, free, also).make(settled);
 }
 
 }  // namespace pardel::checker

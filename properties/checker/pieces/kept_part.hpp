@@ -54,7 +54,6 @@ struct KeptPart {
   std::vector<KeptTriangle> triangles;  ///< those with a vertex that is special or at the border, in ascending order
   std::vector<KeptSide> sides;          ///< in the order of Adjacency::boundary()
   std::vector<KeptEdge> edges;          ///< that the piece lists
-  NumberSet settled;                    ///< the input points that are settled (FreePoints)
 };
 
 /// The places of all points of the input.
@@ -69,9 +68,10 @@ class InputPlaces {
 };
 
 /// Special are, in one piece: the points of the input, the ends of listed edges, vertices with a marker or an origin,
-/// and vertices without triangles; but not settled points. `also`: the numbers of vertices that are kept as if they
-/// were at the border, sorted. These are not settled. Precondition: the piece has an adjacency.
+/// and vertices without triangles. But input points are settled, and not special, if FreePoints::is_settled() holds and
+/// no listed edge ends there; their numbers are added to `settled`. `also`: the numbers of vertices that are kept as if
+/// they were at the border, sorted. These are not settled. Precondition: the piece has an adjacency.
 [[nodiscard]] KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free,
-                                    std::span<const std::uint64_t> also = {});
+                                    NumberSet& settled, std::span<const std::uint64_t> also = {});
 
 }  // namespace pardel::checker

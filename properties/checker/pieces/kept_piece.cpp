@@ -20,7 +20,7 @@ bool is_clear_without_chains(const Piece& piece, const InputOfPieces& input) {
 
 }  // namespace
 
-KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input) {
+KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input, NumberSet& settled) {
   const Mesh& mesh = piece.mesh();
   KeptPiece kept;
   kept.points = mesh.points.size();
@@ -36,7 +36,7 @@ KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input) {
   kept.open = piece.scanned.open.size();
   kept.measures = piece.scanned.measures;
   if (piece.sanity.labels) kept.digest = digest(mesh);
-  kept.part = part_to_keep(piece, input->places, input->free);
+  kept.part = part_to_keep(piece, input->places, input->free, settled);
   return kept;
 }
 

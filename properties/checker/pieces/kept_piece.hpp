@@ -37,6 +37,8 @@ struct InputOfPieces {
 /// Without chains, check_delaunay() and check_goal() find at least what they find with chains, because chains only
 /// excuse: an edge that need not be Delaunay, or a small angle. So if they find nothing here, they would find nothing
 /// later.
-[[nodiscard]] KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input);
+///
+/// Adds the numbers of settled points (part_to_keep()) to `settled`.
+[[nodiscard]] KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input, NumberSet& settled);
 
 }  // namespace pardel::checker

@@ -18,6 +18,11 @@ bool NumberSet::insert(std::uint64_t number) {
   return is_new;
 }
 
+void NumberSet::erase(std::uint64_t number) {
+  if (contains(number))
+    page(number / bits / words_of_page)[number / bits % words_of_page] &= ~(std::uint64_t{1} << number % bits);
+}
+
 bool NumberSet::contains(std::uint64_t number) const { return (word(number / bits) >> number % bits & 1) != 0; }
 
 void NumberSet::unite(const NumberSet& other, std::vector<std::uint64_t>& common) {

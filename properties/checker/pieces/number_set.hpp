@@ -19,6 +19,7 @@ class NumberSet {
 
   /// False if the number is in the set already.
   bool insert(std::uint64_t number);
+  void erase(std::uint64_t number);
   [[nodiscard]] bool contains(std::uint64_t number) const;
   /// Adds the other set, and appends the numbers that both sets have to `common`.
   void unite(const NumberSet& other, std::vector<std::uint64_t>& common);

@@ -24,7 +24,7 @@ class SpecialVertices {
 /// The parts of the chains that are edges of the piece. `broken` is empty.
 [[nodiscard]] Chains chains_in_piece(const Piece& piece, const Judgement& judgement, const SpecialVertices& special);
 
-/// The vertices of the piece at input points, except for settled ones.
+/// The vertices of the piece at input points, except for settled ones that are not in the skeleton.
 [[nodiscard]] InputVertices input_vertices_in_piece(const Piece& piece, const Judgement& judgement,
                                                     const SpecialVertices& special);
 

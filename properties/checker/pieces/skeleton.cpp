@@ -1,6 +1,7 @@
 #include "skeleton.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -29,21 +30,26 @@ NumberSet special_numbers(const PiecesRead& read, const Border& border, Ranks& r
   return special;
 }
 
-std::vector<char> settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks) {
-  NumberSet here;
-  std::vector<std::uint64_t> common;
-  for (const KeptPiece& piece : read.pieces) here.unite(piece.part.settled, common);
-  Writer message;
-  message.list(here.words(0, inputs));
-  const std::vector<Ranks::Bytes> messages = to_first(message.take(), ranks);
-  if (ranks.rank() != 0) return {};
-  std::vector<char> settled(inputs, 0);
-  for (const Ranks::Bytes& from : messages) {
-    const NumberSet there(Reader(from).list<std::uint64_t>());
-    for (std::size_t i = 0; i < inputs; ++i)
-      if (there.contains(i)) settled[i] = 1;
+std::vector<std::uint64_t> settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks) {
+  // Each rank puts together a range of words, so that none gets more than all words.
+  const std::vector<std::uint64_t> here = read.settled.words(0, inputs);
+  const std::size_t share = here.size() / static_cast<std::size_t>(ranks.count()) + 1;
+  std::vector<std::vector<std::uint64_t>> ranges(static_cast<std::size_t>(ranks.count()));
+  for (std::size_t i = 0; i < here.size(); ++i) ranges[i / share].push_back(here[i]);
+  std::vector<std::uint64_t> range;
+  for (const std::vector<std::uint64_t>& of_rank : exchange_lists(ranges, ranks)) {
+    range.resize(of_rank.size());
+    std::ranges::transform(range, of_rank, range.begin(), std::bit_or<>());
   }
-  return settled;
+  Writer message;
+  message.list(range);
+  std::vector<std::uint64_t> all;
+  for (const Ranks::Bytes& from : to_first(message.take(), ranks)) {
+    if (from.empty()) continue;  // on the other ranks
+    const auto words = Reader(from).list<std::uint64_t>();
+    all.insert(all.end(), words.begin(), words.end());
+  }
+  return all;
 }
 
 namespace {

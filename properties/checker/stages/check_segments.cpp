@@ -6,10 +6,14 @@
 namespace pardel::checker {
 namespace {
 
+bool is_set(std::span<const std::uint64_t> bits, std::size_t i) {
+  return !bits.empty() && (bits[i / 64] >> i % 64 & 1) != 0;
+}
+
 class InputVertexSearch {
  public:
   InputVertexSearch(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                    std::span<const char> settled)
+                    std::span<const std::uint64_t> settled)
       : subject_(subject),
         domain_(domain),
         adjacency_(adjacency),
@@ -38,9 +42,7 @@ class InputVertexSearch {
   [[nodiscard]] static std::uint64_t number_of(std::span<const std::uint64_t> names, std::size_t v) {
     return names.empty() ? v : names[v];
   }
-  [[nodiscard]] bool is_elsewhere(std::size_t i) const {
-    return by_number_[i] == no_index && !settled_.empty() && settled_[i] != 0;
-  }
+  [[nodiscard]] bool is_elsewhere(std::size_t i) const { return by_number_[i] == no_index && is_set(settled_, i); }
 
   /// True if the vertices of the mesh begin with the input points, in their order, and each point of the domain has a
   /// triangle. Then the numbers tell which vertices are input points, also if another vertex has the same coordinates.
@@ -57,7 +59,7 @@ class InputVertexSearch {
   const Subject& subject_;
   const Domain& domain_;
   const Adjacency& adjacency_;
-  std::span<const char> settled_;
+  std::span<const std::uint64_t> settled_;
   const std::vector<Point>& points_;
   Array<Index> by_number_;  ///< per input point, the vertex with its number
 };
@@ -65,10 +67,12 @@ class InputVertexSearch {
 }  // namespace
 
 InputVertices check_input_vertices(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                                   Findings& found, std::span<const char> settled) {
+                                   Findings& found, std::span<const std::uint64_t> settled) {
   const Mesh& mesh = subject.mesh;
   const auto& points = subject.pslg.points;
-  InputVertices inputs = InputVertexSearch(subject, domain, adjacency, settled).run(found.stop());
+  const bool by_index = !subject.options.foreign && subject.names.vertices.empty();
+  InputVertices inputs = by_index ? InputVertices::by_index(points.size(), mesh.points.size())
+                                  : InputVertexSearch(subject, domain, adjacency, settled).run(found.stop());
   check_each(points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
@@ -77,7 +81,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
       mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + to_text(i) + what);
     };
     if (vertex == no_index) {
-      if (needed && (settled.empty() || settled[i] == 0)) report(" of the domain is not a vertex of the mesh");
+      if (needed && !is_set(settled, i)) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
       report(" was moved or renumbered: vertex " + to_text(subject.names.vertex(vertex)) + " is " +
              to_text(mesh.points[vertex]));

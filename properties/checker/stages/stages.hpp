@@ -65,11 +65,11 @@ void report_non_manifold(const Subject& subject, std::span<const NonManifoldEdge
 void check_boundary_vertices(const Subject& subject, Adjacency& adjacency, Findings& found);
 
 /// Checks that every input point of the domain is a vertex, and that every vertex is used. `settled`: if the mesh is a
-/// part of a larger one, the input points that are vertices of the rest, as they should be, one flag per point. If
-/// vertices have names, these ascend.
+/// part of a larger one, the input points that are vertices of the rest, as they should be: bits, 64 in a word.
+/// If vertices have names, these ascend.
 [[nodiscard]] InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
                                                  const Adjacency& adjacency, Findings& found,
-                                                 std::span<const char> settled = {});
+                                                 std::span<const std::uint64_t> settled = {});
 
 /// Checks that every segment of the domain is a chain of mesh edges.
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,

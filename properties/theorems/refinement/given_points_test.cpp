@@ -47,19 +47,6 @@ std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
   return parts;
 }
 
-/// The points of a mesh with their attributes, sorted.
-std::vector<std::vector<double>> points_and_attributes(const Mesh& mesh) {
-  std::vector<std::vector<double>> all;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const auto attributes = mesh.point_attributes.span().subspan(mesh.attributes_per_point * v);
-    std::vector<double>& point = all.emplace_back(std::vector{mesh.points[v].x, mesh.points[v].y});
-    point.insert(point.end(), attributes.begin(),
-                 attributes.begin() + static_cast<std::ptrdiff_t>(mesh.attributes_per_point));
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
 /// The ranks call make(part, ranks), and together have to get a mesh with the digest and size of this one, and its
 /// attributes of points.
 template <class Make>

@@ -214,12 +214,15 @@ PARDEL_PROPERTY(
   RC_ASSERT(checked.certificate.valid == whole.valid);
 }
 
-/// A square with points in it and around it, with a marker and an attribute of each point. The points with even numbers
-/// have no marker.
+/// A square with a crack, and with points in it and around it, with a marker and an attribute of each point. The points
+/// with even numbers have no marker.
 MeshedCase square_among_points() {
   MeshedCase made{domains::square(), {}, {.min_angle_deg = 20}};
-  const Pslg scattered = domains::random_points(80, 21);
+  const Pslg scattered = domains::random_points(300, 21);
   for (const Point p : scattered.points) made.pslg.points.push_back({2 * p.x - 0.5, 2 * p.y - 0.5});
+  const auto crack = static_cast<Index>(made.pslg.points.size());
+  made.pslg.points.insert(made.pslg.points.end(), {{0.48, 0.5}, {0.53, 0.51}});
+  made.pslg.segments.push_back({crack, crack + 1, 0});
   made.pslg.attributes_per_point = 1;
   for (Index i = 0; i < made.pslg.points.size(); ++i) {
     made.pslg.point_attributes.push_back(0.5 * i);
@@ -229,11 +232,12 @@ MeshedCase square_among_points() {
   return made;
 }
 
-PARDEL_FACT(Pieces, with_points_on_no_segment_have_the_certificate_of_the_whole_mesh,
-            {.statement = "what is wrong with a point on no segment, its place, its data or its number, is reported "
-                          "as for the joined mesh",
-             .source = "properties/checker/check_pieces.hpp",
-             .families = "a square with points in and around it, in three slabs; nine kinds of damage"}) {
+PARDEL_FACT(
+    Pieces, with_points_on_no_segment_have_the_certificate_of_the_whole_mesh,
+    {.statement = "what is wrong with a point on no segment, its place, its data or its number, is reported "
+                  "as for the joined mesh",
+     .source = "properties/checker/check_pieces.hpp",
+     .families = "a square with a crack, with points in and around it, in three slabs; twelve kinds of damage"}) {
   const MeshedCase right = square_among_points();
   const Index inputs = static_cast<Index>(right.pslg.points.size()), last = inputs - 1;
   const auto is_used = [&](Index v) {
@@ -262,6 +266,28 @@ PARDEL_FACT(Pieces, with_points_on_no_segment_have_the_certificate_of_the_whole_
   };
   expect_same(
       "none", [](MeshedCase&) {}, true);
+  for (const Index v : {inside, outside})
+    for (const int change : {0, 1}) {
+      std::vector<NumberedMesh> pieces =
+          testing::cut_mesh(right.mesh, std::vector<std::size_t>(right.mesh.triangles.size()), 2);
+      NumberedMesh& other = pieces[1];
+      other.mesh.points.push_back(right.mesh.points[v]);
+      other.mesh.attributes_per_point = 1;
+      other.mesh.point_attributes.push_back(right.mesh.point_attributes[v]);
+      other.mesh.point_markers.push_back(right.mesh.point_markers[v]);
+      other.mesh.origin.push_back(right.mesh.origin[v]);
+      other.number.push_back(v);
+      if (change == 1) {  // of the data, in both pieces
+        other.mesh.point_markers[0] += 1;
+        const auto at = std::ranges::find(pieces[0].number, v);
+        pieces[0].mesh.point_markers[static_cast<std::size_t>(at - pieces[0].number.begin())] += 1;
+      }
+      const Certificate whole = check(right.pslg, join_pieces(pieces).value(), right.goal, {});
+      const Checked checked = check_on_ranks(right.pslg, pieces, {0, 1}, right.goal, {});
+      EXPECT_EQ(checked.fault, "");
+      EXPECT_EQ(whole.valid, change == 0);
+      EXPECT_EQ(to_json(checked.certificate), to_json(whole)) << (v == inside) << change;
+    }
   expect_same(
       "no data", [](MeshedCase& made) { made.mesh.origin = {}, made.mesh.point_markers = {}; }, true);
   for (const Index v : {inside, outside}) {
@@ -277,6 +303,21 @@ PARDEL_FACT(Pieces, with_points_on_no_segment_have_the_certificate_of_the_whole_
     expect_same(
         "another number", [&](MeshedCase& made) { std::swap(made.pslg.points[v], made.pslg.points[next]); }, false);
   }
+  expect_same(
+      "the crack is not listed",
+      [](MeshedCase& made) {
+        std::erase_if(made.mesh.constrained_edges, [](const ConstrainedEdge& e) { return e.segment == 4; });
+      },
+      false);
+  expect_same(
+      "a listed edge ends there",
+      [&](MeshedCase& made) {
+        const auto at = std::ranges::find_if(made.mesh.triangles,
+                                             [&](const Triangle& t) { return std::ranges::count(t.v, inside) > 0; });
+        const auto& v = at->v;
+        made.mesh.constrained_edges.push_back({inside, v[0] == inside ? v[1] : v[0], 0, 0});
+      },
+      false);
   // Points outside belong to the domain if it is the convex hull.
   expect_same(
       "outside", [](MeshedCase& made) { made.goal.convex_hull = true; }, false);
