@@ -15,6 +15,7 @@
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/output.hpp"
+#include "../cli/refusal.hpp"
 #include "../cli/threads_option.hpp"
 #include "../cli/verdict.hpp"
 #include "../core/formats.hpp"
@@ -119,17 +120,21 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   if (Status fine = job.agree(check_arguments_of(arguments)); !fine) return fine.error();
   use_threads(arguments.threads > 0 ? arguments.threads : job.threads_per_rank());
   const Stopwatch watch;
+  // As 'pardel check', the first rank writes why an input is refused to the file of --json.
+  const auto refusal = [&](const Error& error) {
+    return job.is_first() ? refused(error, arguments.domain, arguments.json) : error;
+  };
   const Result<Problem> problem = read_problem(arguments.domain, arguments.goal, arguments.threads);
-  if (Status all = job.agree(status_of(problem)); !all) return all.error();
+  if (Status all = job.agree(status_of(problem)); !all) return refusal(all.error());
   const double input_seconds = watch.seconds();
   Result<std::vector<std::filesystem::path>> files = files_of_pieces(arguments.mesh);
-  if (Status all = job.agree(status_of(files)); !all) return all.error();
+  if (Status all = job.agree(status_of(files)); !all) return refusal(all.error());
   Pieces pieces(std::move(*files), job.ranks());
   const CheckOptions options{
       .max_violations = most_kept(arguments.json), .max_circumradius = arguments.max_circumradius, .foreign = true};
   const Result<Certificate> checked =
       check(problem->domain.pslg(), pieces.to_read(), problem->goal, options, job.ranks());
-  if (!checked) return Error{checked.error().kind, arguments.mesh.string() + ": " + checked.error().message};
+  if (!checked) return refusal({checked.error().kind, arguments.mesh.string() + ": " + checked.error().message});
   const Certificate& certificate = *checked;
   if (Status sized = job.agree(pieces.require_sizes(problem->goal, certificate)); !sized) return sized.error();
   const double seconds = watch.seconds();

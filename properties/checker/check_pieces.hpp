@@ -22,7 +22,8 @@ namespace pardel {
 /// wrong_neighbour, euler_characteristic, and non_manifold_vertex at vertices without boundary edges are then not
 /// reported, because such meshes cover some points twice, which is. (If triangles are counter-clockwise and joined edge
 /// to edge, a vertex that its triangles surround twice is covered twice, and a surface that covers nothing twice is a
-/// part of the plane.) Triangles can be counted in other regions if chains are broken.
+/// part of the plane.) Triangles can be counted in other regions if chains are broken, triangles that lie on each other
+/// are counted differently, and wrong_count is reported for each piece.
 ///
 /// A rank reads its pieces in turn, and tests the triangles of each. It keeps the triangles at the border of the piece
 /// and around vertices that have to do with the input, the numbers of the vertices as one bit each, and the measures.

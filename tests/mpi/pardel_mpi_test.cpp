@@ -106,6 +106,14 @@ TEST_F(PardelMpi, check_lists_what_is_wrong) {
   EXPECT_TRUE(holds(ran.out, {"NOT VALID", "large area: ", "small angle: "})) << ran;
 }
 
+TEST_F(PardelMpi, check_writes_why_a_domain_is_refused) {
+  ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3"}).exit_code, 0);
+  std::ofstream(folder_ / "work" / "two.poly") << "2 2 0 0\n1 0 0\n2 1 0\n0 0\n0\n";
+  const Ran ran = on_ranks(2, {"check", "two.poly", "out.pvtu", "--json", "refused.json"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(read("refused.json"), {"\"schema\": \"pardel.error/1\"", "\"file\": \"two.poly\"", "one line"}));
+}
+
 TEST_F(PardelMpi, check_refuses_pieces_that_do_not_belong_together) {
   ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4"}).exit_code, 0);
   ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "other.pvtu", "--max-area", "2e-4"}).exit_code, 0);

@@ -256,6 +256,7 @@ PARDEL_FACT(
     const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, owner, 3);
     for (const bool foreign : {false, true}) {
       if (!foreign && made.mesh.origin.empty()) continue;  // only another mesher may leave them out
+      ++facts.cases;
       const CheckOptions options{.foreign = foreign};
       const Certificate whole = check(made.pslg, join_pieces(pieces).value(), made.goal, options);
       const Checked checked = check_on_ranks(made.pslg, pieces, {0, 1, 2}, made.goal, options);
@@ -282,6 +283,7 @@ PARDEL_FACT(
         const auto at = std::ranges::find(pieces[0].number, v);
         pieces[0].mesh.point_markers[static_cast<std::size_t>(at - pieces[0].number.begin())] += 1;
       }
+      ++facts.cases;
       const Certificate whole = check(right.pslg, join_pieces(pieces).value(), right.goal, {});
       const Checked checked = check_on_ranks(right.pslg, pieces, {0, 1}, right.goal, {});
       EXPECT_EQ(checked.fault, "");
