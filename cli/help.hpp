@@ -1,9 +1,10 @@
-// The format of --help: each option with its kind of value, then its text.
+// The format of --help: each option with its kind of value, then its text; `help COMMAND`.
 #pragma once
 
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <vector>
 
 namespace pardel::cli {
 
@@ -17,5 +18,12 @@ class HelpFormatter : public CLI::Formatter {
            (option->get_required() && !option->get_positional() ? " (required)" : "");
   }
 };
+
+/// `help COMMAND` is another form of `COMMAND --help`.
+inline void expand_help(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  arguments.erase(arguments.begin());
+  arguments.push_back("--help");
+}
 
 }  // namespace pardel::cli

@@ -50,13 +50,6 @@ Exit status:
 
 Every command has its own help: pardel help COMMAND, or pardel COMMAND --help.)";
 
-/// `help COMMAND` is another form of `COMMAND --help`.
-void expand_help(std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front() != "help") return;
-  arguments.erase(arguments.begin());
-  arguments.push_back("--help");
-}
-
 Result<ExitCode> run(std::vector<std::string> arguments) {
   expand_help(arguments);
   const std::string first = arguments.empty() ? std::string() : arguments.front();

@@ -182,6 +182,7 @@ void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal
   run.goal = goal;
   const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
   run.region_caps_unused = !goal.region_caps && std::ranges::any_of(pslg.regions, has_cap);
+  run.has_attributes = pslg.attributes_per_point > 0;
   run.hull_by_default = !arguments.refine && !arguments.goal.convex_hull && pslg.segments.empty();
   run.sizes = arguments.goal.sizes;
   run.options = arguments.options;

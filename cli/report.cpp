@@ -212,7 +212,12 @@ std::string to_text(const MeshRun& run) {
   text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
                       s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);
   text += fmt::format("digest  {}\n", to_string(run.digest));
-  for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
+  for (const auto& file : run.outputs) {
+    text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
+    const std::string suffix = file.extension().string();
+    if (run.has_attributes && (suffix == ".msh" || suffix == ".off"))
+      text += fmt::format("note    {} cannot store: attributes of points\n", suffix);
+  }
   return text;
 }
 

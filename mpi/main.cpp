@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../cli/failure_watch.hpp"
 #include "../cli/help.hpp"
@@ -41,8 +43,11 @@ ExitCode run(int argc, char** argv, Job& job) {
   program.failure_message(cli::usage_message);
   program.require_subcommand(1);
   const std::array commands{add_mesh(program, job), add_triangulate(program, job), add_check(program, job)};
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  cli::expand_help(arguments);
+  std::ranges::reverse(arguments);  // as CLI11 wants them
   try {
-    program.parse(argc, argv);
+    program.parse(std::move(arguments));
   } catch (const CLI::ParseError& stop) {  // also --help and --version
     if (!job.is_first()) return stop.get_exit_code() == 0 ? ExitCode::done : ExitCode::usage;
     return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;

@@ -348,6 +348,7 @@ TEST_F(PardelMpi, has_a_help) {
   ASSERT_NE(at, std::string::npos) << ran;
   EXPECT_EQ(ran.out.find("pardel-mpi: guaranteed-quality", at + 1), std::string::npos);
   EXPECT_EQ(on_ranks(1, {"mesh", "--help"}).exit_code, 0);
+  EXPECT_EQ(on_ranks(1, {"help", "mesh"}).out, on_ranks(1, {"mesh", "--help"}).out);
 }
 
 }  // namespace
