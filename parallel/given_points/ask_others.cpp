@@ -36,7 +36,6 @@ class Questions {
     for (unsigned i = 0; i < 3; ++i) places[i] = corners[i] == ghost ? no_index : place_of(delaunay, corners[i]);
     triangles_.push_back(places);
   }
-  [[nodiscard]] std::size_t count() const { return triangles_.size(); }
   [[nodiscard]] Ranks::Bytes message() const {
     Writer writer;
     if (!triangles_.empty()) {

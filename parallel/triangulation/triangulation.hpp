@@ -82,7 +82,6 @@ struct Triangulation {
   Array<Index> region;  ///< per triangle; empty if there is only one region
 
   [[nodiscard]] const Slot& slot(EdgeRef e) const { return slots[e.triangle()]; }
-  [[nodiscard]] const Point& point(VertexId v) const { return points[v]; }
 
   /// True if a patch will be laid beyond the edge. Such an edge is never split.
   [[nodiscard]] bool on_border_of_patch(EdgeRef e) const {

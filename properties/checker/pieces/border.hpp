@@ -40,7 +40,6 @@ class Border {
   }
   /// The number of the first side of a piece among the sides of the rank.
   [[nodiscard]] std::size_t first(std::size_t piece) const { return first_[piece]; }
-  [[nodiscard]] std::size_t size() const { return across_.size(); }
 
  private:
   std::vector<std::size_t> first_;  ///< per piece, and their number

@@ -140,6 +140,10 @@ TEST_F(Npy, may_have_integers) {
   const auto longer = read(npy<std::int32_t>(replaced(dictionary, "<i2", "<i4"), {5, 6, -70000, 1, 2, 4}));
   ASSERT_TRUE(longer.ok()) << longer.error().message;
   EXPECT_EQ(longer->values[5], -70000);
+  constexpr std::int64_t large = -(std::int64_t{1} << 40);
+  const auto longest = read(npy<std::int64_t>(replaced(dictionary, "<i2", "<i8"), {5, 6, large, 1, 2, 4}));
+  ASSERT_TRUE(longest.ok()) << longest.error().message;
+  EXPECT_EQ(longest->values[5], static_cast<double>(large));
 }
 
 TEST_F(Npy, errors_name_the_file_and_the_fault) {
@@ -190,8 +194,8 @@ TEST_F(Npy, may_end_anywhere_in_its_header_and_is_refused) {
     return failure(of_header("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }"));
   };
   const std::string limits = "the array must have two dimensions, each from 1 to 4294967294";
-  for (const char* shape : {"(1, 4294967295)", "(4294967295, 1)", "(0, 1)", "(1, 0)", "(1)", "(1, 2, 3)", "(1x, 2)", "()",
-                            "1, 2)", "(1, 2"})
+  for (const char* shape : {"(1, 4294967295)", "(4294967295, 1)", "(0, 1)", "(1, 0)", "(1)", "(1, 2, 3)", "(1x, 2)",
+                            "()", "1, 2)", "(1, 2"})
     EXPECT_NE(of_shape(shape).find(limits), std::string::npos) << shape << of_shape(shape);
   EXPECT_EQ(of_shape("(1, 4294967294)").find(limits), std::string::npos);
   // The byte after the header belongs to the data, even if it is a quotation mark.

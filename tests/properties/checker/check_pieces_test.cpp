@@ -360,12 +360,31 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
             {.statement =
                  "pieces with a number that is missing, or belongs to points that differ in place or data, are no mesh",
              .source = "properties/checker/check_pieces.hpp",
-             .families = "a square in two pieces"}) {
+             .families = "a square in two pieces; a square with points in one piece"}) {
   EXPECT_EQ(error_of(two_halves()), "");
   const auto number = [](NumberedMesh& piece, double x, double y) -> std::uint64_t& {
     const auto at = std::ranges::find(piece.mesh.points, Point{x, y});
     return piece.number[static_cast<std::size_t>(at - piece.mesh.points.begin())];
   };
+  {  // in the interior of the only piece
+    const MeshedCase made = square_among_points();
+    NumberedMesh piece = testing::cut_mesh(made.mesh, std::vector<std::size_t>(made.mesh.triangles.size()), 1).front();
+    const auto verdict = [&] {
+      std::string text;
+      properties::on_ranks(1, [&](Ranks& ranks) {
+        const Result<Certificate> checked = check(made.pslg, piece, made.goal, {}, ranks);
+        text = !checked ? checked.error().message : checked->valid ? "valid" : "not valid";
+      });
+      return text;
+    };
+    EXPECT_EQ(verdict(), "valid");
+    const auto first = std::ranges::find(piece.mesh.origin, interior_vertex);
+    const auto next = std::find(first + 1, piece.mesh.origin.end(), interior_vertex);
+    const std::uint64_t twice = piece.number[static_cast<std::size_t>(first - piece.mesh.origin.begin())];
+    piece.number[static_cast<std::size_t>(next - piece.mesh.origin.begin())] = twice;
+    EXPECT_EQ(verdict(), "two vertices of a piece have the number " + std::to_string(twice));
+    facts.cases += 2;
+  }
   {
     std::vector<NumberedMesh> pieces = two_halves();
     number(pieces[0], 0, 0) = 100;
