@@ -41,7 +41,7 @@ DividedBackground::DividedBackground(const PartOfDomain& part, const CurveDivisi
   add_triangles_at_home(part, ranks);
 }
 
-/// The number of a point of another rank is known to this rank.
+/// The points of the part, with their numbers in the input. Other ranks are asked for the numbers of theirs.
 void DividedBackground::add_points_of(const PartOfDomain& part, Ranks& ranks) {
   const auto points = part.domain.triangulation.points.span();
   points_.assign(points.begin(), points.end());
