@@ -34,15 +34,14 @@ struct ConvertArguments {
 
 /// The contents of the mesh that the format of the output cannot store, for example "regions, markers of points".
 std::string lost(const Mesh& mesh, const fs::path& output) {
-  const bool off = output.extension() == ".off";
-  const bool msh = output.extension() == ".msh";
+  const bool off = output.extension() == ".off", drops_data_of_points = !stores_data_of_points(output);
   std::string list;
   const auto add = [&](bool is_lost, const char* what) {
     if (is_lost) list += (list.empty() ? "" : ", ") + std::string(what);
   };
   add(off && !mesh.region_attributes.empty(), "regions");
-  add((off || msh) && !mesh.point_markers.empty(), "markers of points");
-  add((off || msh) && mesh.attributes_per_point > 0, "attributes of points");
+  add(drops_data_of_points && !mesh.point_markers.empty(), "markers of points");
+  add(drops_data_of_points && mesh.attributes_per_point > 0, "attributes of points");
   return list;
 }
 

@@ -12,6 +12,7 @@
 #include "json_text.hpp"
 #include "memory.hpp"
 #include "names.hpp"
+#include "output.hpp"
 #include "plural.hpp"
 #include "warnings_json.hpp"
 
@@ -214,9 +215,8 @@ std::string to_text(const MeshRun& run) {
   text += fmt::format("digest  {}\n", to_string(run.digest));
   for (const auto& file : run.outputs) {
     text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
-    const std::string suffix = file.extension().string();
-    if (run.has_attributes && (suffix == ".msh" || suffix == ".off"))
-      text += fmt::format("note    {} cannot store: attributes of points\n", suffix);
+    if (run.has_attributes && !stores_data_of_points(file))
+      text += fmt::format("note    {} cannot store: attributes of points\n", file.extension().string());
   }
   return text;
 }

@@ -193,7 +193,7 @@ class PieceCheck {
     const Result<std::optional<Skeleton>> skeleton = gather_skeleton(read_, special, ranks_);
     if (!skeleton) return skeleton.error();
     Ranks::Bytes message;
-    const std::vector<std::uint64_t> settled = settled_inputs(read_, task_.pslg.points.size(), ranks_);
+    const NumberSet settled = settled_inputs(read_, task_.pslg.points.size(), ranks_);
     if (skeleton->has_value())
       message = judge(**skeleton, settled, task_, input_->domain, labels, counter_clockwise, found_).message();
     return Judgement::read(from_first(message, ranks_));

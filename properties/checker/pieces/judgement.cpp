@@ -24,8 +24,8 @@ Adjacency adjacency_of(const Skeleton& skeleton, const Subject& subject, Finding
 
 }  // namespace
 
-Judgement judge(const Skeleton& skeleton, std::span<const std::uint64_t> settled, const Task& task,
-                const Domain& domain, bool labels, bool counter_clockwise, Findings& found) {
+Judgement judge(const Skeleton& skeleton, const NumberSet& settled, const Task& task, const Domain& domain, bool labels,
+                bool counter_clockwise, Findings& found) {
   const Subject subject{task.pslg,
                         skeleton.mesh,
                         task.goal,

@@ -33,7 +33,7 @@ struct Judgement {
 /// `settled`: see settled_inputs(). Checks on the skeleton what the stages of check() check on a whole mesh: the
 /// vertices of the boundary, input vertices, chains, coverage, and labels if they are usable in all pieces.
 /// `counter_clockwise`: all triangles of all pieces are.
-[[nodiscard]] Judgement judge(const Skeleton& skeleton, std::span<const std::uint64_t> settled, const Task& task,
+[[nodiscard]] Judgement judge(const Skeleton& skeleton, const NumberSet& settled, const Task& task,
                               const Domain& domain, bool labels, bool counter_clockwise, Findings& found);
 
 }  // namespace pardel::checker

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "../model/number_set.hpp"
 #include "free_points.hpp"
-#include "number_set.hpp"
 #include "piece.hpp"
 
 namespace pardel::checker {

@@ -9,7 +9,7 @@
 #include "../../../core/ranks.hpp"
 #include "../../../core/result.hpp"
 #include "../model/adjacency.hpp"
-#include "number_set.hpp"
+#include "../model/number_set.hpp"
 
 namespace pardel::checker {
 

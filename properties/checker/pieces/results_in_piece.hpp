@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "../model/number_set.hpp"
 #include "judgement.hpp"
-#include "number_set.hpp"
 #include "piece.hpp"
 
 namespace pardel::checker {

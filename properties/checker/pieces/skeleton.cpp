@@ -30,7 +30,7 @@ NumberSet special_numbers(const PiecesRead& read, const Border& border, Ranks& r
   return special;
 }
 
-std::vector<std::uint64_t> settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks) {
+NumberSet settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks) {
   // Each rank puts together a range of words, so that none gets more than all words.
   const std::vector<std::uint64_t> here = read.settled.words(0, inputs);
   const std::size_t share = here.size() / static_cast<std::size_t>(ranks.count()) + 1;
@@ -49,7 +49,7 @@ std::vector<std::uint64_t> settled_inputs(const PiecesRead& read, std::size_t in
     const auto words = Reader(from).list<std::uint64_t>();
     all.insert(all.end(), words.begin(), words.end());
   }
-  return all;
+  return NumberSet(all);
 }
 
 namespace {

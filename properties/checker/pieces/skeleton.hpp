@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../../../core/result.hpp"
+#include "../model/number_set.hpp"
 #include "border.hpp"
-#include "number_set.hpp"
 
 namespace pardel::checker {
 
@@ -18,9 +18,8 @@ namespace pardel::checker {
 /// and the ends of sides that have no triangle across them in any piece. Collective; the same on all ranks.
 [[nodiscard]] NumberSet special_numbers(const PiecesRead& read, const Border& border, Ranks& ranks);
 
-/// The input points that are settled in a piece of any rank, as bits of words (NumberSet::words()), on the first rank.
-/// Collective.
-[[nodiscard]] std::vector<std::uint64_t> settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks);
+/// The input points that are settled in a piece of any rank, on the first rank. Collective.
+[[nodiscard]] NumberSet settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& ranks);
 
 /// On the first rank. A special vertex has all its triangles here.
 struct Skeleton {

@@ -6,14 +6,9 @@
 namespace pardel::checker {
 namespace {
 
-bool is_set(std::span<const std::uint64_t> bits, std::size_t i) {
-  return !bits.empty() && (bits[i / 64] >> i % 64 & 1) != 0;
-}
-
 class InputVertexSearch {
  public:
-  InputVertexSearch(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                    std::span<const std::uint64_t> settled)
+  InputVertexSearch(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const NumberSet& settled)
       : subject_(subject),
         domain_(domain),
         adjacency_(adjacency),
@@ -42,7 +37,7 @@ class InputVertexSearch {
   [[nodiscard]] static std::uint64_t number_of(std::span<const std::uint64_t> names, std::size_t v) {
     return names.empty() ? v : names[v];
   }
-  [[nodiscard]] bool is_elsewhere(std::size_t i) const { return by_number_[i] == no_index && is_set(settled_, i); }
+  [[nodiscard]] bool is_elsewhere(std::size_t i) const { return by_number_[i] == no_index && settled_.contains(i); }
 
   /// True if the vertices of the mesh begin with the input points, in their order, and each point of the domain has a
   /// triangle. Then the numbers tell which vertices are input points, also if another vertex has the same coordinates.
@@ -59,7 +54,7 @@ class InputVertexSearch {
   const Subject& subject_;
   const Domain& domain_;
   const Adjacency& adjacency_;
-  std::span<const std::uint64_t> settled_;
+  const NumberSet& settled_;
   const std::vector<Point>& points_;
   Array<Index> by_number_;  ///< per input point, the vertex with its number
 };
@@ -67,7 +62,7 @@ class InputVertexSearch {
 }  // namespace
 
 InputVertices check_input_vertices(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                                   Findings& found, std::span<const std::uint64_t> settled) {
+                                   Findings& found, const NumberSet& settled) {
   const Mesh& mesh = subject.mesh;
   const auto& points = subject.pslg.points;
   const bool by_index = !subject.options.foreign && subject.names.vertices.empty();
@@ -81,7 +76,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
       mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + to_text(i) + what);
     };
     if (vertex == no_index) {
-      if (needed && !is_set(settled, i)) report(" of the domain is not a vertex of the mesh");
+      if (needed && !settled.contains(i)) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
       report(" was moved or renumbered: vertex " + to_text(subject.names.vertex(vertex)) + " is " +
              to_text(mesh.points[vertex]));

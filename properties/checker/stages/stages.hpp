@@ -12,6 +12,7 @@
 #include "../model/chains.hpp"
 #include "../model/domain.hpp"
 #include "../model/input_vertices.hpp"
+#include "../model/number_set.hpp"
 #include "../model/numbering.hpp"
 #include "../model/scan.hpp"
 #include "../model/wanted_size.hpp"
@@ -65,11 +66,11 @@ void report_non_manifold(const Subject& subject, std::span<const NonManifoldEdge
 void check_boundary_vertices(const Subject& subject, Adjacency& adjacency, Findings& found);
 
 /// Checks that every input point of the domain is a vertex, and that every vertex is used. `settled`: if the mesh is a
-/// part of a larger one, the input points that are vertices of the rest, as they should be: bits, 64 in a word.
-/// If vertices have names, these ascend.
+/// part of a larger one, the input points that are vertices of the rest, as they should be. If vertices have names,
+/// these ascend.
 [[nodiscard]] InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
                                                  const Adjacency& adjacency, Findings& found,
-                                                 std::span<const std::uint64_t> settled = {});
+                                                 const NumberSet& settled = {});
 
 /// Checks that every segment of the domain is a chain of mesh edges.
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,

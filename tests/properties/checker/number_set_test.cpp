@@ -1,5 +1,5 @@
 // Sets of numbers against std::set.
-#include "../../../properties/checker/pieces/number_set.hpp"
+#include "../../../properties/checker/model/number_set.hpp"
 
 #include <gtest/gtest.h>
 
