@@ -97,8 +97,8 @@ struct MeshPiece {
 
 /// Makes the mesh of a domain of which no rank has all points: that of mesh() for the domain, with the same numbers.
 /// Collective; all ranks pass the same segments, holes and regions. The points are triangulated as by triangulate().
-/// Then each rank inserts all segments into its part. One rank refines the coarse levels, in an excerpt of the mesh
-/// with the parts that have triangles that are long compared with the tiles; then the triangles go to the ranks that
+/// Then each rank inserts all segments into its part. One rank refines the coarse levels, in an excerpt of the mesh:
+/// the triangles that are long compared with the tiles, and some around them. Then the triangles go to the ranks that
 /// refine their tiles.
 ///
 /// Memory of a rank: its share of the mesh, a margin around it, all segments with their ends, the corners of all

@@ -83,8 +83,7 @@ MessageCosts measure_messages(const Triangulation& t) {
     const Ranks::Bytes message = writer.take();
     const auto bytes = static_cast<double>(message.size());
     write.push_back(watch.lap() / bytes);
-    std::vector<Reader> readers{Reader(message)};
-    receiver.part.read(readers);
+    receiver.part.read({&message, 1});
     read.push_back(watch.lap() / bytes);
   }
   return {median(write), median(read)};

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../parallel/distribution/held_part.hpp"
+#include "../../parallel/parts/held_part.hpp"
 #include "../../parallel/distribution/ownership.hpp"
 #include "../../parallel/scheduling/phase.hpp"
 #include "simulation.hpp"

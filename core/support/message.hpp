@@ -73,6 +73,13 @@ class Writer {
   Ranks::Bytes bytes_;
 };
 
+/// Collective. Sends message r to rank r. Returns the messages for this rank; element r came from rank r.
+[[nodiscard]] inline std::vector<Ranks::Bytes> exchange(std::vector<Writer>& messages, Ranks& ranks) {
+  std::vector<Ranks::Bytes> bytes;
+  for (Writer& message : messages) bytes.push_back(message.take());
+  return ranks.exchange(std::move(bytes));
+}
+
 /// Reads a message. A message that does not fit throws Stopped with an internal error.
 class Reader {
  public:

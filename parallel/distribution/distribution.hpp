@@ -3,8 +3,9 @@
 
 #include <optional>
 
+#include "../parts/excerpts.hpp"
+#include "../parts/held_part.hpp"
 #include "../scheduling/partners.hpp"
-#include "held_part.hpp"
 #include "ownership.hpp"
 
 namespace pardel::engine {
@@ -78,31 +79,9 @@ class Distribution : public Partners {
     return {tiles, work_of_tasks(tiles, work), ranks_.count()};
   }
 
-  /// What is done in an excerpt.
-  struct ExcerptWork {
-    std::uint32_t creator;        ///< of what it inserts: no rank
-    std::span<const Name> names;  ///< of the triangles with which the work starts
-    /// Returns the changed triangles, with repetitions.
-    RefineExcerpt refine;
-    std::function<bool(int rank, const Triangulation& t, TriangleId id)> is_held_by;
-    /// Called when the work has succeeded, with the vertices that it has inserted, ascending.
-    std::function<void(const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted)> finish;
-  };
   /// The owners are set. Then the ranks that watch a part of each cell's box are found.
   void set_owners(Ownership ownership);
   [[nodiscard]] bool is_held_by(int rank, const Triangulation& t, TriangleId id) const;
-  [[nodiscard]] std::vector<Ranks::Bytes> exchange(std::vector<Writer>& messages);
-  void receive(const std::vector<Ranks::Bytes>& messages);
-  /// The part of an excerpt that one rank sends.
-  struct PartOfExcerpt {
-    std::vector<TriangleId> triangles;
-    bool is_largest = false;  ///< no larger excerpt is possible; the same on all ranks
-  };
-  /// The first rank does the work in an excerpt. If it was too small, the ranks send parts of a larger one: those that
-  /// next_part() returns, which is called for each attempt. Then all ranks receive the changes. Throws NotHeld if the
-  /// largest excerpt is too small. Collective.
-  void work_in_excerpts(const ExcerptWork& work, const std::function<PartOfExcerpt()>& next_part);
-
   Ranks& ranks_;
   Triangulation& t_;
   std::optional<Ownership> ownership_;
@@ -115,10 +94,6 @@ class Distribution : public Partners {
     std::vector<TriangleId> triangles;
     std::vector<Name> dropped;
   };
-  [[nodiscard]] PartOfExcerpt part_around(std::span<const Index> cells, unsigned reach) const;
-  /// Writes the changes into the messages. Returns false if the excerpt was too small.
-  [[nodiscard]] bool work_in_excerpt(const std::vector<Ranks::Bytes>& excerpt, const ExcerptWork& work,
-                                     std::vector<Writer>& messages) const;
 
   std::span<const Index> input_of_vertex_;
   std::span<const int> input_markers_;

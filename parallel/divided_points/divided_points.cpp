@@ -8,48 +8,6 @@
 #include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
-namespace {
-
-/// Calls visit(cell) for the cells that the triangle may meet.
-template <class Visit>
-void for_each_cell_of(const Lattice& lattice, const std::array<Point, 3>& p, const Visit& visit) {
-  const auto [low_x, high_x] = std::minmax({p[0].x, p[1].x, p[2].x});
-  const auto [low_y, high_y] = std::minmax({p[0].y, p[1].y, p[2].y});
-  const Index first = lattice.cell_of({low_x, low_y}), last = lattice.cell_of({high_x, high_y});
-  const Index columns = lattice.columns();
-  for (Index row = first / columns; row <= last / columns; ++row)
-    for (Index column = first % columns; column <= last % columns; ++column) {
-      const Index cell = row * columns + column;
-      // The cell is on the outer side of one of the lines through the sides, if all its corners are.
-      const Point centre = lattice.centre_of(cell);
-      const double half_width = 0.5 * lattice.width(), half_height = 0.5 * lattice.height();
-      const bool is_outside = std::ranges::any_of(std::array{0, 1, 2}, [&](int i) {
-        const Point a = p[static_cast<std::size_t>(i)], b = p[static_cast<std::size_t>((i + 1) % 3)];
-        const double dx = b.x - a.x, dy = b.y - a.y;
-        const double side = dx * (centre.y - a.y) - dy * (centre.x - a.x);
-        const double rounding = 0x1p-40 * (std::abs(dx) * (std::abs(centre.y) + std::abs(a.y)) +
-                                           std::abs(dy) * (std::abs(centre.x) + std::abs(a.x)));
-        return side + std::abs(dx) * half_height + std::abs(dy) * half_width < -rounding;
-      });
-      if (!is_outside) visit(cell);
-    }
-}
-
-std::array<Point, 3> corners_of(const Triangulation& t, TriangleId id) {
-  const auto& v = t.slots[id].v;
-  return {t.points[v[0]], t.points[v[1]], t.points[v[2]]};
-}
-
-/// Chooses the cells that touch chosen ones, too. Returns whether all cells are chosen.
-bool enlarge(const Tiles& tiles, std::vector<char>& chosen) {
-  const std::vector<char> before = chosen;
-  for (Index cell = 0; cell < tiles.cells(); ++cell)
-    if (before[cell] != 0)
-      for (const Index other : tiles.touching(cell)) chosen[other] = 1;
-  return std::ranges::count(chosen, 0) == 0;
-}
-
-}  // namespace
 
 /// A triangle that waits, on its way to another rank.
 struct DividedPoints::TravellingEntry {
@@ -102,35 +60,20 @@ void DividedPoints::take_largest(std::span<double> values) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], of_rank[i]);
 }
 
-std::vector<TriangleId> DividedPoints::home_triangles_in(const Tiles& tiles, std::span<const char> chosen) const {
-  std::vector<TriangleId> found;
-  part_->for_each_triangle([&](TriangleId id) {
-    if (home_before(id, t_) != ranks_.rank()) return;
-    bool is_in = false;
-    for_each_cell_of(*tiles.lattice(), corners_of(t_, id), [&](Index cell) { is_in = is_in || chosen[cell] != 0; });
-    if (is_in) found.push_back(id);
-  });
-  return found;
-}
-
 void DividedPoints::drop_borrowed() {
   for (const TriangleId id : std::exchange(start_.borrowed, {})) part_->drop(id);
 }
 
-Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferred> due, const RefineCoarse& refine) {
+Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) {
   drop_borrowed();
+  std::vector<TriangleId> centre;
   std::vector<Name> own_names;
-  std::vector<std::uint64_t> covered(finest.cells(), 0);
   for (const Deferred& each : due) {
+    centre.push_back(each.triangle.id());
     own_names.push_back(part_->name_of(each.triangle.id()));
-    for_each_cell_of(*finest.lattice(), corners_of(t_, each.triangle.id()), [&](Index cell) { covered[cell] = 1; });
   }
   const std::vector<Name> names = concatenated(lists_of_all(own_names, ranks_));
   if (names.empty()) return {};
-  ranks_.add_up(covered);
-  std::vector<char> chosen(finest.cells(), 0);
-  for (Index cell = 0; cell < finest.cells(); ++cell) chosen[cell] = covered[cell] > 0 ? 1 : 0;
-
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
   Waiting waiting;
   const std::uint32_t creator = Name::rank(ranks_.count() + 1);  // no rank
@@ -152,12 +95,9 @@ Waiting DividedPoints::refine_coarse(const Tiles& finest, std::span<const Deferr
             entries[home_before(triangle.id(), t)].push_back(
                 {part.name_of(triangle.id()), 0, 0, TravellingEntry::Kind::needs_larger_box});
       }};
-  unsigned reach = 0;  // in steps from cell to cell; it doubles: 1, 2, 4, 8
-  work_in_excerpts(work, [&] {
-    bool is_all = false;
-    for (const unsigned wanted = std::max(1U, 2 * reach); reach < wanted; ++reach) is_all = enlarge(finest, chosen);
-    return PartOfExcerpt{home_triangles_in(finest, chosen), is_all};
-  });
+  Rings rings(
+      *part_, t_, ranks_, [&](VertexId v) { return owner_before(v, t_); }, centre);
+  work_in_excerpts(work, *part_, t_, rings, ranks_);
   return exchanged(entries);
 }
 
@@ -191,7 +131,7 @@ Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> w
   for (int rank = 0; rank < ranks_.count(); ++rank)
     if (!leaving[rank].empty()) part_->write(leaving[rank], {}, messages[rank]);
   leaving = {};
-  receive(exchange(messages));
+  part_->read(exchange(messages, ranks_));
   std::vector<TriangleId> not_held;
   part_->for_each_triangle([&](TriangleId id) {
     if (!is_held_by(ranks_.rank(), t_, id)) not_held.push_back(id);

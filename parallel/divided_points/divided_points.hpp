@@ -25,8 +25,7 @@ class DividedPoints : public Distribution {
   [[nodiscard]] bool is_at_home(TriangleId id) const override;
   [[nodiscard]] Box bounds_of_all(const Box& here) override;
   void take_largest(std::span<double> values) override;
-  [[nodiscard]] Waiting refine_coarse(const Tiles& finest, std::span<const Deferred> due,
-                                      const RefineCoarse& refine) override;
+  [[nodiscard]] Waiting refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) override;
   [[nodiscard]] Waiting divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner,
                                     Waiting&& waiting) override;
 
@@ -47,8 +46,6 @@ class DividedPoints : public Distribution {
   [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }
   [[nodiscard]] int home_before(TriangleId id, const Triangulation& t) const;
   [[nodiscard]] bool is_held_before(int rank, const Triangulation& t, TriangleId id) const;
-  /// The triangles that are at home here and meet a chosen cell.
-  [[nodiscard]] std::vector<TriangleId> home_triangles_in(const Tiles& tiles, std::span<const char> chosen) const;
 
   PartOfDomain& start_;
   const CurveDivision& division_;

@@ -11,7 +11,7 @@
 #include "../../core/result.hpp"
 #include "../concurrency/threads.hpp"
 #include "../conversion/domain_triangulation.hpp"
-#include "../distribution/names.hpp"
+#include "../parts/names.hpp"
 #include "../given_points/local_delaunay.hpp"
 #include "../given_points/own_points.hpp"
 

@@ -21,9 +21,9 @@ struct TravellingVertex {
   std::uint32_t pieces;  ///< the number of pieces that have it
 };
 
-class PieceMaker {
+class PointsPieceMaker {
  public:
-  PieceMaker(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks, const Threads& threads)
+  PointsPieceMaker(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks, const Threads& threads)
       : delaunay_(delaunay),
         t_(delaunay.triangulation()),
         own_(own),
@@ -238,7 +238,7 @@ class PieceMaker {
 }  // namespace
 
 MeshPiece make_piece_of_points(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks, const Threads& threads) {
-  return PieceMaker(delaunay, own, ranks, threads).make();
+  return PointsPieceMaker(delaunay, own, ranks, threads).make();
 }
 
 }  // namespace pardel::engine

@@ -78,12 +78,10 @@ class Partners {
   virtual void take_largest(std::span<double> /*values*/) {}
   /// Refines the coarse levels in an excerpt. Returns what waits there for finer levels, or for a larger box.
   using RefineCoarse = std::function<Waiting(const Excerpt& excerpt, std::vector<TriangleId>& changed)>;
-  /// Refines the coarse levels on one rank, which gets the triangles in the cells that the due ones cover and around
-  /// them; if `refine` throws NotHeld, it gets more and starts again. All ranks take over the changes. Returns what now
-  /// waits on this rank in addition. `finest`: the finest tiles; `due`: the triangles of this rank that coarse levels
-  /// have to split.
-  [[nodiscard]] virtual Waiting refine_coarse(const Tiles& /*finest*/, std::span<const Deferred> /*due*/,
-                                              const RefineCoarse& /*refine*/) {
+  /// Refines the coarse levels on one rank, which gets the due triangles and those around them; if `refine` throws
+  /// NotHeld, it gets more and starts again. All ranks take over the changes. Returns what now waits on this rank in
+  /// addition. `due`: the triangles of this rank that coarse levels have to split.
+  [[nodiscard]] virtual Waiting refine_coarse(std::span<const Deferred> /*due*/, const RefineCoarse& /*refine*/) {
     return {};
   }
   /// divide() for a mesh that begins in parts. Triangles move to the ranks that hold them from now on, and waiting ones

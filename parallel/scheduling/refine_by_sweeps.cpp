@@ -238,7 +238,7 @@ class Refinement {
       changed = *std::move(in_excerpt.changed_);
       return in_excerpt.pending_.take();
     };
-    waiting_ = partners_->refine_coarse(levels.back(), due.deferred, refine);
+    waiting_ = partners_->refine_coarse(due.deferred, refine);
     counts_.add(in_last_excerpt);
   }
 

@@ -76,6 +76,7 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/patches", 5, "pardel::engine"},
       {"parallel", "parallel/scheduling", 6, "pardel::engine"},
       {"parallel", "parallel/conversion", 7, "pardel::engine"},
+      {"parallel", "parallel/parts", 7, "pardel::engine"},
       {"parallel", "parallel/diagnosis", 8, "pardel::engine"},
       {"parallel", "parallel/filling", 8, "pardel::engine"},
       {"parallel", "parallel/planning", 9, "pardel::engine"},

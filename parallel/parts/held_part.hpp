@@ -88,8 +88,8 @@ class HeldPart {
 
   /// Writes triangles, and the names of slots whose triangles the receiver no longer holds.
   void write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message);
-  /// Takes over the triangles of several messages, each as written by write().
-  void read(std::span<Reader> messages);
+  /// Takes over the triangles of several messages, each as written by write(), or empty.
+  void read(std::span<const Ranks::Bytes> messages);
 
  private:
   struct TravellingVertex;

@@ -1,5 +1,5 @@
 // Names identify vertices and slots on all ranks. An index without a name of its own is named after its rank.
-#include "../../../parallel/distribution/names.hpp"
+#include "../../../parallel/parts/names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -225,9 +225,11 @@ struct HeldPart::Arrived {
   std::vector<TriangleId> ids;
 };
 
-void HeldPart::read(std::span<Reader> messages) {
+void HeldPart::read(std::span<const Ranks::Bytes> messages) {
   std::vector<Arrived> all;
-  for (Reader& message : messages) {
+  for (const Ranks::Bytes& bytes : messages) {
+    if (bytes.empty()) continue;
+    Reader message(bytes);
     const auto travelling_vertices = message.packed_list<TravellingVertex>();
     std::vector<VertexId> vertices(travelling_vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = place(travelling_vertices[i]);

@@ -1,0 +1,56 @@
+// The triangles around given ones, in a mesh that is divided among ranks.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "../../core/ranks.hpp"
+#include "held_part.hpp"
+
+namespace pardel::engine {
+
+/// The triangles of a set have the corners of this set. The next larger set has all triangles around these corners. So
+/// a set grows ring by ring, on all ranks together, and quickly reaches around large triangles and slowly into small
+/// ones. No ring crosses a vertex at which only the triangles' corners meet, because no cavity does.
+class Rings {
+ public:
+  /// The rank that owns a vertex. It holds all triangles around the vertex, and all ranks name the same owner.
+  using Owner = std::function<int(VertexId)>;
+
+  /// Begins with the triangles in `centre`, on all ranks. The mesh must not change.
+  Rings(const HeldPart& part, const Triangulation& t, Ranks& ranks, Owner owner, std::span<const TriangleId> centre);
+
+  /// Adds a ring. Collective. O(new triangles) on each rank.
+  void grow();
+  /// The triangles that have been found on this rank. The lists of all ranks together have all triangles; some are in
+  /// several lists.
+  [[nodiscard]] const std::vector<TriangleId>& triangles() const { return triangles_; }
+  /// True if no rank has found a triangle in the last ring: then the set has all triangles that are connected with its
+  /// first ones. The same on all ranks.
+  [[nodiscard]] bool is_complete() const { return is_complete_; }
+
+ private:
+  struct Corner {
+    TriangleId triangle;
+    unsigned number;
+  };
+  struct TravellingCorner;
+
+  void add(TriangleId id);
+  void walk_around(Corner c);
+  /// Marks the corner. Returns false if it was marked before.
+  [[nodiscard]] bool mark(Corner c);
+
+  const HeldPart& part_;
+  const Triangulation& t_;
+  Ranks& ranks_;
+  Owner owner_;
+  std::vector<TriangleId> triangles_;
+  std::vector<Corner> next_;  ///< the corners of the last ring's triangles
+  bool is_complete_ = false;
+  /// Of each triangle: which corners are marked (bits 0 to 2), and whether it is in the list (bit 3).
+  SparseArray<unsigned char> marks_;
+};
+
+}  // namespace pardel::engine
