@@ -14,6 +14,7 @@
 #include "conversion/import_mesh.hpp"
 #include "conversion/locate_regions.hpp"
 #include "criteria/criteria.hpp"
+#include "diagnosis/find_gaps.hpp"
 #include "filling/refine_domain.hpp"
 #include "filling/refine_filled.hpp"
 #include "input/findings.hpp"
@@ -41,7 +42,8 @@ Status check_valid(const Pslg& pslg, bool convex_hull, const Threads& threads) {
 /// Refines the triangulation of a valid Pslg until it meets the goal.
 Result<Mesh> refined_mesh(const Pslg& pslg, bool convex_hull, const Goal& goal, DomainTriangulation domain,
                           InputData input, const Options& options, ProgressMonitor& progress, Report& report) {
-  Result<RunPlan> plan = plan_run(pslg, goal, domain, options, progress.threads(), report);
+  report.gaps = find_gaps(domain, progress.threads());
+  Result<RunPlan> plan = plan_run(pslg, goal, domain, options, progress.threads());
   if (!plan) return plan.error();
   if (plan->edges_of_patches.empty())
     return refine_domain(std::move(domain), plan->criteria, std::move(input), options, progress, report);

@@ -5,6 +5,7 @@
 
 #include "../../core/support/stop_signal.hpp"
 #include "../../parallel/concurrency/parallel_for.hpp"
+#include "../../parallel/diagnosis/find_gaps.hpp"
 #include "../../parallel/distribution/piece.hpp"
 #include "../../parallel/filling/refine_domain.hpp"
 #include "../../parallel/planning/run_plan.hpp"
@@ -201,7 +202,8 @@ Result<Trace> traced(const ValidPslg& valid, const Goal& goal, const Options& op
   if (!domain) return domain.error();
   Report report;
   InputData input = input_data(pslg, *domain, threads);
-  const Result<RunPlan> plan = plan_run(pslg, goal, *domain, options, threads, report);
+  report.gaps = find_gaps(*domain, threads);
+  const Result<RunPlan> plan = plan_run(pslg, goal, *domain, options, threads);
   if (!plan) return plan.error();
   const Options resolved = resolvable(options, domain->triangulation);
   const double planned = watch.lap();

@@ -77,8 +77,7 @@ Status FileInParts::read(const fs::path& file, Ranks& ranks) {
 
 Status FileInParts::read_bytes(const fs::path& file, const Ranks& ranks) {
   std::error_code unknown;
-  if (fs::is_directory(file, unknown))
-    return Error{ErrorKind::io, file.string() + ": cannot be read: Is a directory"};
+  if (fs::is_directory(file, unknown)) return Error{ErrorKind::io, file.string() + ": cannot be read: Is a directory"};
   if (!fs::is_regular_file(file, unknown))
     return Error{ErrorKind::io,
                  file.string() + (fs::exists(file, unknown) ? ": only a regular file can be read in parts"
@@ -106,20 +105,43 @@ std::uint64_t FileInParts::records_before(int rank) const {
   return records;
 }
 
-FileInParts::SharedLines FileInParts::lines_from(std::uint64_t record, Ranks& ranks) const {
+TextReader FileInParts::before(std::uint64_t record) const {
   TextReader in = lines();
-  std::vector<char> here;
-  std::vector<std::uint64_t> first_line;
-  if (before_.records + parts_[rank_].records >= record) {
-    for (std::uint64_t at = before_.records; at < record && in.next_line(); ++at) in.end_line();
-    here.assign(in.rest().begin(), in.rest().end());
-    first_line.push_back(in.line());
-  }
-  // Empty if the file has fewer records.
+  for (std::uint64_t at = before_.records; at < record && in.next_line(); ++at) in.end_line();
+  return in;
+}
+
+/// Nothing is shared if no rank has a line.
+FileInParts::SharedLines FileInParts::shared(const std::vector<char>& here,
+                                             const std::vector<std::uint64_t>& first_line, Ranks& ranks) {
   SharedLines shared{concatenated(lists_of_all(here, ranks)), 1};
   const std::vector<std::uint64_t> all = concatenated(lists_of_all(first_line, ranks));
   if (!all.empty()) shared.first_line = all.front();
   return shared;
+}
+
+FileInParts::SharedLines FileInParts::line(std::uint64_t record, Ranks& ranks) const {
+  std::vector<char> here;
+  std::vector<std::uint64_t> first_line;
+  if (before_.records <= record && record < before_.records + parts_[rank_].records) {
+    const TextReader in = before(record);
+    TextReader after = in;
+    if (after.next_line()) after.end_line();
+    here.assign(in.rest().data(), after.rest().data());
+    first_line.push_back(in.line());
+  }
+  return shared(here, first_line, ranks);
+}
+
+FileInParts::SharedLines FileInParts::lines_from(std::uint64_t record, Ranks& ranks) const {
+  std::vector<char> here;
+  std::vector<std::uint64_t> first_line;
+  if (before_.records + parts_[rank_].records >= record) {
+    const TextReader in = before(record);
+    here.assign(in.rest().begin(), in.rest().end());
+    first_line.push_back(in.line());
+  }
+  return shared(here, first_line, ranks);
 }
 
 }  // namespace pardel::files

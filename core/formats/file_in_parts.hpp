@@ -33,6 +33,8 @@ class FileInParts {
     std::vector<char> text;
     std::size_t first_line = 1;
   };
+  /// The line of a record. Empty if the file has fewer records. Collective.
+  [[nodiscard]] SharedLines line(std::uint64_t record, Ranks& ranks) const;
   /// The lines from a record on, to the end of the file. Collective.
   [[nodiscard]] SharedLines lines_from(std::uint64_t record, Ranks& ranks) const;
   /// A reader of lines that all ranks have, which must outlive it.
@@ -45,6 +47,10 @@ class FileInParts {
     std::uint64_t lines = 0, records = 0, bytes = 0;
   };
   [[nodiscard]] Status read_bytes(const std::filesystem::path& file, const Ranks& ranks);
+  /// A reader of the lines of this rank, before the one of a record that is in the part or in a later one.
+  [[nodiscard]] TextReader before(std::uint64_t record) const;
+  [[nodiscard]] static SharedLines shared(const std::vector<char>& here, const std::vector<std::uint64_t>& first_line,
+                                          Ranks& ranks);
 
   std::string name_;
   Array<char> bytes_;

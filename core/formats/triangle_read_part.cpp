@@ -138,9 +138,11 @@ Result<std::optional<PartOfPslg>> read_part_of_pslg(const fs::path& file, Ranks&
   const std::size_t count = points.header().points;
   FileInParts::SharedLines rest;
   if (is_poly) {
-    rest = first.file().lines_from(1 + first.header().points, ranks);
-    if (announced_segments(first.file().reader_of(rest)) > count / least_points_per_segment)
+    const std::uint64_t section = 1 + first.header().points;
+    const FileInParts::SharedLines announcement = first.file().line(section, ranks);
+    if (announced_segments(first.file().reader_of(announcement)) > count / least_points_per_segment)
       return std::optional<PartOfPslg>();
+    rest = first.file().lines_from(section, ranks);
   }
   Result<PartOfPoints> part = points.read();
   if (!part) return part.error();

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -46,34 +48,15 @@ class GapSearch {
     }
   }
 
-  /// Examines a flat triangle.
-  void examine(TriangleId id) {
+  /// The gaps at a flat triangle are appended to `found`.
+  void examine(TriangleId id, std::vector<Gap>& found) const {
     const Slot& slot = t_.slots[id];
     const Shape shape(t_, slot);
     const unsigned shortest = shape.shortest_side();
     const double length = std::sqrt(shape.shortest_squared());
     const double height = shape.twice_area / std::sqrt(shape.longest_squared());
-    if (length < narrow_.relatively) add_pair(EdgeRef(id, shortest));
-    if (length > 2 * height) find_segment_below(id, shape);
-  }
-
-  /// The gaps, narrowest first, without those whose first point is in a narrower one.
-  std::vector<Gap> gaps() && {
-    std::ranges::sort(gaps_, [](const Gap& g, const Gap& h) {
-      return std::tie(g.distance, g.points, g.kind, g.segment) < std::tie(h.distance, h.points, h.kind, h.segment);
-    });
-    std::vector<bool> is_named(t_.points.size());
-    std::vector<Gap> chosen;
-    for (Gap& gap : gaps_) {
-      if (is_named[gap.points[0]]) continue;
-      is_named[gap.points[0]] = true;
-      if (gap.kind == GapKind::close_points || gap.kind == GapKind::short_segment) {
-        if (is_named[gap.points[1]]) continue;
-        is_named[gap.points[1]] = true;
-      }
-      chosen.push_back(std::move(gap));
-    }
-    return chosen;
+    if (length < narrow_.relatively) add_pair(EdgeRef(id, shortest), found);
+    if (length > 2 * height) find_segment_below(id, shape, found);
   }
 
  private:
@@ -105,13 +88,14 @@ class GapSearch {
   [[nodiscard]] Index input(VertexId v) const { return domain_.input_of_vertex[v]; }
 
   /// Nobody drew the sides of the convex hull. Among many random points some are near them, which means nothing.
-  void add(GapKind kind, std::vector<Index> points, Index segment, double wide, double surroundings, Point where) {
-    const bool is_drawn = kind != GapKind::point_near_hull;
-    if (wide < narrow_.always || (is_drawn && wide < narrow_.relatively && much_narrower * wide < surroundings))
-      gaps_.push_back({kind, std::move(points), segment, wide, surroundings, where});
+  void add(Gap gap, std::vector<Gap>& found) const {
+    const bool is_drawn = gap.kind != GapKind::point_near_hull;
+    if (gap.distance < narrow_.always ||
+        (is_drawn && gap.distance < narrow_.relatively && much_narrower * gap.distance < gap.surroundings))
+      found.push_back(std::move(gap));
   }
 
-  void add_pair(EdgeRef e) {
+  void add_pair(EdgeRef e, std::vector<Gap>& found) const {
     const Slot& slot = t_.slot(e);
     VertexId u = slot.from(e.side()), v = slot.to(e.side());
     if (input(v) < input(u)) std::swap(u, v);
@@ -122,19 +106,19 @@ class GapSearch {
     // Mostly, the surroundings of u are already small enough.
     if (wide < narrow_.always || much_narrower * wide < surroundings)
       surroundings = std::min(surroundings, surroundings_at(e.triangle(), v));
-    add(segment == no_index ? GapKind::close_points : GapKind::short_segment, {input(u), input(v)}, segment, wide,
-        surroundings, t_.points[u]);
+    const GapKind kind = segment == no_index ? GapKind::close_points : GapKind::short_segment;
+    add({kind, {input(u), input(v)}, segment, wide, surroundings, t_.points[u]}, found);
   }
 
   /// Walks from a corner of a flat triangle straight across the longest side, to a segment if there is one.
-  void find_segment_below(TriangleId id, const Shape& shape) {
+  void find_segment_below(TriangleId id, const Shape& shape, std::vector<Gap>& found) const {
     const auto largest = static_cast<unsigned>(std::ranges::max_element(shape.squared) - shape.squared.begin());
     const StraightWalk walk(t_, shape.p[largest], shape.p[next_corner[largest]], shape.p[previous_corner[largest]]);
     const EdgeRef e = walk.to_constraint(EdgeRef(id, largest));
-    if (!e.none()) add_beside(t_.slots[id].v[largest], e);
+    if (!e.none()) add_beside(t_.slots[id].v[largest], e, found);
   }
 
-  void add_beside(VertexId top, EdgeRef e) {
+  void add_beside(VertexId top, EdgeRef e, std::vector<Gap>& found) const {
     const Slot& slot = t_.slot(e);
     const Index s = domain_.segments.segment_of(t_, slot.from(e.side()), slot.to(e.side()));
     const DomainSegment& segment = domain_.segments[s];
@@ -143,36 +127,61 @@ class GapSearch {
     const double wide = std::abs(orient2d(t_.points[segment.a], t_.points[segment.b], p)) / length;
     const double surroundings = std::min(length, longest_at(top));
     if (const Index of_input = domain_.input_segment[s]; of_input != no_index)
-      add(GapKind::point_near_segment, {input(top)}, of_input, wide, surroundings, p);
+      add({GapKind::point_near_segment, {input(top)}, of_input, wide, surroundings, p}, found);
     else
-      add(GapKind::point_near_hull, {input(top), input(segment.a), input(segment.b)}, no_index, wide, surroundings, p);
+      add({GapKind::point_near_hull, {input(top), input(segment.a), input(segment.b)}, no_index, wide, surroundings, p},
+          found);
   }
 
   const DomainTriangulation& domain_;
   const Triangulation& t_;
   Narrow narrow_;
   std::vector<double> longest_;  ///< of the segments at each vertex
-  std::vector<Gap> gaps_;
 };
 
 }  // namespace
 
-std::vector<Gap> find_gaps(const DomainTriangulation& domain, const Threads& threads) {
+std::vector<Gap> gaps_in_share(const DomainTriangulation& domain, Share share, const Threads& threads) {
   const Triangulation& t = domain.triangulation;
   const Narrow narrow = narrow_in(t.points, threads);
   const double squared = narrow.relatively * narrow.relatively;
-  const Array<Index> flat = indices_where(threads, t.slots.size(), [&](std::size_t id) {
-    const Shape shape(t, t.slots[id]);
+  const std::size_t begin = share.begin(t.slots.size());
+  const Array<Index> flat = indices_where(threads, share.end(t.slots.size()) - begin, [&](std::size_t i) {
+    const Shape shape(t, t.slots[begin + i]);
     return shape.twice_area * shape.twice_area < squared * shape.longest_squared();
   });
   if (flat.empty()) return {};
-  GapSearch search(domain, narrow);
-  SparseAsk ask(threads.stop);
-  for (const TriangleId id : flat) {
-    ask();
-    search.examine(id);
+  const GapSearch search(domain, narrow);
+  std::vector<std::vector<Gap>> of_block(block_count(flat.size()));
+  parallel_blocks(threads, flat.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+    for (std::size_t i = first; i < last; ++i)
+      search.examine(static_cast<TriangleId>(begin + flat[i]), of_block[block]);
+  });
+  std::vector<Gap> all;
+  for (std::vector<Gap>& found : of_block) std::ranges::move(found, std::back_inserter(all));
+  return all;
+}
+
+std::vector<Gap> narrowest_first(std::vector<Gap> gaps, std::size_t points) {
+  std::ranges::sort(gaps, [](const Gap& g, const Gap& h) {
+    return std::tie(g.distance, g.points, g.kind, g.segment) < std::tie(h.distance, h.points, h.kind, h.segment);
+  });
+  std::vector<bool> is_named(points);
+  std::vector<Gap> chosen;
+  for (Gap& gap : gaps) {
+    if (is_named[gap.points[0]]) continue;
+    is_named[gap.points[0]] = true;
+    if (gap.kind == GapKind::close_points || gap.kind == GapKind::short_segment) {
+      if (is_named[gap.points[1]]) continue;
+      is_named[gap.points[1]] = true;
+    }
+    chosen.push_back(std::move(gap));
   }
-  return std::move(search).gaps();
+  return chosen;
+}
+
+std::vector<Gap> find_gaps(const DomainTriangulation& domain, const Threads& threads) {
+  return narrowest_first(gaps_in_share(domain, {}, threads), domain.triangulation.points.size());
 }
 
 }  // namespace pardel::engine

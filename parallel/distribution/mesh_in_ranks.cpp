@@ -14,6 +14,7 @@
 #include "../planning/run_plan.hpp"
 #include "../planning/supervised.hpp"
 #include "../scheduling/limits.hpp"
+#include "gaps_in_ranks.hpp"
 #include "piece.hpp"
 #include "refine_in_ranks.hpp"
 
@@ -63,7 +64,8 @@ class RunInRanks {
     Report report;
     report.triangulate_seconds = watch_.lap();
     InputData input = input_data(pslg_, *domain, threads_);
-    const Result<RunPlan> plan = plan_run(pslg_, goal, *domain, options_, threads_, report);
+    report.gaps = gaps_in_ranks(*domain, ranks_, threads_);
+    const Result<RunPlan> plan = plan_run(pslg_, goal, *domain, options_, threads_);
     if (!plan) return plan.error();
     if (outgrows_memory(pslg_.points.size(), options_)) return too_much_memory(options_);
     if (!plan->edges_of_patches.empty()) return fill(std::move(*domain), *plan, std::move(input), std::move(report));

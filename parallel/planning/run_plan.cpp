@@ -6,7 +6,6 @@
 
 #include "../concurrency/parallel_for.hpp"
 #include "../conversion/guarded.hpp"
-#include "../diagnosis/find_gaps.hpp"
 #include "../diagnosis/find_least_size.hpp"
 #include "../filling/filling.hpp"
 #include "../interpolation/coverage.hpp"
@@ -81,8 +80,7 @@ std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const O
 }  // namespace
 
 Result<RunPlan> plan_run(const Pslg& pslg, const Goal& goal, const DomainTriangulation& domain, const Options& options,
-                         const Threads& threads, Report& report) {
-  report.gaps = find_gaps(domain, threads);
+                         const Threads& threads) {
   if (Status wanted = announce_least_size(domain, goal, options, threads); !wanted) return wanted.error();
   if (ends_somewhere(goal.size)) require_coverage(goal.size, corners_of(domain.triangulation, threads), threads);
   Goal graded = guarded(goal);

@@ -21,9 +21,9 @@ struct RunPlan {
 /// The placement that Placement::automatic stands for. `refines`: a mesh is refined, not a domain.
 [[nodiscard]] Placement placement_for(const Goal& goal, const Options& options, bool refines);
 
-/// Plans the refinement of the domain of a valid Pslg. Calls options.before_refinement; its error ends the run. Writes
-/// the gaps of the domain to the report. Throws Stopped if the sizes of the goal do not cover the domain.
+/// Plans the refinement of the domain of a valid Pslg. Calls options.before_refinement; its error ends the run.
+/// Throws Stopped if the sizes of the goal do not cover the domain.
 [[nodiscard]] Result<RunPlan> plan_run(const Pslg& pslg, const Goal& goal, const DomainTriangulation& domain,
-                                       const Options& options, const Threads& threads, Report& report);
+                                       const Options& options, const Threads& threads);
 
 }  // namespace pardel::engine

@@ -34,6 +34,7 @@ SweepAgenda make_agenda(const SweepInput& input) {
   SweepAgenda agenda{sorted_sites(input), {}, {}};
   auto& [sites, events, edges] = agenda;
   std::vector<Index> event_of(input.points.size(), no_index);
+  events.reserve(sites.size() + 1);
   for (Index i = 0; i < sites.size(); ++i) {
     if (i == 0 || sites[i].place != sites[i - 1].place) events.push_back({sites[i].place, i});
     if (sites[i].id < event_of.size()) event_of[sites[i].id] = static_cast<Index>(events.size() - 1);

@@ -142,6 +142,7 @@ std::optional<PlaceBesideEnd> DomainSegments::place_beside_end(const Array<Point
 }
 
 std::span<const Index> DomainSegments::segments_at(VertexId v) const {
+  if (v < ends_.size() && ends_[v] == v) return around(v);  // fast where all points are ends, as on a coast
   const auto at = std::ranges::lower_bound(ends_, v);
   if (at == ends_.end() || *at != v) return {};
   return around(static_cast<std::size_t>(at - ends_.begin()));

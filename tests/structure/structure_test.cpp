@@ -51,6 +51,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"given_points/triangulate_in_ranks", {"given_points/triangulated_pieces_test"}},
     {"given_points/triangulated_points", {"given_points/triangulated_pieces_test"}},
     {"distribution/distribution", {"distribution/margins_test", "distribution/pieces_test"}},
+    {"distribution/gaps_in_ranks", {"distribution/pieces_test"}},
     {"distribution/members", {"distribution/pieces_test"}},
     {"distribution/mesh_in_ranks", {"distribution/pieces_test"}},
     {"distribution/piece", {"distribution/pieces_test"}},

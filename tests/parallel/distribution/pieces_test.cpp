@@ -182,6 +182,31 @@ TEST(PiecesOfAMeshWithAFloor, list_the_triangles_that_miss_the_goal) {
   EXPECT_EQ(found, expected);
 }
 
+/// Many places beside segments, beside points, and at short segments.
+TEST(PiecesOfADomainWithGaps, report_the_gaps_that_one_process_reports) {
+  Pslg pslg = domains::square();
+  for (const Point p : domains::random_points(40, 5).points) {
+    const auto first = static_cast<Index>(pslg.points.size());
+    pslg.points.insert(pslg.points.end(), {p, {p.x, p.y + 0x1p-30}, {p.x, 0x1p-26}});
+    if (first % 2 == 0) pslg.segments.push_back({first, first + 1});
+  }
+  const Goal goal{.min_angle_deg = 0, .max_area = 0.01};
+  const auto messages = [](const std::vector<Gap>& gaps) {
+    std::vector<std::string> list;
+    for (const Gap& gap : gaps) list.push_back(gap.message());
+    return list;
+  };
+  const Result<Meshed> whole = mesh(*validate(pslg), goal, {.threads = 1});
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_GT(whole->report.gaps.size(), 50U);
+  for (const int count : {1, 2, 5})
+    on_ranks(count, [&](Ranks& ranks) {
+      const Result<MeshPiece> piece = mesh(*validate(pslg), goal, {.threads = 1}, ranks);
+      ASSERT_TRUE(piece) << piece.error().message;
+      EXPECT_EQ(messages(piece->report.gaps), messages(whole->report.gaps));
+    });
+}
+
 TEST(PiecesAreRefused, with_options_for_one_process) {
   const ValidPslg domain = std::move(validate(domains::square())).value();
   const auto error_of = [&](const Options& options) {
