@@ -278,6 +278,8 @@ const std::vector<Entry>& entries() {
        [](int n, std::uint64_t seed) { return clustered_points(static_cast<std::uint64_t>(n), seed); }},
       {"survey", 1000, 0, 1'000'000'000,
        [](int n, std::uint64_t seed) { return survey(static_cast<std::uint64_t>(n), seed); }},
+      {"coast", 1000, 96, 100'000'000,
+       [](int n, std::uint64_t seed) { return coast(static_cast<std::uint64_t>(n), seed); }},
       {"star", 12, 3, 100'000, [](int n, std::uint64_t) { return star(n, 5); }},
       {"comb", 16, 1, 100'000, [](int n, std::uint64_t) { return comb(n, 0.0625 / n); }},
       {"wedge", 50, 1, 10'000, [](int n, std::uint64_t) { return wedge(n, 90.0 / n); }},

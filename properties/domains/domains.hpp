@@ -44,6 +44,10 @@ namespace pardel::domains {
 /// (marker 1) with an island of 100 segments (marker 2), and a line of three segments on the ground (marker 3).
 [[nodiscard]] Pslg survey(std::uint64_t n, std::uint64_t seed);
 
+/// A bay with 16 islands: n >= 96 points, all on outlines. Half of them are on the shore of the bay (marker 1), the
+/// others on those of the islands (marker 2). The outlines are rough on all scales.
+[[nodiscard]] Pslg coast(std::uint64_t n, std::uint64_t seed);
+
 /// A star with `spikes` >= 3 spikes on the unit circle. Each tip has an angle of `spike_degrees`, above 0 and below
 /// 180.
 [[nodiscard]] Pslg star(int spikes, double spike_degrees);
