@@ -40,6 +40,7 @@ std::uint64_t bytes_of_changes(const std::vector<TriangleId>& triangles, std::ui
 Replay::Replay(const Tiles& tiles, std::span<const double> work, int ranks)
     : ranks_(ranks), ownership_(tiles, work_of_tasks(tiles, work), ranks) {
   for (Index cell = 0; cell < tiles.cells(); ++cell) watchers_.push_back(ownership_.watchers_of_box(cell));
+  add_exchange(Step::Kind::gaps, {}, {});
 }
 
 void Replay::add_exchange(Step::Kind kind, std::vector<double> work, const std::map<Pair, std::uint64_t>& bytes) {

@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "../../parallel/parts/held_part.hpp"
 #include "../../parallel/distribution/ownership.hpp"
+#include "../../parallel/parts/held_part.hpp"
 #include "../../parallel/scheduling/phase.hpp"
 #include "simulation.hpp"
 
 namespace pardel::bench {
 
 /// The steps of a number of ranks. The engine's own Ownership says who owns and who watches what. Bytes differ from
-/// those of a real run in one respect only: slots of triangles are reused in another order, so other slots are known to
-/// other ranks.
+/// those of a real run in two respects only: slots of triangles are reused in another order, so other slots are known to
+/// other ranks; and messages about gaps of the input count as empty.
 class Replay {
  public:
   Replay(const engine::Tiles& tiles, std::span<const double> work, int ranks);

@@ -14,6 +14,7 @@ struct Step {
     sum,       ///< add_up() of a few values
     cell_sum,  ///< add_up() of a value for each cell
     rank_sum,  ///< add_up() of a value for each rank
+    gaps,      ///< exchange() of the gaps of the input, which are few or none
     seeds,     ///< exchange() of the triangles with which tasks start
     changes,   ///< exchange() of the changed triangles, once per phase
     piece,     ///< exchange() in which every rank asks every other one about vertices

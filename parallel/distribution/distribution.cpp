@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../triangulation/triangle_shape.hpp"
@@ -118,8 +119,8 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
     centre.push_back(triangle.id());
     own_names.push_back(part_->name_of(triangle.id()));
   }
+  if (sum_of(own_names.size(), ranks_) == 0) return;
   const std::vector<Name> names = concatenated(lists_of_all(own_names, ranks_));
-  if (names.empty()) return;
   const ExcerptWork work{Name::rank(ranks_.count()), names, refine,
                          [&](int rank, const Triangulation& t, TriangleId id) { return is_held_by(rank, t, id); },
                          [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {

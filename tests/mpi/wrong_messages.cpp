@@ -1,14 +1,19 @@
-// A library for LD_PRELOAD that makes mistakes in the messages of one rank. It uses MPI's profiling interface: each
-// function MPI_X is replaced, and calls PMPI_X. PARDEL_WRONG=KIND:RANK:N names the mistake, and when it happens:
+// A library for LD_PRELOAD that makes mistakes in the messages of one rank, or ends it. It uses MPI's profiling
+// interface: each function MPI_X is replaced, and calls PMPI_X. PARDEL_WRONG=KIND:RANK:N names the mistake, and when it
+// happens:
 //   byte     one byte of the N-th message that the rank sends is changed
 //   number   the rank announces another number in its step N (an exchange or a sum)
 //   longer, shorter   it announces messages that are 8 bytes longer, or shorter, from its step N on
 //   skip     it does not take part in its step N
 //   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
+//   signalS  it gets signal S, N microseconds after MPI_Init_thread() (before, mpirun itself may wait for ever)
 //   reorder  on all ranks: messages start in random order, after random delays; this is no mistake (RANK is the seed)
 #include <mpi.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -60,6 +65,17 @@ Plan& plan() {
 }  // namespace
 
 extern "C" {
+
+int MPI_Init_thread(int* argc, char*** argv, int required, int* provided) {
+  const int result = PMPI_Init_thread(argc, argv, required, provided);
+  const std::string kind = plan().kind, prefix = "signal";
+  if (plan().self == plan().rank && kind.starts_with(prefix))
+    std::thread([signal = std::stoi(kind.substr(prefix.size())), after = plan().number] {
+      std::this_thread::sleep_for(std::chrono::microseconds(after));
+      kill(getpid(), signal);
+    }).detach();
+  return result;
+}
 
 int MPI_Alltoall(const void* sent, int sent_count, MPI_Datatype sent_type, void* received, int received_count,
                  MPI_Datatype received_type, MPI_Comm comm) {
