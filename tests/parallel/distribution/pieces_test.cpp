@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../../../parallel/distributed.hpp"
@@ -180,6 +182,45 @@ TEST(PiecesOfAMeshWithAFloor, list_the_triangles_that_miss_the_goal) {
     }
   }
   EXPECT_EQ(found, expected);
+}
+
+/// Points beside long segments that must not be split and are not Delaunay. (The reason may be `precision` instead of
+/// `kept_segment`, if a rank does not hold all that it depends on.)
+TEST(PiecesOfAConformingMesh, list_the_triangles_at_segments_that_are_kept) {
+  Case c{"kept segments",
+         domains::square(),
+         {.min_angle_deg = 0, .max_area = 0.001, .conforming = true},
+         {.threads = 1, .cells = {16, 16}}};
+  c.options.no_segment_splits = true;
+  for (const double x : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9})
+    for (const double y : {0.05, 0.55}) {
+      const auto first = static_cast<Index>(c.pslg.points.size());
+      c.pslg.points.insert(c.pslg.points.end(), {{x, y}, {x, y + 0.4}, {x - 0.003, y + 0.2}});
+      c.pslg.segments.push_back({first, first + 1});
+    }
+  using Place = std::array<std::pair<double, double>, 3>;
+  const auto add_places = [](const Mesh& mesh, const Report& report, std::vector<Place>& all) {
+    for (const Exemption& e : report.exempt) {
+      EXPECT_TRUE(e.reason == ExemptReason::kept_segment || e.reason == ExemptReason::precision);
+      Place& place = all.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point p = mesh.points[mesh.triangles[e.triangle].v[i]];
+        place[i] = {p.x, p.y};
+      }
+      std::ranges::sort(place);
+    }
+    std::ranges::sort(all);
+  };
+  const Result<Meshed> whole = mesh(c.pslg, c.goal, c.options);
+  ASSERT_TRUE(whole) << whole.error().message;
+  std::vector<Place> expected;
+  add_places(whole->mesh, whole->report, expected);
+  EXPECT_GT(expected.size(), 18U);
+  for (const int count : {1, 2, 5}) {
+    std::vector<Place> found;
+    for (const MeshPiece& piece : pieces_of(c, count)) add_places(piece.mesh, piece.report, found);
+    EXPECT_TRUE(found == expected) << count << " ranks: " << found.size() << " of " << expected.size();
+  }
 }
 
 /// Many places beside segments, beside points, and at short segments.
