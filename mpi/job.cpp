@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <thread>
 
@@ -32,7 +33,11 @@ Job::Job() {
   ranks_here_ = ranks_here;
 }
 
-Job::~Job() { MPI_Finalize(); }
+/// When the first rank has ended with an error that all ranks have, mpirun sends SIGTERM to those that end later.
+Job::~Job() {
+  std::signal(SIGTERM, SIG_IGN);
+  MPI_Finalize();
+}
 
 Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 

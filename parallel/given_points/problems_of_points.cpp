@@ -20,7 +20,7 @@ using namespace engine;
 
 namespace {
 
-/// So many problems of a rank are listed.
+/// So many problems are listed.
 constexpr std::size_t most = 10'000;
 
 struct TravellingProblem {
@@ -41,6 +41,7 @@ std::vector<Problem> of_all(const std::vector<TravellingProblem>& here, Ranks& r
   }
   std::ranges::sort(
       problems, [](const Problem& a, const Problem& b) { return std::pair(a.kind, a.ids) < std::pair(b.kind, b.ids); });
+  if (problems.size() > most) problems.resize(most);
   return problems;
 }
 

@@ -8,6 +8,7 @@
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
+#include "../concurrency/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -32,11 +33,7 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
     segments_.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
   }
   find_ends(ask);
-  for (std::size_t end = 0; end < ends_.size(); ++end) {
-    ask();
-    sort_around(points, end);
-  }
-  find_smallest_angles(points, ask);
+  find_smallest_angles(points, threads);
   find_narrow_apexes(points, ask);
   find_places_beside_ends(points, ask);
 }
@@ -75,13 +72,19 @@ void DomainSegments::sort_around(const Array<Point>& points, std::size_t end) {
   });
 }
 
-/// The smallest angles at a vertex lie between segments that are adjacent in the angular order around it.
-void DomainSegments::find_smallest_angles(const Array<Point>& points, SparseAsk& ask) {
-  for_each_angle(ask, [&](VertexId v, Index here, Index next) {
-    const double cosine = cosine_at(points, v, here, next);
-    for (const Index l : {here, next}) {
-      double& largest = segments_[l].a == v ? segments_[l].cosine_at_a : segments_[l].cosine_at_b;
-      largest = std::max(largest, cosine);
+/// The smallest angles at a vertex lie between segments that are adjacent in the angular order around it. Each thread
+/// treats a part of the vertices.
+void DomainSegments::find_smallest_angles(const Array<Point>& points, const Threads& threads) {
+  parallel_blocks(threads, ends_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t end = first; end < last; ++end) {
+      sort_around(points, end);
+      for_each_angle_at(end, [&](VertexId v, Index here, Index next) {
+        const double cosine = cosine_at(points, v, here, next);
+        for (const Index l : {here, next}) {
+          double& largest = segments_[l].a == v ? segments_[l].cosine_at_a : segments_[l].cosine_at_b;
+          largest = std::max(largest, cosine);
+        }
+      });
     }
   });
 }
@@ -91,13 +94,16 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
     ask();
     s.narrow_apex = narrow_end(s);
   }
-  for_each_angle(ask, [&](VertexId v, Index here, Index next) {
-    // The angle between the two is not smaller than the smallest one at each of them.
-    const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
-    if (at_most <= cosine_of_narrow_angle || cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
-    if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
-    if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
-  });
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
+    ask();
+    for_each_angle_at(end, [&](VertexId v, Index here, Index next) {
+      // The angle between the two is not smaller than the smallest one at each of them.
+      const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
+      if (at_most <= cosine_of_narrow_angle || cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
+      if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
+      if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
+    });
+  }
 }
 
 /// The segments that form a narrow wedge with a segment are its neighbours in the angular order, on both sides.
@@ -108,6 +114,7 @@ void DomainSegments::find_places_beside_ends(const Array<Point>& points, SparseA
     const std::span<const Index> here = around(end);
     const VertexId apex = ends_[end];
     for (std::size_t i = 0; i < here.size(); ++i) {
+      if (segments_[here[i]].cosine_at(apex) <= cosine_of_narrow_angle) continue;  // no wedge at this end
       const auto visit_neighbours = [&](std::size_t number, const auto& neighbour) {
         for (std::size_t k = 1; k <= number; ++k) {
           ask();

@@ -68,19 +68,17 @@ class DomainSegments {
   [[nodiscard]] VertexId other_end(Index segment, VertexId end) const {
     return segments_[segment].a == end ? segments_[segment].b : segments_[segment].a;
   }
-  /// Calls visit(v, s, t) for all vertices v, and all segments s and t that are adjacent in the angular order around v.
+  /// Calls visit(v, s, t) for the vertex v of ends_, and all segments s and t that are adjacent in the angular order
+  /// around it.
   template <class Visit>
-  void for_each_angle(SparseAsk& ask, const Visit& visit) const {
-    for (std::size_t end = 0; end < ends_.size(); ++end) {
-      ask();
-      const std::span<const Index> here = around(end);
-      for (std::size_t i = 0; here.size() > 1 && i < here.size(); ++i)
-        visit(ends_[end], here[i], here[(i + 1) % here.size()]);
-    }
+  void for_each_angle_at(std::size_t end, const Visit& visit) const {
+    const std::span<const Index> here = around(end);
+    for (std::size_t i = 0; here.size() > 1 && i < here.size(); ++i)
+      visit(ends_[end], here[i], here[(i + 1) % here.size()]);
   }
   void find_ends(SparseAsk& ask);
   void sort_around(const Array<Point>& points, std::size_t end);
-  void find_smallest_angles(const Array<Point>& points, SparseAsk& ask);
+  void find_smallest_angles(const Array<Point>& points, const Threads& threads);
   void find_narrow_apexes(const Array<Point>& points, SparseAsk& ask);
   void find_places_beside_ends(const Array<Point>& points, SparseAsk& ask);
   [[nodiscard]] std::optional<PlaceBesideEnd> place_beside_end(const Array<Point>& points, VertexId apex, Index segment,
