@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "../core/formats.hpp"
 #include "../properties/domains/domains.hpp"
@@ -28,6 +30,17 @@ struct GenerateArguments {
 };
 
 constexpr double default_ratio = 0.02;
+
+/// CLI11 takes the remainder modulo 2^64 of other numbers.
+CLI::Validator whole_number() {
+  return {[](std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            if (error == std::errc() && end == text.data() + text.size()) return {};
+            return fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+          },
+          ""};
+}
 
 Error usage(const char* message) { return {ErrorKind::usage, message}; }
 
@@ -83,6 +96,7 @@ Command add_generate(CLI::App& program) {
       ->type_name("N");
   app->add_option("--seed", arguments->seed,
                   "Seed of a random domain (default 1); a seed gives the same file on every machine")
+      ->check(whole_number())
       ->type_name("S");
   app->add_option("-o,--output", arguments->output, "The file to write (required)")->required()->type_name("FILE.poly");
   app->add_option("--sizes", arguments->sizes,

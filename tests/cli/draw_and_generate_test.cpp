@@ -48,6 +48,8 @@ TEST_F(DrawAndGenerate, useless_options_of_generate_are_refused_before_a_file_is
            {{"-o", "r.poly", "--ratio", "0.1"}, "--ratio needs --sizes"},
            {{"-o", "r.poly", "--sizes", "r.area", "--ratio", "nan"}, "'nan' is not a ratio"},
            {{"-o", "r.poly", "--sizes", "r.area", "--ratio", "0"}, "'0' is not a ratio"},
+           {{"-o", "r.poly", "--seed", "-1"}, "'-1' is not a whole number"},
+           {{"-o", "r.poly", "--seed", "18446744073709551616"}, "is not a whole number"},
            {{"-o", "r.poly", "-n", "7"}, "must be from 1 to 6"}}) {
     std::vector<std::string> arguments = {"generate", "radial"};
     arguments.insert(arguments.end(), more.begin(), more.end());
