@@ -31,12 +31,15 @@ struct GenerateArguments {
 
 constexpr double default_ratio = 0.02;
 
-/// CLI11 takes the remainder modulo 2^64 of other numbers.
+/// CLI11 takes negative numbers modulo 2^64, 2^64 - 1 for larger numbers, and numbers that begin with 0 as octal ones.
 CLI::Validator whole_number() {
   return {[](std::string& text) -> std::string {
             std::uint64_t value = 0;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-            if (error == std::errc() && end == text.data() + text.size()) return {};
+            if (error == std::errc() && end == text.data() + text.size()) {
+              text = std::to_string(value);
+              return {};
+            }
             return fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
           },
           ""};

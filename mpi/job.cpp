@@ -33,7 +33,8 @@ Job::Job() {
   ranks_here_ = ranks_here;
 }
 
-/// When the first rank has ended with an error that all ranks have, mpirun sends SIGTERM to those that end later.
+/// When the first rank has ended with an error that all ranks have, mpirun sends SIGTERM to the ranks that are still
+/// ending. They must not report "interrupted". (InterruptWatch leaves out signals that the process ignores.)
 Job::~Job() {
   std::signal(SIGTERM, SIG_IGN);
   MPI_Finalize();

@@ -10,8 +10,8 @@
 namespace pardel::mpi {
 
 /// Collective. The error that a command ends with, if `error` was found in the points of a file: an invalid input is
-/// read again, to list its problems as 'pardel mesh' does (but no equal points if a coordinate cannot be used). Other
-/// errors end the job.
+/// read again, to list its problems as 'pardel mesh' does (equal points are not listed if a coordinate cannot be used).
+/// Other errors end the job.
 [[nodiscard]] Error fault_of_points(const Error& error, const std::filesystem::path& file, int threads, Job& job);
 
 }  // namespace pardel::mpi

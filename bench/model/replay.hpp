@@ -16,8 +16,8 @@
 namespace pardel::bench {
 
 /// The steps of a number of ranks. The engine's own Ownership says who owns and who watches what. Bytes differ from
-/// those of a real run in two respects only: slots of triangles are reused in another order, so other slots are known to
-/// other ranks; and messages about gaps of the input count as empty.
+/// those of a real run in two respects only. Slots of triangles are reused in another order, so other slots are known
+/// to other ranks. Messages about gaps of the input count as empty.
 class Replay {
  public:
   Replay(const engine::Tiles& tiles, std::span<const double> work, int ranks);

@@ -47,8 +47,10 @@ class FileInParts {
     std::uint64_t lines = 0, records = 0, bytes = 0;
   };
   [[nodiscard]] Status read_bytes(const std::filesystem::path& file, const Ranks& ranks);
-  /// A reader of the lines of this rank, before the one of a record that is in the part or in a later one.
+  /// A reader that reads this record next. It begins with the first line of this rank if the record is in the part of
+  /// an earlier rank.
   [[nodiscard]] TextReader before(std::uint64_t record) const;
+  /// `here`: the lines that this rank contributes; `first_line`: the number of the first of them, or empty.
   [[nodiscard]] static SharedLines shared(const std::vector<char>& here, const std::vector<std::uint64_t>& first_line,
                                           Ranks& ranks);
 

@@ -9,7 +9,7 @@
 
 namespace pardel::engine {
 
-/// One of several shares of equal size.
+/// One of several shares of nearly equal size.
 struct Share {
   std::size_t number = 0, of = 1;
 
@@ -22,7 +22,8 @@ struct Share {
 /// been refined yet.
 [[nodiscard]] std::vector<Gap> gaps_in_share(const DomainTriangulation& domain, Share share, const Threads& threads);
 
-/// Sorts the gaps of all shares, and leaves those out whose first point is in a narrower gap. `points`: the number of
+/// Sorts the gaps of all shares. Leaves out a gap if its first point, or of two close points either one, is in a
+/// narrower gap. `points`: the number of
 /// points of the input.
 [[nodiscard]] std::vector<Gap> narrowest_first(std::vector<Gap> gaps, std::size_t points);
 

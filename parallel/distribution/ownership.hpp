@@ -30,7 +30,6 @@ class Ownership {
   [[nodiscard]] Index cells() const { return static_cast<Index>(owner_.size()); }
   [[nodiscard]] Index cell_of(Point p) const { return tiles_.cell_of(p); }
   [[nodiscard]] int owner(Index cell) const { return owner_[cell]; }
-  [[nodiscard]] std::span<const Index> touching(Index cell) const { return touching_[cell]; }
   /// The ranks that own the cell or one that touches it, ascending. On a lattice, no other rank watches a point in it.
   [[nodiscard]] std::span<const int> near(Index cell) const { return near_[cell]; }
   /// True if the point lies in the area that the rank watches.

@@ -1,7 +1,6 @@
 #include "divided_points.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"

@@ -11,9 +11,9 @@
 #include "../../core/result.hpp"
 #include "../concurrency/threads.hpp"
 #include "../conversion/domain_triangulation.hpp"
-#include "../parts/names.hpp"
 #include "../given_points/local_delaunay.hpp"
 #include "../given_points/own_points.hpp"
+#include "../parts/names.hpp"
 
 namespace pardel::engine {
 

@@ -12,6 +12,7 @@
 #include "../input/check_values.hpp"
 #include "../input/convex_hull.hpp"
 #include "../input/duplicates.hpp"
+#include "../input/findings.hpp"
 #include "ask_others.hpp"
 
 namespace pardel {
@@ -20,7 +21,7 @@ using namespace engine;
 
 namespace {
 
-/// So many problems are listed.
+/// The largest number of problems of each kind that is listed.
 constexpr std::size_t most = 10'000;
 
 struct TravellingProblem {
@@ -41,8 +42,9 @@ std::vector<Problem> of_all(const std::vector<TravellingProblem>& here, Ranks& r
   }
   std::ranges::sort(
       problems, [](const Problem& a, const Problem& b) { return std::pair(a.kind, a.ids) < std::pair(b.kind, b.ids); });
-  if (problems.size() > most) problems.resize(most);
-  return problems;
+  Findings found(most);
+  for (Problem& each : problems) found.add(each.kind, std::move(each.ids), each.where);
+  return std::move(found).sorted();
 }
 
 /// Whether attributes or markers do not fit the number of points on a rank, or ranks differ about what a point has.
@@ -64,12 +66,13 @@ bool have_wrong_counts(const PartOfPoints& read, Ranks& ranks) {
 
 std::vector<Problem> engine::unusable_values(const PartOfPoints& read, Ranks& ranks, const Threads& threads) {
   std::vector<TravellingProblem> here;
+  std::map<ProblemKind, std::size_t> count;
   if (have_wrong_counts(read, ranks) && ranks.rank() == 0) here.push_back({{}, 0, {}, ProblemKind::wrong_count});
   for (const Index i :
        indices_where(threads, read.points.size(), [&](std::size_t i) { return !is_usable(read.points[i]); })) {
-    if (here.size() == most) break;
     const Point p = read.points[i];
-    here.push_back({{read.first + i, 0}, 1, p, problem_of_coordinates(p)});
+    const ProblemKind kind = problem_of_coordinates(p);
+    if (++count[kind] <= most) here.push_back({{read.first + i, 0}, 1, p, kind});
   }
   return of_all(here, ranks);
 }

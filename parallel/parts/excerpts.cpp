@@ -11,7 +11,7 @@
 namespace pardel::engine {
 namespace {
 
-/// So many rings has the first excerpt; each further one has twice as many as the one before.
+/// The number of rings of the first excerpt. Each further excerpt has twice as many as the one before.
 constexpr unsigned first_rings = 4;
 
 std::vector<Index> without_repetitions(std::vector<Index> ids) {

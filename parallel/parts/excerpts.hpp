@@ -21,10 +21,10 @@ struct ExcerptWork {
   std::function<void(const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted)> finish;
 };
 
-/// The first rank does the work in an excerpt: in the triangles with the names and in rings around them. If these were
-/// too few, it does it again in an excerpt with more rings. Then the parts of all ranks get the changes. Throws NotHeld
-/// if all triangles that are connected with those with the names are too few. Collective. `t`: that of the part;
-/// `rings`: they begin with the triangles with the names.
+/// Collective. The first rank does the work in an excerpt: the triangles that `work` names, and rings around them. If
+/// it needs a triangle beyond the excerpt, it starts again with twice as many rings. Then all ranks take over the
+/// changes. Throws NotHeld on all ranks if no larger excerpt is possible. `t`: the triangulation of `part`; `rings`:
+/// they begin with the named triangles.
 void work_in_excerpts(const ExcerptWork& work, HeldPart& part, const Triangulation& t, Rings& rings, Ranks& ranks);
 
 }  // namespace pardel::engine

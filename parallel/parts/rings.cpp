@@ -20,17 +20,17 @@ Rings::Rings(const HeldPart& part, const Triangulation& t, Ranks& ranks, Owner o
 }
 
 void Rings::add(TriangleId id) {
-  constexpr unsigned char is_listed = 8;
-  const unsigned char marks = marks_.get(id);
+  constexpr unsigned is_listed = 8;
+  const unsigned marks = marks_.get(id);
   if ((marks & is_listed) != 0) return;
-  marks_.set(id, marks | is_listed);
+  marks_.set(id, static_cast<unsigned char>(marks | is_listed));
   triangles_.push_back(id);
   for (unsigned corner = 0; corner < 3; ++corner) next_.push_back({id, corner});
 }
 
 bool Rings::mark(Corner c) {
-  const unsigned char marks = marks_.get(c.triangle), marked = 1U << c.number;
-  marks_.set(c.triangle, marks | marked);
+  const unsigned marks = marks_.get(c.triangle), marked = 1U << c.number;
+  marks_.set(c.triangle, static_cast<unsigned char>(marks | marked));
   return (marks & marked) == 0;
 }
 

@@ -10,9 +10,9 @@
 
 namespace pardel::engine {
 
-/// The triangles of a set have the corners of this set. The next larger set has all triangles around these corners. So
-/// a set grows ring by ring, on all ranks together, and quickly reaches around large triangles and slowly into small
-/// ones. No ring crosses a vertex at which only the triangles' corners meet, because no cavity does.
+/// A set of triangles that grows by rings. A ring has all triangles that share a corner with a triangle of the set. So
+/// the set grows far where triangles are large, and little where they are small. Triangles that have only a vertex in
+/// common, and no chain of neighbours around it, do not reach each other, because no cavity contains both.
 class Rings {
  public:
   /// The rank that owns a vertex. It holds all triangles around the vertex, and all ranks name the same owner.

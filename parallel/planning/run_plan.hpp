@@ -6,7 +6,6 @@
 #include "../conversion/domain_triangulation.hpp"
 #include "../criteria/criteria.hpp"
 #include "../options.hpp"
-#include "../report.hpp"
 
 namespace pardel::engine {
 

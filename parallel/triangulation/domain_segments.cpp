@@ -72,8 +72,9 @@ void DomainSegments::sort_around(const Array<Point>& points, std::size_t end) {
   });
 }
 
-/// The smallest angles at a vertex lie between segments that are adjacent in the angular order around it. Each thread
-/// treats a part of the vertices.
+/// Sorts the segments around each vertex by angle, which the functions after this one need, too. The smallest angles
+/// then lie between neighbours in this order. Threads share the vertices: each writes only what belongs to the ends of
+/// segments at its vertices.
 void DomainSegments::find_smallest_angles(const Array<Point>& points, const Threads& threads) {
   parallel_blocks(threads, ends_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t end = first; end < last; ++end) {

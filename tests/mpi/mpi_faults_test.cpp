@@ -48,9 +48,8 @@ class MpiFaults : public testing::Workshop {
     all.push_back(max_area);
     return run("timeout", all);
   }
-  Ran with_faulty_rank(const std::string& how, const std::string& amount, const std::string& max_area = "1e-4",
-                       int victim = 1) const {
-    return job({PARDEL_FAULTY_RANK, std::to_string(victim), how, amount}, max_area);
+  Ran with_faulty_rank(const std::string& how, const std::string& amount, const std::string& max_area = "1e-4") const {
+    return job({PARDEL_FAULTY_RANK, "1", how, amount}, max_area);
   }
   Ran with_messages(const std::string& wrong, const std::string& max_area = "1e-4") const {
     return job({"env", "LD_PRELOAD=" PARDEL_WRONG_MESSAGES, "PARDEL_WRONG=" + wrong}, max_area);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -159,6 +160,27 @@ TEST(ProblemsOfPoints, are_those_that_one_process_finds) {
         EXPECT_EQ(piece ? "" : piece.error().message, expected);
       });
     }
+  }
+}
+
+/// Of each kind, at most 10,000 are listed.
+TEST(ProblemsOfPoints, are_listed_as_often_as_by_one_process) {
+  Pslg pairs_on_a_line, unusable;
+  for (int i = 0; i < 11'000; ++i)
+    pairs_on_a_line.points.insert(pairs_on_a_line.points.end(), {{1.0 * i, 1}, {1.0 * i, 1}});
+  for (int i = 0; i < 11'000; ++i)
+    unusable.points.insert(unusable.points.end(), {{1.0 * i, 1e-99}, {INFINITY, 1.0 * i}});
+  const auto counts = [](const std::vector<Problem>& problems) {
+    std::map<ProblemKind, int> count;
+    for (const Problem& problem : problems) ++count[problem.kind];
+    return count;
+  };
+  for (const Pslg& pslg : {pairs_on_a_line, unusable}) {
+    const auto expected = counts(find_problems(pslg));
+    EXPECT_EQ(expected.size(), 2U);
+    for (const int count : {1, 3})
+      on_ranks(count,
+               [&](Ranks& ranks) { EXPECT_TRUE(counts(find_problems(part_of(pslg, ranks), 1, ranks)) == expected); });
   }
 }
 
