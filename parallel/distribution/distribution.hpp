@@ -82,6 +82,7 @@ class Distribution : public Partners {
   /// The owners are set. Then the ranks that watch a part of each cell's box are found.
   void set_owners(Ownership ownership);
   [[nodiscard]] bool is_held_by(int rank, const Triangulation& t, TriangleId id) const;
+
   Ranks& ranks_;
   Triangulation& t_;
   std::optional<Ownership> ownership_;
