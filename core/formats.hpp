@@ -33,15 +33,10 @@ namespace pardel {
 /// Reads a .poly from `text`; messages use `name` as the file name. A .poly whose points are in a .node is an error.
 [[nodiscard]] Result<Pslg> parse_poly(std::string_view text, const std::string& name);
 
-/// With fewer points per segment, each rank reads the whole domain: all ranks need all segments, their ends, and the
-/// corners of the triangles that they cross, so little would be divided.
-inline constexpr std::size_t least_points_per_segment = 8;
-
-/// Reads what read_pslg() reads, but of the points only the part of this rank: about an equal part of the bytes. All
-/// ranks read all segments, holes and regions. Collective; all ranks see the same regular files. Empty, on all ranks, if
-/// there are fewer than least_points_per_segment points per segment. All ranks return the error of the first rank that
-/// failed, with its line: that of read_pslg().
-[[nodiscard]] Result<std::optional<PartOfPslg>> read_part_of_pslg(const std::filesystem::path& file, Ranks& ranks);
+/// Reads what read_pslg() reads, but of the points and of the segments only the part of this rank: those in about an
+/// equal part of the bytes. All ranks read all holes and regions. Collective; all ranks see the same regular files. All
+/// ranks return the error of the first rank that failed, with its line: that of read_pslg().
+[[nodiscard]] Result<PartOfPslg> read_part_of_pslg(const std::filesystem::path& file, Ranks& ranks);
 
 /// base: the number of the first vertex in Triangle's files, 0 or 1.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pslg.hpp"
+#include "ranks.hpp"
 
 namespace pardel {
 
@@ -19,11 +20,25 @@ struct PartOfPoints {
   FirstId first_id{};                    ///< only messages use it
 };
 
-/// A domain whose points are divided among ranks. All ranks have the rest of it.
+/// The segments of one rank, as PartOfPoints.
+struct PartOfSegments {
+  std::vector<Segment> segments;  ///< they name the points of all ranks by their numbers
+  std::uint64_t first = 0;        ///< the number of the first of them among all segments, counted from 0
+};
+
+/// A domain whose points and segments are divided among ranks. All ranks have the rest of it.
 struct PartOfPslg {
   PartOfPoints points;
-  /// Segments, holes and regions. It has no points: segments name those of all ranks by their numbers.
+  PartOfSegments segments{};
+  /// Holes, regions, and whether segments have markers. It has no points and no segments.
   Pslg rest{};
 };
+
+/// True, on all ranks, if the domain has points only: no segments, holes or regions. Collective.
+[[nodiscard]] inline bool is_point_set(const PartOfPslg& domain, Ranks& ranks) {
+  std::uint64_t segments = domain.segments.segments.size();
+  ranks.add_up({&segments, 1});
+  return segments == 0 && is_point_set(domain.rest);
+}
 
 }  // namespace pardel

@@ -1,5 +1,6 @@
 // Reads the bytes as a .poly, perhaps with its .node (file_bundle.hpp): once as a whole, and once by several ranks,
-// each of which reads a part of the points. Together the ranks must have the same domain, or all have the same error.
+// each of which reads a part of the points and of the segments. Together the ranks must have the same domain, or all
+// have the same error.
 #include <string>
 #include <vector>
 
@@ -11,10 +12,10 @@
 namespace pardel::fuzz {
 namespace {
 
-using Part = Result<std::optional<PartOfPslg>>;
+using Part = Result<PartOfPslg>;
 
 std::vector<Part> read_by(int count, const std::filesystem::path& file) {
-  std::vector<Part> parts(static_cast<std::size_t>(count), Part(std::optional<PartOfPslg>()));
+  std::vector<Part> parts(static_cast<std::size_t>(count), Part(PartOfPslg{}));
   properties::on_ranks(
       count, [&](Ranks& ranks) { parts[static_cast<std::size_t>(ranks.rank())] = read_part_of_pslg(file, ranks); });
   return parts;
@@ -26,13 +27,15 @@ void append(std::vector<T>& all, const std::vector<T>& part) {
 }
 
 Pslg together(const std::vector<Part>& parts) {
-  const PartOfPslg& first = **parts.front();
+  const PartOfPslg& first = *parts.front();
   Pslg all = first.rest;
   all.attributes_per_point = first.points.attributes_per_point;
   for (const Part& part : parts) {
-    const PartOfPslg& read = **part;
-    if (read.rest != first.rest) fail("the ranks have read different segments, holes or regions");
+    const PartOfPslg& read = *part;
+    if (read.rest != first.rest) fail("the ranks have read different holes or regions");
     if (read.points.first != all.points.size()) fail("the points of a rank do not follow those before it");
+    if (read.segments.first != all.segments.size()) fail("the segments of a rank do not follow those before it");
+    append(all.segments, read.segments.segments);
     append(all.points, read.points.points);
     append(all.point_attributes, read.points.point_attributes);
     append(all.point_markers, read.points.point_markers);
@@ -44,18 +47,12 @@ void compare(const Result<Pslg>& whole, const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     if (part.ok() != parts.front().ok()) fail("only some ranks have an error");
     if (!part && part.error().message != parts.front().error().message) fail("the ranks have different errors");
-    if (part && part->has_value() != parts.front()->has_value()) fail("only some ranks have read the domain");
   }
   const Part& first = parts.front();
   if (!first) {
     if (whole) fail("only ranks have an error: " + first.error().message);
     if (whole.error().message != first.error().message)
       fail("another error: " + first.error().message + "; instead of: " + whole.error().message);
-    return;
-  }
-  if (!first->has_value()) {
-    if (whole && whole->segments.size() * least_points_per_segment <= whole->points.size())
-      fail("ranks have not read a domain with few segments");
     return;
   }
   if (!whole) fail("only one process has an error: " + whole.error().message);

@@ -30,13 +30,16 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
   if (one->report.exempt.size() != several->report.exempt.size()) fail("the report depends on the number of threads");
 }
 
-/// The part of a rank in a domain whose points the ranks have read in equal parts.
+/// The part of a rank in a domain whose points and segments the ranks have read in equal parts.
 PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
-  const auto bound = [&](int rank) {
-    return pslg.points.size() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
+  const auto bound = [&](std::size_t n, int rank) {
+    return n * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
   };
-  return {properties::points_between(pslg, bound(ranks.rank()), bound(ranks.rank() + 1)),
-          properties::without_points(pslg)};
+  const int rank = ranks.rank();
+  const std::size_t points = pslg.points.size(), segments = pslg.segments.size();
+  return {properties::points_between(pslg, bound(points, rank), bound(points, rank + 1)),
+          properties::segments_between(pslg, bound(segments, rank), bound(segments, rank + 1)),
+          properties::rest_of(pslg)};
 }
 
 /// Each rank calls make(ranks) for its piece. Together the pieces have to be the mesh.

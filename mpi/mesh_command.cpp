@@ -120,8 +120,8 @@ Result<Made> make_together(const Arguments& arguments, const Problem& input, Job
   return written(arguments, *piece, input.domain.pslg(), job);
 }
 
-/// True if no rank needs all points, if there are enough of them.
-bool may_divide_points(const Arguments& arguments, const Job& job) {
+/// True if no rank needs the whole domain.
+bool may_divide(const Arguments& arguments, const Job& job) {
   const std::filesystem::path suffix = arguments.input.extension();
   return (suffix == ".node" || suffix == ".poly") && job.count() > 1 && arguments.pieces == 0 &&
          arguments.goal.sizes.empty() && can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
@@ -139,9 +139,9 @@ Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) 
   return {error.kind, arguments.input.string() + ": " + error.message};
 }
 
-/// One piece per rank, of a domain of whose points each rank has a part.
+/// One piece per rank, of a domain of which each rank has a part.
 Result<Made> make_of_parts(const Arguments& arguments, PartOfPslg&& input, Job& job) {
-  const bool has_only_points = is_point_set(input.rest);
+  const bool has_only_points = is_point_set(input, job.ranks());
   Pslg for_writers;  // they write holes and regions again
   for_writers.holes = input.rest.holes;
   for_writers.regions = input.rest.regions;
@@ -180,15 +180,13 @@ Status check_arguments(Arguments& arguments, int rank) {
 
 Result<Made> make(const Arguments& arguments, Job& job) {
   const Stopwatch watch;
-  if (may_divide_points(arguments, job)) {
-    Result<std::optional<PartOfPslg>> input = read_part_of_pslg(arguments.input, job.ranks());
+  if (may_divide(arguments, job)) {
+    Result<PartOfPslg> input = read_part_of_pslg(arguments.input, job.ranks());
     if (!input) return input.error();
-    if (*input) {
-      const double read_seconds = watch.seconds();
-      Result<Made> made = make_of_parts(arguments, std::move(**input), job);
-      if (made) made->seconds.read = read_seconds;
-      return made;
-    }
+    const double read_seconds = watch.seconds();
+    Result<Made> made = make_of_parts(arguments, std::move(*input), job);
+    if (made) made->seconds.read = read_seconds;
+    return made;
   }
   const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
   if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();

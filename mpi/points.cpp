@@ -1,6 +1,5 @@
 #include "points.hpp"
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,14 +10,12 @@ namespace pardel::mpi {
 
 Error fault_of_points(const Error& error, const std::filesystem::path& file, int threads, Job& job) {
   if (error.kind != ErrorKind::invalid_input) job.abort(error);
-  Result<std::optional<PartOfPslg>> input = read_part_of_pslg(file, job.ranks());
+  Result<PartOfPslg> input = read_part_of_pslg(file, job.ranks());
   if (!input) return input.error();
-  const Error unexplained{error.kind, file.string() + ": " + error.message};
-  if (!*input) return unexplained;
-  PartOfPoints& points = (*input)->points;
+  PartOfPoints& points = input->points;
   const int first_id = points.first_id.value;
   const std::vector<pardel::Problem> problems = find_problems(std::move(points), threads, job.ranks());
-  if (problems.empty()) return unexplained;  // the file has changed
+  if (problems.empty()) return {error.kind, file.string() + ": " + error.message};  // the file has changed
   return {error.kind, file.string() + ": " + cli::problems_text(problems, first_id) +
                           cli::advice({}, problems, file.string(), false)};
 }

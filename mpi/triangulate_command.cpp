@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -74,12 +73,12 @@ Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job
     return fine.error();
   const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(threads);
-  Result<std::optional<PartOfPslg>> input = read_part_of_pslg(arguments.input, job.ranks());
+  Result<PartOfPslg> input = read_part_of_pslg(arguments.input, job.ranks());
   if (!input) return input.error();
-  if (!*input || !is_point_set((*input)->rest)) return not_only_points(arguments.input, job);
+  if (!is_point_set(*input, job.ranks())) return not_only_points(arguments.input, job);
   Made made;
   made.seconds.read = watch.seconds();
-  const Result<MeshPiece> piece = triangulate(std::move((*input)->points), {.threads = threads}, job.ranks());
+  const Result<MeshPiece> piece = triangulate(std::move(input->points), {.threads = threads}, job.ranks());
   if (!piece) return fault_of_points(piece.error(), arguments.input, threads, job);
   made.add(*piece);
   made.seconds.refine = piece->report.triangulate_seconds;

@@ -111,26 +111,10 @@ TextReader FileInParts::before(std::uint64_t record) const {
   return in;
 }
 
-/// Nothing is shared if no rank has a line.
-FileInParts::SharedLines FileInParts::shared(const std::vector<char>& here,
-                                             const std::vector<std::uint64_t>& first_line, Ranks& ranks) {
-  SharedLines shared{concatenated(lists_of_all(here, ranks)), 1};
-  const std::vector<std::uint64_t> all = concatenated(lists_of_all(first_line, ranks));
-  if (!all.empty()) shared.first_line = all.front();
-  return shared;
-}
-
-FileInParts::SharedLines FileInParts::line(std::uint64_t record, Ranks& ranks) const {
-  std::vector<char> here;
-  std::vector<std::uint64_t> first_line;
-  if (before_.records <= record && record < before_.records + parts_[rank_].records) {
-    const TextReader in = before(record);
-    TextReader after = in;
-    if (after.next_line()) after.end_line();
-    here.assign(in.rest().data(), after.rest().data());
-    first_line.push_back(in.line());
-  }
-  return shared(here, first_line, ranks);
+int FileInParts::rank_of(std::uint64_t record) const {
+  int rank = 0;
+  while (rank + 1 < static_cast<int>(parts_.size()) && records_before(rank + 1) <= record) ++rank;
+  return rank;
 }
 
 FileInParts::SharedLines FileInParts::lines_from(std::uint64_t record, Ranks& ranks) const {
@@ -141,7 +125,10 @@ FileInParts::SharedLines FileInParts::lines_from(std::uint64_t record, Ranks& ra
     here.assign(in.rest().begin(), in.rest().end());
     first_line.push_back(in.line());
   }
-  return shared(here, first_line, ranks);
+  SharedLines shared{concatenated(lists_of_all(here, ranks)), 1};
+  const std::vector<std::uint64_t> all = concatenated(lists_of_all(first_line, ranks));
+  if (!all.empty()) shared.first_line = all.front();
+  return shared;
 }
 
 }  // namespace pardel::files

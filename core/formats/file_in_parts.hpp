@@ -28,13 +28,17 @@ class FileInParts {
   /// The number of records before the part of a rank.
   [[nodiscard]] std::uint64_t records_before(int rank) const;
 
+  /// The rank that has a record; the last rank if the file has fewer records.
+  [[nodiscard]] int rank_of(std::uint64_t record) const;
+  /// A reader of the lines of this rank that reads this record next. It begins with the first line of this rank if the
+  /// record is in the part of an earlier rank, and it is at the end if the record is in that of a later one.
+  [[nodiscard]] TextReader before(std::uint64_t record) const;
+
   /// Lines of the file that all ranks have.
   struct SharedLines {
     std::vector<char> text;
     std::size_t first_line = 1;
   };
-  /// The line of a record. Empty if the file has fewer records. Collective.
-  [[nodiscard]] SharedLines line(std::uint64_t record, Ranks& ranks) const;
   /// The lines from a record on, to the end of the file. Collective.
   [[nodiscard]] SharedLines lines_from(std::uint64_t record, Ranks& ranks) const;
   /// A reader of lines that all ranks have, which must outlive it.
@@ -47,12 +51,6 @@ class FileInParts {
     std::uint64_t lines = 0, records = 0, bytes = 0;
   };
   [[nodiscard]] Status read_bytes(const std::filesystem::path& file, const Ranks& ranks);
-  /// A reader that reads this record next. It begins with the first line of this rank if the record is in the part of
-  /// an earlier rank.
-  [[nodiscard]] TextReader before(std::uint64_t record) const;
-  /// `here`: the lines that this rank contributes; `first_line`: the number of the first of them, or empty.
-  [[nodiscard]] static SharedLines shared(const std::vector<char>& here, const std::vector<std::uint64_t>& first_line,
-                                          Ranks& ranks);
 
   std::string name_;
   Array<char> bytes_;

@@ -1,4 +1,4 @@
-// Reads the input of a mesh by several ranks, each of which reads a part of the points.
+// Reads the input of a mesh by several ranks, each of which reads a part of the points and of the segments.
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,7 +29,7 @@ class PointsReader {
   [[nodiscard]] Status read_header(const fs::path& file) {
     if (Status read = file_.read(file, ranks_); !read) return read;
     in_ = file_.lines();
-    while (with_header_ + 1 < ranks_.count() && file_.records_before(with_header_ + 1) == 0) ++with_header_;
+    with_header_ = file_.rank_of(0);
     if (Status header = agree_on_input(read_first_record(), ranks_); !header) return header;
     share_header();
     return Done{};
@@ -109,47 +109,104 @@ class PointsReader {
   PartOfPoints points_;
 };
 
-/// The number of segments that the section announces; 0 if it announces none.
-std::size_t announced_segments(TextReader in) {
-  if (!in.next_line()) return 0;
-  const std::size_t count = in.count("the number of segments");
-  return in.failed() ? 0 : count;
-}
+/// Reads the segments.
+class SegmentsReader {
+ public:
+  /// `section`: the record with which the section begins. `points`: how many points there are. `base`: the number of
+  /// the first one.
+  SegmentsReader(const FileInParts& file, std::uint64_t section, std::size_t points, int base, Ranks& ranks)
+      : ranks_(ranks), file_(file), section_(section), points_(points), base_(base) {}
 
-/// Reads segments, holes and regions, as all ranks do.
-Status read_rest(TextReader in, std::size_t points, PartOfPslg& pslg) {
-  SegmentSection section = read_segments(in, points, pslg.points.first_id.value);
-  pslg.rest.segments = std::move(section.segments);
-  pslg.rest.has_segment_markers = section.markers;
-  read_holes(in, pslg.rest.holes);
-  read_regions(in, pslg.rest.regions);
+  [[nodiscard]] Result<PartOfSegments> read() {
+    if (Status header = agree_on_input(read_header(), ranks_); !header) return header.error();
+    share_header();
+    if (Status segments = agree_on_input(read_segments(), ranks_); !segments) return segments.error();
+    return std::move(segments_);
+  }
+  // After read():
+  [[nodiscard]] bool markers() const { return header_.markers != 0; }
+  /// The record after the section.
+  [[nodiscard]] std::uint64_t end() const { return section_ + 1 + header_.segments; }
+
+ private:
+  struct Header {
+    std::uint64_t segments = 0, markers = 0;
+  };
+
+  /// On one rank.
+  [[nodiscard]] Status read_header() {
+    if (ranks_.rank() != file_.rank_of(section_)) return Done{};
+    TextReader in = file_.before(section_);
+    const SegmentHeader header = read_segment_header(in);
+    header_ = {header.segments, header.markers ? 1U : 0U};
+    static_cast<void>(in.room_for(header.segments, bytes_of_segment(header), "segments", file_.bytes_after()));
+    return in.failed() ? Status(in.error()) : Done{};
+  }
+
+  void share_header() {
+    std::vector<Header> sent;
+    if (ranks_.rank() == file_.rank_of(section_)) sent.push_back(header_);
+    header_ = concatenated(lists_of_all(sent, ranks_)).front();
+  }
+
+  /// The number of segments before the part of a rank.
+  [[nodiscard]] std::uint64_t segments_before(int rank) const {
+    const std::uint64_t records = file_.records_before(rank);
+    return std::min(header_.segments, records > section_ ? records - section_ - 1 : 0);
+  }
+
+  [[nodiscard]] Status read_segments() {
+    const SegmentHeader header{static_cast<std::size_t>(header_.segments), markers()};
+    TextReader in = file_.before(section_ + 1);
+    segments_.first = segments_before(ranks_.rank());
+    const std::uint64_t end = segments_before(ranks_.rank() + 1);
+    segments_.segments.resize(static_cast<std::size_t>(end - segments_.first));
+    read_records(in, "segment", segments_.first, end, [&](TextReader& line, std::size_t i) {
+      segments_.segments[i - segments_.first] = read_segment(line, header, points_, base_);
+    });
+    if (!in.failed() && ranks_.rank() + 1 == ranks_.count() && end < header_.segments)
+      in.expect_record("segment", end, header_.segments);
+    return in.failed() ? Status(in.error()) : Done{};
+  }
+
+  Ranks& ranks_;
+  const FileInParts& file_;
+  std::uint64_t section_;
+  std::size_t points_;
+  int base_;
+  Header header_;
+  PartOfSegments segments_;
+};
+
+/// Reads holes and regions, as all ranks do.
+Status read_rest(TextReader in, Pslg& rest) {
+  read_holes(in, rest.holes);
+  read_regions(in, rest.regions);
   return in.failed() ? Status(in.error()) : Done{};
 }
 
 }  // namespace
 
-Result<std::optional<PartOfPslg>> read_part_of_pslg(const fs::path& file, Ranks& ranks) {
+Result<PartOfPslg> read_part_of_pslg(const fs::path& file, Ranks& ranks) {
   PointsReader first(ranks), in_node(ranks);
   if (Status header = first.read_header(file); !header) return header.error();
   const bool is_poly = file.extension() != ".node";
   PointsReader& points = is_poly && first.header().points == 0 ? in_node : first;
   if (&points == &in_node)
     if (Status header = points.read_header(fs::path(file).replace_extension(".node")); !header) return header.error();
-  const std::size_t count = points.header().points;
-  FileInParts::SharedLines rest;
-  if (is_poly) {
-    const std::uint64_t section = 1 + first.header().points;
-    const FileInParts::SharedLines announcement = first.file().line(section, ranks);
-    if (announced_segments(first.file().reader_of(announcement)) > count / least_points_per_segment)
-      return std::optional<PartOfPslg>();
-    rest = first.file().lines_from(section, ranks);
-  }
   Result<PartOfPoints> part = points.read();
   if (!part) return part.error();
   PartOfPslg pslg{std::move(*part)};
-  if (is_poly)
-    if (Status read = read_rest(first.file().reader_of(rest), count, pslg); !read) return read.error();
-  return std::optional(std::move(pslg));
+  if (!is_poly) return pslg;
+  SegmentsReader segments(first.file(), 1 + first.header().points, points.header().points, pslg.points.first_id.value,
+                          ranks);
+  Result<PartOfSegments> read = segments.read();
+  if (!read) return read.error();
+  pslg.segments = std::move(*read);
+  pslg.rest.has_segment_markers = segments.markers();
+  const FileInParts::SharedLines rest = first.file().lines_from(segments.end(), ranks);
+  if (Status done = read_rest(first.file().reader_of(rest), pslg.rest); !done) return done.error();
+  return pslg;
 }
 
 }  // namespace pardel

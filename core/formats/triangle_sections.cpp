@@ -14,21 +14,32 @@ PointHeader read_point_header(TextReader& in) {
   return header;
 }
 
-SegmentSection read_segments(TextReader& in, std::size_t points, int base) {
-  SegmentSection section;
+SegmentHeader read_segment_header(TextReader& in) {
+  SegmentHeader header;
   in.expect_line("the number of segments");
-  const std::size_t n = in.count("the number of segments");
-  section.markers = in.integer_or("the number of markers per segment", 0, 1, 0) == 1;
-  if (!in.room_for(n, text_bytes(section.markers ? 4 : 3), "segments")) return section;
-  section.segments.resize(n);
-  read_records(in, "segment", 0, n, [&](TextReader& line, std::size_t i) {
-    Segment& segment = section.segments[i];
-    line.integer("a segment's number", any_marker_low, any_marker_high);
-    segment.a = read_point_index(line, "an end of a segment", points, base);
-    segment.b = read_point_index(line, "an end of a segment", points, base);
-    if (section.markers) {
-      segment.marker = static_cast<int>(line.integer("a segment's marker", any_marker_low, any_marker_high));
-    }
+  header.segments = in.count("the number of segments");
+  header.markers = in.integer_or("the number of markers per segment", 0, 1, 0) == 1;
+  return header;
+}
+
+Segment read_segment(TextReader& line, const SegmentHeader& header, std::size_t points, int base) {
+  Segment segment;
+  line.integer("a segment's number", any_marker_low, any_marker_high);
+  segment.a = read_point_index(line, "an end of a segment", points, base);
+  segment.b = read_point_index(line, "an end of a segment", points, base);
+  if (header.markers) {
+    segment.marker = static_cast<int>(line.integer("a segment's marker", any_marker_low, any_marker_high));
+  }
+  return segment;
+}
+
+SegmentSection read_segments(TextReader& in, std::size_t points, int base) {
+  const SegmentHeader header = read_segment_header(in);
+  SegmentSection section{{}, header.markers};
+  if (!in.room_for(header.segments, bytes_of_segment(header), "segments")) return section;
+  section.segments.resize(header.segments);
+  read_records(in, "segment", 0, header.segments, [&](TextReader& line, std::size_t i) {
+    section.segments[i] = read_segment(line, header, points, base);
   });
   return section;
 }

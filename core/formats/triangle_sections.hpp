@@ -88,8 +88,23 @@ int read_points(TextReader& in, const PointHeader& header, PointSet& set) {
                                [&](TextReader& line, std::size_t i) { read_point(line, header, set, i); });
 }
 
-/// `<# of segments> <# of markers, 0 or 1>`, then `<segment #> <end> <end> [marker]`. The numbers of the segments are
-/// ignored. `points`: how many points there are. `base`: the number of the first point.
+/// `<# of segments> <# of markers, 0 or 1>`.
+struct SegmentHeader {
+  std::size_t segments = 0;
+  bool markers = false;
+};
+SegmentHeader read_segment_header(TextReader& in);
+
+/// The least number of bytes of a segment.
+[[nodiscard]] constexpr std::size_t bytes_of_segment(const SegmentHeader& header) {
+  return text_bytes(header.markers ? 4 : 3);
+}
+
+/// `<segment #> <end> <end> [marker]`. The number of the segment is ignored. `points`: how many points there are.
+/// `base`: the number of the first point.
+[[nodiscard]] Segment read_segment(TextReader& line, const SegmentHeader& header, std::size_t points, int base);
+
+/// The header, then the segments.
 struct SegmentSection {
   std::vector<Segment> segments;
   bool markers = false;

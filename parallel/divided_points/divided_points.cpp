@@ -33,9 +33,10 @@ Waiting DividedPoints::exchanged(const std::vector<std::vector<TravellingEntry>>
 
 void DividedPoints::begin(PhaseRunner& runner) {
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()),
-                HeldPart::Common{start_.common, 0});
+                HeldPart::Common{start_.common, 0}, &segments_);
   for (const auto& [v, name] : start_.named_vertices) part_->name_vertex(v, name);
   for (const auto& [id, name] : start_.named_triangles) part_->name_triangle(id, name);
+  for (const auto& [segment, name] : start_.named_segments) segments_.name(segment, name);
   for (const EdgeRef side : start_.cut) part_->cut(side);
   has_markers_ = sum_of(start_.marker.empty() ? 0 : 1, ranks_) > 0;
 }

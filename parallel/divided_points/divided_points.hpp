@@ -15,9 +15,12 @@ namespace pardel::engine {
 /// it owns by the division of the points; a triangle is at home where its least corner is owned.
 class DividedPoints : public Distribution {
  public:
-  /// `part` has to outlive the object. Its triangulation is refined.
+  /// `part` has to outlive the object. Its triangulation is refined, and it gets more segments.
   DividedPoints(Ranks& ranks, PartOfDomain& part, const CurveDivision& division)
-      : Distribution(ranks, part.domain.triangulation), start_(part), division_(division) {}
+      : Distribution(ranks, part.domain.triangulation),
+        start_(part),
+        division_(division),
+        segments_(part.domain, Name::rank(ranks.rank()), part.common_segments) {}
 
   [[nodiscard]] bool begins_in_parts() const override { return true; }
   void begin(PhaseRunner& runner) override;
@@ -49,6 +52,7 @@ class DividedPoints : public Distribution {
 
   PartOfDomain& start_;
   const CurveDivision& division_;
+  HeldSegments segments_;
   bool has_markers_ = false;  ///< on any rank
 };
 

@@ -2,8 +2,9 @@
 
 #include <numeric>
 
-#include "../../core/support/exchange_lists.hpp"
+#include "../../core/support/answers_of_ranks.hpp"
 #include "../../core/support/share_of_rank.hpp"
+#include "../arithmetic/predicates.hpp"
 #include "../triangulation/locate.hpp"
 #include "triangles_at_borders.hpp"
 
@@ -102,17 +103,6 @@ class Components {
   std::vector<std::size_t> set_;
 };
 
-/// All triangles of a set have this label.
-struct LabelOfSet {
-  std::uint64_t set;
-  Index label;
-  Index unused = 0;
-};
-
-struct TravellingSide {
-  std::uint64_t from, to;
-};
-
 /// Calls visit(triangle) for the triangles of this rank that are certainly beside the exterior: an edge of the hull is
 /// no constraint.
 template <class Visit>
@@ -125,53 +115,135 @@ void for_each_open_to_exterior(const LocalDelaunay& delaunay, const SharedHull& 
   }
 }
 
+/// True if the triangle contains the seed, and no segment does. (A seed at a vertex may be at the end of a segment,
+/// even if no side of the triangle is a segment.)
+bool is_off_segments(const Triangulation& t, const Slot& slot, Point seed) {
+  if (slot.is_ghost()) return false;
+  for (unsigned side = 0; side < 3; ++side) {
+    const Point a = t.points[slot.from(side)], b = t.points[slot.to(side)];
+    if (seed == a) return false;
+    const bool is_barrier = slot.n[side].constrained() || t.slot(slot.n[side]).is_ghost();
+    if (is_barrier && orient2d(a, b, seed) == 0) return false;
+  }
+  return true;
+}
+
+/// The sets of components in which seeds lie.
+class SetsOfSeeds {
+ public:
+  static constexpr std::uint64_t no_set = UINT64_MAX;
+
+  SetsOfSeeds(const LocalDelaunay& delaunay, const Components& components, Ranks& ranks, const Threads& threads)
+      : t_(delaunay.triangulation()), components_(components), ranks_(ranks), threads_(threads) {
+    while (t_.slots[start_].is_ghost()) ++start_;
+  }
+
+  /// Collective. no_set for a seed outside the convex hull.
+  [[nodiscard]] std::vector<std::uint64_t> find(std::span<const Point> seeds) {
+    struct Found {
+      std::uint64_t seed, set, is_off_segments;
+    };
+    std::vector<Found> here;
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      threads_.ask();  // a walk through a large triangulation takes long
+      if (!is_usable(seeds[i])) continue;
+      const TriangleId id = locate(t_, seeds[i], start_);
+      if (components_.has(id))
+        here.push_back({i, components_.set_of(id), is_off_segments(t_, t_.slots[id], seeds[i]) ? 1U : 0U});
+    }
+    std::vector<std::uint64_t> sets(seeds.size(), no_set);
+    // Several ranks may have the triangle in which a seed lies.
+    for (const Found& each : concatenated(lists_of_all(here, ranks_))) {
+      if (each.seed >= sets.size() || each.set >= components_.size()) throw Reader::does_not_match();
+      sets[each.seed] = each.set;
+      are_off_segments_ = are_off_segments_ && each.is_off_segments != 0;
+    }
+    return sets;
+  }
+  /// False if a seed may be on a segment.
+  [[nodiscard]] bool are_off_segments() const { return are_off_segments_; }
+
+ private:
+  const Triangulation& t_;
+  const Components& components_;
+  Ranks& ranks_;
+  Threads threads_;
+  TriangleId start_ = 0;
+  bool are_off_segments_ = true;
+};
+
 }  // namespace
 
 Labels::Labels(const LocalDelaunay& delaunay, const OwnPoints& own, const SharedHull& hull, const DomainRules& rules,
-               Ranks& ranks, const Threads& threads) {
+               Ranks& ranks, const Threads& threads)
+    : delaunay_(delaunay) {
   const Triangulation& t = delaunay.triangulation();
   of_slot_ = Array<Index>(t.slots.size(), no_index);
   if (rules.convex_hull && rules.holes.empty() && rules.region_seeds.empty()) return;
   const Components components(delaunay, own, ranks, threads);
-  std::vector<LabelOfSet> here;
-  const auto label_set_of = [&](TriangleId id, Index label) {
-    if (components.has(id)) here.push_back({components.set_of(id), label});
-  };
-  if (!rules.convex_hull) for_each_open_to_exterior(delaunay, hull, [&](TriangleId id) { label_set_of(id, outside); });
-  TriangleId start = 0;
-  while (t.slots[start].is_ghost()) ++start;
-  const auto label_face_of = [&](Point seed, Index label) {
-    threads.ask();  // a walk through a large triangulation takes long
-    label_set_of(locate(t, seed, start), label);
-  };
-  for (const Point hole : rules.holes) label_face_of(hole, outside);
-  for (Index r = 0; r < rules.region_seeds.size(); ++r) label_face_of(rules.region_seeds[r], r);
-
-  // What is outside stays outside. Of several seeds, the last one counts.
+  // What is outside stays outside. Of several seeds of regions, the last one counts.
   std::vector<Index> label(components.size(), no_index);
-  for (const LabelOfSet& each : concatenated(lists_of_all(here, ranks))) {
-    Index& present = label[each.set];
-    if (each.label == outside || present == no_index || (present != outside && each.label > present))
-      present = each.label;
+  if (!rules.convex_hull) {
+    std::vector<std::uint64_t> here;
+    for_each_open_to_exterior(delaunay, hull, [&](TriangleId id) {
+      if (components.has(id)) here.push_back(components.set_of(id));
+    });
+    std::ranges::sort(here);
+    here.erase(std::unique(here.begin(), here.end()), here.end());
+    for (const std::uint64_t set : concatenated(lists_of_all(here, ranks))) label[set] = outside;
   }
+  const std::vector<Index> exterior = label;
+  SetsOfSeeds sets(delaunay, components, ranks, threads);
+  for (const std::uint64_t set : sets.find(rules.holes))
+    if (set == SetsOfSeeds::no_set || exterior[set] == outside)
+      are_certainly_valid_ = false;
+    else
+      label[set] = outside;
+  const std::vector<std::uint64_t> of_regions = sets.find(rules.region_seeds);
+  for (Index r = 0; r < of_regions.size(); ++r)
+    if (const std::uint64_t set = of_regions[r]; set == SetsOfSeeds::no_set || label[set] != no_index)
+      are_certainly_valid_ = false;
+    else
+      label[set] = r;
+  const bool is_empty = std::ranges::all_of(label, [](Index each) { return each == outside; });
+  are_certainly_valid_ = are_certainly_valid_ && sets.are_off_segments() && !is_empty;
   for (TriangleId id = 0; id < t.slots.size(); ++id)
     if (components.has(id)) of_slot_[id] = label[components.set_of(id)];
-  share_sides_outside(delaunay, ranks);
+  ask_about_sides(own, ranks);
 }
 
-/// The owner of the first end of a constrained edge knows the triangle beside it.
-void Labels::share_sides_outside(const LocalDelaunay& delaunay, Ranks& ranks) {
-  const Triangulation& t = delaunay.triangulation();
-  std::vector<TravellingSide> here;
+bool Labels::is_in_domain_beyond(const Slot& slot, unsigned side) const {
+  const TriangleId id = slot.n[side].triangle();
+  if (delaunay_.has_own_corner(id)) return is_in_domain(id);
+  return !std::ranges::binary_search(sides_outside_, beyond(slot, side));
+}
+
+/// The owner of the first end of a side knows the triangle on its left.
+void Labels::ask_about_sides(const OwnPoints& own, Ranks& ranks) {
+  const Triangulation& t = delaunay_.triangulation();
+  std::vector<Side> asked, outside_here;
   for (TriangleId id = 0; id < t.slots.size(); ++id) {
     const Slot& slot = t.slots[id];
-    if (of_slot_[id] != outside || !slot.any_constrained()) continue;
-    for (unsigned side = 0; side < 3; ++side)
-      if (slot.n[side].constrained() && delaunay.is_own(slot.from(side)))
-        here.push_back({delaunay.site(slot.from(side)).position, delaunay.site(slot.to(side)).position});
+    if (slot.is_ghost() || !slot.any_constrained() || !delaunay_.has_own_corner(id)) continue;
+    for (unsigned side = 0; side < 3; ++side) {
+      const TriangleId across = slot.n[side].triangle();
+      if (!slot.n[side].constrained() || t.slots[across].is_ghost()) continue;
+      if (!delaunay_.has_own_corner(across))
+        asked.push_back(beyond(slot, side));
+      else if (of_slot_[across] == outside && delaunay_.is_own(slot.to(side)))
+        outside_here.push_back(beyond(slot, side));
+    }
   }
-  for (const TravellingSide& side : concatenated(lists_of_all(here, ranks)))
-    sides_outside_.emplace_back(side.from, side.to);
+  std::ranges::sort(outside_here);
+  const std::vector<char> answers = answers_of_ranks<char>(
+      asked, 1, ranks, [&](std::size_t i) { return own.owner(asked[i].from); },
+      [&](const std::vector<Side>& sides) {
+        std::vector<char> are_outside;
+        for (const Side& side : sides) are_outside.push_back(std::ranges::binary_search(outside_here, side) ? 1 : 0);
+        return are_outside;
+      });
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (answers[i] != 0) sides_outside_.push_back(asked[i]);
   std::ranges::sort(sides_outside_);
 }
 

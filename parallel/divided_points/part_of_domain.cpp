@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <set>
 
 #include "../../core/support/agree.hpp"
+#include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/begin_with_latest.hpp"
 #include "../construction/insert_constraints.hpp"
-#include "../given_points/problems_of_points.hpp"
 #include "../given_points/shared_hull.hpp"
-#include "../input/findings.hpp"
-#include "common_vertices.hpp"
-#include "crossed_triangles.hpp"
+#include "../given_segments/common_segments.hpp"
+#include "../given_segments/common_vertices.hpp"
+#include "../given_segments/own_segments.hpp"
+#include "../given_segments/problems_of_domain.hpp"
+#include "../given_segments/segments_around.hpp"
+#include "../given_segments/sides_of_triangles.hpp"
 #include "labels.hpp"
 #include "triangles_at_borders.hpp"
 
@@ -51,70 +53,72 @@ class FirstThree {
   Ranks& ranks_;
 };
 
-/// The problems of segments, holes and regions, except points inside segments. They are the same on all ranks.
-std::vector<Problem> problems_of_rest(const CommonVertices& common, const Pslg& rest, bool convex_hull,
-                                      const Threads& threads) {
-  // The convex hull of the common vertices is that of all points.
-  Pslg known;
-  known.holes = rest.holes;
-  known.regions = rest.regions;
-  for (Index i = 0; i < common.size(); ++i) known.points.push_back(common[i].at);
-  known.segments = common.segments();
-  std::vector<Problem> problems = find_problems(known, ValidateOptions{.convex_hull = convex_hull}, threads);
-  for (Problem& problem : problems)
-    if (problem.kind == ProblemKind::point_on_segment) problem.ids[0] = id_of_problem(common[problem.ids[0]].number);
-  return problems;
-}
-
 class PartMaker {
  public:
-  PartMaker(LocalDelaunay& delaunay, const OwnPoints& own, const Pslg& rest, bool convex_hull, Ranks& ranks,
-            const Threads& threads)
-      : delaunay_(delaunay),
-        t_(delaunay.triangulation()),
-        own_(own),
-        rest_(rest),
-        convex_hull_(convex_hull || rest.segments.empty()),
+  PartMaker(TriangulatedPoints& points, const ReadDomain& read, bool convex_hull, Ranks& ranks, const Threads& threads)
+      : points_(points),
+        delaunay_(points.delaunay),
+        t_(delaunay_.triangulation()),
+        own_(points.own),
+        read_(read),
+        has_segments_(sum_of(read.segments.segments.size(), ranks) > 0),
+        convex_hull_(convex_hull || !has_segments_),
         ranks_(ranks),
         threads_(threads),
-        first_(own.first[ranks.rank()]),
-        hull_(delaunay, own, ranks),
-        common_(hull_, rest.segments, delaunay, own, ranks) {
-    part_.common = common_.size();
-    part_.points = own.first.back();
+        first_(own_.first[ranks.rank()]),
+        hull_(delaunay_, own_, ranks) {
+    part_.points = own_.first.back();
   }
 
   [[nodiscard]] Result<PartOfDomain> make() {
-    if (Status inserted = insert_segments(); !inserted) return inserted.error();
-    DomainRules rules{convex_hull_, rest_.holes, {}};
-    for (const Region& region : rest_.regions) rules.region_seeds.push_back(region.seed);
+    if (!divide_all_segments()) return certainly_invalid();
+    common_.emplace(hull_, segments_.common, delaunay_, own_, ranks_);
+    part_.common = common_->size();
+    if (const Status inserted = insert_segments(); !inserted) return certainly_invalid();
+    DomainRules rules{convex_hull_, read_.rest.holes, {}};
+    for (const Region& region : read_.rest.regions) rules.region_seeds.push_back(region.seed);
     const Labels labels(delaunay_, own_, hull_, rules, ranks_, threads_);
+    const bool has_caps = std::ranges::all_of(read_.rest.regions, [](const Region& r) { return r.max_area > 0; });
+    if (!labels.are_certainly_valid() || !has_caps)
+      if (Status valid = whole_status(); !valid) return valid.error();
     number_triangles(labels);
     number_vertices();
+    add_segments();
     add_points();
     add_triangles(labels);
     add_regions(labels);
-    add_segments();
     exchange_names();
     return std::move(part_);
   }
 
  private:
+  [[nodiscard]] Status whole_status() const {
+    return status_of_whole(delaunay_, own_, read_.segments, read_.rest, convex_hull_, ranks_, threads_);
+  }
+  [[nodiscard]] Error certainly_invalid() const {
+    const Status valid = whole_status();
+    return valid ? Error{ErrorKind::internal, "the segments of a valid domain do not fit its triangulation"}
+                 : valid.error();
+  }
+
+  /// False, on all ranks, if the segments are invalid.
+  [[nodiscard]] bool divide_all_segments() {
+    if (!has_segments_) return true;
+    OwnSegments own_segments = send_to_owners_of_ends(read_.segments, read_.first_read, points_, ranks_);
+    if (!own_segments.are_sound) return false;
+    segments_ = divide_segments(std::move(own_segments.segments), hull_, delaunay_, own_, ranks_, threads_);
+    return !segments_.pass_points;
+  }
+
   [[nodiscard]] Status insert_segments() {
-    const FirstId first_id = rest_.first_id;
-    OrderedConstraints constraints;
-    if (!is_point_set(rest_)) {
-      if (Status fine = status_of(problems_of_rest(common_, rest_, convex_hull_, threads_), first_id); !fine)
-        return fine;
-      constraints = ordered_constraints(common_, delaunay_);
-      if (Status fine = status_of(learn_crossed_triangles(constraints, delaunay_, own_, ranks_, threads_), first_id);
-          !fine)
-        return fine;
-    }
+    const std::vector<Constraint> sides = learn_sides(segments_.own, delaunay_, own_, ranks_);
+    std::vector<Constraint> crossing;
+    for (const GivenSegment& s : segments_.common) crossing.push_back({delaunay_.vertex(s.a), delaunay_.vertex(s.b)});
     const std::array<VertexId, 3> first_three = FirstThree(delaunay_, ranks_).find();
     const auto when = [&](VertexId v) { return delaunay_.when(v); };
     begin_with_latest(t_, first_three, with_early_third(first_three[2], when), threads_);
-    return agree(insert_in_order(t_, constraints.edges, threads_), ranks_);
+    constrain(sides, delaunay_);
+    return agree(insert_in_order(t_, crossing, threads_), ranks_);
   }
 
   void number_triangles(const Labels& labels) {
@@ -139,11 +143,12 @@ class PartMaker {
     }
   }
 
-  /// The index, on its owner, of a point that is not common.
-  [[nodiscard]] Index index_at_owner(std::uint64_t position) const {
-    const std::uint64_t first = own_.first[own_.owner(position)];
-    const Index common = common_.before(position) - common_.before(first);
-    return part_.common + static_cast<Index>(position - first) - common;
+  /// The name of a point that is not common: its index in the part of its owner.
+  [[nodiscard]] Name name_at_owner(std::uint64_t position) const {
+    const int owner = own_.owner(position);
+    const std::uint64_t first = own_.first[owner];
+    const Index common = common_->before(position) - common_->before(first);
+    return {Name::rank(owner), part_.common + static_cast<Index>(position - first) - common};
   }
 
   void number_vertices() {
@@ -151,7 +156,7 @@ class PartMaker {
     Index next = part_.common;
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const std::uint64_t position = first_ + v;
-      vertex_[v] = common_.has(position) ? common_.before(position) : next++;
+      vertex_[v] = common_->has(position) ? common_->before(position) : next++;
     }
     known_ = next;
     list_loose_points();
@@ -159,13 +164,13 @@ class PartMaker {
       for (const VertexId v : t_.slots[id].v) {
         if (vertex_[v] != no_index) continue;
         const std::uint64_t position = delaunay_.site(v).position;
-        if (common_.has(position)) {
-          vertex_[v] = common_.before(position);
+        if (common_->has(position)) {
+          vertex_[v] = common_->before(position);
           continue;
         }
         vertex_[v] = next++;
         others_.push_back(v);
-        part_.named_vertices.emplace_back(vertex_[v], Name{Name::rank(own_.owner(position)), index_at_owner(position)});
+        part_.named_vertices.emplace_back(vertex_[v], name_at_owner(position));
       }
   }
 
@@ -179,22 +184,22 @@ class PartMaker {
   }
 
   [[nodiscard]] bool has_markers() const {
-    for (Index i = 0; i < common_.size(); ++i)
-      if (common_[i].marker != 0) return true;
+    for (Index i = 0; i < common_->size(); ++i)
+      if ((*common_)[i].marker != 0) return true;
     return !own_.marker.empty();
   }
 
   void add_points() {
     Triangulation& t = part_.domain.triangulation;
     const bool marked = has_markers();
-    t.points.resize_uninitialised(known_ + others_.size());
+    t.points.resize_uninitialised(known_ + others_.size() + far_ends_.size());
     part_.number.resize_uninitialised(known_);
     if (marked) part_.marker.resize(known_, 0);
     for (Index i = 0; i < part_.common; ++i) {
-      t.points[i] = common_[i].at;
-      part_.domain.input_of_vertex.push_back(static_cast<Index>(common_[i].number));
-      part_.number[i] = common_[i].number;
-      if (marked) part_.marker[i] = common_[i].marker;
+      t.points[i] = (*common_)[i].at;
+      part_.domain.input_of_vertex.push_back(static_cast<Index>((*common_)[i].number));
+      part_.number[i] = (*common_)[i].number;
+      if (marked) part_.marker[i] = (*common_)[i].marker;
     }
     for (VertexId v = 0; v < delaunay_.own(); ++v) {
       const Index at = vertex_[v];
@@ -203,6 +208,7 @@ class PartMaker {
       if (!own_.marker.empty()) part_.marker[at] = own_.marker[v];
     }
     for (std::size_t i = 0; i < others_.size(); ++i) t.points[known_ + i] = t_.points[others_[i]];
+    for (std::size_t i = 0; i < far_ends_.size(); ++i) t.points[known_ + others_.size() + i] = far_ends_[i].at;
     t.origin = make_array(threads_, t.points.size(), [](std::size_t) { return input_vertex; });
   }
 
@@ -227,36 +233,85 @@ class PartMaker {
   /// Whether the domain ends at this side. (The local neighbour need not be that of the triangulation of all points.)
   [[nodiscard]] bool is_on_boundary(const Slot& old, unsigned side, const Labels& labels) const {
     const std::uint64_t from = delaunay_.site(old.from(side)).position, to = delaunay_.site(old.to(side)).position;
-    return hull_.has_edge(from, to) || (old.n[side].constrained() && !labels.is_in_domain_beside(to, from));
+    return hull_.has_edge(from, to) || (old.n[side].constrained() && !labels.is_in_domain_beyond(old, side));
   }
 
   void add_regions(const Labels& labels) {
-    if (rest_.regions.empty()) return;
+    if (read_.rest.regions.empty()) return;
     Array<Index>& region = part_.domain.triangulation.region;
     // Not empty even without triangles: this would mean that there are no regions.
     region.resize(std::max<std::size_t>(kept_.size(), 1), no_index);
     for (Index i = 0; i < own_triangles_; ++i) region[i] = labels.region(kept_[i]);
   }
 
-  /// Then, if the domain is the convex hull, its edges that are no segments.
-  void add_segments() {
-    DomainTriangulation& domain = part_.domain;
-    std::vector<Constraint> constraints;
-    std::set<std::pair<Index, Index>> present;
-    for (Index s = 0; const Segment& segment : common_.segments()) {
-      constraints.push_back({segment.a, segment.b});
-      present.insert(std::minmax(segment.a, segment.b));
-      domain.input_segment.push_back(s++);
-      domain.segment_marker.push_back(segment.marker);
-    }
+  /// The common segments. If the domain is the convex hull, the edges of the hull that are no segments come after them.
+  [[nodiscard]] std::vector<GivenSegment> common_segments() const {
+    std::vector<GivenSegment> all = segments_.common;
     for (const HullVertex& v : hull_.vertices()) {
-      const Constraint edge{common_.before(v.position), common_.before(v.next)};
-      if (!convex_hull_ || present.contains(std::minmax(edge.a, edge.b))) continue;
-      constraints.push_back(edge);
-      domain.input_segment.push_back(no_index);
-      domain.segment_marker.push_back(0);
+      if (!convex_hull_) break;
+      const HullVertex& next = *at_position(hull_.vertices(), v.next);
+      const auto [a, b] = std::minmax(
+          v, next, [](const HullVertex& left, const HullVertex& right) { return left.position < right.position; });
+      if (place_of(segments_.common, {a.position, b.position}) == segments_.common.size())
+        all.push_back({{a.at, a.position}, {b.at, b.position}, no_index, 0});
     }
-    domain.segments = DomainSegments(domain.triangulation.points, constraints, threads_);
+    return all;
+  }
+
+  void add_segments() {
+    const std::vector<GivenSegment> common = common_segments();
+    part_.common_segments = static_cast<Index>(common.size());
+    std::vector<std::uint64_t> needed;
+    for (Index i = 0; i < part_.common; ++i) needed.push_back((*common_)[i].position);
+    for (const VertexId v : others_) needed.push_back(delaunay_.site(v).position);
+    const SegmentsAround around(common, segments_.own, std::move(needed), own_, ranks_, threads_);
+    segments_ = {};
+    std::vector<VertexId> vertex(around.ends().size(), no_index);  // in the part
+    const auto vertex_of = [&](Index end) {
+      if (vertex[end] == no_index) vertex[end] = vertex_of_end(around.ends()[end]);
+      return vertex[end];
+    };
+    std::vector<Index> index(around.segments().size(), no_index);  // in the part
+    for (Index i = 0; i < index.size(); ++i) {
+      if (!around.is_known(around.segments()[i].segment)) continue;
+      index[i] = static_cast<Index>(part_.domain.segments.size());
+      add_segment(around, i, vertex_of);
+    }
+    std::vector<std::pair<VertexId, Index>> ends;
+    for (Index end = 0; end < around.ends().size(); ++end)
+      if (around.is_known(around.ends()[end])) ends.emplace_back(vertex_of(end), end);
+    std::ranges::sort(ends);
+    for (const auto& [v, end] : ends) {
+      std::vector<Index> here;
+      for (const Index i : around.domain_segments().segments_at(end)) here.push_back(index[i]);
+      part_.domain.segments.add_end(v, here);
+    }
+  }
+
+  /// The vertex of the part at the end of a segment. It need not be a corner of a triangle.
+  [[nodiscard]] VertexId vertex_of_end(const Site& end) {
+    if (common_->has(end.position)) return common_->before(end.position);
+    if (const VertexId v = delaunay_.known(end); v != no_index && vertex_[v] != no_index) return vertex_[v];
+    const auto added = static_cast<VertexId>(known_ + others_.size() + far_ends_.size());
+    far_ends_.push_back(end);
+    part_.named_vertices.emplace_back(added, name_at_owner(end.position));
+    return added;
+  }
+
+  template <class VertexOf>
+  void add_segment(const SegmentsAround& around, Index number, const VertexOf& vertex_of) {
+    const NamedSegment& named = around.segments()[number];
+    const DomainSegment& s = around.domain_segments()[number];
+    const VertexId apex = s.narrow_apex == no_index ? no_index : vertex_of(s.narrow_apex);
+    std::vector<PlaceBesideEnd> places;
+    for (const PlaceBesideEnd& place : around.domain_segments().places_beside_ends(number))
+      places.push_back({vertex_of(place.apex), place.distance, place.gap});
+    DomainTriangulation& domain = part_.domain;
+    const bool is_of_others = named.name.creator != Name::everyone && named.name.creator != Name::rank(ranks_.rank());
+    if (is_of_others) part_.named_segments.emplace_back(static_cast<Index>(domain.segments.size()), named.name);
+    domain.segments.add({vertex_of(s.a), vertex_of(s.b), s.cosine_at_a, s.cosine_at_b, apex}, places);
+    domain.input_segment.push_back(named.segment.number);
+    domain.segment_marker.push_back(named.segment.marker);
   }
 
   /// A triangle has the name that its home gives it.
@@ -267,30 +322,34 @@ class PartMaker {
       part_.named_triangles.emplace_back(place(told.id), Name{Name::rank(told.home), told.value});
   }
 
+  TriangulatedPoints& points_;
   LocalDelaunay& delaunay_;
   Triangulation& t_;
   const OwnPoints& own_;
-  const Pslg& rest_;
+  const ReadDomain& read_;
+  bool has_segments_;  ///< on any rank
   bool convex_hull_;
   Ranks& ranks_;
   Threads threads_;
   std::uint64_t first_;  ///< the position of the first own point
   SharedHull hull_;
-  CommonVertices common_;
+  DividedSegments segments_;
+  std::optional<CommonVertices> common_;
   /// The slots of the part's triangles, first those with own corners; for each slot its new index, or no_index.
   Array<Index> kept_, place_;
   Index own_triangles_ = 0;
   Array<Index> vertex_;  ///< for each old vertex its new index, or no_index
   Index known_ = 0;      ///< the number of vertices that are common or own
   std::vector<VertexId> others_;
+  std::vector<Site> far_ends_;  ///< ends of segments at the part's vertices that are not among these
   PartOfDomain part_;
 };
 
 }  // namespace
 
-Result<PartOfDomain> part_of_domain(LocalDelaunay& delaunay, const OwnPoints& own, const Pslg& rest, bool convex_hull,
-                                    Ranks& ranks, const Threads& threads) {
-  return PartMaker(delaunay, own, rest, convex_hull, ranks, threads).make();
+Result<PartOfDomain> part_of_domain(TriangulatedPoints& points, const ReadDomain& read, bool convex_hull, Ranks& ranks,
+                                    const Threads& threads) {
+  return PartMaker(points, read, convex_hull, ranks, threads).make();
 }
 
 }  // namespace pardel::engine

@@ -31,14 +31,23 @@ Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
   return excerpt;
 }
 
-/// `whole`: the triangulation of the first rank; `arrived`: what the ranks have sent for the excerpt. Returns the
-/// messages with the changes, one for each rank; nothing if the excerpt was too small.
+/// `whole`: the triangulation of the first rank; `known`: its segments, as HeldPart::segments(); `arrived`: what the
+/// ranks have sent for the excerpt. Returns the messages with the changes, one for each rank; nothing if the excerpt
+/// was too small.
 std::optional<std::vector<Writer>> changes_of(const ExcerptWork& work, const Triangulation& whole,
-                                              Index common_vertices, std::span<const Ranks::Bytes> arrived) {
-  Triangulation t = empty_excerpt(whole, common_vertices);
+                                              const HeldSegments* known, Index common_vertices,
+                                              std::span<const Ranks::Bytes> arrived) {
+  DomainTriangulation domain;
+  std::optional<HeldSegments> segments;
+  if (known != nullptr) {
+    domain = known->common_segments();
+    segments.emplace(domain, work.creator, known->common());
+  }
+  Triangulation& t = domain.triangulation = empty_excerpt(whole, common_vertices);
   std::optional<HeldPart> part;
   const auto fill = [&](PhaseRunner& runner) {
-    part.emplace(t, runner.vertices(), runner.triangles(), work.creator, HeldPart::Common{common_vertices, 0});
+    part.emplace(t, runner.vertices(), runner.triangles(), work.creator, HeldPart::Common{common_vertices, 0},
+                 segments ? &*segments : nullptr);
     part->forget(0);
     part->read(arrived);
     part->sew();
@@ -52,7 +61,7 @@ std::optional<std::vector<Writer>> changes_of(const ExcerptWork& work, const Tri
   };
   std::vector<TriangleId> changed;
   try {
-    changed = without_repetitions(work.refine({fill, t}));
+    changed = without_repetitions(work.refine({fill, t, segments ? &domain.segments : nullptr}));
   } catch (const NotHeld&) {
     return std::nullopt;
   }
@@ -91,7 +100,7 @@ void work_in_excerpts(const ExcerptWork& work, HeldPart& part, const Triangulati
     if (!rings.triangles().empty()) part.write(rings.triangles(), {}, excerpt[0]);
     const std::vector<Ranks::Bytes> arrived = exchange(excerpt, ranks);
     std::optional<std::vector<Writer>> changes;
-    if (ranks.rank() == 0) changes = changes_of(work, t, part.common().vertices, arrived);
+    if (ranks.rank() == 0) changes = changes_of(work, t, part.segments(), part.common().vertices, arrived);
     if (sum_of(changes ? 1 : 0, ranks) > 0) {
       std::vector<Writer> messages = changes ? *std::move(changes) : std::vector<Writer>(count);
       return part.read(exchange(messages, ranks));

@@ -8,8 +8,7 @@ namespace pardel::engine {
 struct HeldPart::TravellingVertex {
   std::uint64_t name;
   Point at;
-  Index origin;
-  Index unused = 0;
+  std::uint64_t origin;  ///< HeldSegments::travelling_origin() if ranks have different segments
 };
 
 struct HeldPart::TravellingTriangle {
@@ -41,8 +40,9 @@ std::vector<IndexRange> some_of(IndexAllocator& indices, std::size_t count) {
 }  // namespace
 
 HeldPart::HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self,
-                   Common common)
+                   Common common, HeldSegments* segments)
     : t_(t),
+      segments_(segments),
       vertices_(vertices),
       triangles_(&triangles),
       common_(common),
@@ -126,19 +126,28 @@ std::uint64_t HeldPart::travelling(EdgeRef across) const {
 
 void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message) {
   std::vector<VertexId> vertices;
+  const auto add = [&](VertexId v) {
+    if (place_in_message_.get(v) != 0) return;
+    vertices.push_back(v);
+    place_in_message_.set(v, static_cast<Index>(vertices.size()));
+  };
   for (const TriangleId id : triangles)
-    for (const VertexId v : t_.slots[id].v)
-      if (place_in_message_.get(v) == 0) {
-        vertices.push_back(v);
-        place_in_message_.set(v, static_cast<Index>(vertices.size()));
-      }
+    for (const VertexId v : t_.slots[id].v) add(v);
+  HeldSegments::Outgoing segments;
+  if (segments_ != nullptr) {
+    segments = segments_->with(vertices);
+    for (const Index s : segments.segments)
+      for (const VertexId v : {segments_->segments()[s].a, segments_->segments()[s].b}) add(v);
+  }
   const auto place_of = [&](VertexId v) { return place_in_message_.get(v) - 1; };
   constexpr std::size_t counts = 3 * sizeof(std::uint64_t);
   message.reserve(counts + vertices.size() * sizeof(TravellingVertex) + triangles.size() * sizeof(TravellingTriangle) +
                   dropped.size_bytes());
   message.list_of<TravellingVertex>(vertices.size(), [&](std::size_t i) {
     const VertexId v = vertices[i];
-    return TravellingVertex{Names::packed(vertex_names_.of(v)), t_.points[v], t_.origin[v]};
+    const Index origin = t_.origin[v];
+    return TravellingVertex{Names::packed(vertex_names_.of(v)), t_.points[v],
+                            segments_ != nullptr ? segments_->travelling_origin(origin) : origin};
   });
   message.list_of<TravellingTriangle>(triangles.size(), [&](std::size_t i) {
     const TriangleId id = triangles[i];
@@ -150,25 +159,25 @@ void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name
                               {travelling(slot.n[0]), travelling(slot.n[1]), travelling(slot.n[2])}};
   });
   message.list(dropped);
+  if (segments_ != nullptr) segments_->write(segments, place_of, message);
   for (const VertexId v : vertices) place_in_message_.set(v, 0);
 }
 
-VertexId HeldPart::place(const TravellingVertex& vertex) {
-  const Name name = Names::unpacked(vertex.name);
+/// A new vertex counts as a point of the input, until its origin is set.
+VertexId HeldPart::place(Name name, Point at) {
   VertexId v = vertex_names_.index_of(name);
   if (v == no_index) {
     v = new_vertex();
     vertex_names_.bind(name, v);
     vertices_of_others_.push_back(v);
-    t_.points[v] = vertex.at;
-    t_.origin[v] = vertex.origin;
+    t_.points[v] = at;
+    t_.origin[v] = input_vertex;
   }
   return v;
 }
 
 void HeldPart::add(std::span<const LoosePoint> loose) {
-  for (const LoosePoint& point : loose)
-    static_cast<void>(place(TravellingVertex{Names::packed(point.name), point.at, input_vertex}));
+  for (const LoosePoint& point : loose) static_cast<void>(place(point.name, point.at));
   vertices_.settle();
 }
 
@@ -232,11 +241,17 @@ void HeldPart::read(std::span<const Ranks::Bytes> messages) {
     Reader message(bytes);
     const auto travelling_vertices = message.packed_list<TravellingVertex>();
     std::vector<VertexId> vertices(travelling_vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = place(travelling_vertices[i]);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices[i] = place(Names::unpacked(travelling_vertices[i].name), travelling_vertices[i].at);
     Arrived& arrived = all.emplace_back(Arrived{message.packed_list<TravellingTriangle>(), {}});
     const auto dropped = message.packed_list<Name>();
     for (std::size_t i = 0; i < dropped.size(); ++i)
       if (const TriangleId id = triangle(dropped[i]); id != no_index) drop(id);
+    if (segments_ != nullptr) segments_->read(message, vertices);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const std::uint64_t origin = travelling_vertices[i].origin;
+      t_.origin[vertices[i]] = segments_ != nullptr ? segments_->arrived_origin(origin) : static_cast<Index>(origin);
+    }
     arrived.ids.resize(arrived.triangles.size());
     for (std::size_t i = 0; i < arrived.ids.size(); ++i) arrived.ids[i] = place(arrived.triangles[i], vertices);
   }

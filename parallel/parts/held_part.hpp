@@ -9,6 +9,7 @@
 #include "../../core/support/message.hpp"
 #include "../concurrency/index_allocator.hpp"
 #include "../triangulation/triangulation.hpp"
+#include "held_segments.hpp"
 #include "names.hpp"
 
 namespace pardel::engine {
@@ -23,8 +24,10 @@ class HeldPart {
   };
   [[nodiscard]] const Common& common() const { return common_; }
   /// The allocators are those of t; new indices are taken from them. Common indices are named after everyone, others
-  /// after `self`.
-  HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self, Common common);
+  /// after `self`. `segments`: those of t, or nullptr if all ranks have all segments.
+  HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self, Common common,
+           HeldSegments* segments = nullptr);
+  [[nodiscard]] const HeldSegments* segments() const { return segments_; }
 
   /// True if the slot contains a triangle of the part. Precondition: no phase runs.
   [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
@@ -99,7 +102,7 @@ class HeldPart {
   [[nodiscard]] EdgeRef beyond(bool constrained) const { return {beyond_, 0, constrained}; }
   [[nodiscard]] std::uint64_t travelling(EdgeRef across) const;
   void detach(TriangleId id);
-  [[nodiscard]] VertexId place(const TravellingVertex& vertex);
+  [[nodiscard]] VertexId place(Name name, Point at);
   [[nodiscard]] TriangleId place(const TravellingTriangle& triangle, std::span<const VertexId> vertices);
   void link(const TravellingTriangle& triangle, TriangleId id);
   [[nodiscard]] Index new_vertex();
@@ -107,6 +110,7 @@ class HeldPart {
   void make_room();
 
   Triangulation& t_;
+  HeldSegments* segments_;
   IndexAllocator &vertices_, *triangles_;
   std::optional<IndexAllocator> final_triangles_;  ///< after finish()
   Common common_;

@@ -59,6 +59,8 @@ class Partners {
     /// runner was made for `t`.
     std::function<std::vector<QueuedTriangle>(PhaseRunner& runner)> fill;
     Triangulation& t;
+    /// The segments that its triangles lie on; nullptr if all ranks have all segments.
+    const DomainSegments* segments = nullptr;
   };
   /// Refines an excerpt. Returns the changed triangles.
   using RefineExcerpt = std::function<std::vector<TriangleId>(const Excerpt& excerpt)>;

@@ -222,6 +222,10 @@ class Refinement {
       refine_due(levels[level], short_enough_for(*levels[level + 1].lattice()));
   }
 
+  [[nodiscard]] const DomainSegments& segments_of(const Partners::Excerpt& excerpt) const {
+    return excerpt.segments != nullptr ? *excerpt.segments : segments_;
+  }
+
   /// What waits afterwards is added to the pending triangles when the median of the keys is known: for the median, it
   /// counts on the rank that has refined.
   void go_down_in_excerpt(const Levels& levels) {
@@ -229,7 +233,8 @@ class Refinement {
     RefineCounts in_last_excerpt;  // an excerpt that was too small does not count
     const auto refine = [&](const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed) {
       const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
-      Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, one, schedule_, watcher_, nullptr);
+      Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
+                            nullptr);
       in_excerpt.defer_again(excerpt.fill(in_excerpt.runner_));
       in_excerpt.changed_.emplace();
       in_excerpt.refine_coarse_levels(levels);
@@ -318,7 +323,8 @@ class Refinement {
     partners_->refine_rest(rest, [&](const Partners::Excerpt& excerpt) {
       // On one thread: tasks on several would all write to the triangle that stands for those beyond the excerpt.
       const Threads one(1, threads_.stop);
-      Refinement in_excerpt(excerpt.t, segments_, criteria_, options_, progress_, one, schedule_, watcher_, nullptr);
+      Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
+                            nullptr);
       in_excerpt.pending_.add_needing_larger_box(excerpt.fill(in_excerpt.runner_));
       in_excerpt.changed_.emplace();
       in_excerpt.go_up(levels);

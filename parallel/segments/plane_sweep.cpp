@@ -257,7 +257,7 @@ class PlaneSweep {
   const SweepInput input_;
   SparseAsk ask_;
   const SweepAgenda agenda_;
-  const std::vector<Site>& sites_ = agenda_.sites;
+  const std::vector<SweepSite>& sites_ = agenda_.sites;
   const std::vector<Event>& events_ = agenda_.events;
   const std::vector<Edge>& edges_ = agenda_.edges;
   SweepStatus status_;

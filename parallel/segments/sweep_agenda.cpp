@@ -9,19 +9,19 @@
 namespace pardel::engine {
 namespace {
 
-std::vector<Site> sorted_sites(const SweepInput& input) {
+std::vector<SweepSite> sorted_sites(const SweepInput& input) {
   const std::size_t n = input.points.size();
   std::vector<bool> is_visited(n);
   for (const Segment& s : input.segments) is_visited[s.a] = is_visited[s.b] = true;
   for (const Index p : input.candidates) is_visited[p] = true;
-  std::vector<Site> sites;
+  std::vector<SweepSite> sites;
   sites.reserve(n + input.queries.size());
   for (std::size_t i = 0; i < n; ++i)
     if (is_visited[i]) sites.push_back({input.points[i], static_cast<Index>(i)});
   for (std::size_t q = 0; q < input.queries.size(); ++q)
     if (is_usable(input.queries[q])) sites.push_back({input.queries[q], static_cast<Index>(n + q)});
   SparseAsk ask(input.stop);
-  std::ranges::sort(sites, [&](const Site& s, const Site& t) {
+  std::ranges::sort(sites, [&](const SweepSite& s, const SweepSite& t) {
     ask();
     return lexicographically_less(s.place, t.place) || (s.place == t.place && s.id < t.id);
   });

@@ -23,14 +23,14 @@ struct Event {
 };
 
 /// Points, by their indices, and queries, by their indices plus the number of points, that are visited.
-struct Site {
+struct SweepSite {
   Point place;
   Index id;
 };
 
 struct SweepAgenda {
-  std::vector<Site> sites;    ///< sorted by place, then by id
-  std::vector<Event> events;  ///< with one event after the last as the end of its lists
+  std::vector<SweepSite> sites;  ///< sorted by place, then by id
+  std::vector<Event> events;     ///< with one event after the last as the end of its lists
   std::vector<Edge> edges;
 };
 

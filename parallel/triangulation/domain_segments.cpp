@@ -55,11 +55,11 @@ void DomainSegments::find_ends(SparseAsk& ask) {
     ask();
     if (ends_.empty() || ends_.back() != vertex) {
       ends_.push_back(vertex);
-      start_.push_back(static_cast<Index>(incident_.size()));
+      start_.push_back(start_.back());
     }
     incident_.push_back(segment);
+    ++start_.back();
   }
-  start_.push_back(static_cast<Index>(incident_.size()));
 }
 
 void DomainSegments::sort_around(const Array<Point>& points, std::size_t end) {
@@ -149,11 +149,28 @@ std::optional<PlaceBesideEnd> DomainSegments::place_beside_end(const Array<Point
   return PlaceBesideEnd{apex, shorter, gap};
 }
 
+void DomainSegments::add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends) {
+  segments_.push_back(segment);
+  places_.insert(places_.end(), places_beside_ends.begin(), places_beside_ends.end());
+  first_place_.push_back(static_cast<Index>(places_.size()));
+}
+
+void DomainSegments::add_end(VertexId v, std::span<const Index> segments) {
+  if (!ends_.empty() && v < ends_.back()) {
+    late_ends_.emplace(v, std::vector<Index>(segments.begin(), segments.end()));
+    return;
+  }
+  ends_.push_back(v);
+  incident_.insert(incident_.end(), segments.begin(), segments.end());
+  start_.push_back(static_cast<Index>(incident_.size()));
+}
+
 std::span<const Index> DomainSegments::segments_at(VertexId v) const {
   if (v < ends_.size() && ends_[v] == v) return around(v);  // fast where all points are ends, as on a coast
   const auto at = std::ranges::lower_bound(ends_, v);
-  if (at == ends_.end() || *at != v) return {};
-  return around(static_cast<std::size_t>(at - ends_.begin()));
+  if (at != ends_.end() && *at == v) return around(static_cast<std::size_t>(at - ends_.begin()));
+  if (const auto late = late_ends_.find(v); late != late_ends_.end()) return late->second;
+  return {};
 }
 
 Index DomainSegments::segment_of(const Triangulation& t, VertexId u, VertexId v) const {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "../concurrency/threads.hpp"
@@ -42,6 +43,13 @@ class DomainSegments {
   /// `points` holds the coordinates of the vertices. O(k log k) for k constraints.
   DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints, const Threads& threads = {});
 
+  // For a rank that has a part of the segments. What is added was computed where all segments around it are known.
+  /// Adds a segment after the last one. Its direction and its angles stay as they are.
+  void add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends);
+  /// Adds a vertex with all segments that end there, in the order of segments_at(). Fast for a vertex that comes after
+  /// those that were added before. Precondition: the vertex was not added.
+  void add_end(VertexId v, std::span<const Index> segments);
+
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
 
@@ -50,7 +58,7 @@ class DomainSegments {
   [[nodiscard]] std::span<const PlaceBesideEnd> places_beside_ends(Index segment) const {
     return std::span(places_).subspan(first_place_[segment], first_place_[segment + 1] - first_place_[segment]);
   }
-  /// The segments that end at a vertex; none if it is no end of a segment.
+  /// The segments that end at a vertex, in the order of their directions; none if it is no end of a segment.
   [[nodiscard]] std::span<const Index> segments_at(VertexId v) const;
   /// The segment that contains the constrained edge u-v as a subsegment. no_index if there is no such segment; this
   /// does not happen in a correct triangulation.
@@ -87,8 +95,9 @@ class DomainSegments {
   std::vector<DomainSegment> segments_;
   std::vector<VertexId> ends_;          ///< the vertices at which segments end, in ascending order
   std::vector<PlaceBesideEnd> places_;  ///< on segment s: from first_place_[s] to first_place_[s + 1] - 1
-  std::vector<Index> first_place_;
-  std::vector<Index> start_, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
+  std::vector<Index> first_place_{0};
+  std::vector<Index> start_{0}, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
+  std::unordered_map<VertexId, std::vector<Index>> late_ends_;  ///< vertices that were added out of order
 };
 
 }  // namespace pardel::engine

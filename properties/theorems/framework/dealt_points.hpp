@@ -29,13 +29,20 @@ inline PartOfPoints points_between(const Pslg& pslg, std::size_t first, std::siz
   return part;
 }
 
-/// Segments, holes and regions, which all ranks have.
-inline Pslg without_points(Pslg pslg) {
-  pslg.points.clear();
-  pslg.point_markers.clear();
-  pslg.point_attributes.clear();
-  pslg.attributes_per_point = 0;
-  return pslg;
+/// The segments from index `first` to before index `last`.
+inline PartOfSegments segments_between(const Pslg& pslg, std::size_t first, std::size_t last) {
+  const auto at = [&](std::size_t i) { return pslg.segments.begin() + static_cast<std::ptrdiff_t>(i); };
+  return {{at(first), at(last)}, first};
+}
+
+/// Holes and regions, which all ranks have.
+inline Pslg rest_of(const Pslg& pslg) {
+  Pslg rest;
+  rest.has_segment_markers = pslg.has_segment_markers;
+  rest.holes = pslg.holes;
+  rest.regions = pslg.regions;
+  rest.first_id = pslg.first_id;
+  return rest;
 }
 
 /// The points of a mesh with their attributes, sorted. Those of a piece are among those of the whole.

@@ -10,6 +10,7 @@
 #include "../../../parallel/distributed.hpp"
 #include "../framework/dealt_points.hpp"
 #include "../framework/local_ranks.hpp"
+#include "../framework/segments_in_pieces.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
 
@@ -35,12 +36,18 @@ Pslg some_points(Exhibit& exhibit) {
   return pslg;
 }
 
+/// Where the part of each rank begins, of n things; last, n.
+std::vector<std::size_t> begins_of_parts(std::size_t n, int ranks) {
+  std::vector<std::size_t> begin{0};
+  for (int rank = 1; rank < ranks; ++rank) begin.push_back(*rc::gen::inRange<std::size_t>(0, n + 1));
+  std::ranges::sort(begin);
+  begin.push_back(n);
+  return begin;
+}
+
 /// What each rank has read.
 std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
-  std::vector<std::size_t> begin{0};
-  for (int rank = 1; rank < ranks; ++rank) begin.push_back(*rc::gen::inRange<std::size_t>(0, pslg.points.size() + 1));
-  std::ranges::sort(begin);
-  begin.push_back(pslg.points.size());
+  const std::vector<std::size_t> begin = begins_of_parts(pslg.points.size(), ranks);
   std::vector<PartOfPoints> parts;
   for (std::size_t rank = 0; rank + 1 < begin.size(); ++rank)
     parts.push_back(points_between(pslg, begin[rank], begin[rank + 1]));
@@ -133,18 +140,21 @@ Pslg with_loose_points(Pslg pslg) {
 
 PARDEL_PROPERTY(
     GivenPoints, of_domains_with_segments_are_meshed_as_by_one_process,
-    {.statement = "Ranks that each have read a part of the points of a domain, and all its segments, holes and "
-                  "regions, make the mesh of one process, with points in and around the domain that are on no "
-                  "segment, and with the attributes of its points.",
+    {.statement =
+         "Ranks that each have read a part of the points and of the segments of a domain, and all its "
+         "holes and regions, make the mesh of one process, with points in and around the domain that are on no "
+         "segment, and with the attributes of its points.",
      .source = "properties/THEORY.md, GivenPoints",
-     .families = "lattice domains of every family with up to 60 points on no segment, dealt to two to six ranks; "
-                 "random goals without fields of sizes"}) {
+     .families = "lattice domains of every family, half of them with segments in 2, 4 or 8 pieces, with up to 60 "
+                 "points on no segment, dealt with the segments to two "
+                 "to six ranks; random goals without fields of sizes"}) {
   Problem problem = some_problem(exhibit);
   problem.goal.size = {};
   problem.goal.sources.clear();
   problem.goal.grading = INFINITY;
   problem.goal.feature_edges = 0;
-  problem.pslg = with_attributes(with_loose_points(std::move(problem.pslg)));
+  const Index pieces = *rc::gen::element<Index>(1, 1, 2, 4, 8);
+  problem.pslg = with_attributes(with_loose_points(with_segments_in_pieces(std::move(problem.pslg), pieces)));
   exhibit.show(problem.pslg);
   RC_PRE(find_problems(problem.pslg, {.convex_hull = problem.goal.convex_hull}).empty());
   Options options{.threads = 1};
@@ -153,10 +163,13 @@ PARDEL_PROPERTY(
   options.triangles_per_tile = *rc::gen::inRange(4U, 80U);
   const Meshed whole = meshed(problem, exhibit, options);
   classify(!problem.pslg.segments.empty(), "with segments", 50);
-  require_together(whole.mesh, dealt(problem.pslg, *rc::gen::inRange(2, 7)),
-                   [&](PartOfPoints&& part, pardel::Ranks& ranks) {
-                     return mesh({std::move(part), without_points(problem.pslg)}, problem.goal, options, ranks);
-                   });
+  classify(pieces > 1 && !problem.pslg.segments.empty(), "with segments in pieces", 20);
+  const int count = *rc::gen::inRange(2, 7);
+  const std::vector<std::size_t> begin = begins_of_parts(problem.pslg.segments.size(), count);
+  require_together(whole.mesh, dealt(problem.pslg, count), [&](PartOfPoints&& part, pardel::Ranks& ranks) {
+    PartOfSegments segments = segments_between(problem.pslg, begin[ranks.rank()], begin[ranks.rank() + 1]);
+    return mesh({std::move(part), std::move(segments), rest_of(problem.pslg)}, problem.goal, options, ranks);
+  });
 }
 
 }  // namespace

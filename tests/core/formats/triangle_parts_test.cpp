@@ -21,13 +21,11 @@ Together read_by(int count, const std::filesystem::path& file) {
   std::vector<PartOfPslg> parts(static_cast<std::size_t>(count));
   std::vector<std::string> failures(static_cast<std::size_t>(count));
   properties::on_ranks(count, [&](Ranks& ranks) {
-    Result<std::optional<PartOfPslg>> part = read_part_of_pslg(file, ranks);
+    Result<PartOfPslg> part = read_part_of_pslg(file, ranks);
     if (!part)
       failures[ranks.rank()] = part.error().message;
-    else if (!*part)
-      failures[ranks.rank()] = "too many segments";
     else
-      parts[ranks.rank()] = **std::move(part);
+      parts[ranks.rank()] = *std::move(part);
   });
   Together all;
   all.failure = failures.front();
@@ -37,16 +35,17 @@ Together read_by(int count, const std::filesystem::path& file) {
     EXPECT_EQ(part.points.first, all.pslg.points.size());
     EXPECT_EQ(part.points.attributes_per_point, parts.front().points.attributes_per_point);
     EXPECT_EQ(part.points.first_id.value, parts.front().points.first_id.value);
+    EXPECT_EQ(part.segments.first, all.pslg.segments.size());
     EXPECT_EQ(part.rest, parts.front().rest);
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(all.pslg.points, part.points.points);
     append(all.pslg.point_attributes, part.points.point_attributes);
     append(all.pslg.point_markers, part.points.point_markers);
+    append(all.pslg.segments, part.segments.segments);
   }
   const PartOfPslg& first = parts.front();
   all.pslg.attributes_per_point = first.points.attributes_per_point;
   all.pslg.first_id = first.points.first_id;
-  all.pslg.segments = first.rest.segments;
   all.pslg.has_segment_markers = first.rest.has_segment_markers;
   all.pslg.holes = first.rest.holes;
   all.pslg.regions = first.rest.regions;
@@ -148,13 +147,33 @@ TEST(PartsOfPoly, name_the_line_of_a_fault_as_one_reader_does) {
   expect_the_same_poly(replaced(domain_with("0 0\n0\n"), "  200 2", "  205 2"));
 }
 
-TEST(PartsOfPoly, are_not_read_if_it_has_many_segments) {
+std::string many_segments() {
+  std::string text = "# segments\n150 1 # many\n";
+  for (int s = 1; s <= 150; ++s)
+    text += std::to_string(s) + " " + std::to_string(s) + " " + std::to_string(s + 1) + " " + std::to_string(s % 5) +
+            (s % 13 == 0 ? "  # a comment\r\n\n" : "\n");
+  return text + "# holes\n1\n1 0.5 0.5\n";
+}
+
+TEST(PartsOfPoly, have_a_part_of_many_segments_each) {
+  expect_the_same_poly(domain_with(many_segments()));
   const TemporaryFolder folder;
-  std::string segments = "26 0\n";
-  for (int s = 1; s <= 26; ++s)
-    segments += std::to_string(s) + " " + std::to_string(s) + " " + std::to_string(s + 1) + "\n";
-  for (const int count : {1, 2, 3, 8})
-    EXPECT_EQ(read_by(count, folder.write("many.poly", domain_with(segments + "0\n"))).failure, "too many segments");
+  folder.write("domain.node", many_points(1));
+  const std::string rest = "0 2 0 0\n" + many_segments();
+  expect_the_same(folder.write("domain.poly", rest), rest);
+}
+
+TEST(PartsOfPoly, name_the_line_of_a_fault_in_a_segment_as_one_reader_does) {
+  const std::string text = domain_with(many_segments());
+  expect_the_same_poly(replaced(text, "\n77 77 78 ", "\n77 77 201 "));
+  expect_the_same_poly(replaced(text, "\n150 150 ", "\n150 x "));
+  expect_the_same_poly(replaced(text, "\n1 1 2 1", "\n1 1"));
+  expect_the_same_poly(replaced(text, "150 1 #", "149 1 #"));
+  expect_the_same_poly(replaced(text, "150 1 #", "170 1 #"));
+  expect_the_same_poly(replaced(text, "150 1 #", "4000000000 1 #"));
+  expect_the_same_poly(replaced(text, "150 1 #", "150 2 #"));
+  expect_the_same_poly(text.substr(0, text.find("\n120 ")));
+  expect_the_same_poly(replaced(text, "1 0.5 0.5", "1 0.5"));
 }
 
 TEST(PartsOfNode, of_a_file_that_is_missing_or_no_regular_file_are_refused) {

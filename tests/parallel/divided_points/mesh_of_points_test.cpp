@@ -8,6 +8,7 @@
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
+#include "../../../properties/theorems/framework/segments_in_pieces.hpp"
 #include "../distribution/whole_of_pieces.hpp"
 #include "../given_points/part_of_rank.hpp"
 #include "../samples.hpp"
@@ -152,6 +153,27 @@ Pslg with_attributes(Pslg pslg, std::size_t per_point) {
   return pslg;
 }
 
+TEST(MeshOfPoints, dense_on_segments_is_the_mesh_of_one_process) {
+  for (const NamedDomain& domain : domains_with_segments()) {
+    const Pslg dense = properties::with_segments_in_pieces(domain.pslg, 24);
+    ASSERT_TRUE(find_problems(dense).empty()) << domain.name;
+    expect_the_mesh_of_one_process(dense, {.min_angle_deg = 28}, {.triangles_per_tile = 60}, domain.name);
+    expect_the_mesh_of_one_process(with_loose_points(dense, 100), {.min_angle_deg = 25, .conforming = true},
+                                   {.triangles_per_tile = 40}, domain.name);
+    expect_the_mesh_of_one_process(with_attributes(dense, 1), {.min_angle_deg = 25, .convex_hull = true},
+                                   {.decomposition = Decomposition::none}, domain.name);
+  }
+}
+
+TEST(MeshOfPoints, on_a_coast_is_the_mesh_of_one_process) {
+  expect_the_mesh_of_one_process(domains::coast(2'000, 1), {.min_angle_deg = 28}, {.triangles_per_tile = 100},
+                                 "angles");
+  expect_the_mesh_of_one_process(domains::coast(2'000, 2), {.max_area = 1e-4}, {}, "areas");
+  expect_the_mesh_of_one_process(domains::coast(200, 4), {.max_area = 1e-4}, {}, "segments that are split often");
+  expect_the_mesh_of_one_process(with_loose_points(domains::coast(1'000, 3), 500),
+                                 {.min_angle_deg = 30, .conforming = true}, {.triangles_per_tile = 50}, "conforming");
+}
+
 TEST(MeshOfPoints, has_the_attributes_of_the_mesh_of_one_process) {
   expect_the_mesh_of_one_process(with_attributes(domains::random_points(1'000, 4), 1), {.min_angle_deg = 28},
                                  {.triangles_per_tile = 100}, "random points");
@@ -205,7 +227,7 @@ TEST(MeshOfPoints, with_invalid_segments_has_an_error_on_all_ranks) {
             "Point 100 at (0.5, 0) lies in the interior of segment 0.");
   EXPECT_EQ(failure(valid, {.grading = 0.5}).substr(0, 36), "points that are divided among ranks ");
   on_ranks(2, [&](Ranks& ranks) {
-    EXPECT_EQ(mesh({part_of(valid, ranks), valid}, {}, {}, ranks).error().kind, ErrorKind::usage);
+    EXPECT_EQ(mesh({part_of(valid, ranks), {}, valid}, {}, {}, ranks).error().kind, ErrorKind::usage);
   });
 }
 

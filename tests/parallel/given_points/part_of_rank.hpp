@@ -12,19 +12,27 @@
 
 namespace pardel {
 
-/// What a rank reads of the points: parts that differ in size, the last one without points if there are many ranks.
-inline PartOfPoints part_of(const Pslg& pslg, const Ranks& ranks) {
-  const std::size_t n = pslg.points.size();
-  const auto bound = [&](int rank) {
-    if (rank == ranks.count()) return n;
-    return std::min(n, n * static_cast<std::size_t>(rank * rank) / static_cast<std::size_t>(ranks.count()));
-  };
-  return properties::points_between(pslg, bound(ranks.rank()), bound(ranks.rank() + 1));
+/// Where the part of a rank begins, of n things: parts that differ in size, the last one empty if there are many ranks.
+inline std::size_t begin_of_part(std::size_t n, int rank, int count) {
+  if (rank == count) return n;
+  return std::min(n, n * static_cast<std::size_t>(rank * rank) / static_cast<std::size_t>(count));
 }
 
-/// The same of a domain. All ranks have its segments, holes and regions.
+/// What a rank reads of the points.
+inline PartOfPoints part_of(const Pslg& pslg, const Ranks& ranks) {
+  const auto begin = [&](int rank) { return begin_of_part(pslg.points.size(), rank, ranks.count()); };
+  return properties::points_between(pslg, begin(ranks.rank()), begin(ranks.rank() + 1));
+}
+
+/// The same of the segments.
+inline PartOfSegments part_of_segments(const Pslg& pslg, const Ranks& ranks) {
+  const auto begin = [&](int rank) { return begin_of_part(pslg.segments.size(), rank, ranks.count()); };
+  return properties::segments_between(pslg, begin(ranks.rank()), begin(ranks.rank() + 1));
+}
+
+/// The same of a domain. All ranks have its holes and regions.
 inline PartOfPslg part_of_domain_of(const Pslg& pslg, const Ranks& ranks) {
-  return {part_of(pslg, ranks), properties::without_points(pslg)};
+  return {part_of(pslg, ranks), part_of_segments(pslg, ranks), properties::rest_of(pslg)};
 }
 
 inline Pslg with_points(std::vector<Point> points) {

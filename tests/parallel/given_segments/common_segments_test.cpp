@@ -1,4 +1,4 @@
-#include "../../../parallel/divided_points/crossed_triangles.hpp"
+#include "../../../parallel/given_segments/common_segments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Pslg square_with_segments() {
   return pslg;
 }
 
-TEST(CrossedTriangles, are_all_that_a_rank_needs_to_insert_segments) {
+TEST(CommonSegments, are_all_that_a_rank_needs_to_get_its_triangles) {
   const Pslg pslg = square_with_segments();
   const Result<DomainTriangulation> whole = triangulate_domain(pslg, true);
   ASSERT_TRUE(whole) << whole.error().message;
@@ -45,22 +45,35 @@ TEST(CrossedTriangles, are_all_that_a_rank_needs_to_insert_segments) {
   }
 }
 
-TEST(CrossedTriangles, show_the_points_inside_segments_to_all_ranks) {
+TEST(CommonSegments, that_pass_a_point_are_noticed_by_all_ranks) {
   Pslg pslg = square_with_segments();
-  pslg.points.push_back({0.25, -0.1});
-  pslg.points.push_back({0.75, -0.1});
   pslg.points.push_back({0.25, 0.25});  // inside the segment 1
   on_ranks(3, [&](Ranks& ranks) {
     TriangulatedPart part(pslg, ranks);
-    LocalDelaunay& delaunay = part.points->delaunay;
-    const std::vector<Problem> problems =
-        learn_crossed_triangles(ordered_constraints(part.common, delaunay), delaunay, part.points->own, ranks, {});
-    ASSERT_GE(problems.size(), 2U);
-    for (const Problem& problem : problems) EXPECT_EQ(problem.kind, ProblemKind::point_on_segment);
-    const Problem &first = problems.front(), &last = problems.back();
-    EXPECT_TRUE(first.ids == (std::vector<Index>{405, 0}) || first.ids == (std::vector<Index>{406, 0}));
-    EXPECT_TRUE(last.ids == (std::vector<Index>{407, 1}));
+    part.divide(ranks);
+    EXPECT_TRUE(part.segments.pass_points);
   });
+}
+
+/// A coast of 300 points in a square. All segments are edges of the Delaunay triangulation; those of the square are on
+/// the convex hull.
+TEST(CommonSegments, are_few_where_points_are_dense_on_segments) {
+  Pslg pslg = domains::coast(300, 7);
+  for (const Point p : {Point{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}) pslg.points.push_back(p);
+  for (Index i = 0; i < 4; ++i) pslg.segments.push_back({300 + i, 300 + (i + 1) % 4});
+  std::atomic<std::size_t> own = 0;
+  on_ranks(3, [&](Ranks& ranks) {
+    TriangulatedPart part(pslg, ranks);
+    part.divide(ranks);
+    ASSERT_EQ(part.segments.common.size(), 4U);
+    for (const GivenSegment& s : part.segments.common) EXPECT_GE(s.number, 300U);
+    own += part.segments.own.size();
+    for (const GivenSegment& s : part.segments.own)
+      EXPECT_TRUE(part.points->own.owner(s.a.position) == ranks.rank() ||
+                  part.points->own.owner(s.b.position) == ranks.rank());
+  });
+  EXPECT_GE(own, 300U);
+  EXPECT_LT(own, 400U);
 }
 
 }  // namespace

@@ -5,11 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "../../core/pslg.hpp"
 #include "../../core/ranks.hpp"
-#include "../given_points/local_delaunay.hpp"
-#include "../given_points/own_points.hpp"
 #include "../given_points/shared_hull.hpp"
+#include "given_segment.hpp"
 
 namespace pardel::engine {
 
@@ -21,12 +19,12 @@ struct CommonVertex {
   int unused = 0;
 };
 
-/// The vertices of the convex hull, and the ends of the segments. They have the same indices on all ranks, in the order
-/// of their positions. This is also the order of the vertices in one process.
+/// The vertices of the convex hull, and the ends of the segments that all ranks know. They have the same indices on all
+/// ranks, in the order of their positions. This is also the order of the vertices in one process.
 class CommonVertices {
  public:
-  /// Collective; all ranks pass the same segments, which name points by their numbers.
-  CommonVertices(const SharedHull& hull, std::span<const Segment> segments, const LocalDelaunay& delaunay,
+  /// Collective; all ranks pass the same segments.
+  CommonVertices(const SharedHull& hull, std::span<const GivenSegment> segments, const LocalDelaunay& delaunay,
                  const OwnPoints& own, Ranks& ranks);
 
   [[nodiscard]] Index size() const { return static_cast<Index>(vertices_.size()); }
@@ -34,12 +32,9 @@ class CommonVertices {
   /// The number of vertices before a position. So it is the index of the vertex at this position.
   [[nodiscard]] Index before(std::uint64_t position) const { return count_before(vertices_, position); }
   [[nodiscard]] bool has(std::uint64_t position) const { return at_position(vertices_, position) != nullptr; }
-  /// The segments, with indices of these vertices as ends. no_index for a point that does not exist.
-  [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
  private:
   std::vector<CommonVertex> vertices_;
-  std::vector<Segment> segments_;
 };
 
 }  // namespace pardel::engine

@@ -8,11 +8,13 @@
 #include <memory>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "../../../parallel/construction/insert_constraints.hpp"
-#include "../../../parallel/divided_points/common_vertices.hpp"
-#include "../../../parallel/divided_points/crossed_triangles.hpp"
 #include "../../../parallel/given_points/triangulated_points.hpp"
+#include "../../../parallel/given_segments/common_segments.hpp"
+#include "../../../parallel/given_segments/own_segments.hpp"
+#include "../../../parallel/given_segments/sides_of_triangles.hpp"
 #include "../given_points/part_of_rank.hpp"
 
 namespace pardel::engine {
@@ -20,19 +22,32 @@ namespace pardel::engine {
 struct TriangulatedPart {
   TriangulatedPart(const Pslg& pslg, Ranks& ranks)
       : points(std::move(triangulated(part_of(pslg, ranks), ranks, Threads(1))).value()),
-        hull(points->delaunay, points->own, ranks),
-        common(hull, pslg.segments, points->delaunay, points->own, ranks) {}
+        hull(points->delaunay, points->own, ranks) {
+    std::vector<std::uint64_t> first_read;
+    for (int rank = 0; rank <= ranks.count(); ++rank)
+      first_read.push_back(begin_of_part(pslg.points.size(), rank, ranks.count()));
+    read = send_to_owners_of_ends(part_of_segments(pslg, ranks), first_read, *points, ranks);
+  }
+
+  void divide(Ranks& ranks) {
+    segments = divide_segments(std::vector(read.segments), hull, points->delaunay, points->own, ranks, {});
+  }
 
   void insert_segments(Ranks& ranks) {
+    divide(ranks);
+    ASSERT_FALSE(segments.pass_points);
     LocalDelaunay& delaunay = points->delaunay;
-    const OrderedConstraints constraints = ordered_constraints(common, delaunay);
-    ASSERT_TRUE(learn_crossed_triangles(constraints, delaunay, points->own, ranks, {}).empty());
-    ASSERT_TRUE(insert_in_order(delaunay.triangulation(), constraints.edges, {}));
+    const std::vector<Constraint> sides = learn_sides(segments.own, delaunay, points->own, ranks);
+    std::vector<Constraint> crossing;
+    for (const GivenSegment& s : segments.common) crossing.push_back({delaunay.vertex(s.a), delaunay.vertex(s.b)});
+    constrain(sides, delaunay);
+    ASSERT_TRUE(insert_in_order(delaunay.triangulation(), crossing, {}));
   }
 
   std::unique_ptr<TriangulatedPoints> points;
   SharedHull hull;
-  CommonVertices common;
+  OwnSegments read;
+  DividedSegments segments;
 };
 
 /// The corners, counter-clockwise from the least one.

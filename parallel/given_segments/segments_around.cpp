@@ -1,0 +1,123 @@
+#include "segments_around.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "../../core/support/exchange_lists.hpp"
+#include "../../core/support/message.hpp"
+
+namespace pardel::engine {
+namespace {
+
+struct TravellingName {
+  std::uint64_t a, b;  ///< positions of the ends
+  Name name;
+};
+
+template <class T>
+void sort_without_repetitions(std::vector<T>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+SegmentsAround::SegmentsAround(std::span<const GivenSegment> common, std::span<const GivenSegment> own,
+                               std::vector<std::uint64_t> needed, const OwnPoints& points, Ranks& ranks,
+                               const Threads& threads)
+    : points_(points), ranks_(ranks), needed_(std::move(needed)) {
+  sort_without_repetitions(needed_);
+  name_own(common, own);
+  learn_segments_around();
+  compute(threads);
+}
+
+bool SegmentsAround::is_known(const Site& end) const {
+  return points_.owner(end.position) == ranks_.rank() || std::ranges::binary_search(needed_, end.position);
+}
+
+/// The owner of end a tells the owner of end b how it has named a segment.
+void SegmentsAround::name_own(std::span<const GivenSegment> common, std::span<const GivenSegment> own) {
+  for (const GivenSegment& s : common) segments_.push_back({s, {Name::everyone, static_cast<Index>(segments_.size())}});
+  std::vector<std::vector<TravellingName>> leaving(static_cast<std::size_t>(ranks_.count()));
+  std::vector<GivenSegment> of_others;
+  for (const GivenSegment& s : own) {
+    if (points_.owner(s.a.position) != ranks_.rank()) {
+      of_others.push_back(s);
+      continue;
+    }
+    const Name name{Name::rank(ranks_.rank()), static_cast<Index>(segments_.size())};
+    segments_.push_back({s, name});
+    if (const int other = points_.owner(s.b.position); other != ranks_.rank())
+      leaving[other].push_back({s.a.position, s.b.position, name});
+  }
+  std::size_t named = 0;
+  for (const TravellingName& each : concatenated(exchange_lists(leaving, ranks_))) {
+    const std::size_t place = place_of(of_others, {each.a, each.b});
+    if (place == of_others.size()) throw Reader::does_not_match();
+    segments_.push_back({of_others[place], each.name});
+    ++named;
+  }
+  if (named != of_others.size()) throw Reader::does_not_match();
+}
+
+/// Three rounds: the segments at the needed vertices, those at the other ends, and those at the other ends of these.
+void SegmentsAround::learn_segments_around() {
+  std::vector<std::uint64_t> asked, next = needed_;
+  std::set<PositionsOfEnds> known;
+  std::size_t listed = 0;
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    std::erase_if(next, [&](std::uint64_t position) {
+      return points_.owner(position) == ranks_.rank() || std::ranges::binary_search(asked, position);
+    });
+    const std::vector<NamedSegment> found = segments_at(next);
+    asked.insert(asked.end(), next.begin(), next.end());
+    std::ranges::sort(asked);
+    next.clear();
+    // Segments that other ranks know may be among those of this rank.
+    const auto is_own = [&](const GivenSegment& s) {
+      return points_.owner(s.a.position) == ranks_.rank() || points_.owner(s.b.position) == ranks_.rank();
+    };
+    for (const NamedSegment& each : found)
+      if (!is_own(each.segment) && known.insert(ends_of(each.segment)).second) segments_.push_back(each);
+    for (; listed < segments_.size(); ++listed) {
+      const GivenSegment& s = segments_[listed].segment;
+      next.insert(next.end(), {s.a.position, s.b.position});
+    }
+    sort_without_repetitions(next);
+  }
+}
+
+/// Collective. What the owners of the points know about the segments at them, without the common ones.
+std::vector<NamedSegment> SegmentsAround::segments_at(const std::vector<std::uint64_t>& positions) {
+  std::vector<std::vector<std::uint64_t>> questions(static_cast<std::size_t>(ranks_.count()));
+  for (const std::uint64_t position : positions) questions[points_.owner(position)].push_back(position);
+  questions = exchange_lists(questions, ranks_);
+  std::vector<std::pair<std::uint64_t, int>> asked;  // with the ranks that ask
+  for (int rank = 0; rank < ranks_.count(); ++rank)
+    for (const std::uint64_t position : questions[rank]) asked.emplace_back(position, rank);
+  std::ranges::sort(asked);
+  std::vector<std::vector<NamedSegment>> answers(questions.size());
+  for (const NamedSegment& each : segments_) {
+    if (each.name.creator == Name::everyone) continue;
+    for (const std::uint64_t end : {each.segment.a.position, each.segment.b.position})
+      for (auto at = std::ranges::lower_bound(asked, std::pair(end, 0)); at != asked.end() && at->first == end; ++at)
+        answers[at->second].push_back(each);
+  }
+  return concatenated(exchange_lists(answers, ranks_));
+}
+
+void SegmentsAround::compute(const Threads& threads) {
+  for (const NamedSegment& each : segments_) ends_.insert(ends_.end(), {each.segment.a, each.segment.b});
+  sort_by_position(ends_);
+  Array<Point> points;
+  for (const Site& end : ends_) points.push_back(end.at);
+  std::vector<Constraint> constraints;
+  for (const NamedSegment& each : segments_)
+    constraints.push_back({count_before(ends_, each.segment.a.position), count_before(ends_, each.segment.b.position)});
+  domain_segments_ = DomainSegments(points, constraints, threads);
+}
+
+}  // namespace pardel::engine
