@@ -6,6 +6,7 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
+#include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -26,15 +27,16 @@ void sort_without_repetitions(std::vector<T>& values) {
 SegmentsAround::SegmentsAround(std::span<const GivenSegment> common, std::span<const GivenSegment> own,
                                std::vector<std::uint64_t> needed, const OwnPoints& points, Ranks& ranks,
                                const Threads& threads)
-    : points_(points), ranks_(ranks), needed_(std::move(needed)) {
+    : points_(points), ranks_(ranks), first_(points.first[ranks.rank()]), needed_(std::move(needed)) {
   sort_without_repetitions(needed_);
   name_own(common, own);
   learn_segments_around();
+  list_ends();
   compute(threads);
 }
 
 bool SegmentsAround::is_known(const Site& end) const {
-  return points_.owner(end.position) == ranks_.rank() || std::ranges::binary_search(needed_, end.position);
+  return is_own(end.position) || std::ranges::binary_search(needed_, end.position);
 }
 
 /// The owner of end a tells the owner of end b how it has named a segment.
@@ -43,7 +45,7 @@ void SegmentsAround::name_own(std::span<const GivenSegment> common, std::span<co
   std::vector<std::vector<TravellingName>> leaving(static_cast<std::size_t>(ranks_.count()));
   std::vector<GivenSegment> of_others;
   for (const GivenSegment& s : own) {
-    if (points_.owner(s.a.position) != ranks_.rank()) {
+    if (!is_own(s.a.position)) {
       of_others.push_back(s);
       continue;
     }
@@ -69,23 +71,19 @@ void SegmentsAround::learn_segments_around() {
   std::size_t listed = 0;
   constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
-    std::erase_if(next, [&](std::uint64_t position) {
-      return points_.owner(position) == ranks_.rank() || std::ranges::binary_search(asked, position);
-    });
+    std::erase_if(
+        next, [&](std::uint64_t position) { return is_own(position) || std::ranges::binary_search(asked, position); });
     const std::vector<NamedSegment> found = segments_at(next);
     asked.insert(asked.end(), next.begin(), next.end());
     std::ranges::sort(asked);
     next.clear();
     // Segments that other ranks know may be among those of this rank.
-    const auto is_own = [&](const GivenSegment& s) {
-      return points_.owner(s.a.position) == ranks_.rank() || points_.owner(s.b.position) == ranks_.rank();
-    };
-    for (const NamedSegment& each : found)
-      if (!is_own(each.segment) && known.insert(ends_of(each.segment)).second) segments_.push_back(each);
-    for (; listed < segments_.size(); ++listed) {
-      const GivenSegment& s = segments_[listed].segment;
-      next.insert(next.end(), {s.a.position, s.b.position});
-    }
+    for (const auto& [s, name] : found)
+      if (!is_own(s.a.position) && !is_own(s.b.position) && known.insert(ends_of(s)).second)
+        segments_.push_back({s, name});
+    for (; listed < segments_.size(); ++listed)
+      for (const Site& end : {segments_[listed].segment.a, segments_[listed].segment.b})
+        if (!is_own(end.position)) next.push_back(end.position);
     sort_without_repetitions(next);
   }
 }
@@ -109,15 +107,41 @@ std::vector<NamedSegment> SegmentsAround::segments_at(const std::vector<std::uin
   return concatenated(exchange_lists(answers, ranks_));
 }
 
-void SegmentsAround::compute(const Threads& threads) {
-  for (const NamedSegment& each : segments_) ends_.insert(ends_.end(), {each.segment.a, each.segment.b});
-  sort_by_position(ends_);
-  Array<Point> points;
-  for (const Site& end : ends_) points.push_back(end.at);
-  std::vector<Constraint> constraints;
+void SegmentsAround::list_ends() {
+  // Own points follow one another, so they need not be sorted.
+  std::vector<Site> own(static_cast<std::size_t>(points_.first[ranks_.rank() + 1] - first_));
+  std::vector<bool> is_end(own.size());
+  std::vector<Site> others;
   for (const NamedSegment& each : segments_)
-    constraints.push_back({count_before(ends_, each.segment.a.position), count_before(ends_, each.segment.b.position)});
+    for (const Site& end : {each.segment.a, each.segment.b})
+      if (is_own(end.position)) {
+        own[end.position - first_] = end;
+        is_end[end.position - first_] = true;
+      } else {
+        others.push_back(end);
+      }
+  sort_by_position(others);
+  const auto after = others.begin() + static_cast<std::ptrdiff_t>(count_before(others, first_));
+  ends_.assign(others.begin(), after);
+  index_of_own_.resize(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    index_of_own_[i] = static_cast<Index>(ends_.size());
+    if (is_end[i]) ends_.push_back(own[i]);
+  }
+  ends_.insert(ends_.end(), after, others.end());
+}
+
+Index SegmentsAround::index_of(const Site& end) const {
+  return is_own(end.position) ? index_of_own_[end.position - first_] : count_before(ends_, end.position);
+}
+
+void SegmentsAround::compute(const Threads& threads) {
+  const Array<Point> points = make_array(threads, ends_.size(), [&](std::size_t i) { return ends_[i].at; });
+  std::vector<Constraint> constraints;
+  constraints.reserve(segments_.size());
+  for (const auto& [s, name] : segments_) constraints.push_back({index_of(s.a), index_of(s.b)});
   domain_segments_ = DomainSegments(points, constraints, threads);
+  index_of_own_ = {};
 }
 
 }  // namespace pardel::engine

@@ -44,13 +44,21 @@ class SegmentsAround {
   void name_own(std::span<const GivenSegment> common, std::span<const GivenSegment> own);
   void learn_segments_around();
   [[nodiscard]] std::vector<NamedSegment> segments_at(const std::vector<std::uint64_t>& positions);
+  void list_ends();
   void compute(const Threads& threads);
+  [[nodiscard]] bool is_own(std::uint64_t position) const {
+    return position >= first_ && position < points_.first[ranks_.rank() + 1];
+  }
+  /// The place of an end in ends().
+  [[nodiscard]] Index index_of(const Site& end) const;
 
   const OwnPoints& points_;
   Ranks& ranks_;
+  std::uint64_t first_;                ///< the position of the first own point
   std::vector<std::uint64_t> needed_;  ///< sorted
   std::vector<NamedSegment> segments_;
   std::vector<Site> ends_;
+  std::vector<Index> index_of_own_;  ///< for each own point: its place in ends_, if it is an end
   DomainSegments domain_segments_;
 };
 

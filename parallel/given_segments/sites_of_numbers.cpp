@@ -45,19 +45,32 @@ int SitesOfNumbers::reader_of(std::uint64_t number) const {
   return static_cast<int>(std::ranges::upper_bound(first_read_, number) - first_read_.begin()) - 1;
 }
 
+/// Mostly, a rank has read the points that its segments name.
 std::vector<Site> SitesOfNumbers::find(const std::vector<Index>& numbers) const {
-  return answers_of_ranks<Site>(
-      numbers, 1, ranks_, [&](std::size_t i) { return reader_of(numbers[i]); },
-      [&](const std::vector<Index>& asked) {
-        std::vector<Site> sites;
-        sites.reserve(asked.size());
-        for (const Index number : asked) {
-          const std::uint64_t place = number - first_read_[ranks_.rank()];
-          if (place >= sites_.size()) throw Reader::does_not_match();
-          sites.push_back(sites_[place]);
+  const std::uint64_t first = first_read_[ranks_.rank()];
+  const auto has_read = [&](Index number) { return number >= first && number - first < sites_.size(); };
+  std::vector<Site> sites(numbers.size());
+  std::vector<std::size_t> unknown;
+  std::vector<Index> asked;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (has_read(numbers[i])) {
+      sites[i] = sites_[numbers[i] - first];
+    } else {
+      unknown.push_back(i);
+      asked.push_back(numbers[i]);
+    }
+  const std::vector<Site> answers = answers_of_ranks<Site>(
+      asked, 1, ranks_, [&](std::size_t i) { return reader_of(asked[i]); },
+      [&](const std::vector<Index>& questions) {
+        std::vector<Site> found;
+        for (const Index number : questions) {
+          if (!has_read(number)) throw Reader::does_not_match();
+          found.push_back(sites_[number - first]);
         }
-        return sites;
+        return found;
       });
+  for (std::size_t i = 0; i < unknown.size(); ++i) sites[unknown[i]] = answers[i];
+  return sites;
 }
 
 }  // namespace pardel::engine

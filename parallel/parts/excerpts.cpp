@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "../../core/support/collective.hpp"
+#include "../../core/support/exchange_lists.hpp"
 #include "../triangulation/held.hpp"
 
 namespace pardel::engine {
 namespace {
 
-/// The number of rings of the first excerpt. Each further excerpt has twice as many as the one before.
-constexpr unsigned first_rings = 4;
+/// The first excerpt has one ring, and the next ones have one more around the places where the one before was too
+/// small. So it has few triangles more than it needs. Later, few places are left, and more rings are added at a time:
+/// 1, 1, 2, 2, 4, 4 and so on.
+[[nodiscard]] unsigned rings_to_add(unsigned attempts) { return 1U << (attempts / 2); }
 
 std::vector<Index> without_repetitions(std::vector<Index> ids) {
   std::sort(ids.begin(), ids.end());
@@ -31,81 +34,135 @@ Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
   return excerpt;
 }
 
-/// `whole`: the triangulation of the first rank; `known`: its segments, as HeldPart::segments(); `arrived`: what the
-/// ranks have sent for the excerpt. Returns the messages with the changes, one for each rank; nothing if the excerpt
-/// was too small.
-std::optional<std::vector<Writer>> changes_of(const ExcerptWork& work, const Triangulation& whole,
-                                              const HeldSegments* known, Index common_vertices,
-                                              std::span<const Ranks::Bytes> arrived) {
-  DomainTriangulation domain;
-  std::optional<HeldSegments> segments;
-  if (known != nullptr) {
-    domain = known->common_segments();
-    segments.emplace(domain, work.creator, known->common());
+/// What has come of the work in an excerpt.
+struct Attempt {
+  std::optional<std::vector<Writer>> changes;  ///< one for each rank; nothing if the excerpt was too small
+  std::vector<Name> needs_more_at;             ///< the vertices around which it was too small, if they are known
+};
+
+/// The excerpt, on the first rank. It grows until it is large enough.
+class GrowingExcerpt {
+ public:
+  /// `whole`: the triangulation of the first rank, and `part` its part of the mesh.
+  GrowingExcerpt(const ExcerptWork& work, const Triangulation& whole, const HeldPart& part) : work_(work) {
+    if (part.segments() != nullptr) {
+      domain_ = part.segments()->common_segments();
+      segments_.emplace(domain_, work.creator, part.segments()->common());
+    }
+    const Index common = part.common().vertices;
+    t_ = empty_excerpt(whole, common);
+    vertices_.emplace(common, no_index);
+    triangles_.emplace(Index{1}, max_engine_triangles);
+    part_.emplace(t_, *vertices_, *triangles_, work.creator, HeldPart::Common{common, 0},
+                  segments_ ? &*segments_ : nullptr);
+    part_->forget(0);
   }
-  Triangulation& t = domain.triangulation = empty_excerpt(whole, common_vertices);
-  std::optional<HeldPart> part;
-  const auto fill = [&](PhaseRunner& runner) {
-    part.emplace(t, runner.vertices(), runner.triangles(), work.creator, HeldPart::Common{common_vertices, 0},
-                 segments ? &*segments : nullptr);
-    part->forget(0);
-    part->read(arrived);
-    part->sew();
-    std::vector<QueuedTriangle> entries;
-    for (const Name name : work.names) {
-      const TriangleId id = part->triangle(name);
+
+  void add(std::span<const Ranks::Bytes> messages) {
+    part_->read(messages);
+    part_->sew();
+  }
+
+  /// If the excerpt is too small, it is as before.
+  [[nodiscard]] Attempt attempt(int ranks) {
+    const Triangulation before = t_;
+    std::vector<TriangleId> changed;
+    Attempt result;
+    try {
+      std::vector<VertexId> needs_more_at;
+      changed = refined(needs_more_at);
+      for (const VertexId v : without_repetitions(std::move(needs_more_at)))
+        result.needs_more_at.push_back(part_->name_of_vertex(v));
+      if (result.needs_more_at.empty()) result.changes = messages_with(changed, ranks);
+    } catch (const NotHeld&) {
+      result = {};
+    }
+    if (!result.changes) t_ = before;
+    return result;
+  }
+
+ private:
+  /// Returns the changed triangles.
+  [[nodiscard]] std::vector<TriangleId> refined(std::vector<VertexId>& needs_more_at) {
+    std::vector<QueuedTriangle> first;
+    for (const Name name : work_.names) {
+      const TriangleId id = part_->triangle(name);
       if (id == no_index) throw Reader::does_not_match();
-      entries.push_back(QueuedTriangle::now(t, EdgeRef(id, 0)));
+      first.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
     }
-    return entries;
-  };
-  std::vector<TriangleId> changed;
-  try {
-    changed = without_repetitions(work.refine({fill, t, segments ? &domain.segments : nullptr}));
-  } catch (const NotHeld&) {
-    return std::nullopt;
+    std::vector<TriangleId> changed = without_repetitions(
+        work_.refine({std::move(first), t_, segments_ ? &domain_.segments : nullptr, needs_more_at}));
+    // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is
+    // missing.
+    for (const TriangleId id : changed)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Slot& slot = t_.slots[id]; part_->is_beyond(slot.n[side]))
+          needs_more_at.insert(needs_more_at.end(), {slot.from(side), slot.to(side)});
+    return changed;
   }
-  // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is
-  // missing.
-  for (const TriangleId id : changed)
-    for (const EdgeRef across : t.slots[id].n)
-      if (part->is_beyond(across)) return std::nullopt;
-  std::vector<VertexId> inserted;
-  for (const TriangleId id : changed)
-    for (const VertexId v : t.slots[id].v)
-      if (part->name_of_vertex(v).creator == work.creator) inserted.push_back(v);
-  work.finish(*part, t, without_repetitions(std::move(inserted)));
-  std::vector<Writer> messages(arrived.size());
-  for (std::size_t rank = 0; rank < messages.size() && !changed.empty(); ++rank) {
-    std::vector<TriangleId> triangles;
-    std::vector<Name> dropped;
-    for (const TriangleId id : changed) {
-      if (work.is_held_by(static_cast<int>(rank), t, id))
-        triangles.push_back(id);
-      else if (part->name_of(id).creator != work.creator)
-        dropped.push_back(part->name_of(id));
+
+  [[nodiscard]] std::vector<Writer> messages_with(std::span<const TriangleId> changed, int ranks) {
+    std::vector<VertexId> inserted;
+    for (const TriangleId id : changed)
+      for (const VertexId v : t_.slots[id].v)
+        if (part_->name_of_vertex(v).creator == work_.creator) inserted.push_back(v);
+    work_.finish(*part_, t_, without_repetitions(std::move(inserted)));
+    std::vector<Writer> messages(static_cast<std::size_t>(ranks));
+    for (int rank = 0; rank < ranks && !changed.empty(); ++rank) {
+      std::vector<TriangleId> triangles;
+      std::vector<Name> dropped;
+      for (const TriangleId id : changed) {
+        if (work_.is_held_by(rank, t_, id))
+          triangles.push_back(id);
+        else if (part_->name_of(id).creator != work_.creator)
+          dropped.push_back(part_->name_of(id));
+      }
+      part_->write(triangles, dropped, messages[rank]);
     }
-    part->write(triangles, dropped, messages[rank]);
+    return messages;
   }
-  return messages;
+
+  const ExcerptWork& work_;
+  DomainTriangulation domain_;
+  Triangulation& t_ = domain_.triangulation;
+  std::optional<HeldSegments> segments_;
+  std::optional<IndexAllocator> vertices_, triangles_;  ///< of the triangles that have arrived
+  std::optional<HeldPart> part_;
+};
+
+/// Adds rings around these vertices, or around all if these do not help. Returns false if there are no more triangles.
+bool grow(Rings& rings, unsigned count, std::span<const Name> vertices) {
+  rings.grow_around(vertices);
+  rings.grow();
+  if (rings.is_complete() && !vertices.empty()) return grow(rings, count, {});
+  if (rings.is_complete()) return false;
+  for (unsigned ring = 1; ring < count && !rings.is_complete(); ++ring) rings.grow();
+  return true;
 }
 
 }  // namespace
 
 void work_in_excerpts(const ExcerptWork& work, HeldPart& part, const Triangulation& t, Rings& rings, Ranks& ranks) {
   const auto count = static_cast<std::size_t>(ranks.count());
-  for (unsigned have = 0, wanted = first_rings;; wanted *= 2) {
-    for (; have < wanted && !rings.is_complete(); ++have) rings.grow();
-    std::vector<Writer> excerpt(count);
-    if (!rings.triangles().empty()) part.write(rings.triangles(), {}, excerpt[0]);
-    const std::vector<Ranks::Bytes> arrived = exchange(excerpt, ranks);
-    std::optional<std::vector<Writer>> changes;
-    if (ranks.rank() == 0) changes = changes_of(work, t, part.segments(), part.common().vertices, arrived);
-    if (sum_of(changes ? 1 : 0, ranks) > 0) {
-      std::vector<Writer> messages = changes ? *std::move(changes) : std::vector<Writer>(count);
+  std::optional<GrowingExcerpt> excerpt;
+  if (ranks.rank() == 0) excerpt.emplace(work, t, part);
+  std::size_t sent = 0;
+  rings.grow();
+  for (unsigned attempts = 0;; ++attempts) {
+    std::vector<Writer> messages(count);
+    const auto fresh = std::span(rings.triangles()).subspan(std::exchange(sent, rings.triangles().size()));
+    if (!fresh.empty()) part.write(fresh, {}, messages[0]);
+    const std::vector<Ranks::Bytes> arrived = exchange(messages, ranks);
+    Attempt here;
+    if (excerpt) {
+      excerpt->add(arrived);
+      here = excerpt->attempt(ranks.count());
+    }
+    if (sum_of(here.changes ? 1 : 0, ranks) > 0) {
+      messages = here.changes ? *std::move(here.changes) : std::vector<Writer>(count);
       return part.read(exchange(messages, ranks));
     }
-    if (rings.is_complete()) throw NotHeld{};
+    if (!grow(rings, rings_to_add(attempts), concatenated(lists_of_all(here.needs_more_at, ranks)))) throw NotHeld{};
   }
 }
 

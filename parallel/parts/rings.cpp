@@ -1,5 +1,6 @@
 #include "rings.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "../../core/support/collective.hpp"
@@ -48,6 +49,17 @@ void Rings::walk_around(Corner c) {
       if (!mark(at)) break;
       add(at.triangle);
     }
+}
+
+void Rings::grow_around(std::span<const Name> vertices) {
+  std::vector<VertexId> here;
+  for (const Name name : vertices)
+    if (const VertexId v = part_.vertex(name); v != no_index) here.push_back(v);
+  std::ranges::sort(here);
+  next_.clear();
+  for (const TriangleId id : triangles_)
+    for (unsigned corner = 0; corner < 3; ++corner)
+      if (vertices.empty() || std::ranges::binary_search(here, t_.slots[id].v[corner])) next_.push_back({id, corner});
 }
 
 void Rings::grow() {

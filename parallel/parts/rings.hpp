@@ -23,11 +23,13 @@ class Rings {
 
   /// Adds a ring. Collective. O(new triangles) on each rank.
   void grow();
+  /// From now on, grow() adds rings around these vertices of the set only; around all of them if there are none.
+  void grow_around(std::span<const Name> vertices);
   /// The triangles that have been found on this rank. The lists of all ranks together have all triangles; some are in
   /// several lists.
   [[nodiscard]] const std::vector<TriangleId>& triangles() const { return triangles_; }
-  /// True if no rank has found a triangle in the last ring: then the set has all triangles that are connected with its
-  /// first ones. The same on all ranks.
+  /// True if no rank has found a triangle in the last ring. If it was a ring around all vertices, the set has all
+  /// triangles that are connected with its first ones. The same on all ranks.
   [[nodiscard]] bool is_complete() const { return is_complete_; }
 
  private:
@@ -47,7 +49,7 @@ class Rings {
   Ranks& ranks_;
   Owner owner_;
   std::vector<TriangleId> triangles_;
-  std::vector<Corner> next_;  ///< the corners of the last ring's triangles
+  std::vector<Corner> next_;  ///< the corners around which the next ring grows
   bool is_complete_ = false;
   /// Of each triangle: which corners are marked (bits 0 to 2), and whether it is in the list (bit 3).
   SparseArray<unsigned char> marks_;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
+#include "../triangulation/held.hpp"
 #include "../triangulation/paired_disk_query.hpp"
 
 namespace pardel::engine {
@@ -85,6 +87,8 @@ EdgeRef Insertion::longest_encroached() const {
 
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   if (!box.contains_half_open(p)) return Outcome::leaves_box;
+  tried_ = p;
+  tried_from_ = first;
   const Walk walk = cavity_.find(t_, first, PairedDiskQuery{t_, Pair{p.x, p.y}, box});
   if (walk == Walk::elsewhere) return Outcome::refused;
   if (walk == Walk::foreign) return Outcome::leaves_box;
@@ -123,6 +127,8 @@ bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradiu
 Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
   const EdgeRef other = t_.slot(e).n[e.side()];
   if (!box.contains_half_open(p)) return Outcome::leaves_box;
+  tried_ = p;
+  tried_from_ = e.triangle();
   for (const EdgeRef side : {e, other})
     if (!side.none())
       for (const VertexId v : t_.slot(side).v) {
@@ -147,6 +153,26 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index segment, const Box& box)
   if (!is_star_) return box.is_whole_plane() ? edge_by_flips(p, e, segment) : Outcome::leaves_box;
   commit(p, origin_on_segment(segment));
   return outcome;
+}
+
+std::vector<VertexId> Insertion::ends_of_missed_edges() const {
+  std::vector<VertexId> ends;
+  std::set<TriangleId> found{tried_from_};
+  std::vector<TriangleId> next{tried_from_};
+  while (!next.empty()) {
+    const Slot& slot = t_.slots[next.back()];
+    next.pop_back();
+    for (unsigned side = 0; side < 3; ++side) {
+      const EdgeRef across = slot.n[side];
+      if (across.none()) continue;
+      if (!is_held(t_, across.triangle()))
+        ends.insert(ends.end(), {slot.from(side), slot.to(side)});
+      else if (!across.constrained() && in_circumdisk(t_, t_.slot(across), tried_) &&
+               found.insert(across.triangle()).second)
+        next.push_back(across.triangle());
+    }
+  }
+  return ends;
 }
 
 void Insertion::commit(Point p, Index origin) {

@@ -72,6 +72,8 @@ class Insertion {
   [[nodiscard]] double squared_closest() const { return squared_closest_; }
   /// After `inserted`: if false, no triangle of changed() has a constrained side.
   [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
+  /// After NotHeld was thrown: the ends of the edges at which the cavity leaves the part that the process holds.
+  [[nodiscard]] std::vector<VertexId> ends_of_missed_edges() const;
   /// True if an insertion since start() needed flips (see QueuedTriangle).
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }
   /// After `encroaches`: the longest encroached part of a segment, seen from inside the cavity. If there is none, an
@@ -100,8 +102,10 @@ class Insertion {
   double squared_floor_;
   FreeIndices* free_ = nullptr;
   Cavity cavity_;
-  bool is_star_ = false;        ///< after try_in_face and try_on_edge: the cavity is star-shaped around the point
-  double squared_closest_ = 0;  ///< after measure_fan: distance to the nearest corner of the boundary
+  bool is_star_ = false;              ///< after try_in_face and try_on_edge: the cavity is star-shaped around the point
+  double squared_closest_ = 0;        ///< after measure_fan: distance to the nearest corner of the boundary
+  Point tried_{};                     ///< the last point whose cavity was sought,
+  TriangleId tried_from_ = no_index;  ///< beginning here
   bool has_flipped_ = false;
   std::span<const TriangleId> changed_;  ///< the cavity's triangles, or flipped_
   std::vector<TriangleId> flipped_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "../criteria/split_candidates.hpp"
+#include "../triangulation/held.hpp"
 
 namespace pardel::engine {
 
@@ -28,13 +29,24 @@ bool Task::step() {
   while (!queue_.empty()) {
     const QueuedTriangle next = queue_.pop();
     if (!next.is_current(t_)) continue;  // stale; the new triangle was queued, too, if it is bad
-    if (free_->suffice())
-      process(next);
-    else
+    if (!free_->suffice()) {
       hand_on_to_own_cell(next);
+      return true;
+    }
+    try {
+      process(next);
+    } catch (const NotHeld&) {
+      note_not_held();
+    }
     return true;
   }
   return false;
+}
+
+void Task::note_not_held() {
+  result_.needs_more = true;
+  const std::vector<VertexId> at = insertion_.ends_of_missed_edges();
+  result_.needs_more_at.insert(result_.needs_more_at.end(), at.begin(), at.end());
 }
 
 TaskResult Task::run(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,

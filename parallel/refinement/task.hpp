@@ -29,6 +29,10 @@ struct TaskResult {
   std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
   std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box should fit the box by T1
   bool left_alone = false;           ///< a triangle that breaks the goal was not split; it may not exist any more
+  /// The task needed triangles that the process does not hold (held.hpp). It left alone what it wanted to split. Then
+  /// its result does not count.
+  bool needs_more = false;
+  std::vector<VertexId> needs_more_at;  ///< the vertices around which they are missing, as far as known
 };
 
 /// Works on one cell at a time. Each thread has a Task of its own. A run keeps only allocated memory for the next run,
@@ -83,6 +87,7 @@ class Task {
   void split_blocker(QueuedTriangle triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && tiles_->cell_of(p) != cell_; }
   void hand_on_to_own_cell(QueuedTriangle triangle);
+  void note_not_held();
   void count_refused();
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   /// Hands the triangle on to the cell of p, the point that this task could not insert. If p lies in the task's own

@@ -53,16 +53,17 @@ class Partners {
   /// Tells the ranks that hold them about the triangles that the tasks have changed. Uses up the lists of changes.
   virtual void exchange_changes(std::vector<PlannedTask>& tasks) = 0;
 
-  /// An excerpt of the mesh, and the triangles with which its refinement starts.
+  /// An excerpt of the mesh.
   struct Excerpt {
-    /// Puts the triangles of the excerpt into `t`. Returns those that need a larger box. To be called once, after the
-    /// runner was made for `t`.
-    std::function<std::vector<QueuedTriangle>(PhaseRunner& runner)> fill;
+    std::vector<QueuedTriangle> first;  ///< with which its refinement starts; they need a larger box
     Triangulation& t;
     /// The segments that its triangles lie on; nullptr if all ranks have all segments.
-    const DomainSegments* segments = nullptr;
+    const DomainSegments* segments;
+    /// If the excerpt is too small: vertices around which more triangles are needed. Then the result does not count.
+    std::vector<VertexId>& needs_more_at;
   };
-  /// Refines an excerpt. Returns the changed triangles.
+  /// Refines an excerpt. Returns the changed triangles. Throws NotHeld if the excerpt is too small, and the places
+  /// where are unknown.
   using RefineExcerpt = std::function<std::vector<TriangleId>(const Excerpt& excerpt)>;
   /// Splits the triangles whose cavities fit no box of the finest tiles. They are few. One rank gets the triangles near
   /// them, and calls `refine`; if this throws NotHeld, it gets more and starts again. All ranks then take over the

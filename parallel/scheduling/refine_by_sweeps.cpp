@@ -235,8 +235,9 @@ class Refinement {
       const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
       Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
                             nullptr);
-      in_excerpt.defer_again(excerpt.fill(in_excerpt.runner_));
+      in_excerpt.defer_again(excerpt.first);
       in_excerpt.changed_.emplace();
+      in_excerpt.needs_more_at_ = &excerpt.needs_more_at;
       in_excerpt.refine_coarse_levels(levels);
       in_last_excerpt = in_excerpt.counts_;
       keys_in_excerpt_ = in_excerpt.pending_.count_keys();
@@ -325,8 +326,9 @@ class Refinement {
       const Threads one(1, threads_.stop);
       Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
                             nullptr);
-      in_excerpt.pending_.add_needing_larger_box(excerpt.fill(in_excerpt.runner_));
+      in_excerpt.pending_.add_needing_larger_box(excerpt.first);
       in_excerpt.changed_.emplace();
+      in_excerpt.needs_more_at_ = &excerpt.needs_more_at;
       in_excerpt.go_up(levels);
       in_last_excerpt = in_excerpt.counts_;
       in_last_excerpt.left_alone = in_last_excerpt.left_alone || in_excerpt.pending_.any_needs_larger_box();
@@ -416,8 +418,14 @@ class Refinement {
     return watcher_(compacted_copy(t_, runner_.vertices(), runner_.triangles(), threads_), sweep);
   }
 
+  void note_places(const TaskResult& result) const {
+    if (needs_more_at_ == nullptr || result.needs_more_at.empty()) throw NotHeld{};
+    needs_more_at_->insert(needs_more_at_->end(), result.needs_more_at.begin(), result.needs_more_at.end());
+  }
+
   void collect(const PlannedTask& task, Sweep& sweep) {
     const TaskResult& r = task.result;
+    if (r.needs_more) note_places(r);
     pending_.add_needing_larger_box(task.outside_box);
     pending_.add_needing_larger_box(r.needs_larger_box);
     counts_.inserted += r.inserted;
@@ -443,6 +451,7 @@ class Refinement {
   Waiting waiting_;                                 ///< what waits after go_down_in_excerpt()
   std::vector<std::uint64_t> keys_in_excerpt_;      ///< of its deferred triangles, on the rank that has refined it
   std::optional<std::vector<TriangleId>> changed_;  ///< in an excerpt: the triangles made, with repetitions
+  std::vector<VertexId>* needs_more_at_ = nullptr;  ///< of the excerpt
   Assessor assessor_;
   Threads threads_;
   PhaseRunner runner_;

@@ -19,4 +19,9 @@ inline void require_held(const Point& p) {
     throw NotHeld{};
 }
 
+/// False for the triangle beyond the part that the process holds.
+[[nodiscard]] inline bool is_held(const Triangulation& t, TriangleId id) {
+  return !std::isnan(t.points[t.slots[id].v[0]].x);
+}
+
 }  // namespace pardel::engine
