@@ -95,21 +95,21 @@ struct MeshPiece {
 /// interior is refined, and there is neither a limit on vertices nor a function that needs the whole mesh.
 [[nodiscard]] bool can_divide_points(const Goal& goal, const Options& options);
 
-/// Makes the mesh of a domain of which no rank has all points: that of mesh() for the domain, with the same numbers.
-/// Collective; all ranks pass the same segments, holes and regions. The points are triangulated as by triangulate().
-/// Then each rank inserts all segments into its part. One rank refines the coarse levels, in an excerpt of the mesh:
-/// the triangles that are long compared with the tiles, and some around them. Then the triangles go to the ranks that
-/// refine their tiles.
+/// Makes the mesh of a domain that no rank has as a whole: that of mesh() for the domain, with the same numbers.
+/// Collective; all ranks pass the same holes and regions. The points are triangulated as by triangulate(). Each rank
+/// gets the segments at its points. Those that are no edges of this triangulation are inserted by all ranks. One rank
+/// refines the coarse levels, in an excerpt of the mesh: the triangles that are long compared with the tiles, and some
+/// around them. Then the triangles go to the ranks that refine their tiles.
 ///
-/// Memory of a rank: its share of the mesh, a margin around it, all segments with their ends, the corners of all
-/// triangles that segments cross in the triangulation of the points, and the vertices of the convex hull; on the first
+/// Memory of a rank: its share of the mesh and of the segments, a margin around it, the segments that cross triangles of
+/// the triangulation of the points, the corners of these triangles, and the vertices of the convex hull; on the first
 /// rank also the excerpt. If points have attributes, also its share of the triangulation of the points, on which they
-/// are interpolated. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull vertices
-/// and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
+/// are interpolated. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull vertices that
+/// the rank knows, and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
 ///
-/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with problems of segments, holes and
-/// regions (all of them, or else points inside segments, of which at least one is listed if there are any); `usage` if
-/// can_divide_points() is false, or if domain.rest has points.
+/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with all problems of segments, holes and
+/// regions, as find_problems() lists them (then the first rank has had the whole domain); `usage` if can_divide_points()
+/// is false, or if domain.rest has points or segments.
 [[nodiscard]] Result<MeshPiece> mesh(PartOfPslg&& domain, const Goal& goal, const Options& options, Ranks& ranks);
 
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.

@@ -187,10 +187,11 @@ TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const V
   if (id == no_index) {
     id = new_slot();
     triangle_names_.bind(name, id);
-    is_known_elsewhere_.set(id, 1);
   } else {
     detach(id);
   }
+  // Also a triangle that this rank has named: others may know it by a message of a third rank.
+  is_known_elsewhere_.set(id, 1);
   Slot& slot = t_.slots[id];
   for (unsigned i = 0; i < 3; ++i) {
     if (triangle.v[i] >= vertices.size()) throw Reader::does_not_match();

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../properties/domains/domains.hpp"
@@ -95,6 +96,44 @@ TEST(Rings, are_those_of_the_whole_mesh) {
   expect_rings(domains::pipe(), "pipe");
   expect_rings(domains::regions(), "regions");
   expect_rings(domains::comb(9, 0.1), "comb");
+}
+
+/// The triangles around one vertex are on the rank that owns it. Afterwards, the rings grow from there.
+TEST(Rings, grow_around_a_vertex_only_if_they_are_told_so) {
+  const Result<DomainTriangulation> domain = triangulate_domain(domains::random_points(500, 3), true);
+  ASSERT_TRUE(domain) << domain.error().message;
+  const Triangulation& t = domain->triangulation;
+  const VertexId v = t.slots[0].v[1];
+  Set around_v{0};
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    if (std::ranges::count(t.slots[id].v, v) > 0) around_v.insert(id);
+  const auto owner = [](VertexId vertex) { return static_cast<int>(vertex) % 3; };
+  std::mutex mutex;
+  Set first, second, third;
+  properties::on_ranks(3, [&](Ranks& ranks) {
+    const Part part(t, ranks.rank(), owner);
+    std::vector<TriangleId> centre;
+    if (owner(t.slots[0].v[0]) == ranks.rank()) centre.push_back(0);
+    Rings rings(part.held, part.t, ranks, owner, centre);
+    const auto add_to = [&](Set& found) {
+      const std::scoped_lock lock(mutex);
+      found.insert(rings.triangles().begin(), rings.triangles().end());
+    };
+    rings.grow_around(std::vector{Name{Name::everyone, v}});
+    rings.grow();
+    add_to(first);
+    EXPECT_FALSE(rings.is_complete());
+    rings.grow_around(std::vector{Name{Name::everyone, v}});
+    rings.grow();
+    add_to(second);
+    EXPECT_TRUE(rings.is_complete());
+    rings.grow_around({});
+    rings.grow();
+    add_to(third);
+  });
+  EXPECT_EQ(first, around_v);
+  EXPECT_EQ(second, around_v);
+  EXPECT_EQ(third, with_one_ring_more(t, around_v));
 }
 
 /// Two triangles that have one vertex in common: no cavity reaches from one into the other.
