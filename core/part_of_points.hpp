@@ -20,7 +20,7 @@ struct PartOfPoints {
   FirstId first_id{};                    ///< only messages use it
 };
 
-/// The segments of one rank, as PartOfPoints.
+/// The segments of one rank, numbered rank by rank like the points of PartOfPoints.
 struct PartOfSegments {
   std::vector<Segment> segments;  ///< they name the points of all ranks by their numbers
   std::uint64_t first = 0;        ///< the number of the first of them among all segments, counted from 0

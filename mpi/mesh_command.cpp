@@ -128,7 +128,7 @@ bool may_divide(const Arguments& arguments, const Job& job) {
 }
 
 /// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
-/// problems as 'pardel mesh' does. Other errors end the job.
+/// problems with the advice of 'pardel mesh'. Other errors end the job.
 Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) {
   if (error.kind != ErrorKind::invalid_input) job.abort(error);
   Status valid = Done{};

@@ -101,15 +101,16 @@ struct MeshPiece {
 /// refines the coarse levels, in an excerpt of the mesh: the triangles that are long compared with the tiles, and some
 /// around them. Then the triangles go to the ranks that refine their tiles.
 ///
-/// Memory of a rank: its share of the mesh and of the segments, a margin around it, the segments that cross triangles of
-/// the triangulation of the points, the corners of these triangles, and the vertices of the convex hull; on the first
-/// rank also the excerpt. If points have attributes, also its share of the triangulation of the points, on which they
-/// are interpolated. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull vertices that
-/// the rank knows, and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse levels.
+/// Memory of a rank: its share of the mesh and of the segments, a margin around it, the segments that cross triangles
+/// of the triangulation of the points, these triangles and the segments at them, and the vertices of the convex hull;
+/// on the first rank also the excerpt. If points have attributes, also its share of the triangulation of the points, on
+/// which they are interpolated. Time for the segments, on each rank: O((k + c) log (k + c)) for k segments and hull
+/// vertices that the rank knows, and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse
+/// levels.
 ///
-/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with all problems of segments, holes and
-/// regions, as find_problems() lists them (then the first rank has had the whole domain); `usage` if can_divide_points()
-/// is false, or if domain.rest has points or segments.
+/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with all problems of segments, holes
+/// and regions, as find_problems() lists them (then the first rank has had the whole domain); `usage` if
+/// can_divide_points() is false, or if domain.rest has points or segments.
 [[nodiscard]] Result<MeshPiece> mesh(PartOfPslg&& domain, const Goal& goal, const Options& options, Ranks& ranks);
 
 /// The piece as the writers of files need it. The piece must not be moved while the result is used.

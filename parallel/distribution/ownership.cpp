@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "../../core/support/without_repetitions.hpp"
 #include "../concurrency/hilbert_order.hpp"
 
 namespace pardel::engine {
@@ -31,11 +32,6 @@ std::vector<int> owners(std::span<const Index> curve, std::span<const double> wo
     before += work[cell];
   }
   return owner;
-}
-
-void sort_without_repetitions(std::vector<int>& ranks) {
-  std::sort(ranks.begin(), ranks.end());
-  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "../../core/support/answers_of_ranks.hpp"
 #include "../../core/support/share_of_rank.hpp"
+#include "../../core/support/without_repetitions.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/locate.hpp"
 #include "triangles_at_borders.hpp"
@@ -45,9 +46,11 @@ class Components {
   }
 
   [[nodiscard]] bool has(TriangleId id) const { return of_slot_[id] != no_index; }
-  /// Equal for two triangles of any ranks if they are connected. Precondition: has(id).
+  /// Equal for two triangles of any ranks if they are connected; less than size(). Precondition: has(id).
   [[nodiscard]] std::size_t set_of(TriangleId id) const { return set_[share_.before + of_slot_[id]]; }
   [[nodiscard]] std::size_t size() const { return set_.size(); }
+  /// For each component of any rank, the set that it belongs to.
+  [[nodiscard]] const std::vector<std::size_t>& sets() const { return set_; }
 
  private:
   void find() {
@@ -88,8 +91,7 @@ class Components {
              delaunay_, own_, ranks_, [&](TriangleId id) { return has(id); },
              [&](TriangleId id) { return of_slot_[id]; }))
       found.push_back({first[told.home] + told.value, share_.before + of_slot_[told.id]});
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_without_repetitions(found);
     return found;
   }
 
@@ -188,8 +190,7 @@ Labels::Labels(const LocalDelaunay& delaunay, const OwnPoints& own, const Shared
     for_each_open_to_exterior(delaunay, hull, [&](TriangleId id) {
       if (components.has(id)) here.push_back(components.set_of(id));
     });
-    std::ranges::sort(here);
-    here.erase(std::unique(here.begin(), here.end()), here.end());
+    sort_without_repetitions(here);
     for (const std::uint64_t set : concatenated(lists_of_all(here, ranks))) label[set] = outside;
   }
   const std::vector<Index> exterior = label;
@@ -205,7 +206,7 @@ Labels::Labels(const LocalDelaunay& delaunay, const OwnPoints& own, const Shared
       are_certainly_valid_ = false;
     else
       label[set] = r;
-  const bool is_empty = std::ranges::all_of(label, [](Index each) { return each == outside; });
+  const bool is_empty = std::ranges::all_of(components.sets(), [&](std::size_t set) { return label[set] == outside; });
   are_certainly_valid_ = are_certainly_valid_ && sets.are_off_segments() && !is_empty;
   for (TriangleId id = 0; id < t.slots.size(); ++id)
     if (components.has(id)) of_slot_[id] = label[components.set_of(id)];

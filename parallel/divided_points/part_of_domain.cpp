@@ -61,8 +61,8 @@ class PartMaker {
         t_(delaunay_.triangulation()),
         own_(points.own),
         read_(read),
-        has_segments_(sum_of(read.segments.segments.size(), ranks) > 0),
-        convex_hull_(convex_hull || !has_segments_),
+        all_segments_(sum_of(read.segments.segments.size(), ranks)),
+        convex_hull_(convex_hull || all_segments_ == 0),
         ranks_(ranks),
         threads_(threads),
         first_(own_.first[ranks.rank()]),
@@ -71,6 +71,7 @@ class PartMaker {
   }
 
   [[nodiscard]] Result<PartOfDomain> make() {
+    if (all_segments_ >= no_index) return Error{ErrorKind::resources, "there are more segments than can be numbered"};
     if (!divide_all_segments()) return certainly_invalid();
     common_.emplace(hull_, segments_.common, delaunay_, own_, ranks_);
     part_.common = common_->size();
@@ -83,7 +84,7 @@ class PartMaker {
       if (Status valid = whole_status(); !valid) return valid.error();
     number_triangles(labels);
     number_vertices();
-    add_segments();
+    add_segments();  // before the points: it may add vertices
     add_points();
     add_triangles(labels);
     add_regions(labels);
@@ -103,7 +104,7 @@ class PartMaker {
 
   /// False, on all ranks, if the segments are invalid.
   [[nodiscard]] bool divide_all_segments() {
-    if (!has_segments_) return true;
+    if (all_segments_ == 0) return true;
     OwnSegments own_segments = send_to_owners_of_ends(read_.segments, read_.first_read, points_, ranks_);
     if (!own_segments.are_sound) return false;
     segments_ = divide_segments(std::move(own_segments.segments), hull_, delaunay_, own_, ranks_, threads_);
@@ -224,7 +225,7 @@ class PartMaker {
         const EdgeRef across = old.n[k];
         if (place_[across.triangle()] != no_index)
           slot.n[k] = EdgeRef(place_[across.triangle()], across.side(), across.constrained());
-        else if (!is_on_boundary(old, k, labels))
+        else if (i >= own_triangles_ || !is_on_boundary(old, k, labels))  // nobody asks beyond borrowed triangles
           part_.cut.emplace_back(static_cast<TriangleId>(i), k, across.constrained());
       }
     }
@@ -327,7 +328,7 @@ class PartMaker {
   Triangulation& t_;
   const OwnPoints& own_;
   const ReadDomain& read_;
-  bool has_segments_;  ///< on any rank
+  std::uint64_t all_segments_;  ///< how many all ranks have read
   bool convex_hull_;
   Ranks& ranks_;
   Threads threads_;

@@ -44,7 +44,7 @@ class Surveyor {
   /// The corners of the crossed triangles at home here, and of those that were added.
   [[nodiscard]] const std::vector<Site>& corners() const { return corners_; }
   /// The sides that begin at a point of this rank, along the curve. Sorted.
-  [[nodiscard]] std::vector<PositionsOfEnds> sides() {
+  [[nodiscard]] std::vector<PositionsOfEnds> take_sides() {
     std::ranges::sort(sides_);
     return std::move(sides_);
   }
@@ -93,7 +93,7 @@ DividedSegments divide_segments(std::vector<GivenSegment>&& own_segments, const 
   divided.pass_points = sum_of(surveyor.points_inside(), ranks) > 0;
   if (divided.pass_points) return divided;
 
-  const std::vector<PositionsOfEnds> crossed_sides = surveyor.sides();
+  const std::vector<PositionsOfEnds> crossed_sides = surveyor.take_sides();
   const std::vector<GivenSegment> edges = take([&](const GivenSegment& s) {
     return std::ranges::binary_search(crossed_sides, ends_of(s)) || hull.has_edge(s.a.position, s.b.position) ||
            hull.has_edge(s.b.position, s.a.position);

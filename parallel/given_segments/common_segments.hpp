@@ -12,8 +12,8 @@
 
 namespace pardel::engine {
 
-/// Most segments are edges of the Delaunay triangulation of the points, if the points are dense on them. To insert such
-/// a segment means to mark an edge, which concerns the ranks at the edge. The others are common:
+/// If points are dense on segments, most segments are edges of the Delaunay triangulation of the points. Such a segment
+/// is inserted by marking an edge. Only the ranks that have triangles at this edge need to know. The others are common:
 /// - the segments that are no edges: they cross triangles;
 /// - the segments that are sides of triangles that those cross;
 /// - the segments that are edges of the convex hull.

@@ -6,6 +6,7 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
+#include "../../core/support/without_repetitions.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 
 namespace pardel::engine {
@@ -15,12 +16,6 @@ struct TravellingName {
   std::uint64_t a, b;  ///< positions of the ends
   Name name;
 };
-
-template <class T>
-void sort_without_repetitions(std::vector<T>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 }  // namespace
 

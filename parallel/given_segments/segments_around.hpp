@@ -24,8 +24,8 @@ struct NamedSegment {
 class SegmentsAround {
  public:
   /// Collective. `common`: the segments that all ranks have; their indices are their names. `own`: the others that end
-  /// at own points; the owner of end a names them. Both in the order of their ends. `needed`: the positions of the
-  /// vertices; own points need not be among them.
+  /// at own points, in the order of their ends; the owner of end a names them. `needed`: the positions of the vertices;
+  /// own points need not be among them.
   SegmentsAround(std::span<const GivenSegment> common, std::span<const GivenSegment> own,
                  std::vector<std::uint64_t> needed, const OwnPoints& points, Ranks& ranks, const Threads& threads);
 

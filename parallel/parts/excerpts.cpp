@@ -7,6 +7,7 @@
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
+#include "../../core/support/without_repetitions.hpp"
 #include "../triangulation/held.hpp"
 
 namespace pardel::engine {
@@ -16,12 +17,6 @@ namespace {
 /// small. So it has few triangles more than it needs. Later, few places are left, and more rings are added at a time:
 /// 1, 1, 2, 2, 4, 4 and so on.
 [[nodiscard]] unsigned rings_to_add(unsigned attempts) { return 1U << (attempts / 2); }
-
-std::vector<Index> without_repetitions(std::vector<Index> ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
 
 /// Copies the vertices that all ranks have in common, and makes one slot without a triangle: arrays of regions that are
 /// empty would mean that there are no regions.
@@ -46,7 +41,7 @@ class GrowingExcerpt {
   /// `whole`: the triangulation of the first rank, and `part` its part of the mesh.
   GrowingExcerpt(const ExcerptWork& work, const Triangulation& whole, const HeldPart& part) : work_(work) {
     if (part.segments() != nullptr) {
-      domain_ = part.segments()->common_segments();
+      domain_ = part.segments()->domain_of_common();
       segments_.emplace(domain_, work.creator, part.segments()->common());
     }
     const Index common = part.common().vertices;
@@ -65,19 +60,19 @@ class GrowingExcerpt {
 
   /// If the excerpt is too small, it is as before.
   [[nodiscard]] Attempt attempt(int ranks) {
-    const Triangulation before = t_;
+    Triangulation before = t_;
     std::vector<TriangleId> changed;
     Attempt result;
     try {
       std::vector<VertexId> needs_more_at;
       changed = refined(needs_more_at);
-      for (const VertexId v : without_repetitions(std::move(needs_more_at)))
-        result.needs_more_at.push_back(part_->name_of_vertex(v));
+      sort_without_repetitions(needs_more_at);
+      for (const VertexId v : needs_more_at) result.needs_more_at.push_back(part_->name_of_vertex(v));
       if (result.needs_more_at.empty()) result.changes = messages_with(changed, ranks);
     } catch (const NotHeld&) {
       result = {};
     }
-    if (!result.changes) t_ = before;
+    if (!result.changes) t_ = std::move(before);
     return result;
   }
 
@@ -90,8 +85,9 @@ class GrowingExcerpt {
       if (id == no_index) throw Reader::does_not_match();
       first.push_back(QueuedTriangle::now(t_, EdgeRef(id, 0)));
     }
-    std::vector<TriangleId> changed = without_repetitions(
-        work_.refine({std::move(first), t_, segments_ ? &domain_.segments : nullptr, needs_more_at}));
+    std::vector<TriangleId> changed =
+        work_.refine({std::move(first), t_, segments_ ? &domain_.segments : nullptr, needs_more_at});
+    sort_without_repetitions(changed);
     // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is
     // missing.
     for (const TriangleId id : changed)
@@ -106,7 +102,8 @@ class GrowingExcerpt {
     for (const TriangleId id : changed)
       for (const VertexId v : t_.slots[id].v)
         if (part_->name_of_vertex(v).creator == work_.creator) inserted.push_back(v);
-    work_.finish(*part_, t_, without_repetitions(std::move(inserted)));
+    sort_without_repetitions(inserted);
+    work_.finish(*part_, t_, inserted);
     std::vector<Writer> messages(static_cast<std::size_t>(ranks));
     for (int rank = 0; rank < ranks && !changed.empty(); ++rank) {
       std::vector<TriangleId> triangles;

@@ -135,7 +135,7 @@ void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name
     for (const VertexId v : t_.slots[id].v) add(v);
   HeldSegments::Outgoing segments;
   if (segments_ != nullptr) {
-    segments = segments_->with(vertices);
+    segments = segments_->leaving_with(vertices);
     for (const Index s : segments.segments)
       for (const VertexId v : {segments_->segments()[s].a, segments_->segments()[s].b}) add(v);
   }

@@ -8,7 +8,7 @@ constexpr std::uint64_t no_segment = std::uint64_t{no_index} << 32U;
 
 }  // namespace
 
-DomainTriangulation HeldSegments::common_segments() const {
+DomainTriangulation HeldSegments::domain_of_common() const {
   DomainTriangulation common;
   for (Index s = 0; s < common_; ++s) {
     common.segments.add(domain_.segments[s], domain_.segments.places_beside_ends(s));
@@ -30,7 +30,7 @@ Index HeldSegments::arrived_origin(std::uint64_t origin) const {
   return origin_on_segment(segment);
 }
 
-HeldSegments::Outgoing HeldSegments::with(std::span<const VertexId> corners) {
+HeldSegments::Outgoing HeldSegments::leaving_with(std::span<const VertexId> corners) {
   const Triangulation& t = domain_.triangulation;
   Outgoing outgoing;
   const auto add = [&](Index s) {
@@ -79,6 +79,7 @@ void HeldSegments::read(Reader& message, std::span<const VertexId> vertices) {
     place(arrived, rest.first(arrived.places), vertices);
     rest = rest.subspan(arrived.places);
   }
+  if (!rest.empty()) throw Reader::does_not_match();
   const auto ends = message.list<TravellingEnd>();
   const auto names = message.list<std::uint64_t>();
   auto next = names.begin();
@@ -87,10 +88,14 @@ void HeldSegments::read(Reader& message, std::span<const VertexId> vertices) {
     if (end.vertex >= vertices.size() || end.count > static_cast<std::size_t>(names.end() - next))
       throw Reader::does_not_match();
     here.clear();
-    for (Index i = 0; i < end.count; ++i) here.push_back(names_.index_of(Names::unpacked(*next++)));
+    for (Index i = 0; i < end.count; ++i) {
+      here.push_back(names_.index_of(Names::unpacked(*next++)));
+      if (here.back() >= domain_.segments.size()) throw Reader::does_not_match();
+    }
     const VertexId v = vertices[end.vertex];
     if (domain_.segments.segments_at(v).empty()) domain_.segments.add_end(v, here);
   }
+  if (next != names.end()) throw Reader::does_not_match();
 }
 
 }  // namespace pardel::engine

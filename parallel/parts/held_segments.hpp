@@ -12,8 +12,8 @@
 
 namespace pardel::engine {
 
-/// A rank knows all segments that end at corners of its triangles, and those that its vertices lie inside of. The first
-/// segments are common: all ranks know them, with the same indices.
+/// A rank knows all segments that end at corners of its triangles, and those that contain one of its vertices. The
+/// first segments are common: all ranks know them, with the same indices.
 class HeldSegments {
  public:
   /// The segments are those of the domain, to which more are added as they arrive. `common`: the number of common ones.
@@ -24,7 +24,7 @@ class HeldSegments {
   void name(Index segment, Name name) { names_.bind(name, segment); }
   [[nodiscard]] Name name_of(Index segment) const { return names_.of(segment); }
   /// A domain that has the common segments, but no triangles, and no vertices.
-  [[nodiscard]] DomainTriangulation common_segments() const;
+  [[nodiscard]] DomainTriangulation domain_of_common() const;
   [[nodiscard]] const DomainSegments& segments() const { return domain_.segments; }
   [[nodiscard]] Index common() const { return common_; }
 
@@ -35,12 +35,12 @@ class HeldSegments {
 
   /// What travels with vertices.
   struct Outgoing {
-    std::vector<Index> segments;        ///< those of `at_ends`, and those that a vertex lies inside of; no common ones
     std::vector<VertexId> ends;         ///< the vertices at which segments end
     std::vector<Index> count, at_ends;  ///< for each of them, how many segments, and which
+    std::vector<Index> segments;        ///< those of `at_ends`, and those that contain a vertex; without common ones
   };
   /// What travels with the corners of triangles.
-  [[nodiscard]] Outgoing with(std::span<const VertexId> corners);
+  [[nodiscard]] Outgoing leaving_with(std::span<const VertexId> corners);
   /// `place_of(v)`: the place of a vertex in the message.
   template <class PlaceOf>
   void write(const Outgoing& outgoing, const PlaceOf& place_of, Writer& message) const;
@@ -65,7 +65,7 @@ class HeldSegments {
   DomainTriangulation& domain_;
   Index common_;
   Names names_;
-  SparseArray<char> is_listed_;  ///< scratch memory of with()
+  SparseArray<char> is_listed_;  ///< scratch memory of leaving_with()
 };
 
 struct HeldSegments::TravellingSegment {

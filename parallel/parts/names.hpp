@@ -1,4 +1,4 @@
-// Names that vertices and triangles have on all ranks. An index is valid on one rank only.
+// Names that vertices, triangles and segments have on all ranks. An index is valid on one rank only.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace pardel::engine {
 
-/// The name of a vertex, or of the slot of a triangle: who created it, and its index there. Slots are reused, so a name
-/// belongs to different triangles over time, but at any time to one triangle at most.
+/// The name of a vertex, of a segment, or of the slot of a triangle: who created it, and its index there. Slots are
+/// reused, so a name belongs to different triangles over time, but at any time to one triangle at most.
 struct Name {
   /// What existed before the mesh was divided was created by all ranks alike.
   static constexpr std::uint32_t everyone = 0;
   [[nodiscard]] static constexpr std::uint32_t rank(int rank) { return static_cast<std::uint32_t>(rank) + 1; }
 
-  /// The rank of a creator; the number of ranks if it was made in an excerpt (Distribution::refine_rest).
+  /// The rank of a creator; the number of ranks, or one more, if it was made in an excerpt.
   [[nodiscard]] static constexpr int rank_of(std::uint32_t creator) { return static_cast<int>(creator) - 1; }
 
   std::uint32_t creator = everyone;

@@ -23,7 +23,8 @@ class Rings {
 
   /// Adds a ring. Collective. O(new triangles) on each rank.
   void grow();
-  /// From now on, grow() adds rings around these vertices of the set only; around all of them if there are none.
+  /// The next grow() adds a ring around these vertices of the set only; around all of the set if the list is empty.
+  /// Later calls go on from there.
   void grow_around(std::span<const Name> vertices);
   /// The triangles that have been found on this rank. The lists of all ranks together have all triangles; some are in
   /// several lists.

@@ -157,6 +157,7 @@ Outcome Insertion::split_edge(Point p, EdgeRef e, Index segment, const Box& box)
 
 std::vector<VertexId> Insertion::ends_of_missed_edges() const {
   std::vector<VertexId> ends;
+  if (tried_from_ == no_index) return ends;
   std::set<TriangleId> found{tried_from_};
   std::vector<TriangleId> next{tried_from_};
   while (!next.empty()) {
@@ -176,6 +177,7 @@ std::vector<VertexId> Insertion::ends_of_missed_edges() const {
 }
 
 void Insertion::commit(Point p, Index origin) {
+  tried_from_ = no_index;
   const VertexId v = free_->vertices.take();
   t_.points[v] = p;
   t_.origin[v] = origin;

@@ -72,7 +72,8 @@ class Insertion {
   [[nodiscard]] double squared_closest() const { return squared_closest_; }
   /// After `inserted`: if false, no triangle of changed() has a constrained side.
   [[nodiscard]] bool may_touch_constraint() const { return cavity_.touches_constraint() || cavity_.splits_edge(); }
-  /// After NotHeld was thrown: the ends of the edges at which the cavity leaves the part that the process holds.
+  /// If the search for the last cavity has thrown NotHeld: the ends of the edges at which the cavity leaves the part
+  /// that the process holds. Otherwise there may be none.
   [[nodiscard]] std::vector<VertexId> ends_of_missed_edges() const;
   /// True if an insertion since start() needed flips (see QueuedTriangle).
   [[nodiscard]] bool has_flipped() const { return has_flipped_; }

@@ -7,6 +7,16 @@
 
 namespace pardel::engine {
 
+template <class Work>
+void Task::with_triangles_around(TriangleId id, const Work& work) {
+  try {
+    work();
+  } catch (const NotHeld&) {
+    if (!is_in_excerpt_) throw;
+    note_missing_triangles(id);
+  }
+}
+
 void Task::start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,
                  FreeIndices& free, const Report& report, bool list_changes) {
   tiles_ = &tiles;
@@ -21,7 +31,7 @@ void Task::start(const Tiles& tiles, Index cell, std::span<const QueuedTriangle>
   hints_ = {};
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     if (report && i % steps_between_reports == 0) report(0);
-    consider(seeds[i].id());
+    with_triangles_around(seeds[i].id(), [&] { consider(seeds[i].id()); });
   }
 }
 
@@ -33,20 +43,17 @@ bool Task::step() {
       hand_on_to_own_cell(next);
       return true;
     }
-    try {
-      process(next);
-    } catch (const NotHeld&) {
-      note_not_held();
-    }
+    with_triangles_around(next.id(), [&] { process(next); });
     return true;
   }
   return false;
 }
 
-void Task::note_not_held() {
-  result_.needs_more = true;
+void Task::note_missing_triangles(TriangleId around) {
   const std::vector<VertexId> at = insertion_.ends_of_missed_edges();
-  result_.needs_more_at.insert(result_.needs_more_at.end(), at.begin(), at.end());
+  std::vector<VertexId>& all = result_.needs_more_at;
+  all.insert(all.end(), at.begin(), at.end());
+  if (at.empty()) all.insert(all.end(), t_.slots[around].v.begin(), t_.slots[around].v.end());
 }
 
 TaskResult Task::run(const Tiles& tiles, Index cell, std::span<const QueuedTriangle> seeds, const Deferral& later,

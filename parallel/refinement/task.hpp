@@ -29,10 +29,9 @@ struct TaskResult {
   std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
   std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box should fit the box by T1
   bool left_alone = false;           ///< a triangle that breaks the goal was not split; it may not exist any more
-  /// The task needed triangles that the process does not hold (held.hpp). It left alone what it wanted to split. Then
-  /// its result does not count.
-  bool needs_more = false;
-  std::vector<VertexId> needs_more_at;  ///< the vertices around which they are missing, as far as known
+  /// In an excerpt: vertices around which the task needed triangles that the excerpt does not have. It left alone what
+  /// it wanted to split there. Then its result does not count.
+  std::vector<VertexId> needs_more_at;
 };
 
 /// Works on one cell at a time. Each thread has a Task of its own. A run keeps only allocated memory for the next run,
@@ -48,6 +47,10 @@ class Task {
   using Report = std::function<void(std::uint64_t)>;
   /// The largest number of insertions, and of seeds examined, between two calls of a Report: about 0.1 ms.
   static constexpr std::uint64_t steps_between_reports = 64;
+
+  /// The triangulation is an excerpt: a task goes on if triangles are missing (TaskResult::needs_more_at). Otherwise it
+  /// throws NotHeld.
+  void begin_excerpt() { is_in_excerpt_ = true; }
 
   /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. list_changes: the
   /// result contains the list of changed triangles.
@@ -87,7 +90,10 @@ class Task {
   void split_blocker(QueuedTriangle triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && tiles_->cell_of(p) != cell_; }
   void hand_on_to_own_cell(QueuedTriangle triangle);
-  void note_not_held();
+  /// Calls work(), which is about a triangle. In an excerpt, notes the place if triangles are missing there.
+  template <class Work>
+  void with_triangles_around(TriangleId id, const Work& work);
+  void note_missing_triangles(TriangleId around);
   void count_refused();
   [[nodiscard]] Outcome split_edge(EdgeRef e);
   /// Hands the triangle on to the cell of p, the point that this task could not insert. If p lies in the task's own
@@ -100,7 +106,7 @@ class Task {
   Triangulation& t_;
   const Assessor& assessor_;
   Insertion insertion_;
-  bool own_cell_only_;
+  bool own_cell_only_, is_in_excerpt_ = false;
   FreeIndices* free_ = nullptr;
   BucketQueue queue_;
   LocalHints hints_;

@@ -57,6 +57,11 @@ class PhaseRunner {
   /// From now on, the phases are those of several ranks. Precondition: the mesh has been divided.
   void set_partners(Partners* partners) { partners_ = partners; }
 
+  /// See Task::begin_excerpt().
+  void begin_excerpt() {
+    for (const std::unique_ptr<Task>& task : tasks_) task->begin_excerpt();
+  }
+
   /// Plans one task for each cell of the colour that has seeds. Moves the seeds that are current and lie in the box
   /// into the tasks. With partners: collective.
   [[nodiscard]] std::vector<PlannedTask> plan(const Tiles& tiles, unsigned colour, const Deferrals& later,

@@ -222,6 +222,11 @@ class Refinement {
       refine_due(levels[level], short_enough_for(*levels[level + 1].lattice()));
   }
 
+  void begin_excerpt(const Partners::Excerpt& excerpt) {
+    changed_.emplace();
+    needs_more_at_ = &excerpt.needs_more_at;
+    runner_.begin_excerpt();
+  }
   [[nodiscard]] const DomainSegments& segments_of(const Partners::Excerpt& excerpt) const {
     return excerpt.segments != nullptr ? *excerpt.segments : segments_;
   }
@@ -236,8 +241,7 @@ class Refinement {
       Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
                             nullptr);
       in_excerpt.defer_again(excerpt.first);
-      in_excerpt.changed_.emplace();
-      in_excerpt.needs_more_at_ = &excerpt.needs_more_at;
+      in_excerpt.begin_excerpt(excerpt);
       in_excerpt.refine_coarse_levels(levels);
       in_last_excerpt = in_excerpt.counts_;
       keys_in_excerpt_ = in_excerpt.pending_.count_keys();
@@ -327,8 +331,7 @@ class Refinement {
       Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
                             nullptr);
       in_excerpt.pending_.add_needing_larger_box(excerpt.first);
-      in_excerpt.changed_.emplace();
-      in_excerpt.needs_more_at_ = &excerpt.needs_more_at;
+      in_excerpt.begin_excerpt(excerpt);
       in_excerpt.go_up(levels);
       in_last_excerpt = in_excerpt.counts_;
       in_last_excerpt.left_alone = in_last_excerpt.left_alone || in_excerpt.pending_.any_needs_larger_box();
@@ -418,14 +421,10 @@ class Refinement {
     return watcher_(compacted_copy(t_, runner_.vertices(), runner_.triangles(), threads_), sweep);
   }
 
-  void note_places(const TaskResult& result) const {
-    if (needs_more_at_ == nullptr || result.needs_more_at.empty()) throw NotHeld{};
-    needs_more_at_->insert(needs_more_at_->end(), result.needs_more_at.begin(), result.needs_more_at.end());
-  }
-
   void collect(const PlannedTask& task, Sweep& sweep) {
     const TaskResult& r = task.result;
-    if (r.needs_more) note_places(r);
+    if (needs_more_at_ != nullptr)
+      needs_more_at_->insert(needs_more_at_->end(), r.needs_more_at.begin(), r.needs_more_at.end());
     pending_.add_needing_larger_box(task.outside_box);
     pending_.add_needing_larger_box(r.needs_larger_box);
     counts_.inserted += r.inserted;

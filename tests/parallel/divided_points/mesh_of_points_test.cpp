@@ -218,6 +218,22 @@ TEST(MeshOfPoints, with_invalid_segments_has_an_error_on_all_ranks) {
             }),
             "Hole 0 at (3.2, 0.5) lies outside every closed outline.");
   EXPECT_EQ(changed([](Pslg& p) {
+              p.regions.clear();
+              p.segments = {{0, 1, 0}, {20, 40, 0}};
+            }).substr(0, 24),
+            "No outline is closed: th");
+  EXPECT_EQ(changed([](Pslg& p) {
+              p.regions.clear();
+              for (const Region& region : domains::regions().regions) p.holes.push_back(region.seed);
+            }).substr(0, 24),
+            "Nothing is left to mesh:");
+  EXPECT_EQ(changed([](Pslg& p) {
+              p.segments.push_back({11, 200, 0});
+              p.segments.push_back({50, 250, 0});
+              p.segments.push_back({120, 280, 0});
+            }).substr(0, 9),
+            "Segments ");
+  EXPECT_EQ(changed([](Pslg& p) {
               p.regions[1].seed = {0.25, 0.25};
             }),
             "Regions 0 and 1 lie in one face, the second at (0.25, 0.25).");
