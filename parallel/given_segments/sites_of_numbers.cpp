@@ -45,7 +45,6 @@ int SitesOfNumbers::reader_of(std::uint64_t number) const {
   return static_cast<int>(std::ranges::upper_bound(first_read_, number) - first_read_.begin()) - 1;
 }
 
-/// Mostly, a rank has read the points that its segments name.
 std::vector<Site> SitesOfNumbers::find(const std::vector<Index>& numbers) const {
   const std::uint64_t first = first_read_[ranks_.rank()];
   const auto has_read = [&](Index number) { return number >= first && number - first < sites_.size(); };

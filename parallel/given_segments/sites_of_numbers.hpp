@@ -17,12 +17,12 @@ class SitesOfNumbers {
   /// points.
   SitesOfNumbers(const TriangulatedPoints& points, std::vector<std::uint64_t> first_read, Ranks& ranks);
 
+  /// The rank that has read a point.
+  [[nodiscard]] int reader_of(std::uint64_t number) const;
   /// Collective. The sites of the points with these numbers. Precondition: there are such points.
   [[nodiscard]] std::vector<Site> find(const std::vector<Index>& numbers) const;
 
  private:
-  [[nodiscard]] int reader_of(std::uint64_t number) const;
-
   std::vector<std::uint64_t> first_read_;
   Ranks& ranks_;
   Array<Site> sites_;  ///< of the points that this rank has read
