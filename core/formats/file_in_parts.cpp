@@ -112,9 +112,10 @@ TextReader FileInParts::before(std::uint64_t record) const {
 }
 
 int FileInParts::rank_of(std::uint64_t record) const {
-  int rank = 0;
-  while (rank + 1 < static_cast<int>(parts_.size()) && records_before(rank + 1) <= record) ++rank;
-  return rank;
+  std::size_t rank = 0;
+  for (std::uint64_t end = parts_[0].records; rank + 1 < parts_.size() && end <= record; end += parts_[rank].records)
+    ++rank;
+  return static_cast<int>(rank);
 }
 
 FileInParts::SharedLines FileInParts::lines_from(std::uint64_t record, Ranks& ranks) const {

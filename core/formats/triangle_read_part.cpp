@@ -1,6 +1,7 @@
 // Reads the input of a mesh by several ranks, each of which reads a part of the points and of the segments.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "../formats.hpp"
@@ -20,6 +21,23 @@ struct SentHeader {
   std::uint64_t points = 0, attributes = 0;
   std::uint64_t markers = 0;
 };
+
+/// Of the items of a section, one per record: how many come before the part of a rank. `section`: the record with the
+/// header of the section.
+std::uint64_t items_before(int rank, const FileInParts& file, std::uint64_t section, std::uint64_t items) {
+  const std::uint64_t records = file.records_before(rank);
+  return std::min(items, records > section ? records - section - 1 : 0);
+}
+
+/// Reads the items from `first` to `end` - 1 by calls of read(line, i). The last rank also finds out whether there are
+/// fewer than `items` in all.
+template <class Read>
+Status read_items(TextReader& in, std::string_view what, std::uint64_t first, std::uint64_t end, std::uint64_t items,
+                  const Ranks& ranks, const Read& read) {
+  read_records(in, what, first, end, read);
+  if (!in.failed() && ranks.rank() + 1 == ranks.count() && end < items) in.expect_record(what, end, items);
+  return in.failed() ? Status(in.error()) : Done{};
+}
 
 /// Reads the header and the points at the beginning of a file.
 class PointsReader {
@@ -60,11 +78,7 @@ class PointsReader {
     header_ = {read.points, read.attributes, read.markers != 0};
   }
 
-  /// The number of points before the part of a rank. The first record is the header.
-  [[nodiscard]] std::uint64_t points_before(int rank) const {
-    const std::uint64_t records = file_.records_before(rank);
-    return std::min<std::uint64_t>(header_.points, records > 0 ? records - 1 : 0);
-  }
+  [[nodiscard]] std::uint64_t points_before(int rank) const { return items_before(rank, file_, 0, header_.points); }
   [[nodiscard]] bool has_first_point() const {
     return points_before(ranks_.rank() + 1) > 0 && points_before(ranks_.rank()) == 0;
   }
@@ -87,18 +101,14 @@ class PointsReader {
 
   /// Reads the points in the part. What follows the last point is not read.
   [[nodiscard]] Status read_points() {
-    TextReader& in = *in_;
     points_.first = points_before(ranks_.rank());
     const std::uint64_t end = points_before(ranks_.rank() + 1);
     const auto count = static_cast<std::size_t>(end - points_.first);
     resize_points(points_, count, header_);
-    read_records(in, "point", points_.first, end, [&](TextReader& line, std::size_t i) {
+    return read_items(*in_, "point", points_.first, end, header_.points, ranks_, [&](TextReader& line, std::size_t i) {
       read_number(line, "point", i, points_.first_id.value);
       read_point(line, header_, points_, i - points_.first);
     });
-    if (!in.failed() && ranks_.rank() + 1 == ranks_.count() && end < header_.points)
-      in.expect_record("point", end, header_.points);
-    return in.failed() ? Status(in.error()) : Done{};
   }
 
   Ranks& ranks_;
@@ -149,10 +159,8 @@ class SegmentsReader {
     header_ = concatenated(lists_of_all(sent, ranks_)).front();
   }
 
-  /// The number of segments before the part of a rank.
   [[nodiscard]] std::uint64_t segments_before(int rank) const {
-    const std::uint64_t records = file_.records_before(rank);
-    return std::min(header_.segments, records > section_ ? records - section_ - 1 : 0);
+    return items_before(rank, file_, section_, header_.segments);
   }
 
   [[nodiscard]] Status read_segments() {
@@ -161,12 +169,10 @@ class SegmentsReader {
     segments_.first = segments_before(ranks_.rank());
     const std::uint64_t end = segments_before(ranks_.rank() + 1);
     segments_.segments.resize(static_cast<std::size_t>(end - segments_.first));
-    read_records(in, "segment", segments_.first, end, [&](TextReader& line, std::size_t i) {
-      segments_.segments[i - segments_.first] = read_segment(line, header, points_, base_);
-    });
-    if (!in.failed() && ranks_.rank() + 1 == ranks_.count() && end < header_.segments)
-      in.expect_record("segment", end, header_.segments);
-    return in.failed() ? Status(in.error()) : Done{};
+    return read_items(in, "segment", segments_.first, end, header_.segments, ranks_,
+                      [&](TextReader& line, std::size_t i) {
+                        segments_.segments[i - segments_.first] = read_segment(line, header, points_, base_);
+                      });
   }
 
   Ranks& ranks_;

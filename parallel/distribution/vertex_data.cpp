@@ -6,6 +6,7 @@
 
 #include "../../core/support/answers_of_ranks.hpp"
 #include "../../core/support/share_of_rank.hpp"
+#include "../../core/support/without_repetitions.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -183,8 +184,7 @@ void Collector::find_pieces() {
         if (members_.owns_vertex(v)) data_.pieces[v].push_back(distribution_.owner_of_triangle(id));
   for (auto& [v, ranks] : data_.pieces) {
     if (members_.has_vertex(v)) ranks.push_back(ranks_.rank());
-    std::sort(ranks.begin(), ranks.end());
-    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    sort_without_repetitions(ranks);
   }
 }
 

@@ -253,7 +253,7 @@ class PartMaker {
       const HullVertex& next = *at_position(hull_.vertices(), v.next);
       const auto [a, b] = std::minmax(
           v, next, [](const HullVertex& left, const HullVertex& right) { return left.position < right.position; });
-      if (place_of(segments_.common, {a.position, b.position}) == segments_.common.size())
+      if (with_ends(segments_.common, {a.position, b.position}) == nullptr)
         all.push_back({{a.at, a.position}, {b.at, b.position}, no_index, 0});
     }
     return all;

@@ -9,6 +9,7 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
+#include "../../core/support/without_repetitions.hpp"
 #include "../given_points/local_delaunay.hpp"
 #include "../given_points/own_points.hpp"
 #include "../triangulation/triangle_shape.hpp"
@@ -54,8 +55,7 @@ template <class Has, class Value>
       continue;
     }
     std::vector<int> others{owner(slot.v[0]), owner(slot.v[1]), owner(slot.v[2])};
-    std::ranges::sort(others);
-    others.erase(std::unique(others.begin(), others.end()), others.end());
+    sort_without_repetitions(others);
     for (const int rank : others)
       if (rank != ranks.rank()) told[rank].push_back({corners_of(slot), value(id)});
   }

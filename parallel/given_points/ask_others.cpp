@@ -9,8 +9,10 @@
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
 #include "../../core/support/point_order.hpp"
+#include "../../core/support/without_repetitions.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../concurrency/parallel_arrays.hpp"
+#include "own_points.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -79,9 +81,7 @@ Ranks::Bytes answer(const Ranks::Bytes& questions, LocalDelaunay& delaunay) {
     }
     for (const VertexId v : delaunay.neighbours_in_disk(corners)) in_disks.push_back(delaunay.site(v));
   }
-  std::ranges::sort(in_disks, {}, &Site::position);
-  const auto is_same = [](const Site& a, const Site& b) { return a.position == b.position; };
-  in_disks.erase(std::unique(in_disks.begin(), in_disks.end(), is_same), in_disks.end());
+  sort_by_position(in_disks);
   Writer writer;
   if (!in_disks.empty()) writer.list(in_disks);
   return writer.take();
@@ -103,8 +103,7 @@ class Asker {
       if (count == 0) return rounds;
       exchange(questions);
       asked = delaunay_.take_fresh();
-      std::ranges::sort(asked);
-      asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+      sort_without_repetitions(asked);
       std::erase_if(asked, [&](TriangleId id) { return !delaunay_.has_own_corner(id); });
     }
   }

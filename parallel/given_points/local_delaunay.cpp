@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "../../core/support/stop_signal.hpp"
+#include "../../core/support/without_repetitions.hpp"
 #include "../construction/crossed_edges.hpp"
 #include "../construction/delaunay.hpp"
 
@@ -75,8 +76,7 @@ std::vector<VertexId> LocalDelaunay::neighbours_in_disk(const Corners& corners) 
       return false;
     });
   }
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_without_repetitions(found);
   return found;
 }
 

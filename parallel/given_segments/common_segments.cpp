@@ -103,7 +103,7 @@ DividedSegments divide_segments(std::vector<GivenSegment>&& own_segments, const 
   divided.common.insert(divided.common.end(), all_edges.begin(), all_edges.end());
   sort_by_ends(divided.common);
   std::erase_if(divided.own, [&](const GivenSegment& s) {
-    return !begins_here(s) && place_of(divided.common, ends_of(s)) < divided.common.size();
+    return !begins_here(s) && with_ends(divided.common, ends_of(s)) != nullptr;
   });
 
   std::vector<Site> here = surveyor.corners();

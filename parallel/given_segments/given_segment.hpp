@@ -25,10 +25,10 @@ using PositionsOfEnds = std::pair<std::uint64_t, std::uint64_t>;
 
 inline void sort_by_ends(std::vector<GivenSegment>& segments) { std::ranges::sort(segments, {}, ends_of); }
 
-/// The place of the segment with these ends; the size of the list if it has none. Precondition: the list is sorted.
-[[nodiscard]] inline std::size_t place_of(const std::vector<GivenSegment>& sorted, PositionsOfEnds ends) {
+/// The segment with these ends, or nullptr. Precondition: the segments are sorted by their ends.
+[[nodiscard]] inline const GivenSegment* with_ends(const std::vector<GivenSegment>& sorted, PositionsOfEnds ends) {
   const auto at = std::ranges::lower_bound(sorted, ends, {}, ends_of);
-  return at != sorted.end() && ends_of(*at) == ends ? static_cast<std::size_t>(at - sorted.begin()) : sorted.size();
+  return at != sorted.end() && ends_of(*at) == ends ? &*at : nullptr;
 }
 
 }  // namespace pardel::engine

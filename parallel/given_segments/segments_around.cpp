@@ -51,9 +51,9 @@ void SegmentsAround::name_own(std::span<const GivenSegment> common, std::span<co
   }
   std::size_t named = 0;
   for (const TravellingName& each : concatenated(exchange_lists(leaving, ranks_))) {
-    const std::size_t place = place_of(of_others, {each.a, each.b});
-    if (place == of_others.size()) throw Reader::does_not_match();
-    segments_.push_back({of_others[place], each.name});
+    const GivenSegment* const s = with_ends(of_others, {each.a, each.b});
+    if (s == nullptr) throw Reader::does_not_match();
+    segments_.push_back({*s, each.name});
     ++named;
   }
   if (named != of_others.size()) throw Reader::does_not_match();

@@ -1,7 +1,7 @@
 #include "sides_of_triangles.hpp"
 
+#include <algorithm>
 #include <array>
-#include <set>
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/stop_signal.hpp"
@@ -50,11 +50,14 @@ std::vector<Constraint> learn_sides(std::span<const GivenSegment> own_segments, 
     if (!delaunay.is_own(side.a)) continue;  // the rank at end a tells others
     const EdgeRef left = present_side(delaunay, side.a, side.b), right = t.slot(left).n[left.side()];
     const std::array<VertexId, 2> beside{t.slot(left).apex(left.side()), t.slot(right).apex(right.side())};
-    std::set<int> others;
-    for (const VertexId v : beside) others.insert(own.owner(delaunay.site(v).position));
-    for (const Site& end : {segment.a, segment.b}) others.erase(own.owner(end.position));
-    for (const int rank : others)
-      leaving[rank].push_back({segment.a, segment.b, {delaunay.site(beside[0]), delaunay.site(beside[1])}});
+    const TravellingSide told{segment.a, segment.b, {delaunay.site(beside[0]), delaunay.site(beside[1])}};
+    std::array knowing{own.owner(told.a.position), own.owner(told.b.position), ranks.rank()};
+    for (const Site& site : told.beside) {
+      const int rank = own.owner(site.position);
+      if (std::ranges::find(knowing, rank) != knowing.end()) continue;
+      leaving[rank].push_back(told);
+      knowing.back() = rank;
+    }
   }
   for (const TravellingSide& side : concatenated(exchange_lists(leaving, ranks))) {
     for (const Site& site : side.beside) static_cast<void>(delaunay.vertex(site));

@@ -63,8 +63,8 @@ class Partners {
     /// not count.
     std::vector<VertexId>& needs_more_at;
   };
-  /// Refines an excerpt. Returns the changed triangles. Throws NotHeld if the excerpt is too small at a
-  /// place that is not known.
+  /// Refines an excerpt. Returns the changed triangles. Throws NotHeld if the excerpt is too small at a place that
+  /// is not known.
   using RefineExcerpt = std::function<std::vector<TriangleId>(const Excerpt& excerpt)>;
   /// Splits the triangles whose cavities fit no box of the finest tiles. They are few. One rank gets the triangles near
   /// them, and calls `refine`; if the excerpt is too small, it gets more and starts again. All ranks then take over the
@@ -82,9 +82,9 @@ class Partners {
   virtual void take_largest(std::span<double> /*values*/) {}
   /// Refines the coarse levels in an excerpt. Returns what waits there for finer levels, or for a larger box.
   using RefineCoarse = std::function<Waiting(const Excerpt& excerpt, std::vector<TriangleId>& changed)>;
-  /// Refines the coarse levels on one rank, which gets the due triangles and those around them; if the
-  /// excerpt is too small, it gets more and starts again. All ranks take over the changes. Returns what now waits on
-  /// this rank in addition. `due`: the triangles of this rank that coarse levels have to split.
+  /// Refines the coarse levels on one rank, which gets the due triangles and those around them; if the excerpt is too
+  /// small, it gets more and starts again. All ranks take over the changes. Returns what now waits on this rank in
+  /// addition. `due`: the triangles of this rank that coarse levels have to split.
   [[nodiscard]] virtual Waiting refine_coarse(std::span<const Deferred> /*due*/, const RefineCoarse& /*refine*/) {
     return {};
   }
