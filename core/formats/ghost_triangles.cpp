@@ -45,7 +45,7 @@ std::vector<std::vector<GhostTriangle>> ghost_triangles(const PieceOfMesh& piece
                                                          {piece.number[v[0]], piece.number[v[1]], piece.number[v[2]]},
                                                          {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]}});
   }
-  return exchange_lists(leaving, ranks);
+  return exchange_lists(std::move(leaving), ranks);
 }
 
 }  // namespace pardel::files

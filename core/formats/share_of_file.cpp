@@ -105,8 +105,8 @@ void ShareOfFile::take_points(Ranks& ranks) {
       to.insert(to.end(), attributes.begin(), attributes.end());
     }
   }
-  arrived_points_ = concatenated(exchange_lists(leaving, ranks));
-  arrived_attributes_ = concatenated(exchange_lists(leaving_attributes, ranks));
+  arrived_points_ = concatenated(exchange_lists(std::move(leaving), ranks));
+  arrived_attributes_ = concatenated(exchange_lists(std::move(leaving_attributes), ranks));
   for (std::size_t i = 0; i < arrived_points_.size(); ++i) {
     const std::uint64_t number = arrived_points_[i].number;
     if (is_mine(number)) point_[place_of(number)] = static_cast<Index>(mesh.points.size() + i);
@@ -129,7 +129,7 @@ void ShareOfFile::take_triangles(Ranks& ranks) {
     if (writer != rank_)
       leaving[static_cast<std::size_t>(writer)].push_back({corners, mesh.region.empty() ? no_index : mesh.region[t]});
   }
-  arrived_triangles_ = concatenated(exchange_lists(leaving, ranks));
+  arrived_triangles_ = concatenated(exchange_lists(std::move(leaving), ranks));
   sort_triangles(mesh.triangles.size() + arrived_triangles_.size());
 }
 
@@ -158,7 +158,7 @@ void ShareOfFile::take_edges(Ranks& ranks) {
     const std::uint64_t a = piece_.number[e.a], b = piece_.number[e.b];
     leaving[static_cast<std::size_t>(writer_of(std::min(a, b)))].push_back({a, b, e.marker});
   }
-  edge_ = concatenated(exchange_lists(leaving, ranks));
+  edge_ = concatenated(exchange_lists(std::move(leaving), ranks));
   const auto ends = [](const Edge& e) { return std::pair(std::min(e.a, e.b), std::max(e.a, e.b)); };
   std::ranges::sort(edge_, {}, ends);
   const auto second =

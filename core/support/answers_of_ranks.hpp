@@ -16,10 +16,10 @@ template <class Value, class Question, class Whom, class Answer>
                                                   Ranks& ranks, const Whom& whom, const Answer& answer) {
   std::vector<std::vector<Question>> asked(static_cast<std::size_t>(ranks.count()));
   for (std::size_t i = 0; i < questions.size(); ++i) asked[whom(i)].push_back(questions[i]);
-  asked = exchange_lists(asked, ranks);
+  asked = exchange_lists(std::move(asked), ranks);
   std::vector<std::vector<Value>> answers(asked.size());
   for (std::size_t rank = 0; rank < asked.size(); ++rank) answers[rank] = answer(std::exchange(asked[rank], {}));
-  answers = exchange_lists(answers, ranks);
+  answers = exchange_lists(std::move(answers), ranks);
   std::vector<Value> all;
   all.reserve(per_question * questions.size());
   std::vector<std::size_t> used(answers.size(), 0);

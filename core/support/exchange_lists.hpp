@@ -2,34 +2,50 @@
 #pragma once
 
 #include <cstring>
+#include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "../ranks.hpp"
 
 namespace pardel {
 
-/// Collective. Sends lists[r] to rank r. Returns the lists for this rank; element r came from rank r.
 template <class T>
-[[nodiscard]] std::vector<std::vector<T>> exchange_lists(const std::vector<std::vector<T>>& lists, Ranks& ranks) {
+[[nodiscard]] Ranks::Bytes to_bytes(const std::vector<T>& list) {
   static_assert(std::is_trivially_copyable_v<T>);
-  std::vector<Ranks::Bytes> messages;
-  for (const std::vector<T>& list : lists) {
-    Ranks::Bytes& message = messages.emplace_back(list.size() * sizeof(T));
-    if (!list.empty()) std::memcpy(message.data(), list.data(), message.size());
-  }
-  std::vector<std::vector<T>> arrived;
-  for (const Ranks::Bytes& message : ranks.exchange(std::move(messages))) {
-    std::vector<T>& list = arrived.emplace_back(message.size() / sizeof(T));
-    if (!list.empty()) std::memcpy(list.data(), message.data(), list.size() * sizeof(T));
-  }
-  return arrived;
+  const auto bytes = std::as_bytes(std::span(list));
+  return {bytes.begin(), bytes.end()};
+}
+
+template <class T>
+[[nodiscard]] std::vector<T> list_in(const Ranks::Bytes& bytes) {
+  std::vector<T> list(bytes.size() / sizeof(T));
+  if (!list.empty()) std::memcpy(list.data(), bytes.data(), list.size() * sizeof(T));
+  return list;
+}
+
+/// Collective. Sends lists[r] to rank r. Returns the lists for this rank; element r came from rank r. The list of this
+/// rank for itself, which is often the longest one, is not copied.
+template <class T>
+[[nodiscard]] std::vector<std::vector<T>> exchange_lists(std::vector<std::vector<T>> lists, Ranks& ranks) {
+  const auto here = static_cast<std::size_t>(ranks.rank());
+  std::vector<Ranks::Bytes> messages(lists.size());
+  for (std::size_t rank = 0; rank < lists.size(); ++rank)
+    if (rank != here) messages[rank] = to_bytes(std::exchange(lists[rank], {}));
+  messages = ranks.exchange(std::move(messages));
+  for (std::size_t rank = 0; rank < lists.size(); ++rank)
+    if (rank != here) lists[rank] = list_in<T>(std::exchange(messages[rank], {}));
+  return lists;
 }
 
 /// The lists one after the other.
 template <class T>
 [[nodiscard]] std::vector<T> concatenated(const std::vector<std::vector<T>>& lists) {
+  std::size_t size = 0;
+  for (const std::vector<T>& list : lists) size += list.size();
   std::vector<T> all;
+  all.reserve(size);
   for (const std::vector<T>& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;
 }

@@ -1,6 +1,7 @@
 #include "divided_background.hpp"
 
 #include <unordered_map>
+#include <utility>
 
 #include "../../core/support/answers_of_ranks.hpp"
 #include "../conversion/export_mesh.hpp"
@@ -80,7 +81,7 @@ void DividedBackground::add_triangles_at_home(const PartOfDomain& part, Ranks& r
     for (const int rank : division_.others_in(TriangleArea(p), ranks.rank()))
       leaving[rank].push_back({p, {number_[slot.v[0]], number_[slot.v[1]], number_[slot.v[2]]}});
   }
-  for (const TravellingTriangle& each : concatenated(exchange_lists(leaving, ranks))) {
+  for (const TravellingTriangle& each : concatenated(exchange_lists(std::move(leaving), ranks))) {
     std::array<Index, 3>& triangle = triangles_.emplace_back();
     for (unsigned i = 0; i < 3; ++i) {
       const auto [at, is_new] = known.emplace(each.numbers[i], static_cast<Index>(points_.size()));

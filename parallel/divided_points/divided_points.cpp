@@ -1,6 +1,7 @@
 #include "divided_points.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
@@ -17,9 +18,9 @@ struct DividedPoints::TravellingEntry {
 };
 
 /// Sends the entries of list r to rank r. Returns what arrives here.
-Waiting DividedPoints::exchanged(const std::vector<std::vector<TravellingEntry>>& entries) {
+Waiting DividedPoints::exchanged(std::vector<std::vector<TravellingEntry>> entries) {
   Waiting here;
-  for (const TravellingEntry& entry : concatenated(exchange_lists(entries, ranks_))) {
+  for (const TravellingEntry& entry : concatenated(exchange_lists(std::move(entries), ranks_))) {
     const TriangleId id = part_->triangle(entry.triangle);
     if (id == no_index || !part_->holds(id)) throw Reader::does_not_match();
     const QueuedTriangle triangle = QueuedTriangle::now(t_, EdgeRef(id, 0));
@@ -98,7 +99,7 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
   Rings rings(
       *part_, t_, ranks_, [&](VertexId v) { return owner_before(v, t_); }, centre);
   work_in_excerpts(work, *part_, t_, rings, ranks_);
-  return exchanged(entries);
+  return exchanged(std::move(entries));
 }
 
 Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& /*runner*/,
@@ -140,7 +141,7 @@ Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> w
   part_->sew();
   send_loose_points();
 
-  return exchanged(entries);
+  return exchanged(std::move(entries));
 }
 
 void DividedPoints::send_loose_points() {
@@ -148,7 +149,7 @@ void DividedPoints::send_loose_points() {
   for (const VertexId v : start_.loose)
     if (const int owner = owner_of(v); owner != ranks_.rank())
       leaving[owner].push_back({part_->name_of_vertex(v), t_.points[v]});
-  part_->add(concatenated(exchange_lists(leaving, ranks_)));
+  part_->add(concatenated(exchange_lists(std::move(leaving), ranks_)));
 }
 
 }  // namespace pardel::engine

@@ -41,7 +41,7 @@ class DividedPoints : public Distribution {
 
  private:
   struct TravellingEntry;
-  [[nodiscard]] Waiting exchanged(const std::vector<std::vector<TravellingEntry>>& entries);
+  [[nodiscard]] Waiting exchanged(std::vector<std::vector<TravellingEntry>> entries);
   /// They serve the assessment at the beginning; nobody tells this rank about their changes.
   void drop_borrowed();
   /// A point belongs to the piece of the rank that owns its cell, even if it is in no triangle.

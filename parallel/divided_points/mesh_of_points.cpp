@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,15 +26,6 @@ using namespace engine;
 
 namespace {
 
-/// For each rank, the number of its first point; last, the number of all points. Collective.
-std::vector<std::uint64_t> first_of_ranks(const PartOfPoints& points, Ranks& ranks) {
-  std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks.count()) + 1, 0);
-  counts[ranks.rank() + 1] = points.points.size();
-  ranks.add_up(counts);
-  std::partial_sum(counts.begin(), counts.end(), counts.begin());
-  return counts;
-}
-
 Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& options, ProgressMonitor& progress,
                           Ranks& ranks) {
   Stopwatch watch;
@@ -43,11 +33,10 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   if (Status fine = status_of(unusable_values(input.points, ranks, progress.threads()), input.rest.first_id); !fine)
     return fine.error();
   const ReadAttributes attributes(input.points, ranks);
-  const std::vector<std::uint64_t> first_read = first_of_ranks(input.points, ranks);
   Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(input.points), ranks, progress.threads());
   if (!made) return made.error();
   Result<PartOfDomain> part_made =
-      part_of_domain(**made, {input.segments, input.rest, first_read}, goal.convex_hull, ranks, progress.threads());
+      part_of_domain(**made, {input.segments, input.rest}, goal.convex_hull, ranks, progress.threads());
   if (!part_made) return part_made.error();
   input.segments = {};
   PartOfDomain& part = *part_made;

@@ -105,7 +105,7 @@ class PartMaker {
   /// False, on all ranks, if the segments are invalid.
   [[nodiscard]] bool divide_all_segments() {
     if (all_segments_ == 0) return true;
-    OwnSegments own_segments = send_to_owners_of_ends(read_.segments, read_.first_read, points_, ranks_);
+    OwnSegments own_segments = send_to_owners_of_ends(read_.segments, points_, ranks_);
     if (!own_segments.are_sound) return false;
     segments_ = divide_segments(std::move(own_segments.segments), hull_, delaunay_, own_, ranks_, threads_);
     return !segments_.pass_points;

@@ -46,8 +46,6 @@ struct PartOfDomain {
 struct ReadDomain {
   const PartOfSegments& segments;
   const Pslg& rest;  ///< holes and regions
-  /// For each rank, the number of the first point that it has read; last, the number of all points.
-  const std::vector<std::uint64_t>& first_read;
 };
 
 /// Collective. Uses up the triangulation. The domain is the convex hull of the points of all ranks if `convex_hull` is

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "../../core/support/exchange_lists.hpp"
@@ -59,7 +60,7 @@ template <class Has, class Value>
     for (const int rank : others)
       if (rank != ranks.rank()) told[rank].push_back({corners_of(slot), value(id)});
   }
-  const auto arrived = exchange_lists(told, ranks);
+  const auto arrived = exchange_lists(std::move(told), ranks);
   std::vector<ToldTriangle> result;
   for (int rank = 0; rank < ranks.count(); ++rank)
     for (const Told& each : arrived[rank]) {

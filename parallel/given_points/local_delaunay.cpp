@@ -27,6 +27,10 @@ Status LocalDelaunay::triangulate(std::span<const Site> others, const Threads& t
   TriangleId start = 0;
   while (t_.slots[start].is_ghost()) ++start;
   inserter_.start(Box{}, start);
+  at_.resize_uninitialised(t_.points.size());
+  for (TriangleId id = 0; id < t_.slots.size(); ++id)
+    for (const VertexId v : t_.slots[id].v)
+      if (v != ghost) at_[v] = id;
   return Done{};
 }
 
@@ -54,13 +58,21 @@ VertexId LocalDelaunay::vertex(const Site& site) {
   if (inserter_.insert(v, fresh) != Inserted::yes)
     throw Stopped{{ErrorKind::internal, "the triangulation of a rank is inconsistent at a point of another rank"}};
   fresh_.insert(fresh_.end(), inserter_.made().begin(), inserter_.made().end());
+  at_.push_back(inserter_.made().front());
   return v;
 }
 
 TriangleId LocalDelaunay::triangle_at(VertexId v) {
-  const TriangleId id = inserter_.locate(t_.points[v]);
-  if (id == no_index || t_.slots[id].is_ghost() || std::ranges::count(t_.slots[id].v, v) == 0)
-    throw Stopped{{ErrorKind::internal, "the triangulation of a rank is inconsistent at one of its vertices"}};
+  const auto is_at_vertex = [&](TriangleId id) {
+    return !t_.slots[id].is_ghost() && std::ranges::count(t_.slots[id].v, v) > 0;
+  };
+  TriangleId id = at_[v];
+  if (!is_at_vertex(id)) {
+    id = inserter_.locate(t_.points[v]);
+    if (id == no_index || !is_at_vertex(id))
+      throw Stopped{{ErrorKind::internal, "the triangulation of a rank is inconsistent at one of its vertices"}};
+    at_[v] = id;
+  }
   inserter_.start(Box{}, id);
   return id;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../core/array.hpp"
 #include "../../core/result.hpp"
 #include "../concurrency/threads.hpp"
 #include "../construction/bowyer_watson.hpp"
@@ -48,7 +49,8 @@ class LocalDelaunay {
 
   /// The vertex of a point, which is inserted if it is new.
   VertexId vertex(const Site& site);
-  /// A triangle with the corner v. The search begins near the last vertex that was inserted or searched for.
+  /// A triangle with the corner v. O(1) as long as the last known one exists; otherwise a search, which begins near the
+  /// last vertex that was inserted or asked for.
   [[nodiscard]] TriangleId triangle_at(VertexId v);
   /// A triangle that another rank has: its corners, counter-clockwise. The last one can be the vertex at infinity.
   using Corners = std::array<VertexId, 3>;
@@ -72,6 +74,7 @@ class LocalDelaunay {
   BowyerWatson inserter_;
   std::unordered_map<std::uint64_t, VertexId> others_;  ///< by position
   std::vector<TriangleId> fresh_;
+  Array<TriangleId> at_;  ///< per vertex, a triangle that had this corner when it was made or last asked for
 };
 
 }  // namespace pardel::engine

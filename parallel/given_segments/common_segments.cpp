@@ -15,10 +15,12 @@ namespace {
 /// Removes the segments that satisfy the predicate, and returns them.
 template <class IsWanted>
 std::vector<GivenSegment> taken_from(std::vector<GivenSegment>& segments, const IsWanted& is_wanted) {
-  const auto wanted =
-      std::stable_partition(segments.begin(), segments.end(), [&](const GivenSegment& s) { return !is_wanted(s); });
-  std::vector<GivenSegment> taken(wanted, segments.end());
-  segments.erase(wanted, segments.end());
+  std::vector<GivenSegment> taken;
+  std::erase_if(segments, [&](const GivenSegment& s) {
+    if (!is_wanted(s)) return false;
+    taken.push_back(s);
+    return true;
+  });
   return taken;
 }
 

@@ -18,9 +18,8 @@ struct OwnSegments {
   bool are_sound = true;
 };
 
-/// Collective. `first_read`: as for SitesOfNumbers.
-[[nodiscard]] OwnSegments send_to_owners_of_ends(const PartOfSegments& read,
-                                                 const std::vector<std::uint64_t>& first_read,
-                                                 const TriangulatedPoints& points, Ranks& ranks);
+/// Collective. `read`: the segments that this rank has read.
+[[nodiscard]] OwnSegments send_to_owners_of_ends(const PartOfSegments& read, const TriangulatedPoints& points,
+                                                 Ranks& ranks);
 
 }  // namespace pardel::engine

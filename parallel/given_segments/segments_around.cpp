@@ -36,6 +36,7 @@ bool SegmentsAround::is_known(const Site& end) const {
 
 /// The owner of end a tells the owner of end b how it has named a segment.
 void SegmentsAround::name_own(std::span<const GivenSegment> common, std::span<const GivenSegment> own) {
+  segments_.reserve(common.size() + own.size());
   for (const GivenSegment& s : common) segments_.push_back({s, {Name::everyone, static_cast<Index>(segments_.size())}});
   std::vector<std::vector<TravellingName>> leaving(static_cast<std::size_t>(ranks_.count()));
   std::vector<GivenSegment> of_others;
@@ -50,7 +51,7 @@ void SegmentsAround::name_own(std::span<const GivenSegment> common, std::span<co
       leaving[other].push_back({s.a.position, s.b.position, name});
   }
   std::size_t named = 0;
-  for (const TravellingName& each : concatenated(exchange_lists(leaving, ranks_))) {
+  for (const TravellingName& each : concatenated(exchange_lists(std::move(leaving), ranks_))) {
     const GivenSegment* const s = with_ends(of_others, {each.a, each.b});
     if (s == nullptr) throw Reader::does_not_match();
     segments_.push_back({*s, each.name});
@@ -87,7 +88,7 @@ void SegmentsAround::learn_segments_around() {
 std::vector<NamedSegment> SegmentsAround::segments_at(const std::vector<std::uint64_t>& positions) {
   std::vector<std::vector<std::uint64_t>> questions(static_cast<std::size_t>(ranks_.count()));
   for (const std::uint64_t position : positions) questions[points_.owner(position)].push_back(position);
-  questions = exchange_lists(questions, ranks_);
+  questions = exchange_lists(std::move(questions), ranks_);
   std::vector<std::pair<std::uint64_t, int>> asked;  // with the ranks that ask
   for (int rank = 0; rank < ranks_.count(); ++rank)
     for (const std::uint64_t position : questions[rank]) asked.emplace_back(position, rank);
@@ -99,7 +100,7 @@ std::vector<NamedSegment> SegmentsAround::segments_at(const std::vector<std::uin
       for (auto at = std::ranges::lower_bound(asked, std::pair(end, 0)); at != asked.end() && at->first == end; ++at)
         answers[at->second].push_back(each);
   }
-  return concatenated(exchange_lists(answers, ranks_));
+  return concatenated(exchange_lists(std::move(answers), ranks_));
 }
 
 void SegmentsAround::list_ends() {
@@ -118,6 +119,7 @@ void SegmentsAround::list_ends() {
   sort_by_position(others);
   const auto after = others.begin() + static_cast<std::ptrdiff_t>(count_before(others, first_));
   ends_.assign(others.begin(), after);
+  ends_.reserve(others.size() + static_cast<std::size_t>(std::ranges::count(is_end, true)));
   index_of_own_.resize(own.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     index_of_own_[i] = static_cast<Index>(ends_.size());

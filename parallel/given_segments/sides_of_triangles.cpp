@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/stop_signal.hpp"
@@ -59,7 +60,7 @@ std::vector<Constraint> learn_sides(std::span<const GivenSegment> own_segments, 
       knowing.back() = rank;
     }
   }
-  for (const TravellingSide& side : concatenated(exchange_lists(leaving, ranks))) {
+  for (const TravellingSide& side : concatenated(exchange_lists(std::move(leaving), ranks))) {
     for (const Site& site : side.beside) static_cast<void>(delaunay.vertex(site));
     sides.push_back({delaunay.vertex(side.a), delaunay.vertex(side.b)});
   }

@@ -10,22 +10,25 @@
 
 namespace pardel::engine {
 
-/// The ranks that have read the points keep a list of the places to which the points went.
+/// A list of the places of all points, in the order of their numbers. Each rank keeps an equal part of it, whatever the
+/// ranks have read.
 class SitesOfNumbers {
  public:
-  /// Collective. `first_read`: for each rank, the number of the first point that it has read; last, the number of all
-  /// points.
-  SitesOfNumbers(const TriangulatedPoints& points, std::vector<std::uint64_t> first_read, Ranks& ranks);
+  /// Collective.
+  SitesOfNumbers(const TriangulatedPoints& points, Ranks& ranks);
 
-  /// The rank that has read a point.
-  [[nodiscard]] int reader_of(std::uint64_t number) const;
+  /// The rank that keeps the place of a point.
+  [[nodiscard]] int keeper_of(std::uint64_t number) const { return static_cast<int>(number / share_); }
   /// Collective. The sites of the points with these numbers. Precondition: there are such points.
   [[nodiscard]] std::vector<Site> find(const std::vector<Index>& numbers) const;
 
  private:
-  std::vector<std::uint64_t> first_read_;
+  struct TravellingSite;
+  [[nodiscard]] bool keeps(std::uint64_t number) const { return number >= first_ && number - first_ < sites_.size(); }
+
   Ranks& ranks_;
-  Array<Site> sites_;  ///< of the points that this rank has read
+  std::uint64_t share_, first_;  ///< numbers per rank; the first one here
+  Array<Site> sites_;
 };
 
 }  // namespace pardel::engine

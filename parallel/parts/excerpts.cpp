@@ -13,10 +13,12 @@
 namespace pardel::engine {
 namespace {
 
-/// The first excerpt has one ring, and the next ones have one more around the places where the one before was too
-/// small. So it has few triangles more than it needs. Later, few places are left, and more rings are added at a time:
-/// 1, 1, 2, 2, 4, 4 and so on.
-[[nodiscard]] unsigned rings_to_add(unsigned attempts) { return 1U << (attempts / 2); }
+/// The rings of the first excerpt.
+constexpr unsigned first_rings = 3;
+
+/// The next excerpts have more rings around the places where the one before was too small: 2, 2, 4, 4 and so on. Fewer
+/// rings at a time would need fewer triangles (one at a time: 4 % fewer, for a coast), but more attempts.
+[[nodiscard]] unsigned rings_to_add(unsigned attempts) { return 2U << (attempts / 2); }
 
 /// Copies the vertices that all ranks have in common, and makes one slot without a triangle: arrays of regions that are
 /// empty would mean that there are no regions.
@@ -144,7 +146,7 @@ void work_in_excerpts(const ExcerptWork& work, HeldPart& part, const Triangulati
   std::optional<GrowingExcerpt> excerpt;
   if (ranks.rank() == 0) excerpt.emplace(work, t, part);
   std::size_t sent = 0;
-  rings.grow();
+  for (unsigned ring = 0; ring < first_rings; ++ring) rings.grow();
   for (unsigned attempts = 0;; ++attempts) {
     std::vector<Writer> messages(count);
     const auto fresh = std::span(rings.triangles()).subspan(std::exchange(sent, rings.triangles().size()));

@@ -72,7 +72,7 @@ void Rings::grow() {
     else if (mark(c))
       leaving[owner].push_back({part_.name_of(c.triangle), c.number});
   }
-  for (const TravellingCorner& c : concatenated(exchange_lists(leaving, ranks_))) {
+  for (const TravellingCorner& c : concatenated(exchange_lists(std::move(leaving), ranks_))) {
     const TriangleId id = part_.triangle(c.triangle);
     if (id == no_index || c.number > 2) throw Reader::does_not_match();
     walk_around({id, static_cast<unsigned>(c.number)});

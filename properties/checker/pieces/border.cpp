@@ -1,6 +1,7 @@
 #include "border.hpp"
 
 #include <tuple>
+#include <utility>
 
 #include "../../../core/support/exchange_lists.hpp"
 
@@ -64,7 +65,7 @@ Border::Border(const PiecesRead& read, std::uint64_t points, Ranks& ranks) {
     }
     first_.push_back(first_.back() + part.sides.size());
   }
-  std::vector<TravellingSide> sides = concatenated(exchange_lists(sent, ranks));
+  std::vector<TravellingSide> sides = concatenated(exchange_lists(std::move(sent), ranks));
   across_.resize(first_.back());
   for (const Answer& answer : concatenated(exchange_lists(joined(sides, count), ranks)))
     across_.at(answer.side) = answer.across;

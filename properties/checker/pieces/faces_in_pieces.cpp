@@ -114,7 +114,7 @@ void FacesOfPieces::unite(const Border& border, Ranks& ranks) {
         told[static_cast<std::size_t>(across[s].rank)].push_back({across[s].side, here.set});
     }
   }
-  const std::vector<std::vector<Told>> arrived = exchange_lists(told, ranks);
+  const std::vector<std::vector<Told>> arrived = exchange_lists(std::move(told), ranks);
   std::vector<Link> links;
   for (int rank = 0; rank < ranks.count(); ++rank)
     for (const auto& [side, set] : arrived[static_cast<std::size_t>(rank)])
@@ -128,7 +128,7 @@ void FacesOfPieces::unite(const Border& border, Ranks& ranks) {
     Unions unions(messages);
     for (std::size_t rank = 0; rank < count; ++rank) answers[rank] = unions.faces_of(rank);
   }
-  face_ = std::move(exchange_lists(answers, ranks).front());
+  face_ = std::move(exchange_lists(std::move(answers), ranks).front());
 }
 
 std::vector<Index> FacesOfPieces::faces_of(std::size_t piece, JoinedTriangles sets) const {

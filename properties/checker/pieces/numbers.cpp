@@ -99,7 +99,7 @@ Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector
   std::vector<std::vector<std::uint64_t>> inner;
   for (int rank = 0; rank < ranks.count(); ++rank)
     inner.push_back(here.inner().words(referees.first(rank), referees.share()));
-  inner = exchange_lists(inner, ranks);
+  inner = exchange_lists(std::move(inner), ranks);
   const auto of_ranks = exchange_lists(to_referees(border, referees, ranks), ranks);
   Referee referee(referees.first(ranks.rank()), std::min(*count, referees.first(ranks.rank() + 1)));
   for (std::size_t rank = 0; rank < inner.size(); ++rank) referee.read(inner[rank], of_ranks[rank]);

@@ -37,7 +37,7 @@ NumberSet settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& rank
   std::vector<std::vector<std::uint64_t>> ranges(static_cast<std::size_t>(ranks.count()));
   for (std::size_t i = 0; i < here.size(); ++i) ranges[i / share].push_back(here[i]);
   std::vector<std::uint64_t> range;
-  for (const std::vector<std::uint64_t>& of_rank : exchange_lists(ranges, ranks)) {
+  for (const std::vector<std::uint64_t>& of_rank : exchange_lists(std::move(ranges), ranks)) {
     range.resize(of_rank.size());
     std::ranges::transform(range, of_rank, range.begin(), std::bit_or<>());
   }

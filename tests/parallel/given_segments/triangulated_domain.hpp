@@ -23,10 +23,7 @@ struct TriangulatedPart {
   TriangulatedPart(const Pslg& pslg, Ranks& ranks)
       : points(std::move(triangulated(part_of(pslg, ranks), ranks, Threads(1))).value()),
         hull(points->delaunay, points->own, ranks) {
-    std::vector<std::uint64_t> first_read;
-    for (int rank = 0; rank <= ranks.count(); ++rank)
-      first_read.push_back(begin_of_part(pslg.points.size(), rank, ranks.count()));
-    read = send_to_owners_of_ends(part_of_segments(pslg, ranks), first_read, *points, ranks);
+    read = send_to_owners_of_ends(part_of_segments(pslg, ranks), *points, ranks);
   }
 
   void divide(Ranks& ranks) {
