@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdio>
 
@@ -14,6 +15,11 @@
 
 namespace pardel::cli {
 namespace {
+
+std::atomic<const char*>& process_name() {
+  static std::atomic<const char*> name = "pardel";
+  return name;
+}
 
 /// Writes to standard error, unless it is a full pipe: a reader that does not read must not keep the process alive.
 void write_message(std::string_view message) {
@@ -24,11 +30,14 @@ void write_message(std::string_view message) {
 
 }  // namespace
 
+void name_process(const char* name) { process_name() = name; }
+
 void end_process(ErrorKind kind, std::string_view message) {
   const auto lock = remove_partial_files();
   std::array<char, 512> text{};  // no memory is allocated, because there may be none left
-  const auto written = fmt::format_to_n(text.data(), text.size(), "{}pardel: {}\n", erase_progress_line(), message);
-  write_message({text.data(), std::min(written.size, text.size())});
+  const auto written =
+      fmt::format_to_n(text.data(), text.size(), "{}{}: {}\n", erase_progress_line(), process_name().load(), message);
+  if (!message.empty()) write_message({text.data(), std::min(written.size, text.size())});
   _exit(static_cast<int>(exit_code(kind)));
 }
 

@@ -32,8 +32,8 @@ ExitCode report(const Error& error, std::string_view program) {
 
 const char* erase_progress_line() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
 
-void warn(const std::string& message) {
-  print_on_stderr(fmt::format("{}pardel: {}\n", erase_progress_line(), message));
+void warn(const std::string& message, std::string_view program) {
+  print_on_stderr(fmt::format("{}{}: {}\n", erase_progress_line(), program, message));
 }
 
 void print_on_stderr(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }

@@ -27,8 +27,8 @@ ExitCode report(const Error& error, std::string_view program = "pardel");
 /// The characters that erase a progress line if stderr is a terminal; otherwise none.
 [[nodiscard]] const char* erase_progress_line();
 
-/// Prints `pardel: message` on stderr. The program continues.
-void warn(const std::string& message);
+/// Prints `program: message` on stderr. The program continues.
+void warn(const std::string& message, std::string_view program = "pardel");
 
 /// Prints the text as it is. Ignores failures, for example because stderr is on a full disk: nothing could tell them.
 void print_on_stderr(std::string_view text);

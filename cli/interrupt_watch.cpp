@@ -15,7 +15,7 @@ bool is_ignored(int signal) {
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() {
+InterruptWatch::InterruptWatch(bool reports_sigterm) : reports_sigterm_(reports_sigterm) {
   std::signal(SIGXFSZ, SIG_IGN);  // a write then fails with EFBIG
   sigemptyset(&signals_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) sigaddset(&signals_, signal);
@@ -35,7 +35,7 @@ void InterruptWatch::wait() {
     // sigwait also returns signals that are ignored, because they are blocked.
     if (sigwait(&signals_, &signal) != 0 || finished_ || is_ignored(signal)) continue;
     if (signal == SIGXCPU) end_process(ErrorKind::resources, "the process has reached the limit on its processor time");
-    end_process(ErrorKind::cancelled, "interrupted");
+    end_process(ErrorKind::cancelled, signal == SIGTERM && !reports_sigterm_ ? "" : "interrupted");
   }
 }
 

@@ -15,8 +15,9 @@ namespace pardel::cli {
 /// the signals must be blocked in all threads.
 class InterruptWatch {
  public:
-  /// Throws std::system_error if the thread cannot be started.
-  InterruptWatch();
+  /// `reports_sigterm`: false if SIGTERM ends the process without a message. Throws std::system_error if the thread
+  /// cannot be started.
+  explicit InterruptWatch(bool reports_sigterm = true);
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
@@ -24,6 +25,7 @@ class InterruptWatch {
  private:
   void wait();
 
+  bool reports_sigterm_;
   sigset_t signals_{};
   std::atomic<bool> finished_{false};
   std::thread thread_;

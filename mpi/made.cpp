@@ -13,6 +13,8 @@ void print(const Made& made, const char* making, int threads, std::span<const st
   const Digest all = sum_of(made.digest, job.ranks());
   const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
   const Job::Range memory = job.range_of(cli::peak_memory());
+  const auto bytes = static_cast<double>(sum_of(cli::peak_memory(), job.ranks()));
+  const auto margins = static_cast<double>(sum_of(made.margin, job.ranks()));
   if (!job.is_first() || quiet) return;
   constexpr double mib = 0x1p20;
   fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), threads);
@@ -20,6 +22,9 @@ void print(const Made& made, const char* making, int threads, std::span<const st
              made.constrained_edges);
   fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
              static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
+  if (made.triangles > 0)
+    fmt::print("memory  {:.0f} bytes per triangle; margins with {:.2f} % of the triangles\n",
+               bytes / static_cast<double>(made.triangles), 100 * margins / static_cast<double>(made.triangles));
   fmt::print("digest  {}\n", to_string(all));
   fmt::print("time    {:.3f} s (read {:.3f}, {} {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
              made.seconds.read, making, made.seconds.refine, made.seconds.pieces, made.seconds.write);

@@ -20,6 +20,7 @@ struct Seconds {
 struct Made {
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
   std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
+  std::uint64_t margin = 0;                                                    ///< MeshPiece::margin of this rank
   Digest digest;                                                               ///< of the pieces of this rank
   Seconds seconds;
 
@@ -30,6 +31,7 @@ struct Made {
     missed = piece.missed;
     least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
     most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
+    margin += piece.margin;
     digest = digest + pardel::digest(piece.mesh);
     seconds.refine = piece.report.refine_seconds;
     seconds.pieces += piece.seconds;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "../cli/end_process.hpp"
 #include "../cli/failure_watch.hpp"
 #include "../cli/help.hpp"
 #include "../cli/interrupt_watch.hpp"
@@ -61,6 +62,8 @@ ExitCode run(int argc, char** argv, Job& job) {
 /// An error of one rank ends all of them.
 ExitCode run_in_job(int argc, char** argv) {
   Job job;
+  static const std::string name = "pardel-mpi: rank " + std::to_string(job.ranks().rank());
+  cli::name_process(name.c_str());
   try {
     return run(argc, argv, job);
   } catch (const Stopped& stopped) {  // by a self-check of the messages
@@ -75,9 +78,12 @@ ExitCode run_in_job(int argc, char** argv) {
 }
 
 ExitCode guarded(int argc, char** argv) {
+  cli::name_process("pardel-mpi");
   const cli::FailureWatch failure_watch;
   try {
-    const cli::InterruptWatch interrupt_watch;  // before MPI starts threads
+    // Before MPI starts threads. mpirun sends SIGTERM to the other ranks of a job in which one has failed; the message
+    // of that rank is the one to be read.
+    const cli::InterruptWatch interrupt_watch(/*reports_sigterm=*/false);
     cli::keep_to_processor_quota();
     return run_in_job(argc, argv);
   } catch (const std::exception& unexpected) {  // the job has not started; mpirun ends the other ranks

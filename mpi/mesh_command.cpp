@@ -113,10 +113,17 @@ Result<Made> written(const Arguments& arguments, const MeshPiece& piece, const P
   return made;
 }
 
+/// The error of a function that all ranks have called. All have the same `usage` errors. Others may be those of one
+/// rank, for which the others wait: they end the job.
+Error fault_of_all(const Error& error, Job& job) {
+  if (error.kind != ErrorKind::usage) job.abort(error);
+  return error;
+}
+
 /// One piece per rank.
 Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
   const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
-  if (!piece) job.abort(piece.error());
+  if (!piece) return fault_of_all(piece.error(), job);
   return written(arguments, *piece, input.domain.pslg(), job);
 }
 
@@ -130,7 +137,7 @@ bool may_divide(const Arguments& arguments, const Job& job) {
 /// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
 /// problems with the advice of 'pardel mesh'. Other errors end the job.
 Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) {
-  if (error.kind != ErrorKind::invalid_input) job.abort(error);
+  if (error.kind != ErrorKind::invalid_input) return fault_of_all(error, job);
   Status valid = Done{};
   if (job.is_first())
     if (const Result<Problem> whole = read_problem(arguments.input, arguments.goal, arguments.options.threads); !whole)
@@ -166,15 +173,28 @@ Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job&
                                         made.seconds.write += watch.seconds();
                                         return written;
                                       });
-  if (!ended && written) job.abort(ended.error());
+  if (!ended && written) return fault_of_all(ended.error(), job);
   if (Status placed = files.commit(written, arguments.pieces, job); !placed) return placed.error();
   return made;
 }
 
-Status check_arguments(Arguments& arguments, int rank) {
-  if (Status fine = check_outputs(arguments.outputs, arguments.input, arguments.goal.sizes, rank); !fine) return fine;
-  if (arguments.pieces > 0 && (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu"))
+Status check_pieces(const Arguments& arguments, int ranks) {
+  if (arguments.pieces == 0) return Done{};
+  if (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu")
     return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
+  if (arguments.pieces < ranks)
+    return Error{ErrorKind::usage, fmt::format("--pieces {}: there are {} ranks, and each makes at least one piece",
+                                               arguments.pieces, ranks)};
+  if (arguments.options.interior == Interior::refine && arguments.pieces > ranks)
+    return Error{ErrorKind::usage,
+                 fmt::format("--pieces {}: more pieces than ranks need --interior fill", arguments.pieces)};
+  return Done{};
+}
+
+Status check_arguments(Arguments& arguments, const Ranks& ranks) {
+  if (Status fine = check_pieces(arguments, ranks.count()); !fine) return fine;
+  const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count())};
+  if (Status fine = check_outputs(expected, arguments.input, arguments.goal.sizes, ranks); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);
 }
 
@@ -200,7 +220,7 @@ Result<Made> make(const Arguments& arguments, Job& job) {
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_arguments(arguments, job.ranks().rank())); !fine) return fine.error();
+  if (Status fine = job.agree(check_arguments(arguments, job.ranks())); !fine) return fine.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
   Result<Made> made = make(arguments, job);
@@ -213,7 +233,8 @@ Result<ExitCode> run(Arguments& arguments, Job& job) {
   const char* checker = has_pieces ? "pardel-mpi" : "pardel";
   if (job.is_first())
     warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; '{} check' lists them",
-                     arguments.input.string(), made->missed, checker));
+                     arguments.input.string(), made->missed, checker),
+         "pardel-mpi");
   return ExitCode::goal_missed;
 }
 

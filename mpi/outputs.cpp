@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <vector>
 
 #include "../cli/distinct_files.hpp"
 #include "../cli/output.hpp"
+#include "../core/support/output_file.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -23,7 +23,21 @@ fs::path vtu_of_piece(const fs::path& pvtu, int number) {
 
 bool is_of_triangle(const fs::path& output) { return mesh_format(output) == MeshFormat::triangle; }
 
-Status check_output(const fs::path& output, int rank) {
+/// The piece of an output that has pieces. `number`: from 0.
+fs::path piece_of(const fs::path& output, int number) {
+  return output.extension() == ".msh" ? msh_of_piece(output, number + 1) : vtu_of_piece(behind_links(output), number);
+}
+
+/// The files of a field of sizes: if it is a mesh in pieces, its pieces, too.
+std::vector<cli::NamedFile> files_of_sizes(const fs::path& sizes) {
+  std::vector<cli::NamedFile> files{{{}, sizes, false}};
+  if (sizes.extension() != ".pvtu") return files;
+  if (const auto pieces = files_of_pieces(sizes))  // else the reader says what is wrong
+    for (const fs::path& piece : *pieces) files.push_back({{}, piece, false});
+  return files;
+}
+
+Status check_output(const fs::path& output) {
   const std::string name = output.string();
   const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
   if (!is_pvtu && !is_msh && !is_of_triangle(output))
@@ -34,10 +48,17 @@ Status check_output(const fs::path& output, int rank) {
     return Error{ErrorKind::usage, fmt::format("{}: this file exists, and would hide the pieces {}, ...; remove it or "
                                                "choose another name",
                                                name, msh_of_piece(output, 1).string())};
-  if (is_of_triangle(output)) return cli::check_folder(output);
-  const fs::path piece = is_msh ? msh_of_piece(output, rank + 1) : vtu_of_piece(output, rank);
-  if (Status fine = cli::check_folder(piece); !fine) return fine;
   return is_msh ? Status(Done{}) : cli::check_folder(output);
+}
+
+/// Of the pieces of an output, those of this rank.
+Status check_pieces(const fs::path& output, int pieces, std::span<const cli::NamedFile> inputs, const Ranks& ranks) {
+  for (int number = ranks.rank(); number < pieces; number += ranks.count()) {
+    const cli::NamedFile piece{fmt::format("-o {}:", output.string()), piece_of(output, number), false};
+    if (Status fine = cli::check_distinct({&piece, 1}, inputs); !fine) return fine;
+    if (Status fine = cli::check_folder(piece.file); !fine) return fine;
+  }
+  return Done{};
 }
 
 /// Collective. An earlier .pvtu must not name pieces of two meshes, also if a rank is killed while they get their
@@ -59,14 +80,24 @@ std::string names_of(std::span<const fs::path> outputs) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Status check_outputs(std::span<const fs::path> outputs, const fs::path& input, const fs::path& sizes, int rank) {
+Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, const fs::path& sizes,
+                     const Ranks& ranks) {
+  std::vector<cli::NamedFile> inputs = files_of_sizes(sizes);
+  inputs.push_back({{}, input});
   std::vector<cli::NamedFile> named;
-  for (const fs::path& output : outputs) {
-    if (Status fine = check_output(output, rank); !fine) return fine;
+  for (const fs::path& output : expected.outputs) {
+    if (Status fine = check_output(output); !fine) return fine;
     named.push_back({"-o", output});
   }
-  return cli::check_distinct(named, std::array{cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}});
+  if (Status fine = cli::check_distinct(named, inputs); !fine) return fine;
+  for (const fs::path& output : expected.outputs) {
+    if (is_of_triangle(output)) continue;
+    if (Status fine = check_pieces(output, expected.pieces, inputs, ranks); !fine) return fine;
+  }
+  return Done{};
 }
+
+PvtuFiles::PvtuFiles(const fs::path& pvtu) : pvtu_(behind_links(pvtu)) {}
 
 Status PvtuFiles::add(const MeshPiece& piece, int number) {
   have_regions_ = have_regions_ || !piece.mesh.region.empty();

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "../core/formats.hpp"
 #include "../parallel/distributed.hpp"
@@ -15,15 +14,22 @@ namespace pardel::mpi {
 /// The names for messages: "out.pvtu, out.msh".
 [[nodiscard]] std::string names_of(std::span<const std::filesystem::path> outputs);
 
-/// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output would replace or hide another file;
-/// `io` if a folder is not writable, or if the piece of this rank cannot get its name.
-[[nodiscard]] Status check_outputs(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input,
-                                   const std::filesystem::path& sizes, int rank);
+struct ExpectedOutputs {
+  std::span<const std::filesystem::path> outputs;
+  int pieces;  ///< of all ranks; rank r of R writes the pieces r, r + R, ...
+};
+
+/// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output or a piece of this rank would replace
+/// or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot get its name. `sizes`: the
+/// file with the field of sizes, or "".
+[[nodiscard]] Status check_outputs(const ExpectedOutputs& expected, const std::filesystem::path& input,
+                                   const std::filesystem::path& sizes, const Ranks& ranks);
 
 /// The files of OUT.pvtu. A rank can write several pieces.
 class PvtuFiles {
  public:
-  explicit PvtuFiles(std::filesystem::path pvtu) : pvtu_(std::move(pvtu)) {}
+  /// If OUT.pvtu is a symbolic link, the pieces come into the folder of the file that it leads to.
+  explicit PvtuFiles(const std::filesystem::path& pvtu);
   /// Writes OUT_NUMBER.vtu, under another name.
   [[nodiscard]] Status add(const MeshPiece& piece, int number);
   /// Collective. Writes OUT.pvtu, and gives the files of all ranks their names, or none if a rank has failed. `here`:

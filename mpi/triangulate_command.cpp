@@ -69,7 +69,7 @@ Error not_only_points(const std::filesystem::path& input, Job& job) {
 Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_outputs(arguments.outputs, arguments.input, {}, job.ranks().rank())); !fine)
+  if (Status fine = job.agree(check_outputs({arguments.outputs, job.count()}, arguments.input, {}, job.ranks())); !fine)
     return fine.error();
   const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(threads);

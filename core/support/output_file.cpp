@@ -36,6 +36,13 @@ bool is_written_directly(const fs::path& file) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
+fs::path behind_links(const fs::path& file) {
+  std::error_code dangling;
+  if (!fs::is_symlink(file, dangling)) return file;
+  const fs::path pointed_to = fs::canonical(file, dangling);
+  return dangling ? file : pointed_to;
+}
+
 OutputFile::OutputFile(const fs::path& file)
     : name_(file == "-" ? "standard output" : file), target_(file), written_(file) {
   if (const auto descriptor = descriptor_of(file)) {
@@ -51,11 +58,7 @@ OutputFile::OutputFile(const fs::path& file)
 }
 
 void OutputFile::write_aside() {
-  std::error_code dangling;
-  if (fs::is_symlink(target_, dangling)) {
-    const fs::path pointed_to = fs::canonical(target_, dangling);
-    if (!dangling) target_ = pointed_to;
-  }
+  target_ = behind_links(target_);
   PartialFiles& files = partial_files();
   const std::scoped_lock lock(files.mutex);
   // "x": the file must not exist yet. So a file of another process, or of the user, is never replaced or removed.

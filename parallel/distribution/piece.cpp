@@ -155,6 +155,7 @@ class PieceMaker {
     piece_.points = data_.count;
     piece_.constrained_edges = piece_.mesh.constrained_edges.size();
     ranks_.add_up({&piece_.constrained_edges, 1});
+    piece_.margin = members_.of_others().size();
   }
 
   DomainTriangulation& domain_;

@@ -49,9 +49,8 @@ std::vector<GivenSegment> at_owners_of_ends(const PartOfSegments& read, const Tr
   std::vector<std::vector<GivenSegment>> lists(counts.size());
   for (std::size_t rank = 0; rank < counts.size(); ++rank) lists[rank].reserve(counts[rank]);
   for_each_owner([&](int owner, std::size_t i) {
-    const auto [a, b] = std::minmax(sites[2 * i], sites[2 * i + 1], [](const Site& left, const Site& right) {
-      return left.position < right.position;
-    });
+    const auto [a, b] = std::minmax(sites[2 * i], sites[2 * i + 1],
+                                    [](const Site& left, const Site& right) { return left.position < right.position; });
     lists[owner].push_back({a, b, here[i].number, here[i].marker});
   });
   lists = exchange_lists(std::move(lists), ranks);
