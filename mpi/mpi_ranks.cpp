@@ -4,49 +4,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string>
 #include <utility>
 
-#include "../core/support/hash.hpp"
+#include "../core/support/announcement.hpp"
 #include "../core/support/stop_signal.hpp"
 
 namespace pardel::mpi {
 namespace {
 
-using Step = MpiRanks::Step;
-using Announcement = MpiRanks::Announcement;
 constexpr int numbers_per_announcement = sizeof(Announcement) / sizeof(std::uint64_t);
-
-std::uint64_t seal_of(const Announcement& a) {
-  return mixed(mixed(mixed(mixed(a.number) + static_cast<std::uint64_t>(a.step)) + a.bytes) + a.checksum);
-}
-
-std::string name_of(std::uint64_t number, Step step) {
-  return (step == Step::sum ? "sum " : "exchange ") + std::to_string(number);
-}
-
-/// MPI counts the elements of a message with an int, so long messages travel in parts.
-constexpr std::size_t bytes_per_part = std::size_t{1} << 30U;
-
-std::uint64_t checksum(const Ranks::Bytes& bytes) {
-  std::uint64_t sum = mixed(bytes.size());
-  std::size_t i = 0;
-  for (; i + sizeof sum <= bytes.size(); i += sizeof sum) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + i, sizeof word);
-    sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
-    sum ^= sum >> 29U;
-  }
-  for (; i < bytes.size(); ++i) sum = mixed(sum + std::to_integer<std::uint64_t>(bytes[i]));
-  return sum;
-}
-
-std::size_t parts_of(std::size_t bytes) { return (bytes + bytes_per_part - 1) / bytes_per_part; }
 
 /// Calls start(data, count, tag) for all parts of a message.
 template <class Byte, class Start>
-void for_each_part(Byte* bytes, std::size_t size, const Start& start) {
+void for_each_part(Byte* bytes, std::size_t size, std::size_t bytes_per_part, const Start& start) {
   for (std::size_t at = 0, part = 0; at < size; at += bytes_per_part, ++part)
     start(bytes + at, static_cast<int>(std::min(bytes_per_part, size - at)), static_cast<int>(part));
 }
@@ -65,30 +36,25 @@ void check(int code) {
   throw Stopped{{ErrorKind::internal, "MPI: " + std::string(text.data(), static_cast<std::size_t>(length))}};
 }
 
-MpiRanks::MpiRanks() {
+MpiRanks::MpiRanks(std::size_t bytes_per_part) : bytes_per_part_(bytes_per_part) {
   check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN));
   check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_));
   check(MPI_Comm_size(MPI_COMM_WORLD, &count_));
 }
 
-/// Fills in the number and the seals. Returns what the other ranks announce to this one.
+/// Fills in the number and the seals of the step. Returns what the other ranks announce to this one.
 std::vector<Announcement> MpiRanks::announce(std::vector<Announcement> sent) {
   ++steps_;
   for (Announcement& one : sent) {
     one.number = steps_;
-    one.seal = seal_of(one);
+    one = one.sealed();
   }
-  const Step step = sent.front().step;
   std::vector<Announcement> announced(sent.size());
   check(MPI_Alltoall(sent.data(), numbers_per_announcement, MPI_UINT64_T, announced.data(), numbers_per_announcement,
                      MPI_UINT64_T, MPI_COMM_WORLD));
-  for (int from = 0; from < count_; ++from) {
-    const Announcement& theirs = announced[from];
-    if (theirs.seal != seal_of(theirs)) throw does_not_match(from, "is announced by damaged numbers");
-    if (theirs.number != steps_ || theirs.step != step)
-      throw does_not_match(from,
-                           "belongs to " + name_of(theirs.number, theirs.step) + ", not to " + name_of(steps_, step));
-  }
+  for (int from = 0; from < count_; ++from)
+    if (const std::string wrong = mismatch(announced[from], steps_, sent.front().step); !wrong.empty())
+      throw does_not_match(from, wrong);
   return announced;
 }
 
@@ -96,7 +62,7 @@ std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
   std::vector<Announcement> sent;
   for (int other = 0; other < count_; ++other) {
     const Bytes& message = messages[other];  // that of the rank for itself does not travel
-    sent.push_back({0, Step::exchange, message.size(), other == rank_ ? 0 : checksum(message), 0});
+    sent.push_back({.bytes = message.size(), .checksum = other == rank_ ? 0 : checksum(message)});
   }
   const std::vector<Announcement> announced = announce(std::move(sent));
 
@@ -106,21 +72,24 @@ std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
   for (int other = 0; other < count_; ++other) {
     if (other == rank_) continue;
     arrived[other].resize(announced[other].bytes);
-    parts += parts_of(arrived[other].size()) + parts_of(messages[other].size());
+    for (const Bytes* message : {&arrived[other], &messages[other]})
+      parts += (message->size() + bytes_per_part_ - 1) / bytes_per_part_;
   }
   std::vector<MPI_Request> requests;
   requests.reserve(parts);
   for (int other = 0; other < count_; ++other) {
     if (other == rank_) continue;
-    for_each_part(arrived[other].data(), arrived[other].size(), [&](std::byte* data, int count, int tag) {
-      check(MPI_Irecv(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back()));
-    });
+    for_each_part(arrived[other].data(), arrived[other].size(), bytes_per_part_,
+                  [&](std::byte* data, int count, int tag) {
+                    check(MPI_Irecv(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back()));
+                  });
   }
   for (int other = 0; other < count_; ++other) {
     if (other == rank_) continue;
-    for_each_part(messages[other].data(), messages[other].size(), [&](const std::byte* data, int count, int tag) {
-      check(MPI_Isend(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back()));
-    });
+    for_each_part(messages[other].data(), messages[other].size(), bytes_per_part_,
+                  [&](const std::byte* data, int count, int tag) {
+                    check(MPI_Isend(data, count, MPI_BYTE, other, tag, MPI_COMM_WORLD, &requests.emplace_back()));
+                  });
   }
   check(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE));
   for (int from = 0; from < count_; ++from)
@@ -131,7 +100,7 @@ std::vector<Ranks::Bytes> MpiRanks::exchange(std::vector<Bytes> messages) {
 }
 
 void MpiRanks::add_up(std::span<std::uint64_t> values) {
-  const Announcement mine{0, Step::sum, values.size_bytes(), 0, 0};
+  const Announcement mine{.step = RankStep::sum, .bytes = values.size_bytes()};
   const std::vector<Announcement> announced = announce(std::vector(static_cast<std::size_t>(count_), mine));
   for (int from = 0; from < count_; ++from)
     if (announced[from].bytes != mine.bytes) throw does_not_match(from, "has another number of terms");

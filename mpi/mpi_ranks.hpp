@@ -1,7 +1,16 @@
 // Ranks that are the processes of an MPI job.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "../core/ranks.hpp"
+
+namespace pardel {
+struct Announcement;
+}
 
 namespace pardel::mpi {
 
@@ -18,26 +27,19 @@ void check(int code);
 /// the first object on, functions on MPI_COMM_WORLD return errors; check() their results.
 class MpiRanks : public Ranks {
  public:
-  MpiRanks();
+  /// Longer messages travel in parts, because MPI counts the bytes of a message with an int. `bytes_per_part`: from 1
+  /// to 2^31 - 1, the same on all ranks.
+  explicit MpiRanks(std::size_t bytes_per_part = std::size_t{1} << 30U);
 
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int count() const override { return count_; }
   [[nodiscard]] std::vector<Bytes> exchange(std::vector<Bytes> messages) override;
   void add_up(std::span<std::uint64_t> values) override;
 
-  enum class Step : std::uint64_t { exchange = 1, sum = 2 };
-  /// What a rank tells another one before a step.
-  struct Announcement {
-    std::uint64_t number;  ///< of the step
-    Step step;
-    std::uint64_t bytes;     ///< of the message, or of the terms of a sum
-    std::uint64_t checksum;  ///< of the message; of a sum: 0
-    std::uint64_t seal;      ///< of the numbers above
-  };
-
  private:
   [[nodiscard]] std::vector<Announcement> announce(std::vector<Announcement> sent);
 
+  std::size_t bytes_per_part_;
   int rank_ = 0;
   int count_ = 1;
   std::uint64_t steps_ = 0;

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "../../core/support/announcement.hpp"
+
 namespace pardel::bench {
 namespace {
-
-/// mpi/mpi_ranks.cpp announces each message by its number, length and checksum.
-constexpr double bytes_of_announcement = 24;
 
 class Clocks {
  public:
@@ -22,10 +21,10 @@ class Clocks {
   void take(const Step& step) {
     work(step);
     wait();
-    if (step.is_sum()) return sum(static_cast<double>(step.bytes));
-    const double announced = network_.all_to_all(ranks_, bytes_of_announcement);
+    const double announced = network_.all_to_all(ranks_, sizeof(Announcement));
     for (double& clock : clock_) clock += announced;
     p_.announcements += announced;
+    if (step.is_sum()) return sum(static_cast<double>(step.bytes));
     for (std::size_t rank = 0; rank < step.traffic.size(); ++rank) receive(rank, step.traffic[rank]);
   }
 

@@ -1,6 +1,7 @@
 #include "distribution.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
@@ -15,6 +16,12 @@ struct TravellingSeed {
   Name triangle;
   Index cell;
 };
+
+/// Other ranks may have changed the triangles beyond the box in the same phase.
+Stopped changed_beyond_box(Index cell) {
+  return {{ErrorKind::internal, "a self-check of the refinement failed: the task of cell " + std::to_string(cell) +
+                                    " has made a triangle with a corner outside its box"}};
+}
 
 }  // namespace
 
@@ -90,11 +97,14 @@ void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
     task.free.vertices.for_each_taken([&](IndexRange inserted) {
       if (inserted.size() > 0) insertions_.push_back({task.cell, inserted});
     });
+    const Box box = ownership_->box_of(task.cell);
     const auto is_held = [&](int rank, TriangleId id) {  // the corners lie in the box of the task
       return std::ranges::any_of(t_.slots[id].v,
                                  [&](VertexId v) { return ownership_->watches(rank, t_.points[v], task.cell); });
     };
     for (const TriangleId id : std::exchange(task.result.changed, {})) {
+      if (!std::ranges::all_of(t_.slots[id].v, [&](VertexId v) { return box.contains_half_open(t_.points[v]); }))
+        throw changed_beyond_box(task.cell);
       for (const int rank : other_watchers_[task.cell]) {
         if (is_held(rank, id))
           outgoing[rank].triangles.push_back(id);

@@ -38,6 +38,7 @@ class Ownership {
   [[nodiscard]] bool watches(int rank, Point p, Index box) const {
     return tiles_.lattice() != nullptr ? is_in_box_near(box, rank, p) : watches(rank, p);
   }
+  [[nodiscard]] Box box_of(Index cell) const { return tiles_.box_of(cell); }
   /// The ranks that watch a part of the cell's box, in ascending order: they may hold what its task changes.
   [[nodiscard]] std::vector<int> watchers_of_box(Index cell) const;
   /// The cells in the order of the curve.

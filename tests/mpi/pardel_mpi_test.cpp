@@ -285,6 +285,48 @@ TEST_F(PardelMpi, replaces_and_hides_no_other_file) {
   EXPECT_EQ(files(), (Files{"pipe.poly", "out.msh"}));
 }
 
+TEST_F(PardelMpi, never_replaces_the_field_of_sizes_by_a_piece) {
+  ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "sizes.pvtu", "--max-area", "1e-2"}).exit_code, 0);
+  for (const char* sizes : {"sizes_0001.vtu", "sizes.pvtu"}) {
+    const std::string before = read("sizes_0001.vtu");
+    const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "./sizes.pvtu", "--sizes", sizes});
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"would replace files of the input"})) << ran;
+    EXPECT_TRUE(read("sizes_0001.vtu") == before);
+  }
+}
+
+TEST_F(PardelMpi, puts_pieces_beside_the_file_that_a_link_leads_to) {
+  fs::create_directories(folder_ / "work" / "real");
+  write("real/out.pvtu", "an earlier file\n");
+  fs::create_symlink("real/out.pvtu", folder_ / "work" / "link.pvtu");
+  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "link.pvtu", "--max-area", "1e-3"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(fs::is_symlink(folder_ / "work" / "link.pvtu"));
+  EXPECT_TRUE(exists("real/out_0000.vtu"));
+  EXPECT_TRUE(exists("real/out_0001.vtu"));
+  const Result<Mesh> whole = read_mesh(folder_ / "work" / "real" / "out.pvtu");
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_EQ(to_string(digest(*whole)), to_string(digest(mesh(domains::pipe(), Goal{.max_area = 1e-3})->mesh)));
+}
+
+TEST_F(PardelMpi, has_one_message_for_an_error_of_all_ranks) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"--pieces", "1"}, "pardel-mpi: --pieces 1: there are 2 ranks, and each makes at least one piece\n"},
+      {{"--pieces", "5"}, "pardel-mpi: --pieces 5: more pieces than ranks need --interior fill\n"},
+      {{"--pieces", "5", "--interior", "fill"}, "pardel-mpi: more pieces than ranks are for interiors of equilateral"}};
+  for (const auto& [more, message] : cases) {
+    std::vector<std::string> arguments{"mesh", "pipe.poly", "-o", "out.pvtu"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = on_ranks(2, arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {message})) << ran;
+    EXPECT_EQ(ran.err.find("MPI_ABORT"), std::string::npos) << ran;
+    EXPECT_EQ(ran.err.find("interrupted"), std::string::npos) << ran;
+  }
+  EXPECT_EQ(files(), Files{"pipe.poly"});
+}
+
 TEST_F(PardelMpi, says_how_many_triangles_miss_a_bound) {
   const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--min-edge", "0.1"});
   EXPECT_EQ(ran.exit_code, 4) << ran;

@@ -1,6 +1,8 @@
 // To be started by mpirun: the ranks of the job make the meshes that one process makes, with 1 to 3 threads per rank.
 //   same_mesh small     50 domains: lattice domains of all families, named domains, uniform and graded
 //   same_mesh large     the pipe and the square with 1 million triangles
+//   same_mesh huge      the same with 10 million triangles; not part of the suite
+// If the ranks can begin with parts of the domain, as pardel-mpi does, they make the mesh in this way, too.
 // Exit status 0 if all digests are equal. The first rank names those that differ.
 #include <mpi.h>
 
@@ -17,6 +19,7 @@
 #include "../../parallel/mesher.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "../../properties/domains/generators/goals.hpp"
+#include "../../properties/theorems/framework/dealt_points.hpp"
 
 namespace pardel {
 namespace {
@@ -56,42 +59,68 @@ std::vector<Case> small_cases() {
   return cases;
 }
 
-std::vector<Case> large_cases() {
-  return {{"pipe", domains::pipe(), {.max_area = 3.4e-6}, {}},
-          {"square", domains::square(), {.max_area = 1.37e-6}, {}}};
+/// `scale`: how many times as many triangles as one million.
+std::vector<Case> large_cases(double scale) {
+  return {{"pipe", domains::pipe(), {.max_area = 3.4e-6 / scale}, {}},
+          {"square", domains::square(), {.max_area = 1.37e-6 / scale}, {}}};
 }
 
-/// The number of runs with another digest than that of one process.
-int differences(const Case& c, Ranks& ranks) {
+/// What this rank reads of a domain: an equal share of the points, and of the segments.
+PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
+  const auto begin = [&](std::size_t n, int rank) {
+    return n * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
+  };
+  const auto here = ranks.rank();
+  const std::size_t points = pslg.points.size(), segments = pslg.segments.size();
+  return {properties::points_between(pslg, begin(points, here), begin(points, here + 1)),
+          properties::segments_between(pslg, begin(segments, here), begin(segments, here + 1)),
+          properties::rest_of(pslg)};
+}
+
+struct Count {
+  int runs = 0, divided = 0, differences = 0;
+};
+
+/// Compares the meshes of the ranks with that of one process.
+void compare(const Case& c, Ranks& ranks, Count& count) {
   const ValidPslg domain = std::move(validate(c.pslg)).value();
   Options options = c.options;
   options.threads = 1;
   const Result<Meshed> whole = mesh(domain, c.goal, options);
   if (!whole) MPI_Abort(MPI_COMM_WORLD, 2);
   const Digest expected = digest(whole->mesh);
-  int count = 0;
-  for (options.threads = 1; options.threads <= 3; ++options.threads) {
-    const Result<MeshPiece> piece = mesh(domain, c.goal, options, ranks);
+  const auto look_at = [&](const Result<MeshPiece>& piece, const char* begun) {
     if (!piece) {
-      std::printf("%s: %s\n", c.name.c_str(), piece.error().message.c_str());
+      std::printf("%s, %s: %s\n", c.name.c_str(), begun, piece.error().message.c_str());
       MPI_Abort(MPI_COMM_WORLD, 2);
     }
-    if (digest(*piece, ranks) == expected) continue;
-    ++count;
-    if (ranks.rank() == 0) std::printf("%s, %d threads: another mesh\n", c.name.c_str(), options.threads);
+    ++count.runs;
+    if (digest(*piece, ranks) == expected) return;
+    ++count.differences;
+    if (ranks.rank() == 0)
+      std::printf("%s, begun with %s, %d threads: another mesh\n", c.name.c_str(), begun, options.threads);
+  };
+  for (options.threads = 1; options.threads <= 3; ++options.threads) {
+    look_at(mesh(domain, c.goal, options, ranks), "the whole domain");
+    if (!can_divide_points(c.goal, options)) continue;
+    look_at(mesh(part_of(c.pslg, ranks), c.goal, options, ranks), "a part of the domain");
+    ++count.divided;
   }
-  return count;
 }
 
 int run(std::string_view which) {
-  mpi::MpiRanks ranks;
-  const std::vector<Case> cases = which == "large" ? large_cases() : small_cases();
-  int different = 0;
-  for (const Case& c : cases) different += differences(c, ranks);
+  const bool is_small = which == "small";
+  constexpr std::size_t short_parts = 1000, usual_parts = std::size_t{1} << 30U;  // messages travel in several parts
+  mpi::MpiRanks ranks(is_small ? short_parts : usual_parts);
+  const std::vector<Case> cases = is_small ? small_cases() : large_cases(which == "huge" ? 10 : 1);
+  Count count;
+  for (const Case& c : cases) compare(c, ranks, count);
   if (ranks.rank() == 0)
-    std::printf("%zu domains on %d ranks with 1 to 3 threads: %d differences\n", cases.size(), ranks.count(),
-                different);
-  return different == 0 ? 0 : 1;
+    std::printf(
+        "%zu domains on %d ranks with 1 to 3 threads: %d meshes, %d of them of a divided domain, "
+        "%d differences\n",
+        cases.size(), ranks.count(), count.runs, count.divided, count.differences);
+  return count.differences == 0 && count.divided > 0 ? 0 : 1;
 }
 
 }  // namespace

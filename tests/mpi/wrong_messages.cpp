@@ -2,8 +2,13 @@
 // interface: each function MPI_X is replaced, and calls PMPI_X. PARDEL_WRONG=KIND:RANK:N names the mistake, and when it
 // happens:
 //   byte     one byte of the N-th message that the rank sends is changed
-//   number   the rank announces another number in its step N (an exchange or a sum)
-//   longer, shorter   it announces messages that are 8 bytes longer, or shorter, from its step N on
+//   number   the number that the rank announces in its step N (an exchange or a sum) is damaged: its seal does not fit
+//   shorter  the lengths of messages that it announces are damaged, from its step N on
+//   epoch    it announces another number, with the right seal
+//   kind     it announces a sum in place of an exchange, or an exchange in place of a sum
+//   terms    it announces other terms of sums, from its step N on
+//   longer   it announces messages that are 8 bytes longer, from its step N on, with the right seal. (If they were
+//            shorter, MPI would have to cut messages off, and might then wait for ever.)
 //   skip     it does not take part in its step N
 //   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
 //   signalS  it gets signal S, N microseconds after MPI_Init_thread() (before, mpirun itself may wait for ever)
@@ -21,9 +26,13 @@
 #include <thread>
 #include <vector>
 
+#include "../../core/support/announcement.hpp"
 #include "../../properties/domains/generators/random.hpp"
 
 namespace {
+
+using pardel::Announcement;
+using pardel::RankStep;
 
 /// A message that has not started.
 struct Waiting {
@@ -62,6 +71,26 @@ Plan& plan() {
   return only;
 }
 
+/// What the plan makes of an announcement.
+void change(Announcement& one, long step) {
+  const Plan& p = plan();
+  const bool is_now = step == p.number, is_sum = one.step == RankStep::sum;
+  const bool is_long = step >= p.number && !is_sum && one.bytes >= 8;
+  if (is_now && p.is("number")) {
+    ++one.number;
+    return;
+  }
+  if (is_long && p.is("shorter")) {
+    one.bytes -= 8;
+    return;
+  }
+  if (is_now && p.is("epoch")) ++one.number;
+  if (is_now && p.is("kind")) one.step = is_sum ? RankStep::exchange : RankStep::sum;
+  if (step >= p.number && is_sum && p.is("terms")) one.bytes += 8;
+  if (is_long && p.is("longer")) one.bytes += 8;
+  one = one.sealed();
+}
+
 }  // namespace
 
 extern "C" {
@@ -87,18 +116,12 @@ int MPI_Alltoall(const void* sent, int sent_count, MPI_Datatype sent_type, void*
   const bool is_now = step == p.number;
   if (is_now && p.is("skip")) return MPI_SUCCESS;
   if (is_now && p.is("repeat")) call(sent);
-  // An announcement has five numbers: number and kind of the step, bytes, and two checksums.
   int ranks = 0;
   PMPI_Comm_size(comm, &ranks);
-  std::vector<std::uint64_t> numbers(static_cast<std::size_t>(sent_count * ranks));
-  std::memcpy(numbers.data(), sent, numbers.size() * sizeof(std::uint64_t));
-  for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(sent_count)) {
-    if (is_now && p.is("number")) numbers[i] += 1;
-    if (numbers[i + 2] < 8 || step < p.number) continue;
-    if (p.is("longer")) numbers[i + 2] += 8;
-    if (p.is("shorter")) numbers[i + 2] -= 8;
-  }
-  return call(numbers.data());
+  std::vector<Announcement> announced(static_cast<std::size_t>(ranks));
+  std::memcpy(announced.data(), sent, announced.size() * sizeof(Announcement));
+  for (Announcement& one : announced) change(one, step);
+  return call(announced.data());
 }
 
 int MPI_Isend(const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request) {

@@ -1,14 +1,22 @@
-// After every phase, each rank holds exactly the triangles that it has to hold, and all ranks agree on them.
+// After every phase, each rank holds exactly the triangles that it has to hold, all ranks agree on them, and together
+// they cover the domain. The same if the ranks began with parts of the domain.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "../../../parallel/distribution/distribution.hpp"
+#include "../../../parallel/divided_points/divided_points.hpp"
+#include "../../../parallel/divided_points/part_of_domain.hpp"
+#include "../../../parallel/given_points/triangulated_points.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
+#include "../given_points/part_of_rank.hpp"
 #include "../scheduling/many_tasks.hpp"
 
 namespace pardel::engine {
@@ -16,21 +24,38 @@ namespace {
 
 using samples::Case;
 
-/// The corners of a triangle, from the lexicographically least one on.
-using Corners = std::array<double, 6>;
+/// A triangle as all ranks know it: its corners, from the lexicographically least one on; its region; which of its
+/// sides, that after the k-th corner in this order, are constrained.
+struct Known {
+  std::array<double, 6> corners{};
+  Index region = no_index;
+  std::array<bool, 3> constrained{};
+  friend auto operator<=>(const Known&, const Known&) = default;
+};
 
-Corners corners_of(const Triangulation& t, TriangleId id) {
-  std::array<Point, 3> p;
-  for (unsigned i = 0; i < 3; ++i) p[i] = t.points[t.slots[id].v[i]];
-  const auto least = std::ranges::min_element(p, {}, [](Point c) { return std::pair(c.x, c.y); });
-  std::rotate(p.begin(), least, p.end());
-  return {p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y};
+Known known(const Triangulation& t, TriangleId id) {
+  const Slot& slot = t.slots[id];
+  const unsigned first = slot.corner_of(least_corner(t, slot));
+  Known result;
+  for (unsigned i = 0; i < 3; ++i) {
+    const unsigned corner = (first + i) % 3;
+    result.corners[2 * i] = t.points[slot.v[corner]].x;
+    result.corners[2 * i + 1] = t.points[slot.v[corner]].y;
+    result.constrained[i] = slot.n[corner].constrained();
+  }
+  if (!t.region.empty()) result.region = t.region[id];
+  return result;
+}
+
+double area(const Known& triangle) {
+  const auto& c = triangle.corners;
+  return ((c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1])) / 2;
 }
 
 /// What the ranks held after the phases.
 struct Observed {
   struct Held {
-    Corners corners;
+    Known triangle;
     bool is_own;                ///< it belongs to the piece of this rank
     std::vector<int> watchers;  ///< the ranks that have to hold it
   };
@@ -39,17 +64,20 @@ struct Observed {
 };
 
 /// Observes the part of its rank after every exchange.
-class WatchedDistribution : public Distribution {
+template <class Observable>
+class Watched : public Observable {
  public:
-  WatchedDistribution(Ranks& ranks, Triangulation& t, Observed& observed)
-      : Distribution(ranks, t), watched_(t), observed_(observed) {}
+  /// `others`: the arguments of Observable.
+  template <class... Others>
+  Watched(const Triangulation& t, Observed& observed, Others&&... others)
+      : Observable(std::forward<Others>(others)...), watched_(t), observed_(observed) {}
 
   void exchange_changes(std::vector<PlannedTask>& tasks) override {
-    Distribution::exchange_changes(tasks);
+    Observable::exchange_changes(tasks);
     std::vector<Observed::Held> held;
     part().for_each_triangle([&](TriangleId id) {
-      const bool is_own = owner_of_triangle(id) == network().rank();
-      held.push_back({corners_of(watched_, id), is_own, watchers(id)});
+      const bool is_own = this->owner_of_triangle(id) == network().rank();
+      held.push_back({known(watched_, id), is_own, watchers(id)});
       expect_neighbours(id);
     });
     const std::scoped_lock lock(observed_.mutex);
@@ -60,11 +88,14 @@ class WatchedDistribution : public Distribution {
   }
 
  private:
+  using Observable::network;
+  using Observable::part;
+
   [[nodiscard]] std::vector<int> watchers(TriangleId id) const {
     std::vector<int> found;
     for (int rank = 0; rank < network().count(); ++rank)
       if (std::ranges::any_of(watched_.slots[id].v,
-                              [&](VertexId v) { return ownership().watches(rank, watched_.points[v]); }))
+                              [&](VertexId v) { return this->ownership().watches(rank, watched_.points[v]); }))
         found.push_back(rank);
     return found;
   }
@@ -86,39 +117,78 @@ class WatchedDistribution : public Distribution {
   std::size_t phase_ = 0;
 };
 
-void observe(const Case& c, const Options& options, int count, Observed& observed) {
+std::vector<double> caps_of(const Pslg& pslg) {
   std::vector<double> caps;
-  for (const Region& region : c.pslg.regions) caps.push_back(region.max_area);
+  for (const Region& region : pslg.regions) caps.push_back(region.max_area);
+  return caps;
+}
+
+void expect_refined(DomainTriangulation& domain, const Case& c, const Options& options, Partners& partners) {
+  const Criteria criteria(c.goal, options.placement, caps_of(c.pslg));
+  ProgressMonitor progress(options);
+  const Result<RefineCounts> counts =
+      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, &partners);
+  EXPECT_TRUE(counts) << counts.error().message;
+}
+
+/// All ranks have the whole domain.
+void observe(const Case& c, const Options& options, int count, Observed& observed) {
   properties::on_ranks(count, [&](Ranks& ranks) {
     Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, 1);
     ASSERT_TRUE(domain);
-    const Criteria criteria(c.goal, options.placement, caps);
-    ProgressMonitor progress(options);
-    WatchedDistribution distribution(ranks, domain->triangulation, observed);
-    const Result<RefineCounts> counts =
-        refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, {}, {}, &distribution);
-    EXPECT_TRUE(counts) << counts.error().message;
+    Triangulation& t = domain->triangulation;
+    Watched<Distribution> distribution(t, observed, ranks, t);
+    expect_refined(*domain, c, options, distribution);
   });
 }
 
-/// Each triangle is owned by one rank, and held by those that watch one of its corners, and by no other.
-void expect_parts_fit(const std::vector<std::vector<Observed::Held>>& ranks) {
-  std::set<Corners> owned;
-  std::vector<std::set<Corners>> expected(ranks.size()), found(ranks.size());
+/// Each rank has a part of the domain.
+void observe_divided(const Case& c, const Options& options, int count, Observed& observed) {
+  properties::on_ranks(count, [&](Ranks& ranks) {
+    const PartOfSegments segments = part_of_segments(c.pslg, ranks);
+    const Pslg rest = properties::rest_of(c.pslg);
+    Result<std::unique_ptr<TriangulatedPoints>> points = triangulated(part_of(c.pslg, ranks), ranks, Threads(1));
+    ASSERT_TRUE(points);
+    Result<PartOfDomain> part = part_of_domain(**points, {segments, rest}, c.goal.convex_hull, ranks, Threads(1));
+    ASSERT_TRUE(part) << part.error().message;
+    Watched<DividedPoints> distribution(part->domain.triangulation, observed, ranks, *part, (*points)->division);
+    expect_refined(part->domain, c, options, distribution);
+  });
+}
+
+/// Each triangle is owned by one rank, and held by those that watch one of its corners, and by no other. All ranks know
+/// the same of it. Nothing is lost: together they have the area of the domain.
+void expect_parts_fit(const std::vector<std::vector<Observed::Held>>& ranks, double area_of_domain) {
+  std::set<Known> owned;
+  std::vector<std::set<Known>> expected(ranks.size()), found(ranks.size());
+  double all = 0;
   for (std::size_t rank = 0; rank < ranks.size(); ++rank)
-    for (const Observed::Held& triangle : ranks[rank]) {
-      EXPECT_TRUE(found[rank].insert(triangle.corners).second) << "a triangle is held twice";
-      if (!triangle.is_own) continue;
-      EXPECT_TRUE(owned.insert(triangle.corners).second) << "a triangle is owned twice";
-      for (const int watcher : triangle.watchers) expected[watcher].insert(triangle.corners);
+    for (const Observed::Held& held : ranks[rank]) {
+      EXPECT_TRUE(found[rank].insert(held.triangle).second) << "a triangle is held twice";
+      if (!held.is_own) continue;
+      EXPECT_TRUE(owned.insert(held.triangle).second) << "a triangle is owned twice";
+      all += area(held.triangle);
+      for (const int watcher : held.watchers) expected[watcher].insert(held.triangle);
     }
   for (std::size_t rank = 0; rank < ranks.size(); ++rank) EXPECT_TRUE(found[rank] == expected[rank]) << "rank " << rank;
+  constexpr double rounding = 1e-9;
+  EXPECT_NEAR(all, area_of_domain, rounding * area_of_domain);
+}
+
+double area_of(const Case& c) {
+  const Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, 1);
+  EXPECT_TRUE(domain);
+  const Triangulation& t = domain->triangulation;
+  double all = 0;
+  for (TriangleId id = 0; id < t.slots.size(); ++id) all += area(known(t, id));
+  return all;
 }
 
 class Margins : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Margins, are_the_same_on_all_ranks_after_every_phase) {
   const Case& c = samples::cases()[GetParam()];
+  const double area = area_of(c);
   for (const int count : {2, 3, 5}) {
     Observed on_lattice, on_leaves;
     observe(c, samples::options_for(c), count, on_lattice);
@@ -126,7 +196,18 @@ TEST_P(Margins, are_the_same_on_all_ranks_after_every_phase) {
     EXPECT_GE(on_lattice.held.size(), 4U);
     EXPECT_GE(on_leaves.held.size(), 4U);
     for (const Observed* observed : {&on_lattice, &on_leaves})
-      for (const auto& phase : observed->held) expect_parts_fit(phase);
+      for (const auto& phase : observed->held) expect_parts_fit(phase, area);
+  }
+}
+
+TEST_P(Margins, of_divided_domains_are_the_same_on_all_ranks_after_every_phase) {
+  const Case& c = samples::cases()[GetParam()];
+  const double area = area_of(c);
+  for (const int count : {2, 3, 5}) {
+    Observed observed;
+    observe_divided(c, samples::options_for(c), count, observed);
+    EXPECT_GE(observed.held.size(), 4U);
+    for (const auto& phase : observed.held) expect_parts_fit(phase, area);
   }
 }
 
