@@ -16,6 +16,7 @@
 #include "../mpi/mpi_ranks.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "../properties/theorems/framework/dealt_points.hpp"
 #include "mpi_program.hpp"
 #include "own_processor.hpp"
 #include "tool.hpp"
@@ -28,6 +29,7 @@ struct Settings {
   Task task{.domain = "pipe", .goal = {}, .triangles = 10'000'000};
   std::uint64_t per_rank = 0;  ///< if not 0: this number of triangles for each rank
   int runs = 5;
+  bool whole = false;  ///< each rank begins with the whole domain
 };
 
 /// Waits for all ranks without using the processor.
@@ -92,7 +94,10 @@ class Comparison {
     warm(ranks_.count());
     wait_for_all();
     const Stopwatch watch;
-    const Result<MeshPiece> piece = mesh(domain_, goal(1), {.threads = 1}, ranks_);
+    const Options options{.threads = 1};
+    const Result<MeshPiece> piece =
+        settings_.whole ? mesh(domain_, goal(1), options, ranks_)
+                        : mesh(properties::equal_part(domain_.pslg(), ranks_), goal(1), options, ranks_);
     if (!piece) MPI_Abort(MPI_COMM_WORLD, 1);
     refine_.push_back(piece->report.refine_seconds);
     pieces_.push_back(piece->seconds);
@@ -115,7 +120,8 @@ class Comparison {
     if (ranks_.rank() != 0) return;
     const auto millions = static_cast<double>(triangles_) / 1e6;
     const double ranks = median(own_seconds_), threads = median(whole_seconds_);
-    fmt::print("{}, {:.2f} million triangles, medians of {} rounds\n", settings_.task.domain, millions, settings_.runs);
+    fmt::print("{}, {:.2f} million triangles, medians of {} rounds; ranks begin with {}\n", settings_.task.domain,
+               millions, settings_.runs, settings_.whole ? "the whole domain" : "parts of the domain");
     fmt::print("{} ranks of 1 thread    {:.3f} s (refine {:.3f}, pieces {:.3f})\n", ranks_.count(), ranks,
                median(refine_), median(pieces_));
     fmt::print("1 process, {} threads   {:.3f} s\n", ranks_.count(), threads);
@@ -148,6 +154,7 @@ int run(int argc, char** argv) {
   app.add_option("--per-rank", settings.per_rank, "about this number of triangles for each rank (weak scaling)")
       ->excludes(all);
   app.add_option("--runs", settings.runs, "the number of rounds");
+  app.add_flag("--whole", settings.whole, "each rank begins with the whole domain, not with a part of it");
   CLI11_PARSE(app, argc, argv);
   return Comparison(settings).run();
 }

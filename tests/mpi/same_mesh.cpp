@@ -65,18 +65,6 @@ std::vector<Case> large_cases(double scale) {
           {"square", domains::square(), {.max_area = 1.37e-6 / scale}, {}}};
 }
 
-/// What this rank reads of a domain: an equal share of the points, and of the segments.
-PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
-  const auto begin = [&](std::size_t n, int rank) {
-    return n * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
-  };
-  const auto here = ranks.rank();
-  const std::size_t points = pslg.points.size(), segments = pslg.segments.size();
-  return {properties::points_between(pslg, begin(points, here), begin(points, here + 1)),
-          properties::segments_between(pslg, begin(segments, here), begin(segments, here + 1)),
-          properties::rest_of(pslg)};
-}
-
 struct Count {
   int runs = 0, divided = 0, differences = 0;
 };
@@ -103,7 +91,7 @@ void compare(const Case& c, Ranks& ranks, Count& count) {
   for (options.threads = 1; options.threads <= 3; ++options.threads) {
     look_at(mesh(domain, c.goal, options, ranks), "the whole domain");
     if (!can_divide_points(c.goal, options)) continue;
-    look_at(mesh(part_of(c.pslg, ranks), c.goal, options, ranks), "a part of the domain");
+    look_at(mesh(properties::equal_part(c.pslg, ranks), c.goal, options, ranks), "a part of the domain");
     ++count.divided;
   }
 }

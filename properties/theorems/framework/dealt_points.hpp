@@ -9,6 +9,7 @@
 #include "../../../core/mesh.hpp"
 #include "../../../core/part_of_points.hpp"
 #include "../../../core/pslg.hpp"
+#include "../../../core/ranks.hpp"
 
 namespace pardel::properties {
 
@@ -43,6 +44,17 @@ inline Pslg rest_of(const Pslg& pslg) {
   rest.regions = pslg.regions;
   rest.first_id = pslg.first_id;
   return rest;
+}
+
+/// What a rank reads of a domain: an equal share of the points, and of the segments.
+inline PartOfPslg equal_part(const Pslg& pslg, const Ranks& ranks) {
+  const auto begin = [&](std::size_t n, int rank) {
+    return n * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
+  };
+  const int here = ranks.rank();
+  const std::size_t points = pslg.points.size(), segments = pslg.segments.size();
+  return {points_between(pslg, begin(points, here), begin(points, here + 1)),
+          segments_between(pslg, begin(segments, here), begin(segments, here + 1)), rest_of(pslg)};
 }
 
 /// The points of a mesh with their attributes, sorted. Those of a piece are among those of the whole.
