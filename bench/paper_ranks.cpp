@@ -10,8 +10,8 @@
 #include "../core/support/stopwatch.hpp"
 #include "../mpi/mpi_ranks.hpp"
 #include "../parallel/distributed.hpp"
+#include "../properties/domains/dealt_domain.hpp"
 #include "../properties/domains/domains.hpp"
-#include "../properties/theorems/framework/dealt_points.hpp"
 #include "mpi_program.hpp"
 #include "warm_memory.hpp"
 
@@ -31,8 +31,7 @@ int run(int argc, char** argv) {
   const Pslg pslg = *domains::generate(domain, 0, 1);
   MPI_Barrier(MPI_COMM_WORLD);
   const Stopwatch watch;
-  const Result<MeshPiece> piece =
-      mesh(properties::equal_part(pslg, ranks), {.max_area = max_area}, {.threads = 1}, ranks);
+  const Result<MeshPiece> piece = mesh(domains::equal_part(pslg, ranks), {.max_area = max_area}, {.threads = 1}, ranks);
   if (!piece) MPI_Abort(MPI_COMM_WORLD, 1);
   double seconds = watch.seconds();
   MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);

@@ -16,7 +16,7 @@
 #include "../mpi/mpi_ranks.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/theorems/framework/dealt_points.hpp"
+#include "../properties/domains/dealt_domain.hpp"
 #include "mpi_program.hpp"
 #include "own_processor.hpp"
 #include "tool.hpp"
@@ -95,9 +95,9 @@ class Comparison {
     wait_for_all();
     const Stopwatch watch;
     const Options options{.threads = 1};
-    const Result<MeshPiece> piece =
-        settings_.whole ? mesh(domain_, goal(1), options, ranks_)
-                        : mesh(properties::equal_part(domain_.pslg(), ranks_), goal(1), options, ranks_);
+    const Result<MeshPiece> piece = settings_.whole
+                                        ? mesh(domain_, goal(1), options, ranks_)
+                                        : mesh(domains::equal_part(domain_.pslg(), ranks_), goal(1), options, ranks_);
     if (!piece) MPI_Abort(MPI_COMM_WORLD, 1);
     refine_.push_back(piece->report.refine_seconds);
     pieces_.push_back(piece->seconds);

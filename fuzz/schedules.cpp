@@ -7,8 +7,9 @@
 #include "../core/digest.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
-#include "../properties/theorems/framework/dealt_points.hpp"
+#include "../properties/domains/dealt_domain.hpp"
 #include "../properties/theorems/framework/local_ranks.hpp"
+#include "../properties/theorems/framework/points_and_attributes.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
 
@@ -37,9 +38,8 @@ PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
   };
   const int rank = ranks.rank();
   const std::size_t points = pslg.points.size(), segments = pslg.segments.size();
-  return {properties::points_between(pslg, bound(points, rank), bound(points, rank + 1)),
-          properties::segments_between(pslg, bound(segments, rank), bound(segments, rank + 1)),
-          properties::rest_of(pslg)};
+  return {domains::points_between(pslg, bound(points, rank), bound(points, rank + 1)),
+          domains::segments_between(pslg, bound(segments, rank), bound(segments, rank + 1)), domains::rest_of(pslg)};
 }
 
 /// Each rank calls make(ranks) for its piece. Together the pieces have to be the mesh.

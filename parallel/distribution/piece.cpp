@@ -152,6 +152,7 @@ class PieceMaker {
     const ShareOfRank triangles = share_of_rank(piece_.mesh.triangles.size(), ranks_);
     piece_.first_triangle = triangles.before;
     piece_.triangles = triangles.all;
+    piece_.first_point = data_.first;
     piece_.points = data_.count;
     piece_.constrained_edges = piece_.mesh.constrained_edges.size();
     ranks_.add_up({&piece_.constrained_edges, 1});

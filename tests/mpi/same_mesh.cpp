@@ -17,9 +17,9 @@
 #include "../../mpi/mpi_ranks.hpp"
 #include "../../parallel/distributed.hpp"
 #include "../../parallel/mesher.hpp"
+#include "../../properties/domains/dealt_domain.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "../../properties/domains/generators/goals.hpp"
-#include "../../properties/theorems/framework/dealt_points.hpp"
 
 namespace pardel {
 namespace {
@@ -91,7 +91,7 @@ void compare(const Case& c, Ranks& ranks, Count& count) {
   for (options.threads = 1; options.threads <= 3; ++options.threads) {
     look_at(mesh(domain, c.goal, options, ranks), "the whole domain");
     if (!can_divide_points(c.goal, options)) continue;
-    look_at(mesh(properties::equal_part(c.pslg, ranks), c.goal, options, ranks), "a part of the domain");
+    look_at(mesh(domains::equal_part(c.pslg, ranks), c.goal, options, ranks), "a part of the domain");
     ++count.divided;
   }
 }

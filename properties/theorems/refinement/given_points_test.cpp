@@ -8,8 +8,9 @@
 
 #include "../../../core/digest.hpp"
 #include "../../../parallel/distributed.hpp"
-#include "../framework/dealt_points.hpp"
+#include "../../domains/dealt_domain.hpp"
 #include "../framework/local_ranks.hpp"
+#include "../framework/points_and_attributes.hpp"
 #include "../framework/segments_in_pieces.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
@@ -50,7 +51,7 @@ std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
   const std::vector<std::size_t> begin = begins_of_parts(pslg.points.size(), ranks);
   std::vector<PartOfPoints> parts;
   for (std::size_t rank = 0; rank + 1 < begin.size(); ++rank)
-    parts.push_back(points_between(pslg, begin[rank], begin[rank + 1]));
+    parts.push_back(domains::points_between(pslg, begin[rank], begin[rank + 1]));
   return parts;
 }
 
@@ -167,8 +168,8 @@ PARDEL_PROPERTY(
   const int count = *rc::gen::inRange(2, 7);
   const std::vector<std::size_t> begin = begins_of_parts(problem.pslg.segments.size(), count);
   require_together(whole.mesh, dealt(problem.pslg, count), [&](PartOfPoints&& part, pardel::Ranks& ranks) {
-    PartOfSegments segments = segments_between(problem.pslg, begin[ranks.rank()], begin[ranks.rank() + 1]);
-    return mesh({std::move(part), std::move(segments), rest_of(problem.pslg)}, problem.goal, options, ranks);
+    PartOfSegments segments = domains::segments_between(problem.pslg, begin[ranks.rank()], begin[ranks.rank() + 1]);
+    return mesh({std::move(part), std::move(segments), domains::rest_of(problem.pslg)}, problem.goal, options, ranks);
   });
 }
 

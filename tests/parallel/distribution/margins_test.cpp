@@ -146,7 +146,7 @@ void observe(const Case& c, const Options& options, int count, Observed& observe
 void observe_divided(const Case& c, const Options& options, int count, Observed& observed) {
   properties::on_ranks(count, [&](Ranks& ranks) {
     const PartOfSegments segments = part_of_segments(c.pslg, ranks);
-    const Pslg rest = properties::rest_of(c.pslg);
+    const Pslg rest = domains::rest_of(c.pslg);
     Result<std::unique_ptr<TriangulatedPoints>> points = triangulated(part_of(c.pslg, ranks), ranks, Threads(1));
     ASSERT_TRUE(points);
     Result<PartOfDomain> part = part_of_domain(**points, {segments, rest}, c.goal.convex_hull, ranks, Threads(1));

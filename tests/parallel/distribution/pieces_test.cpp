@@ -157,6 +157,22 @@ TEST(PiecesOfALargeMesh, are_of_about_equal_size) {
   }
 }
 
+/// Writers of common files divide the records by these numbers. If they were wrong, one rank would write all of them.
+TEST(PiecesOfALargeMesh, are_near_the_points_of_ranges_of_numbers_of_about_equal_size) {
+  const Case c{"square", domains::square(), {.max_area = 5e-6}, {.threads = 1, .cells = {12, 12}}};
+  const std::vector<MeshPiece> pieces = pieces_of(c, 4);
+  EXPECT_EQ(pieces.front().first_point, c.pslg.points.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::uint64_t first = pieces[i].first_point, all = pieces[i].points;
+    const std::uint64_t last = i + 1 < pieces.size() ? pieces[i + 1].first_point : all;
+    ASSERT_LE(first, last);
+    EXPECT_GT(last - first, all / 6);
+    EXPECT_LT(last - first, all / 3);
+    const auto near = std::ranges::count_if(pieces[i].number, [&](std::uint64_t n) { return n >= first && n < last; });
+    EXPECT_GT(static_cast<std::size_t>(near), pieces[i].number.size() / 2) << "they are points of other pieces";
+  }
+}
+
 TEST(PiecesOfALargeMesh, are_certified_when_joined) {
   const Case c{"pipe", domains::pipe(), {.min_angle_deg = 25, .max_area = 2e-4}, {.threads = 2, .cells = {6, 6}}};
   std::vector<MeshPiece> pieces = pieces_of(c, 3);

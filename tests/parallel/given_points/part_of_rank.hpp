@@ -8,7 +8,7 @@
 #include "../../../core/part_of_points.hpp"
 #include "../../../core/pslg.hpp"
 #include "../../../core/ranks.hpp"
-#include "../../../properties/theorems/framework/dealt_points.hpp"
+#include "../../../properties/domains/dealt_domain.hpp"
 
 namespace pardel {
 
@@ -21,18 +21,18 @@ inline std::size_t begin_of_part(std::size_t n, int rank, int count) {
 /// What a rank reads of the points.
 inline PartOfPoints part_of(const Pslg& pslg, const Ranks& ranks) {
   const auto begin = [&](int rank) { return begin_of_part(pslg.points.size(), rank, ranks.count()); };
-  return properties::points_between(pslg, begin(ranks.rank()), begin(ranks.rank() + 1));
+  return domains::points_between(pslg, begin(ranks.rank()), begin(ranks.rank() + 1));
 }
 
 /// The same of the segments.
 inline PartOfSegments part_of_segments(const Pslg& pslg, const Ranks& ranks) {
   const auto begin = [&](int rank) { return begin_of_part(pslg.segments.size(), rank, ranks.count()); };
-  return properties::segments_between(pslg, begin(ranks.rank()), begin(ranks.rank() + 1));
+  return domains::segments_between(pslg, begin(ranks.rank()), begin(ranks.rank() + 1));
 }
 
 /// The same of a domain. All ranks have its holes and regions.
 inline PartOfPslg part_of_domain_of(const Pslg& pslg, const Ranks& ranks) {
-  return {part_of(pslg, ranks), part_of_segments(pslg, ranks), properties::rest_of(pslg)};
+  return {part_of(pslg, ranks), part_of_segments(pslg, ranks), domains::rest_of(pslg)};
 }
 
 inline Pslg with_points(std::vector<Point> points) {

@@ -1,17 +1,14 @@
 // The parts of a domain that ranks would have read.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
-#include "../../../core/mesh.hpp"
-#include "../../../core/part_of_points.hpp"
-#include "../../../core/pslg.hpp"
-#include "../../../core/ranks.hpp"
+#include "../../core/part_of_points.hpp"
+#include "../../core/pslg.hpp"
+#include "../../core/ranks.hpp"
 
-namespace pardel::properties {
+namespace pardel::domains {
 
 /// The points from index `first` to before index `last`.
 inline PartOfPoints points_between(const Pslg& pslg, std::size_t first, std::size_t last) {
@@ -57,16 +54,4 @@ inline PartOfPslg equal_part(const Pslg& pslg, const Ranks& ranks) {
           segments_between(pslg, begin(segments, here), begin(segments, here + 1)), rest_of(pslg)};
 }
 
-/// The points of a mesh with their attributes, sorted. Those of a piece are among those of the whole.
-inline std::vector<std::vector<double>> points_and_attributes(const Mesh& mesh) {
-  const std::size_t k = mesh.attributes_per_point;
-  std::vector<std::vector<double>> all;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    std::vector<double>& point = all.emplace_back(std::vector{mesh.points[v].x, mesh.points[v].y});
-    for (std::size_t a = 0; a < k; ++a) point.push_back(mesh.point_attributes[k * v + a]);
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
-}  // namespace pardel::properties
+}  // namespace pardel::domains
