@@ -114,8 +114,10 @@ std::string seconds_of_ranks(const Table& table, const Settings& settings, int r
     unsigned long long triangles = 0;
     const std::size_t line = output.find("ranks ");
     if (line == std::string::npos || std::sscanf(&output[line], "ranks %lf %llu", &seconds, &triangles) != 2 ||
-        triangles != like.triangles)
+        triangles != like.triangles) {
+      fmt::print(stderr, "paper_tables: {} failed:\n{}\n", fmt::join(command, " "), output);
       return "failed";
+    }
     all.push_back(seconds);
   }
   return fmt::format("{:.2f}", median(all));

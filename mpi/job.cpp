@@ -17,6 +17,10 @@ namespace pardel::mpi {
 Job::Started::Started() {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  if (provided < MPI_THREAD_FUNNELED) {
+    cli::report({ErrorKind::resources, "this MPI library does not support threads (MPI_THREAD_FUNNELED)"}, "pardel-mpi");
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(cli::ExitCode::failure));
+  }
 }
 
 Job::Job() {
