@@ -113,17 +113,10 @@ Result<Made> written(const Arguments& arguments, const MeshPiece& piece, const P
   return made;
 }
 
-/// The error of a function that all ranks have called. All have the same `usage` errors. Others may be those of one
-/// rank, for which the others wait: they end the job.
-Error fault_of_all(const Error& error, Job& job) {
-  if (error.kind != ErrorKind::usage) job.abort(error);
-  return error;
-}
-
 /// One piece per rank.
 Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
   const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
-  if (!piece) return fault_of_all(piece.error(), job);
+  if (!piece) job.abort(piece.error());
   return written(arguments, *piece, input.domain.pslg(), job);
 }
 
@@ -137,7 +130,7 @@ bool may_divide(const Arguments& arguments, const Job& job) {
 /// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
 /// problems with the advice of 'pardel mesh'. Other errors end the job.
 Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) {
-  if (error.kind != ErrorKind::invalid_input) return fault_of_all(error, job);
+  if (error.kind != ErrorKind::invalid_input) job.abort(error);
   Status valid = Done{};
   if (job.is_first())
     if (const Result<Problem> whole = read_problem(arguments.input, arguments.goal, arguments.options.threads); !whole)
@@ -173,7 +166,7 @@ Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job&
                                         made.seconds.write += watch.seconds();
                                         return written;
                                       });
-  if (!ended && written) return fault_of_all(ended.error(), job);
+  if (!ended && written) job.abort(ended.error());
   if (Status placed = files.commit(written, arguments.pieces, job); !placed) return placed.error();
   return made;
 }
@@ -185,9 +178,13 @@ Status check_pieces(const Arguments& arguments, int ranks) {
   if (arguments.pieces < ranks)
     return Error{ErrorKind::usage, fmt::format("--pieces {}: there are {} ranks, and each makes at least one piece",
                                                arguments.pieces, ranks)};
-  if (arguments.options.interior == Interior::refine && arguments.pieces > ranks)
-    return Error{ErrorKind::usage,
-                 fmt::format("--pieces {}: more pieces than ranks need --interior fill", arguments.pieces)};
+  const GoalOptions& goal = arguments.goal;
+  const bool is_graded = !goal.sizes.empty() || goal.grading || goal.feature_size;
+  const bool has_bound = goal.max_area || goal.max_edge || goal.regions;
+  if (arguments.pieces > ranks && (arguments.options.interior == Interior::refine || is_graded || !has_bound))
+    return Error{ErrorKind::usage, fmt::format("--pieces {}: more pieces than ranks need --interior fill, and the same "
+                                               "bound on areas or edges everywhere",
+                                               arguments.pieces)};
   return Done{};
 }
 

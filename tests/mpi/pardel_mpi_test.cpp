@@ -313,8 +313,10 @@ TEST_F(PardelMpi, puts_pieces_beside_the_file_that_a_link_leads_to) {
 TEST_F(PardelMpi, has_one_message_for_an_error_of_all_ranks) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--pieces", "1"}, "pardel-mpi: --pieces 1: there are 2 ranks, and each makes at least one piece\n"},
-      {{"--pieces", "5"}, "pardel-mpi: --pieces 5: more pieces than ranks need --interior fill\n"},
-      {{"--pieces", "5", "--interior", "fill"}, "pardel-mpi: more pieces than ranks are for interiors of equilateral"}};
+      {{"--pieces", "5"}, "pardel-mpi: --pieces 5: more pieces than ranks need --interior fill, and"},
+      {{"--pieces", "5", "--interior", "fill"}, "pardel-mpi: --pieces 5: more pieces than ranks need"},
+      {{"--pieces", "5", "--interior", "fill", "--max-area", "0.1", "--grading", "0.2"},
+       "pardel-mpi: --pieces 5: more pieces than ranks need"}};
   for (const auto& [more, message] : cases) {
     std::vector<std::string> arguments{"mesh", "pipe.poly", "-o", "out.pvtu"};
     arguments.insert(arguments.end(), more.begin(), more.end());
