@@ -7,8 +7,8 @@
 
 namespace pardel::cli {
 
-/// Messages of end_process() begin with this name instead of `pardel`. The text has to live as long as the process.
-/// Thread-safe.
+/// Messages of end_process() begin with this name instead of `pardel`. The text has to live as long as threads that may
+/// call end_process(). Thread-safe.
 void name_process(const char* name);
 
 /// Removes the partial output files, prints the message unless it is empty, and ends the process with the exit code of

@@ -15,7 +15,7 @@ bool is_ignored(int signal) {
 
 }  // namespace
 
-InterruptWatch::InterruptWatch(bool reports_sigterm) : reports_sigterm_(reports_sigterm) {
+InterruptWatch::InterruptWatch() {
   std::signal(SIGXFSZ, SIG_IGN);  // a write then fails with EFBIG
   sigemptyset(&signals_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) sigaddset(&signals_, signal);

@@ -15,17 +15,19 @@ namespace pardel::cli {
 /// the signals must be blocked in all threads.
 class InterruptWatch {
  public:
-  /// `reports_sigterm`: false if SIGTERM ends the process without a message. Throws std::system_error if the thread
-  /// cannot be started.
-  explicit InterruptWatch(bool reports_sigterm = true);
+  /// Throws std::system_error if the thread cannot be started.
+  InterruptWatch();
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
+  /// From now on, SIGTERM ends the process without a message. Thread-safe.
+  void end_silently_on_sigterm() { reports_sigterm_ = false; }
+
  private:
   void wait();
 
-  bool reports_sigterm_;
+  std::atomic<bool> reports_sigterm_{true};
   sigset_t signals_{};
   std::atomic<bool> finished_{false};
   std::thread thread_;

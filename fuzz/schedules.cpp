@@ -31,17 +31,6 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
   if (one->report.exempt.size() != several->report.exempt.size()) fail("the report depends on the number of threads");
 }
 
-/// The part of a rank in a domain whose points and segments the ranks have read in equal parts.
-PartOfPslg part_of(const Pslg& pslg, const Ranks& ranks) {
-  const auto bound = [&](std::size_t n, int rank) {
-    return n * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.count());
-  };
-  const int rank = ranks.rank();
-  const std::size_t points = pslg.points.size(), segments = pslg.segments.size();
-  return {domains::points_between(pslg, bound(points, rank), bound(points, rank + 1)),
-          domains::segments_between(pslg, bound(segments, rank), bound(segments, rank + 1)), domains::rest_of(pslg)};
-}
-
 /// Each rank calls make(ranks) for its piece. Together the pieces have to be the mesh.
 template <class Make>
 void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays, const Make& make) {
@@ -85,7 +74,7 @@ void compare_with_ranks(Pslg pslg, const MeshCase& drawn, Options options) {
                    [&](Ranks& ranks) { return mesh(*domain, goal, options, ranks); });
   if (can_divide_points(goal, options))
     compare_on_ranks(whole->mesh, drawn.ranks, 0,
-                     [&](Ranks& ranks) { return mesh(part_of(pslg, ranks), goal, options, ranks); });
+                     [&](Ranks& ranks) { return mesh(domains::equal_part(pslg, ranks), goal, options, ranks); });
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ Job::Started::Started() {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   if (provided < MPI_THREAD_FUNNELED) {
-    cli::report({ErrorKind::resources, "this MPI library does not support threads (MPI_THREAD_FUNNELED)"}, "pardel-mpi");
+    cli::report({ErrorKind::resources, "this MPI library does not support threads (MPI_THREAD_FUNNELED)"},
+                "pardel-mpi");
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(cli::ExitCode::failure));
   }
 }
@@ -38,7 +39,7 @@ Job::Job() {
 }
 
 /// When the first rank has ended with an error that all ranks have, mpirun sends SIGTERM to the ranks that are still
-/// ending. They must not report "interrupted". (InterruptWatch leaves out signals that the process ignores.)
+/// ending. They keep the exit status of the error. (InterruptWatch leaves out signals that the process ignores.)
 Job::~Job() {
   std::signal(SIGTERM, SIG_IGN);
   MPI_Finalize();

@@ -23,8 +23,10 @@ void print(const Made& made, const char* making, int threads, std::span<const st
   fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
              static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
   if (made.triangles > 0)
-    fmt::print("memory  {:.0f} bytes per triangle; margins with {:.2f} % of the triangles\n",
-               bytes / static_cast<double>(made.triangles), 100 * margins / static_cast<double>(made.triangles));
+    fmt::print("memory  {:.0f} bytes per triangle{}\n", bytes / static_cast<double>(made.triangles),
+               margins > 0 ? fmt::format("; ranks held {:.2f} % more triangles than their own",
+                                         100 * margins / static_cast<double>(made.triangles))
+                           : "");
   fmt::print("digest  {}\n", to_string(all));
   fmt::print("time    {:.3f} s (read {:.3f}, {} {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
              made.seconds.read, making, made.seconds.refine, made.seconds.pieces, made.seconds.write);

@@ -59,9 +59,11 @@ ExitCode run(int argc, char** argv, Job& job) {
   return job.is_first() ? cli::report(result.error(), "pardel-mpi") : cli::exit_code(result.error().kind);
 }
 
-/// An error of one rank ends all of them.
-ExitCode run_in_job(int argc, char** argv) {
+/// An error of one rank ends all of them. Then mpirun sends SIGTERM to the others, whose messages would hide that of
+/// the rank that has failed.
+ExitCode run_in_job(int argc, char** argv, cli::InterruptWatch& interrupt_watch) {
   Job job;
+  if (job.count() > 1) interrupt_watch.end_silently_on_sigterm();
   static const std::string name = "pardel-mpi: rank " + std::to_string(job.ranks().rank());
   cli::name_process(name.c_str());
   try {
@@ -81,11 +83,9 @@ ExitCode guarded(int argc, char** argv) {
   cli::name_process("pardel-mpi");
   const cli::FailureWatch failure_watch;
   try {
-    // Before MPI starts threads. mpirun sends SIGTERM to the other ranks of a job in which one has failed; the message
-    // of that rank is the one to be read.
-    const cli::InterruptWatch interrupt_watch(/*reports_sigterm=*/false);
+    cli::InterruptWatch interrupt_watch;  // before MPI starts threads
     cli::keep_to_processor_quota();
-    return run_in_job(argc, argv);
+    return run_in_job(argc, argv, interrupt_watch);
   } catch (const std::exception& unexpected) {  // the job has not started; mpirun ends the other ranks
     return cli::report({ErrorKind::resources, unexpected.what()}, "pardel-mpi");
   }

@@ -171,7 +171,7 @@ Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job&
   return made;
 }
 
-Status check_pieces(const Arguments& arguments, int ranks) {
+Status check_number_of_pieces(const Arguments& arguments, int ranks) {
   if (arguments.pieces == 0) return Done{};
   if (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu")
     return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
@@ -189,7 +189,7 @@ Status check_pieces(const Arguments& arguments, int ranks) {
 }
 
 Status check_arguments(Arguments& arguments, const Ranks& ranks) {
-  if (Status fine = check_pieces(arguments, ranks.count()); !fine) return fine;
+  if (Status fine = check_number_of_pieces(arguments, ranks.count()); !fine) return fine;
   const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count())};
   if (Status fine = check_outputs(expected, arguments.input, arguments.goal.sizes, ranks); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);

@@ -28,7 +28,7 @@ void check(int code);
 class MpiRanks : public Ranks {
  public:
   /// Longer messages travel in parts, because MPI counts the bytes of a message with an int. `bytes_per_part`: from 1
-  /// to 2^31 - 1, the same on all ranks.
+  /// to 2^31 - 1, the same on all ranks. A message has at most 32,768 parts, because their numbers are tags of MPI.
   explicit MpiRanks(std::size_t bytes_per_part = std::size_t{1} << 30U);
 
   [[nodiscard]] int rank() const override { return rank_; }

@@ -52,7 +52,8 @@ Status check_output(const fs::path& output) {
 }
 
 /// Of the pieces of an output, those of this rank.
-Status check_pieces(const fs::path& output, int pieces, std::span<const cli::NamedFile> inputs, const Ranks& ranks) {
+Status check_names_of_pieces(const fs::path& output, int pieces, std::span<const cli::NamedFile> inputs,
+                             const Ranks& ranks) {
   for (int number = ranks.rank(); number < pieces; number += ranks.count()) {
     const cli::NamedFile piece{fmt::format("-o {}:", output.string()), piece_of(output, number), false};
     if (Status fine = cli::check_distinct({&piece, 1}, inputs); !fine) return fine;
@@ -92,7 +93,7 @@ Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, con
   if (Status fine = cli::check_distinct(named, inputs); !fine) return fine;
   for (const fs::path& output : expected.outputs) {
     if (is_of_triangle(output)) continue;
-    if (Status fine = check_pieces(output, expected.pieces, inputs, ranks); !fine) return fine;
+    if (Status fine = check_names_of_pieces(output, expected.pieces, inputs, ranks); !fine) return fine;
   }
   return Done{};
 }

@@ -31,7 +31,8 @@ struct MeshPiece {
   // Of the whole mesh:
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0;
   std::uint64_t missed = 0;  ///< triangles that miss the goal although no small input angle justifies it
-  std::uint64_t margin = 0;  ///< triangles of other pieces that this rank held when the refinement ended
+  /// Triangles of other pieces that this rank held when the refinement ended. 0 if the ranks did not refine together.
+  std::uint64_t margin = 0;
   double seconds = 0;        ///< to make the piece after the refinement
   /// Of the whole run, except for what belongs to this rank: exemptions (Exemption::triangle is a triangle of the
   /// piece), times, Sweep::largest_task, and the threads of cells. It has no sweeps for triangles whose cavities fit no

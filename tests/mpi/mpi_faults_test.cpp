@@ -175,10 +175,9 @@ TEST_P(WrongMessages, end_the_job_with_an_internal_error) {
 
 INSTANTIATE_TEST_SUITE_P(
     That, WrongMessages,
-    ::testing::Values(Wrong{"byte", "has another checksum"}, Wrong{"number", "is announced by damaged numbers"},
-                      Wrong{"epoch", "belongs to "}, Wrong{"kind", "belongs to "},
+    ::testing::Values(Wrong{"byte", "has another checksum"}, Wrong{"damaged", "is announced by damaged numbers"},
+                      Wrong{"other_number", "belongs to "}, Wrong{"other_step", "belongs to "},
                       Wrong{"terms", "has another number of terms"}, Wrong{"longer", "has another checksum"},
-                      Wrong{"shorter", "is announced by damaged numbers"},
                       Wrong{"skip", "is announced by damaged numbers"}, Wrong{"repeat", "belongs to "}),
     [](const auto& parameter) { return std::string(parameter.param.kind); });
 

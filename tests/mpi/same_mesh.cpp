@@ -98,7 +98,8 @@ void compare(const Case& c, Ranks& ranks, Count& count) {
 
 int run(std::string_view which) {
   const bool is_small = which == "small";
-  constexpr std::size_t short_parts = 1000, usual_parts = std::size_t{1} << 30U;  // messages travel in several parts
+  constexpr std::size_t short_parts = 1000;  // so messages travel in several parts
+  constexpr std::size_t usual_parts = std::size_t{1} << 30U;
   mpi::MpiRanks ranks(is_small ? short_parts : usual_parts);
   const std::vector<Case> cases = is_small ? small_cases() : large_cases(which == "huge" ? 10 : 1);
   Count count;

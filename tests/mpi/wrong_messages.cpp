@@ -2,12 +2,11 @@
 // interface: each function MPI_X is replaced, and calls PMPI_X. PARDEL_WRONG=KIND:RANK:N names the mistake, and when it
 // happens:
 //   byte     one byte of the N-th message that the rank sends is changed
-//   number   the number that the rank announces in its step N (an exchange or a sum) is damaged: its seal does not fit
-//   shorter  the lengths of messages that it announces are damaged, from its step N on
-//   epoch    it announces another number, with the right seal
-//   kind     it announces a sum in place of an exchange, or an exchange in place of a sum
+//   damaged       what the rank announces in its step N (an exchange or a sum) does not fit its seal
+//   other_number  it announces its step N with another number
+//   other_step    it announces a sum in place of an exchange, or an exchange in place of a sum
 //   terms    it announces other terms of sums, from its step N on
-//   longer   it announces messages that are 8 bytes longer, from its step N on, with the right seal. (If they were
+//   longer   it announces messages that are 8 bytes longer, from its step N on. (If they were
 //            shorter, MPI would have to cut messages off, and might then wait for ever.)
 //   skip     it does not take part in its step N
 //   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
@@ -76,16 +75,12 @@ void change(Announcement& one, long step) {
   const Plan& p = plan();
   const bool is_now = step == p.number, is_sum = one.step == RankStep::sum;
   const bool is_long = step >= p.number && !is_sum && one.bytes >= 8;
-  if (is_now && p.is("number")) {
+  if (is_now && p.is("damaged")) {
     ++one.number;
     return;
   }
-  if (is_long && p.is("shorter")) {
-    one.bytes -= 8;
-    return;
-  }
-  if (is_now && p.is("epoch")) ++one.number;
-  if (is_now && p.is("kind")) one.step = is_sum ? RankStep::exchange : RankStep::sum;
+  if (is_now && p.is("other_number")) ++one.number;
+  if (is_now && p.is("other_step")) one.step = is_sum ? RankStep::exchange : RankStep::sum;
   if (step >= p.number && is_sum && p.is("terms")) one.bytes += 8;
   if (is_long && p.is("longer")) one.bytes += 8;
   one = one.sealed();

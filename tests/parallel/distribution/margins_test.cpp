@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -209,6 +210,47 @@ TEST_P(Margins, of_divided_domains_are_the_same_on_all_ranks_after_every_phase) 
     EXPECT_GE(observed.held.size(), 4U);
     for (const auto& phase : observed.held) expect_parts_fit(phase, area);
   }
+}
+
+/// On the first rank, a task seems to have changed a triangle that lies elsewhere.
+class Meddling : public Distribution {
+ public:
+  Meddling(Ranks& ranks, Triangulation& t) : Distribution(ranks, t), meddled_(t) {}
+
+  void exchange_changes(std::vector<PlannedTask>& tasks) override {
+    for (PlannedTask& task : tasks) {
+      if (!is_first() || !task.lists_changes) continue;
+      const Box box = ownership().box_of(task.cell);
+      part().for_each_triangle([&](TriangleId id) {
+        const auto is_outside = [&](VertexId v) { return !box.contains_half_open(meddled_.points[v]); };
+        if (task.result.changed.empty() || !std::ranges::all_of(meddled_.slots[id].v, is_outside)) return;
+        task.result.changed.assign(1, id);
+      });
+    }
+    Distribution::exchange_changes(tasks);
+  }
+
+ private:
+  const Triangulation& meddled_;
+};
+
+TEST(MarginsOfATask, end_the_run_if_it_has_changed_a_triangle_beyond_its_box) {
+  const Case& c = samples::cases().front();
+  const Options options = samples::options_for(c);
+  std::string message;
+  properties::on_ranks(2, [&](Ranks& ranks) {
+    Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, 1);
+    ASSERT_TRUE(domain);
+    const Criteria criteria(c.goal, options.placement, caps_of(c.pslg));
+    ProgressMonitor progress(options);
+    Meddling meddling(ranks, domain->triangulation);
+    const Result<RefineCounts> counts =
+        refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, {}, {}, &meddling);
+    ASSERT_FALSE(counts);
+    EXPECT_EQ(counts.error().kind, ErrorKind::internal);
+    if (ranks.rank() == 0) message = counts.error().message;
+  });
+  EXPECT_NE(message.find("has made a triangle with a corner outside its box"), std::string::npos) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Margins, testing::Range(std::size_t{0}, samples::cases().size()),
