@@ -8,11 +8,14 @@
 #include "../../core/support/message.hpp"
 
 namespace pardel::engine {
+namespace {
 
-struct SitesOfNumbers::TravellingSite {
+struct TravellingSite {
   std::uint64_t number;
   Site site;
 };
+
+}  // namespace
 
 SitesOfNumbers::SitesOfNumbers(const TriangulatedPoints& points, Ranks& ranks) : ranks_(ranks) {
   const std::uint64_t all = points.own.first.back();

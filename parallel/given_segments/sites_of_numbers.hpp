@@ -23,7 +23,6 @@ class SitesOfNumbers {
   [[nodiscard]] std::vector<Site> find(const std::vector<Index>& numbers) const;
 
  private:
-  struct TravellingSite;
   [[nodiscard]] bool keeps(std::uint64_t number) const { return number >= first_ && number - first_ < sites_.size(); }
 
   Ranks& ranks_;
