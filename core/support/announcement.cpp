@@ -1,5 +1,6 @@
 #include "announcement.hpp"
 
+#include <array>
 #include <cstring>
 
 #include "hash.hpp"
@@ -27,16 +28,21 @@ std::string mismatch(const Announcement& theirs, std::uint64_t number, RankStep 
 }
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
-  std::uint64_t sum = mixed(bytes.size());
+  // Four sums at a time, so that the processor need not wait for one before it continues with the next.
+  std::array<std::uint64_t, 4> sums{1, 2, 3, 4};
   std::size_t i = 0;
-  for (; i + sizeof sum <= bytes.size(); i += sizeof sum) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + i, sizeof word);
-    sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
-    sum ^= sum >> 29U;
+  for (; i + sizeof sums <= bytes.size(); i += sizeof sums) {
+    std::array<std::uint64_t, 4> words{};
+    std::memcpy(words.data(), bytes.data() + i, sizeof words);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      sums[k] = (sums[k] ^ words[k]) * 0x9e3779b97f4a7c15u;
+      sums[k] ^= sums[k] >> 29U;
+    }
   }
-  for (; i < bytes.size(); ++i) sum = mixed(sum + std::to_integer<std::uint64_t>(bytes[i]));
-  return sum;
+  std::uint64_t all = mixed(bytes.size());
+  for (const std::uint64_t sum : sums) all = mixed(all + sum);
+  for (; i < bytes.size(); ++i) all = mixed(all + std::to_integer<std::uint64_t>(bytes[i]));
+  return all;
 }
 
 }  // namespace pardel

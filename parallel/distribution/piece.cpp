@@ -37,6 +37,7 @@ class PieceMaker {
         input_(std::move(input)),
         threads_(threads),
         members_(t_, distribution, threads),
+        vertex_moves_(members_.vertices()),
         data_(vertex_data(domain, distribution, members_)) {}
 
   [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {
@@ -71,38 +72,39 @@ class PieceMaker {
 
   /// First the memory that others need no longer is released, so that arrays for the result take its place.
   void compact_all(std::vector<Exemption>& exempt) {
-    const IndexMoves vertices(members_.vertices()), triangles(members_.triangles());
+    const IndexMoves triangles(members_.triangles());
     for (Exemption& e : exempt) e.triangle = triangles.now(e.triangle);
     for (ConstrainedEdge& e : piece_.mesh.constrained_edges)
-      e = {vertices.now(e.a), vertices.now(e.b), e.segment, e.marker};
+      e = {vertex_moves_.now(e.a), vertex_moves_.now(e.b), e.segment, e.marker};
     std::erase_if(data_.markers, [&](VertexData::Marker m) { return !members_.has_vertex(m.v); });
-    for (VertexData::Marker& m : data_.markers) m.v = vertices.now(m.v);
+    for (VertexData::Marker& m : data_.markers) m.v = vertex_moves_.now(m.v);
     for (const auto& [v, ranks] : data_.pieces)
       if (members_.has_vertex(v))
         for (const int rank : ranks)
-          if (rank != ranks_.rank()) with_rank_[rank].push_back(vertices.now(v));
+          if (rank != ranks_.rank()) with_rank_[rank].push_back(vertex_moves_.now(v));
     for (VertexId v = 0; v < distribution_.known_inputs(); ++v)
-      if (members_.has_vertex(v)) inputs_.push_back({vertices.now(v), distribution_.input_point(v).number});
+      if (members_.has_vertex(v)) inputs_.push_back({vertex_moves_.now(v), distribution_.input_point(v).number});
     members_.forget_vertices();
-    compact(t_, vertices, triangles, threads_);
-    number(vertices);
+    compact_but_corners(t_, vertex_moves_, triangles, threads_);
+    number();
     piece_.mesh.point_markers = Array<int>::zeroes(t_.points.size());
     for (const VertexData::Marker m : data_.markers) piece_.mesh.point_markers[m.v] = m.marker;
   }
 
   /// Vertices that are not in the piece get numbers, too, which those that have moved into their places overwrite.
-  void number(const IndexMoves& vertices) {
-    piece_.number.resize_uninitialised(vertices.in_use());
+  void number() {
+    piece_.number.resize_uninitialised(vertex_moves_.in_use());
     const auto number_range = [&](Index begin, Index end) {
       parallel_blocks(threads_, end - begin, [&](std::size_t first, std::size_t last, std::size_t) {
         data_.numbers.for_each(begin + static_cast<Index>(first), begin + static_cast<Index>(last),
                                [&](VertexId v, std::uint64_t number) {
-                                 if (const Index now = vertices.now(v); now != no_index) piece_.number[now] = number;
+                                 if (const Index now = vertex_moves_.now(v); now != no_index)
+                                   piece_.number[now] = number;
                                });
       });
     };
-    number_range(0, vertices.in_use());
-    number_range(vertices.in_use(), vertices.end());
+    number_range(0, vertex_moves_.in_use());
+    number_range(vertex_moves_.in_use(), vertex_moves_.end());
     for (const InputVertex& input : inputs_) piece_.number[input.v] = input.point;
   }
 
@@ -140,7 +142,10 @@ class PieceMaker {
     parallel_blocks(threads_, mesh.triangles.size(), [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t id = first; id < last; ++id) {
         const auto slot = std::bit_cast<Slot>(mesh.triangles[id]);
-        for (unsigned i = 0; i < 3; ++i) mesh.triangles[id].n[i] = slot.n[i].none() ? no_index : slot.n[i].triangle();
+        for (unsigned i = 0; i < 3; ++i) {
+          mesh.triangles[id].v[i] = vertex_moves_.now(slot.v[i]);
+          mesh.triangles[id].n[i] = slot.n[i].none() ? no_index : slot.n[i].triangle();
+        }
       }
     });
     mesh.points = std::move(t_.points);
@@ -167,6 +172,7 @@ class PieceMaker {
   InputData input_;
   Threads threads_;
   Members members_;
+  IndexMoves vertex_moves_;
   VertexData data_;
   /// The input points of the piece: indices in the piece, and in the input.
   struct InputVertex {

@@ -46,10 +46,6 @@ int DividedPoints::home_before(TriangleId id, const Triangulation& t) const {
   return owner_before(least_corner(t, t.slots[id]), t);
 }
 
-bool DividedPoints::is_held_before(int rank, const Triangulation& t, TriangleId id) const {
-  return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return owner_before(v, t) == rank; });
-}
-
 bool DividedPoints::is_at_home(TriangleId id) const {
   return ownership_ ? Distribution::is_at_home(id) : home_before(id, t_) == ranks_.rank();
 }
@@ -78,6 +74,14 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
   Waiting waiting;
   const std::uint32_t creator = Name::rank(ranks_.count() + 1);  // no rank
+  std::vector<int> owners;                                       // of the vertices of the excerpt after the work, or -1
+  const auto is_held_after = [&](int rank, const Triangulation& t, TriangleId id) {
+    owners.resize(t.points.size(), -1);
+    return std::ranges::any_of(t.slots[id].v, [&](VertexId v) {
+      if (owners[v] < 0) owners[v] = owner_before(v, t);
+      return owners[v] == rank;
+    });
+  };
   const ExcerptWork work{
       creator, names,
       [&](const Excerpt& excerpt) {
@@ -85,7 +89,7 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
         waiting = refine(excerpt, changed);
         return changed;
       },
-      [&](int rank, const Triangulation& t, TriangleId id) { return is_held_before(rank, t, id); },
+      is_held_after,
       [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
         for (const VertexId v : inserted) inserted_before_division_.push_back(part.name_of_vertex(v));
         for (const Deferred& d : waiting.deferred)

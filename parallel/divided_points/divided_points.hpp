@@ -48,7 +48,6 @@ class DividedPoints : public Distribution {
   void send_loose_points();
   [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }
   [[nodiscard]] int home_before(TriangleId id, const Triangulation& t) const;
-  [[nodiscard]] bool is_held_before(int rank, const Triangulation& t, TriangleId id) const;
 
   PartOfDomain& start_;
   const CurveDivision& division_;

@@ -89,7 +89,7 @@ class GrowingExcerpt {
     }
     std::vector<TriangleId> changed =
         work_.refine({std::move(first), t_, segments_ ? &domain_.segments : nullptr, needs_more_at});
-    sort_without_repetitions(changed);
+    sort_without_repetitions(changed, static_cast<TriangleId>(t_.slots.size()));
     // The walk over a cavity does not cross constrained edges, so it does not notice that a triangle beyond one is
     // missing.
     for (const TriangleId id : changed)
@@ -104,7 +104,7 @@ class GrowingExcerpt {
     for (const TriangleId id : changed)
       for (const VertexId v : t_.slots[id].v)
         if (part_->name_of_vertex(v).creator == work_.creator) inserted.push_back(v);
-    sort_without_repetitions(inserted);
+    sort_without_repetitions(inserted, static_cast<VertexId>(t_.points.size()));
     work_.finish(*part_, t_, inserted);
     std::vector<Writer> messages(static_cast<std::size_t>(ranks));
     for (int rank = 0; rank < ranks && !changed.empty(); ++rank) {

@@ -31,12 +31,6 @@ void compact_vertices(Triangulation& t, const IndexMoves& moves, const Threads& 
     t.points[to] = t.points[from];
     t.origin[to] = t.origin[from];
   });
-  if (!moves.empty())
-    parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t id = first; id < last; ++id)
-        for (VertexId& v : t.slots[id].v)
-          if (moves.has_moved(v)) v = moves.now(v);
-    });
   t.points.resize(moves.in_use());
   t.origin.resize(moves.in_use());
 }
@@ -44,6 +38,17 @@ void compact_vertices(Triangulation& t, const IndexMoves& moves, const Threads& 
 }  // namespace
 
 void compact(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles, const Threads& threads) {
+  compact_but_corners(t, vertices, triangles, threads);
+  if (vertices.empty()) return;
+  parallel_blocks(threads, t.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t id = first; id < last; ++id)
+      for (VertexId& v : t.slots[id].v)
+        if (vertices.has_moved(v)) v = vertices.now(v);
+  });
+}
+
+void compact_but_corners(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles,
+                         const Threads& threads) {
   compact_triangles(t, triangles, threads);
   compact_vertices(t, vertices, threads);
   t.slots.shrink_to_fit();

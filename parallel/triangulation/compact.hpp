@@ -11,6 +11,10 @@ namespace pardel::engine {
 /// they no longer need. Time: linear in the number of triangles.
 void compact(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles, const Threads& threads);
 
+/// The same, but corners keep the indices that the vertices had before. For a caller that visits all triangles anyway.
+void compact_but_corners(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles,
+                         const Threads& threads);
+
 /// A copy of the triangulation, compacted. Precondition: both allocators are settled.
 [[nodiscard]] Triangulation compacted_copy(const Triangulation& t, const IndexAllocator& vertices,
                                            const IndexAllocator& triangles, const Threads& threads);
