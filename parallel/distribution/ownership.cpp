@@ -14,22 +14,60 @@ namespace {
 /// quadtree, an eighth, a quarter or a half of it. So each part lies in the box or outside it.
 constexpr int parts = 8;
 
+/// In one direction, the even neighbour of a cell with an odd index: every other time the lower and the upper one. `i`:
+/// the index in this direction; `j`: that in the other direction.
+Index even_neighbour(Index i, Index j) {
+  if (i % 2 == 0) return i;
+  return j / 2 % 2 == 0 ? i - 1 : i + 1;
+}
+
+/// The cell that has the same owner. In a lattice, the tasks of the first colour, in even columns and rows, do all the
+/// work between them. The task of a cell between them reads and changes what they have made. Where they have two
+/// owners, each gets every other such task, so that both send and work about the same in each phase.
+Index follows(const Tiles& tiles, Index cell) {
+  const Lattice* const lattice = tiles.lattice();
+  if (lattice == nullptr) return cell;
+  const Index columns = lattice->columns(), i = cell % columns, j = cell / columns;
+  const auto is_last_and_odd = [](Index k, Index count) { return k % 2 == 1 && k + 1 == count; };
+  if (is_last_and_odd(i, columns) || is_last_and_odd(j, lattice->rows())) return cell;  // it has work of its own
+  return even_neighbour(j, i) * columns + even_neighbour(i, j);
+}
+
+/// Cells that follow another one come after it.
 std::vector<Index> cells_on_curve(const Tiles& tiles) {
+  std::vector<Index> leaders;
   std::vector<Point> centres;
-  for (Index cell = 0; cell < tiles.cells(); ++cell) centres.push_back(tiles.centre_of(cell));
-  const Array<Index> order = hilbert_order(centres);
-  return {order.begin(), order.end()};
+  std::vector<std::vector<Index>> followers(tiles.cells());
+  for (Index cell = 0; cell < tiles.cells(); ++cell)
+    if (const Index leader = follows(tiles, cell); leader != cell) {
+      followers[leader].push_back(cell);
+    } else {
+      leaders.push_back(cell);
+      centres.push_back(tiles.centre_of(cell));
+    }
+  std::vector<Index> curve;
+  for (const Index place : hilbert_order(centres)) {
+    curve.push_back(leaders[place]);
+    curve.insert(curve.end(), followers[leaders[place]].begin(), followers[leaders[place]].end());
+  }
+  return curve;
 }
 
 /// Cuts the curve into parts of about the same work.
-std::vector<int> owners(std::span<const Index> curve, std::span<const double> work, int ranks) {
+std::vector<int> owners(const Tiles& tiles, std::span<const double> work, int ranks) {
   const double all = std::accumulate(work.begin(), work.end(), 0.0);
-  std::vector<int> owner(curve.size());
+  std::vector<double> with_followers(work.size(), 0);
+  for (Index cell = 0; cell < tiles.cells(); ++cell) with_followers[follows(tiles, cell)] += work[cell];
+  std::vector<int> owner(work.size());
   double before = 0;
-  for (const Index cell : curve) {
-    const double middle = before + work[cell] / 2;
+  for (const Index cell : cells_on_curve(tiles)) {
+    if (const Index leader = follows(tiles, cell); leader != cell) {
+      owner[cell] = owner[leader];
+      continue;
+    }
+    const double middle = before + with_followers[cell] / 2;
     owner[cell] = all > 0 ? std::clamp(static_cast<int>(middle / all * ranks), 0, ranks - 1) : 0;
-    before += work[cell];
+    before += with_followers[cell];
   }
   return owner;
 }
@@ -55,7 +93,7 @@ std::vector<double> work_of_tasks(const Tiles& tiles, std::span<const double> wo
 }
 
 Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks)
-    : Ownership(tiles, owners(cells_on_curve(tiles), work, ranks)) {}
+    : Ownership(tiles, owners(tiles, work, ranks)) {}
 
 Ownership::Ownership(const Tiles& tiles, std::vector<int> owner)
     : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(std::move(owner)) {

@@ -16,10 +16,11 @@ namespace pardel::engine {
 [[nodiscard]] std::vector<double> work_of_tasks(const Tiles& tiles, std::span<const double> work);
 
 /// Divides the cells of tiles among ranks. Each rank owns cells that follow each other on a space-filling curve, with
-/// about the same work. It holds all triangles with a corner in the area that it watches: the boxes of its cells, or
-/// for a quadtree its leaves and all that touch them. (Triangles that wait for a leaf may be longer than the margin of
-/// its box.) So a rank holds what the tasks of its cells read and change. A task of another rank changes such triangles
-/// only if its cell touches one of this rank, or for a quadtree one that touches one of this rank.
+/// about the same work. (In a lattice, a Hilbert curve visits the cells of the first colour; each other cell comes
+/// after one of those around it.) It holds all triangles with a corner in the area that it watches: the boxes of its
+/// cells, or for a quadtree its leaves and all that touch them. (Triangles that wait for a leaf may be longer than the
+/// margin of its box.) So a rank holds what the tasks of its cells read and change. A task of another rank changes such
+/// triangles only if its cell touches one of this rank, or for a quadtree one that touches one of this rank.
 class Ownership {
  public:
   /// `work`: per cell; >= 0. All ranks pass the same arguments, and get the same result.

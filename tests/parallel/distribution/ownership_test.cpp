@@ -60,13 +60,15 @@ TEST(WorkOfTasks, the_work_of_a_leaf_goes_only_to_tasks_that_reach_it) {
 }
 
 TEST(Ownership, divides_the_work) {
-  std::vector<double> work(lattice.cells());
+  const Tiles tiles(Lattice({0, 0, 24, 24}, 24, 24));
+  std::vector<double> work(tiles.cells());
   std::iota(work.begin(), work.end(), 1.0);
   const double all = std::accumulate(work.begin(), work.end(), 0.0);
-  const Ownership ownership(lattice, work, 5);
+  const Ownership ownership(tiles, work, 5);
   std::vector<double> of_rank(5, 0);
-  for (Index cell = 0; cell < lattice.cells(); ++cell) of_rank[ownership.owner(cell)] += work[cell];
-  for (const double part : of_rank) EXPECT_NEAR(part, all / 5, 64);
+  for (Index cell = 0; cell < tiles.cells(); ++cell) of_rank[ownership.owner(cell)] += work[cell];
+  const double of_cell_and_followers = 5 * work.back();
+  for (const double part : of_rank) EXPECT_NEAR(part, all / 5, of_cell_and_followers);
 }
 
 TEST(Ownership, gives_a_rank_cells_that_follow_each_other_on_the_curve) {
@@ -77,6 +79,55 @@ TEST(Ownership, gives_a_rank_cells_that_follow_each_other_on_the_curve) {
     last = ownership.owner(cell);
   }
   EXPECT_EQ(last, 6);
+}
+
+/// The cells beside a cell, left and right of it.
+std::vector<Index> beside(const Lattice& l, Index cell) {
+  std::vector<Index> found{cell - 1};
+  if (cell % l.columns() + 1 < l.columns()) found.push_back(cell + 1);
+  return found;
+}
+
+TEST(Ownership, gives_a_task_between_those_of_the_first_colour_to_the_owner_of_one_of_them) {
+  for (const auto& [columns, rows] : {std::pair<Index, Index>{8, 8}, {9, 9}, {35, 35}, {1, 6}, {6, 1}, {2, 3}}) {
+    const Tiles tiles(Lattice({0, 0, 1, 1}, columns, rows));
+    const Ownership ownership(tiles, std::vector<double>(tiles.cells(), 1), 3);
+    std::vector<Index> visited(ownership.curve().begin(), ownership.curve().end());
+    std::ranges::sort(visited);
+    for (Index cell = 0; cell < tiles.cells(); ++cell) {
+      EXPECT_EQ(visited[cell], cell);
+      const auto is_between = [](Index i, Index count) { return i % 2 == 0 || i + 1 < count; };
+      if (!is_between(cell % columns, columns) || !is_between(cell / columns, rows)) continue;
+      if (tiles.colour_of(cell) == 0) continue;
+      const std::vector<Index> around = tiles.touching(cell);
+      EXPECT_TRUE(std::ranges::any_of(around, [&](Index near) {
+        return tiles.colour_of(near) == 0 && ownership.owner(near) == ownership.owner(cell);
+      })) << cell;
+    }
+  }
+}
+
+TEST(Ownership, gives_each_of_two_ranks_half_of_the_tasks_between_them) {
+  const Lattice cells({0, 0, 1, 1}, 35, 35);
+  const Ownership ownership(Tiles(cells), std::vector<double>(cells.cells(), 1), 2);
+  std::vector<int> of_rank(2, 0);
+  for (Index cell = 0; cell < cells.cells(); ++cell) {
+    if (cells.colour_of(cell) != 1) continue;
+    const std::vector<Index> neighbours = beside(cells, cell);
+    if (neighbours.size() == 2 && ownership.owner(neighbours[0]) != ownership.owner(neighbours[1]))
+      ++of_rank[ownership.owner(cell)];
+  }
+  EXPECT_GE(of_rank[0] + of_rank[1], 10);
+  EXPECT_NEAR(of_rank[0], of_rank[1], 2);
+}
+
+TEST(Ownership, divides_even_few_tiles) {
+  const Tiles tiles(Lattice({0, 0, 1, 1}, 2, 2));
+  const Ownership ownership(tiles, work_of_tasks(tiles, std::vector<double>(tiles.cells(), 1)), 2);
+  std::vector<int> of_rank(2, 0);
+  for (Index cell = 0; cell < tiles.cells(); ++cell) ++of_rank[ownership.owner(cell)];
+  EXPECT_GE(of_rank[0], 1);
+  EXPECT_GE(of_rank[1], 1);
 }
 
 TEST(Ownership, of_more_ranks_than_cells_leaves_some_without_cells) {
