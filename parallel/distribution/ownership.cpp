@@ -14,16 +14,18 @@ namespace {
 /// quadtree, an eighth, a quarter or a half of it. So each part lies in the box or outside it.
 constexpr int parts = 8;
 
-/// In one direction, the even neighbour of a cell with an odd index: every other time the lower and the upper one. `i`:
-/// the index in this direction; `j`: that in the other direction.
+/// In one direction, the even neighbour of a cell with an odd index: along four cells the lower one, along the next
+/// four the upper one. `i`: the index in this direction; `j`: that in the other direction. (With two cells, the boxes
+/// of the tasks would overlap more, and margins would be half as wide again; with eight, ranks of few tiles would wait
+/// longer.)
 Index even_neighbour(Index i, Index j) {
   if (i % 2 == 0) return i;
-  return j / 2 % 2 == 0 ? i - 1 : i + 1;
+  return j / 4 % 2 == 0 ? i - 1 : i + 1;
 }
 
 /// The cell that has the same owner. In a lattice, the tasks of the first colour, in even columns and rows, do all the
 /// work between them. The task of a cell between them reads and changes what they have made. Where they have two
-/// owners, each gets every other such task, so that both send and work about the same in each phase.
+/// owners, each gets about half of these tasks, so that both send and work about the same in each phase.
 Index follows(const Tiles& tiles, Index cell) {
   const Lattice* const lattice = tiles.lattice();
   if (lattice == nullptr) return cell;
