@@ -85,7 +85,7 @@ class Comparison {
     return task.goal;
   }
   /// Makes the memory for such a mesh available (warm_memory.hpp). A process of an MPI job cannot do it in a child. A
-  /// run takes about 50 bytes per triangle. It gets only a part of it from the memory made available, so this is more.
+  /// run takes about 50 bytes per triangle, but the system need not give it the memory that was freed last.
   void warm(int parts) const {
     constexpr std::uint64_t bytes_per_triangle = 150;
     (void)touch_memory(bytes_per_triangle * settings_.task.triangles / static_cast<std::uint64_t>(parts));

@@ -35,41 +35,37 @@ Index follows(const Tiles& tiles, Index cell) {
   return even_neighbour(j, i) * columns + even_neighbour(i, j);
 }
 
-/// Cells that follow another one come after it.
+/// Cells that follow another one, which they touch, come after it.
 std::vector<Index> cells_on_curve(const Tiles& tiles) {
   std::vector<Index> leaders;
   std::vector<Point> centres;
-  std::vector<std::vector<Index>> followers(tiles.cells());
-  for (Index cell = 0; cell < tiles.cells(); ++cell)
-    if (const Index leader = follows(tiles, cell); leader != cell) {
-      followers[leader].push_back(cell);
-    } else {
-      leaders.push_back(cell);
-      centres.push_back(tiles.centre_of(cell));
-    }
+  for (Index cell = 0; cell < tiles.cells(); ++cell) {
+    if (follows(tiles, cell) != cell) continue;
+    leaders.push_back(cell);
+    centres.push_back(tiles.centre_of(cell));
+  }
   std::vector<Index> curve;
   for (const Index place : hilbert_order(centres)) {
-    curve.push_back(leaders[place]);
-    curve.insert(curve.end(), followers[leaders[place]].begin(), followers[leaders[place]].end());
+    const Index leader = leaders[place];
+    curve.push_back(leader);
+    for (const Index other : tiles.touching(leader))
+      if (follows(tiles, other) == leader) curve.push_back(other);
   }
   return curve;
 }
 
 /// Cuts the curve into parts of about the same work.
-std::vector<int> owners(const Tiles& tiles, std::span<const double> work, int ranks) {
+std::vector<int> owners(const Tiles& tiles, std::span<const Index> curve, std::span<const double> work, int ranks) {
   const double all = std::accumulate(work.begin(), work.end(), 0.0);
-  std::vector<double> with_followers(work.size(), 0);
-  for (Index cell = 0; cell < tiles.cells(); ++cell) with_followers[follows(tiles, cell)] += work[cell];
-  std::vector<int> owner(work.size());
+  std::vector<int> owner(curve.size());
   double before = 0;
-  for (const Index cell : cells_on_curve(tiles)) {
-    if (const Index leader = follows(tiles, cell); leader != cell) {
-      owner[cell] = owner[leader];
-      continue;
-    }
-    const double middle = before + with_followers[cell] / 2;
-    owner[cell] = all > 0 ? std::clamp(static_cast<int>(middle / all * ranks), 0, ranks - 1) : 0;
-    before += with_followers[cell];
+  int last = 0;
+  for (const Index cell : curve) {
+    const double middle = before + work[cell] / 2;
+    if (all > 0 && follows(tiles, cell) == cell)
+      last = std::clamp(static_cast<int>(middle / all * ranks), 0, ranks - 1);
+    owner[cell] = last;
+    before += work[cell];
   }
   return owner;
 }
@@ -95,19 +91,25 @@ std::vector<double> work_of_tasks(const Tiles& tiles, std::span<const double> wo
 }
 
 Ownership::Ownership(const Tiles& tiles, std::span<const double> work, int ranks)
-    : Ownership(tiles, owners(tiles, work, ranks)) {}
+    : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(owners(tiles, curve_, work, ranks)) {
+  find_neighbours();
+}
 
 Ownership::Ownership(const Tiles& tiles, std::vector<int> owner)
     : tiles_(tiles), curve_(cells_on_curve(tiles)), owner_(std::move(owner)) {
-  for (Index cell = 0; cell < tiles.cells(); ++cell) {
-    touching_.push_back(tiles.touching(cell));
+  find_neighbours();
+}
+
+void Ownership::find_neighbours() {
+  for (Index cell = 0; cell < tiles_.cells(); ++cell) {
+    touching_.push_back(tiles_.touching(cell));
     std::vector<int>& near = near_.emplace_back(1, owner_[cell]);
     for (const Index other : touching_.back()) near.push_back(owner_[other]);
     sort_without_repetitions(near);
     std::vector<BoxOfRank>& boxes = boxes_near_.emplace_back();
     if (near.size() == 1) continue;
     for (const Index other : touching_.back())
-      if (owner_[other] != owner_[cell]) boxes.push_back({owner_[other], tiles.box_of(other)});
+      if (owner_[other] != owner_[cell]) boxes.push_back({owner_[other], tiles_.box_of(other)});
   }
 }
 

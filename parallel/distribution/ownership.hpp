@@ -50,6 +50,7 @@ class Ownership {
     int rank;
     Box box;
   };
+  void find_neighbours();
   /// True if the point lies in the box of a cell of the rank that touches the given cell. (Boxes of other cells do not
   /// meet the box of this cell.)
   [[nodiscard]] bool is_in_box_near(Index cell, int rank, Point p) const {

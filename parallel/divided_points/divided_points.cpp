@@ -74,7 +74,9 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
   Waiting waiting;
   const std::uint32_t creator = Name::rank(ranks_.count() + 1);  // no rank
-  std::vector<int> owners;                                       // of the vertices of the excerpt after the work, or -1
+
+  // Of the vertices of the excerpt after the work; -1: not yet looked up. Each is a corner of several triangles.
+  std::vector<int> owners;
   const auto is_held_after = [&](int rank, const Triangulation& t, TriangleId id) {
     owners.resize(t.points.size(), -1);
     return std::ranges::any_of(t.slots[id].v, [&](VertexId v) {

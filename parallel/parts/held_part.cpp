@@ -205,7 +205,8 @@ TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const V
 void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
   for (unsigned side = 0; side < 3; ++side) {
     const std::uint64_t across = triangle.n[side];
-    if (across >= not_held || !is_beyond(t_.slots[id].n[side])) continue;  // or linked by the triangle across
+    if (across >= not_held) continue;
+    if (!is_beyond(t_.slots[id].n[side])) continue;  // the triangle across came earlier, and has linked both
     const TriangleId other = triangle_names_.index_of(Names::unpacked(across >> bits_of_side));
     if (other == no_index) continue;
     t_.link({id, side}, {other, static_cast<unsigned>(across >> 1U & 3U), (across & constrained_bit) != 0});
