@@ -1,6 +1,7 @@
 // An array of which few parts are used.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -17,6 +18,17 @@ class SparseArray {
   [[nodiscard]] T get(Index i) const {
     const std::size_t page = i / size_of_page;
     return page < pages_.size() && pages_[page] ? (*pages_[page])[i % size_of_page] : T{};
+  }
+  /// Calls visit(begin, end, may_be_set) for runs that together are the indices from `first` to `last` - 1, in
+  /// ascending order. If `may_be_set` is false, all values of the run are T{}.
+  template <class Visit>
+  void for_each_run(Index first, Index last, const Visit& visit) const {
+    for (Index begin = first; begin < last;) {
+      const std::size_t page = begin / size_of_page;
+      const Index end = begin + std::min(last - begin, size_of_page - begin % size_of_page);
+      visit(begin, end, page < pages_.size() && pages_[page] != nullptr);
+      begin = end;
+    }
   }
   void set(Index i, const T& value) {
     const std::size_t page = i / size_of_page;

@@ -96,16 +96,21 @@ void Members::classify_triangles(const Triangulation& t, const Distribution& dis
       (is_member ? at_border : of_others)[block].push_back(id);
       return is_member;
     };
-    const auto classify = [&, slots](TriangleId id) {
-      const Slot& slot = slots[id];
-      const bool is_member = !part.is_known_elsewhere(id) || owns_all_corners(slot) || is_of_piece(id);
+    const auto note = [&, slots](TriangleId id, bool is_member) {
       if (id != next || !is_member) gaps.add({next, is_member ? id : id + 1});
       next = id + 1;
+      const Slot& slot = slots[id];
       if (!slot.any_constrained()) return;
       for (unsigned side = 0; side < 3; ++side)
         if (slot.n[side].constrained()) constrained[block].push_back({id, side});
     };
-    part.for_each_triangle(static_cast<TriangleId>(first), static_cast<TriangleId>(last), classify);
+    const auto run_of = [&](TriangleId begin, TriangleId end, bool may_be_known) {
+      if (!may_be_known) return part.for_each_triangle(begin, end, [&](TriangleId id) { note(id, true); });
+      part.for_each_triangle(begin, end, [&](TriangleId id) {
+        note(id, !part.is_known_elsewhere(id) || owns_all_corners(slots[id]) || is_of_piece(id));
+      });
+    };
+    part.for_each_run(static_cast<TriangleId>(first), static_cast<TriangleId>(last), run_of);
     gaps.add({next, static_cast<TriangleId>(last)});
   });
   triangles_ = all_but(t.slots.size(), unused);

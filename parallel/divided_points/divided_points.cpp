@@ -77,12 +77,13 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
 
   // Of the vertices of the excerpt after the work; -1: not yet looked up. Each is a corner of several triangles.
   std::vector<int> owners;
-  const auto is_held_after = [&](int rank, const Triangulation& t, TriangleId id) {
+  const auto owner_in_excerpt = [&](VertexId v, const Triangulation& t) {
     owners.resize(t.points.size(), -1);
-    return std::ranges::any_of(t.slots[id].v, [&](VertexId v) {
-      if (owners[v] < 0) owners[v] = owner_before(v, t);
-      return owners[v] == rank;
-    });
+    if (owners[v] < 0) owners[v] = owner_before(v, t);
+    return owners[v];
+  };
+  const auto is_held_after = [&](int rank, const Triangulation& t, TriangleId id) {
+    return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return owner_in_excerpt(v, t) == rank; });
   };
   const ExcerptWork work{
       creator, names,
@@ -94,13 +95,16 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
       is_held_after,
       [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
         for (const VertexId v : inserted) inserted_before_division_.push_back(part.name_of_vertex(v));
+        const auto entries_for = [&](TriangleId id) -> std::vector<TravellingEntry>& {
+          return entries[owner_in_excerpt(least_corner(t, t.slots[id]), t)];
+        };
         for (const Deferred& d : waiting.deferred)
           if (d.triangle.is_current(t))
-            entries[home_before(d.triangle.id(), t)].push_back({part.name_of(d.triangle.id()), d.key, d.longest});
+            entries_for(d.triangle.id()).push_back({part.name_of(d.triangle.id()), d.key, d.longest});
         for (const QueuedTriangle triangle : waiting.needing_larger_box)
           if (triangle.is_current(t))
-            entries[home_before(triangle.id(), t)].push_back(
-                {part.name_of(triangle.id()), 0, 0, TravellingEntry::Kind::needs_larger_box});
+            entries_for(triangle.id())
+                .push_back({part.name_of(triangle.id()), 0, 0, TravellingEntry::Kind::needs_larger_box});
       }};
   Rings rings(
       *part_, t_, ranks_, [&](VertexId v) { return owner_before(v, t_); }, centre);

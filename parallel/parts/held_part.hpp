@@ -45,6 +45,14 @@ class HeldPart {
   [[nodiscard]] bool is_known_elsewhere(TriangleId id) const {
     return id < common_.triangles || is_known_elsewhere_.get(id);
   }
+  /// Calls visit(begin, end, may_be_known) for runs of slots, from `first` to `last` - 1. If `may_be_known` is false,
+  /// is_known_elsewhere() is false for the whole run.
+  template <class Visit>
+  void for_each_run(TriangleId first, TriangleId last, const Visit& visit) const {
+    is_known_elsewhere_.for_each_run(first, last, [&](TriangleId begin, TriangleId end, bool may_be_set) {
+      visit(begin, end, may_be_set || begin < common_.triangles);
+    });
+  }
   /// True if the triangle across the side is not held. False on the boundary of the domain.
   [[nodiscard]] bool is_beyond(EdgeRef across) const { return !across.none() && across.triangle() == beyond_; }
   [[nodiscard]] Name name_of(TriangleId id) const { return triangle_names_.of(id); }
