@@ -1,6 +1,7 @@
 // rank_scaling: compares the ranks of an MPI job with the threads of one process, in one job. To be started by mpirun.
 // Round by round, all R ranks make one mesh with one thread each, then the first rank makes it with R threads while the
-// others sleep, then each rank makes a mesh of 1/R of the triangles for itself. Prints medians. See --help.
+// others sleep, then each rank makes a mesh of 1/R of the triangles for itself. Prints medians of the times, and of the
+// ratios in a round, with intervals. See --help.
 #include <fmt/format.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -19,6 +20,7 @@
 #include "../properties/domains/dealt_domain.hpp"
 #include "mpi_program.hpp"
 #include "own_processor.hpp"
+#include "sign_interval.hpp"
 #include "tool.hpp"
 #include "warm_memory.hpp"
 
@@ -120,6 +122,16 @@ class Comparison {
     MPI_Allreduce(MPI_IN_PLACE, seconds.data(), static_cast<int>(seconds.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   }
 
+  /// The median of the ratios of all rounds: a machine that is slow for some rounds is slow for both.
+  void print_ratio(const char* other, const std::vector<double>& seconds, double of_shortest) const {
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < seconds.size(); ++round) ratios.push_back(seconds[round] / own_seconds_[round]);
+    const Interval interval = sign_interval(ratios, 0.95);
+    fmt::print(
+        "speed of ranks, divided by that of {}: {:.2f} (95 % confidence: {:.2f} to {:.2f}); shortest times {:.2f}\n",
+        other, median(ratios), interval.low, interval.high, of_shortest);
+  }
+
   void print() {
     take_slowest(own_seconds_);
     take_slowest(part_seconds_);
@@ -136,10 +148,8 @@ class Comparison {
     fmt::print("1 process, {} threads   {:.3f} s, {:.3f} s\n", ranks_.count(), threads, least_threads);
     fmt::print("{} processes, each a mesh of 1/{} of the triangles   {:.3f} s, {:.3f} s (the slowest)\n",
                ranks_.count(), ranks_.count(), parts, least_parts);
-    fmt::print(
-        "speed of ranks, divided by that of threads: {:.2f}, {:.2f}; by that of separate processes: {:.2f}, "
-        "{:.2f}\n",
-        threads / ranks, least_threads / least_ranks, parts / ranks, least_parts / least_ranks);
+    print_ratio("threads", whole_seconds_, least_threads / least_ranks);
+    print_ratio("separate processes", part_seconds_, least_parts / least_ranks);
     fmt::print("{:.2f} million triangles per second and rank\n", millions / ranks / ranks_.count());
     fmt::print(
         "for comparison, Chernikov and Chrisochoides 2004, Table 2, 14.6 million triangles on 4 processors: MPI "
