@@ -73,6 +73,20 @@ Status remove_index(const fs::path& pvtu, Job& job) {
                            : Status(Done{}));
 }
 
+/// Collective. An error if the first rank does not see all pieces, because the ranks are on machines that have no
+/// folder in common.
+Status check_visible(const fs::path& output, int pieces, Job& job) {
+  Status visible = Done{};
+  for (int number = 0; job.is_first() && visible && number < pieces; ++number) {
+    const fs::path piece = piece_of(output, number);
+    if (std::error_code ignored; !fs::exists(piece, ignored))
+      visible = Error{ErrorKind::io, fmt::format("{}: rank {} has written this file, but rank 0 does not see it; the "
+                                                 "folder of the output must be the same on all machines",
+                                                 piece.string(), number % job.count())};
+  }
+  return job.agree(visible);
+}
+
 }  // namespace
 
 std::string names_of(std::span<const fs::path> outputs) {
@@ -112,6 +126,7 @@ Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
   const bool have_regions = job.range_of(have_regions_ ? 1 : 0).most > 0;
   if (Status removed = remove_index(pvtu_, job); !removed) return removed;
   if (Status placed = job.agree(files_.commit()); !placed) return placed;
+  if (Status visible = check_visible(pvtu_, pieces, job); !visible) return visible;
   Status index = Done{};
   if (job.is_first()) {
     PiecesOfMesh list{{}, have_regions, attributes_per_point_};
@@ -123,7 +138,10 @@ Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
 }
 
 Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const fs::path& output, MshEncoding msh, Job& job) {
-  if (output.extension() == ".msh") return write_msh_piece(view_of(piece), output, msh, job.ranks());
+  if (output.extension() == ".msh") {
+    if (Status written = write_msh_piece(view_of(piece), output, msh, job.ranks()); !written) return written;
+    return check_visible(output, job.count(), job);
+  }
   if (is_of_triangle(output))
     return write_triangle_pieces(view_of(piece), pslg, fs::path(output).replace_extension(), job.ranks());
   PvtuFiles files(output);

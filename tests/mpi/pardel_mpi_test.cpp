@@ -311,6 +311,32 @@ TEST_F(PardelMpi, puts_pieces_beside_the_file_that_a_link_leads_to) {
   EXPECT_EQ(to_string(digest(*whole)), to_string(digest(mesh(domains::pipe(), Goal{.max_area = 1e-3})->mesh)));
 }
 
+/// Ranks with different working folders stand for machines that have no folder in common.
+TEST_F(PardelMpi, says_that_the_folder_of_the_output_is_not_the_same_on_all_machines) {
+  const fs::path work = folder_ / "work";
+  const auto on_two_machines = [&](const std::string& output) {
+    std::vector<std::string> arguments{"--oversubscribe", "--bind-to", "none"};
+    for (const char* machine : {"one", "two"}) {
+      fs::create_directories(work / machine);
+      if (arguments.size() > 3) arguments.emplace_back(":");
+      arguments.insert(arguments.end(), {"-n", "1", "-wdir", work / machine, PARDEL_MPI_PROGRAM, "mesh",
+                                         work / "pipe.poly", "-o", output, "--max-area", "0.01", "--threads", "1"});
+    }
+    return run(PARDEL_MPIRUN, arguments);
+  };
+  const Ran pvtu = on_two_machines("out.pvtu");
+  EXPECT_EQ(pvtu.exit_code, 5) << pvtu;
+  EXPECT_TRUE(holds(pvtu.err, {"out_0001.vtu: rank 1 has written this file, but rank 0 does not see it"})) << pvtu;
+  EXPECT_FALSE(exists("one/out.pvtu"));
+  const Ran msh = on_two_machines("out.msh");
+  EXPECT_EQ(msh.exit_code, 5) << msh;
+  EXPECT_TRUE(holds(msh.err, {"out_2.msh: rank 1 has written this file, but rank 0 does not see it"})) << msh;
+  const Ran node = on_two_machines("out.node");
+  EXPECT_EQ(node.exit_code, 5) << node;
+  EXPECT_FALSE(exists("one/out.node"));
+  EXPECT_FALSE(exists("two/out.node"));
+}
+
 TEST_F(PardelMpi, has_one_message_for_an_error_of_all_ranks) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--pieces", "1"}, "pardel-mpi: --pieces 1: there are 2 ranks, and each makes at least one piece\n"},
