@@ -112,7 +112,7 @@ Command add_check(CLI::App& program) {
       ->type_name("");
   app->add_option(
          "MESH", arguments->mesh,
-         "The mesh, made by any program: .node, .ele, .msh, .vtu, .off; - is standard input (.msh, .vtu, .off)")
+         "The mesh, made by any program: .node, .ele, .msh, .vtu, .pvtu, .off; - is\nstandard input (.msh, .vtu, .off)")
       ->required()
       ->type_name("");
   add_goal_options(*app, arguments->goal, largest_angle_to_check);

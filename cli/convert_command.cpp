@@ -121,7 +121,7 @@ Command add_convert(CLI::App& program) {
   const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* app = program.add_subcommand("convert", "Write a mesh or a domain in another format, without changing it");
   app->add_option("IN", arguments->input,
-                  "A mesh (.node, .ele, .msh, .vtu, .off) or a domain (.poly, .node); - is standard\ninput")
+                  "A mesh (.node, .ele, .msh, .vtu, .pvtu, .off) or a domain (.poly, .node); - is\nstandard input")
       ->required()
       ->type_name("");
   app->add_option("OUT", arguments->output, "The file to write: .node, .ele, .msh, .vtu or .off; for a domain .poly")

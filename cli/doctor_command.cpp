@@ -87,6 +87,7 @@ void print(const DoctorArguments& arguments, const Domain& domain, const Finding
   if (!help.empty()) fmt::print("{}\n", help.substr(1));
   if (!repaired) return;
   for (const std::string& line : repaired->log) fmt::print("  repaired: {}\n", line);
+  fmt::print("wrote   {}\n", arguments.repaired.string());
 }
 
 Status check_outputs(const DoctorArguments& arguments) {
@@ -156,7 +157,9 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
 Command add_doctor(CLI::App& program) {
   const auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain, and repair it");
-  app->add_option("IN.poly", arguments->input, "The domain: .poly or .node")->required()->type_name("");
+  app->add_option("IN.poly", arguments->input, "The domain: .poly or .node; - is standard input")
+      ->required()
+      ->type_name("");
   CLI::Option* repaired =
       app->add_option("--repair", arguments->repaired,
                       "Write a domain with points merged, segments split where they meet, and tiny gaps closed")

@@ -33,7 +33,8 @@ CLI::Validator angle_bound(double largest) {
   return {[largest](std::string& text) -> std::string {
             const double value = number(text);
             if (value >= 0 && value <= largest) return {};
-            return fmt::format("'{}' is not an angle from 0 to {} degrees", text, largest);
+            const char* larger = largest < 45 && value <= 45 ? "; 'pardel triangle' tries up to 45" : "";
+            return fmt::format("'{}' is not an angle from 0 to {} degrees{}", text, largest, larger);
           },
           ""};
 }

@@ -60,7 +60,10 @@ Status check_folder(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return io_error(file, EISDIR);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (access(folder.c_str(), F_OK) != 0) return io_error(file, errno);
+  if (access(folder.c_str(), F_OK) != 0) {
+    const Error error = io_error(file, errno);
+    return Error{error.kind, fmt::format("{} (the folder {})", error.message, folder.string())};
+  }
   if (!fs::is_directory(folder, ignored)) return io_error(file, ENOTDIR);
   if (access(is_written_directly(file) ? file.c_str() : folder.c_str(), W_OK) != 0) return io_error(file, errno);
   return Done{};

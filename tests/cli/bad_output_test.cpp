@@ -18,7 +18,7 @@ constexpr const char* fine = "0.0001";  // this area bound gives files of severa
 TEST_F(BadOutput, a_folder_that_does_not_exist_is_reported_before_meshing) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "nowhere/out.vtu"});
   EXPECT_EQ(ran.exit_code, 5) << ran;
-  EXPECT_TRUE(holds(ran.err, {"nowhere/out.vtu", "No such file or directory"}));
+  EXPECT_TRUE(holds(ran.err, {"nowhere/out.vtu", "No such file or directory (the folder nowhere)"}));
 }
 
 TEST_F(BadOutput, a_folder_in_place_of_a_file_is_refused) {

@@ -64,7 +64,7 @@ TEST_F(DoctorCommand, a_repaired_domain_can_be_meshed) {
   write("ill.poly", ill);
   const Ran ran = pardel({"doctor", "ill.poly", "--repair", "well.poly"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
-  EXPECT_TRUE(holds(ran.out, {"repaired: "}));
+  EXPECT_TRUE(holds(ran.out, {"repaired: ", "wrote   well.poly\n"}));
   EXPECT_EQ(pardel({"doctor", "well.poly"}).exit_code, 0);
   EXPECT_EQ(pardel({"mesh", "well.poly", "-o", "m.vtu", "--check"}).exit_code, 0);
 }
