@@ -33,8 +33,10 @@ CLI::Validator angle_bound(double largest) {
   return {[largest](std::string& text) -> std::string {
             const double value = number(text);
             if (value >= 0 && value <= largest) return {};
-            const char* larger = largest < 45 && value <= 45 ? "; 'pardel triangle' tries up to 45" : "";
-            return fmt::format("'{}' is not an angle from 0 to {} degrees{}", text, largest, larger);
+            constexpr double largest_of_triangle = 45;  // as check_goal() with Options::max_vertices
+            const bool is_for_triangle = value > largest && value <= largest_of_triangle;
+            return fmt::format("'{}' is not an angle from 0 to {} degrees{}", text, largest,
+                               is_for_triangle ? "; 'pardel triangle' tries it" : "");
           },
           ""};
 }

@@ -60,12 +60,14 @@ Status check_folder(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return io_error(file, EISDIR);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (access(folder.c_str(), F_OK) != 0) {
-    const Error error = io_error(file, errno);
-    return Error{error.kind, fmt::format("{} (the folder {})", error.message, folder.string())};
-  }
-  if (!fs::is_directory(folder, ignored)) return io_error(file, ENOTDIR);
-  if (access(is_written_directly(file) ? file.c_str() : folder.c_str(), W_OK) != 0) return io_error(file, errno);
+  const auto error_of_folder = [&](int error) {
+    return Error{ErrorKind::io,
+                 fmt::format("{}: {} (the folder {})", file.string(), std::strerror(error), folder.string())};
+  };
+  if (access(folder.c_str(), F_OK) != 0) return error_of_folder(errno);
+  if (!fs::is_directory(folder, ignored)) return error_of_folder(ENOTDIR);
+  if (is_written_directly(file)) return access(file.c_str(), W_OK) == 0 ? Status(Done{}) : io_error(file, errno);
+  if (access(folder.c_str(), W_OK) != 0) return error_of_folder(errno);
   return Done{};
 }
 

@@ -67,6 +67,19 @@ TEST_F(MeshCommand, the_summary_lists_vertices_triangles_the_smallest_angle_and_
   EXPECT_EQ(ran.err, "");
 }
 
+TEST_F(MeshCommand, an_angle_that_only_pardel_triangle_tries_is_refused_with_this_advice) {
+  const std::string advice = "'pardel triangle' tries it";
+  const auto refused = [&](const std::string& angle) {
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "m.vtu", "--min-angle", angle});
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"'" + angle + "' is not an angle from 0 to 33 degrees"})) << ran;
+    return ran.err;
+  };
+  EXPECT_TRUE(holds(refused("40"), {advice}));
+  for (const char* angle : {"46", "-5", "nan", "wide"})
+    EXPECT_EQ(refused(angle).find(advice), std::string::npos) << angle;
+}
+
 TEST_F(MeshCommand, quiet_prints_nothing) {
   const Ran ran = pardel({"mesh", "key.poly", "-o", "m.vtu", "-q"});
   EXPECT_EQ(ran.exit_code, 0);
