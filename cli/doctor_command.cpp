@@ -41,12 +41,13 @@ struct DoctorArguments {
   bool quiet = false;
 };
 
-/// What the command found out.
+/// What the command found out. The warnings and gaps are those of the repaired domain; without repair, those of the
+/// domain if it has no problems.
 struct Findings {
   std::vector<Problem> problems;
   std::vector<Warning> warnings{};
   std::optional<Repaired> repaired{};
-  std::vector<Gap> gaps{};  ///< of the repaired domain; without repair, of the domain if it has no problems
+  std::vector<Gap> gaps{};
 };
 
 nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
@@ -113,12 +114,6 @@ Status repair(const DoctorArguments& arguments, const Domain& domain, Findings& 
   return with_name(result.error(), domain.name);
 }
 
-/// Warns of the gaps of the repaired domain, or of the domain that was read.
-void print_gaps(const DoctorArguments& arguments, const ValidPslg& domain, const Findings& findings) {
-  const std::filesystem::path& examined = findings.repaired ? arguments.repaired : arguments.input;
-  if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, examined.string(), domain));
-}
-
 Status report(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
   const std::array outputs = {arguments.repaired, arguments.json};
   if (!arguments.quiet && !has_standard_output(outputs)) print(arguments, domain, findings);
@@ -145,8 +140,11 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
     findings.gaps = std::move(*found);
   }
   bar.finish();
-  if (valid) findings.warnings = print_warnings(*valid, domain->name);
-  if (examined != nullptr) print_gaps(arguments, *examined, findings);
+  if (examined != nullptr) {
+    const std::string name = findings.repaired ? arguments.repaired.string() : domain->name;
+    findings.warnings = print_warnings(*examined, name);
+    if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, name, *examined));
+  }
   if (Status reported = report(arguments, *domain, findings); !reported) return reported.error();
   if (!repaired) return repaired.error();
   return findings.problems.empty() || findings.repaired ? ExitCode::done : ExitCode::invalid_input;

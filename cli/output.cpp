@@ -22,6 +22,14 @@ Error io_error(const fs::path& file, int error) {
   return {ErrorKind::io, fmt::format("{}: {}", file.string(), std::strerror(error))};
 }
 
+/// The error for a mesh of a format that is not written here. It names the program that writes it, if there is one.
+Error unknown_mesh_format(const fs::path& file) {
+  Error error = unknown_format(file, "a mesh", ".node, .ele, .vtu, .msh, .off and .svg");
+  if (file.extension() == ".png") error.message += "; 'pardel draw' draws a mesh as .png";
+  if (file.extension() == ".pvtu") error.message += "; 'pardel-mpi mesh' writes .pvtu";
+  return error;
+}
+
 }  // namespace
 
 bool stores_data_of_points(const fs::path& file) {
@@ -87,9 +95,7 @@ Status check_mesh_outputs(std::span<const fs::path> outputs) {
                                "'-o - --format FORMAT'",
                                output.string())};
     }
-    if (!mesh_format(output)) {
-      return unknown_format(output, "a mesh", ".node, .ele, .vtu, .msh, .off and .svg");
-    }
+    if (!mesh_format(output)) return unknown_mesh_format(output);
     if (Status folder = check_folder(output); !folder) return folder;
   }
   return Done{};

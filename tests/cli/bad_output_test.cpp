@@ -104,6 +104,15 @@ TEST_F(BadOutput, a_suffix_that_names_no_format_is_a_usage_error) {
   EXPECT_TRUE(holds(ran.err, {"out.docx", ".vtu"}));
 }
 
+TEST_F(BadOutput, that_another_program_writes_is_refused_with_the_name_of_this_program) {
+  const Ran picture = pardel({"mesh", "square.poly", "-o", "out.png"});
+  EXPECT_EQ(picture.exit_code, 2) << picture;
+  EXPECT_TRUE(holds(picture.err, {"out.png: '.png' is not a known format", "'pardel draw' draws a mesh as .png"}));
+  const Ran index = pardel({"mesh", "square.poly", "-o", "out.pvtu"});
+  EXPECT_EQ(index.exit_code, 2) << index;
+  EXPECT_TRUE(holds(index.err, {"out.pvtu: '.pvtu' is not a known format", "'pardel-mpi mesh' writes .pvtu"}));
+}
+
 TEST_F(BadOutput, the_input_is_never_replaced) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "square.node"});
   EXPECT_EQ(ran.exit_code, 2) << ran;

@@ -129,6 +129,18 @@ TEST_F(DoctorCommand, and_mesh_warn_of_an_outline_that_is_not_closed_beside_a_cl
   EXPECT_TRUE(holds(mesh.err, {warning}));
 }
 
+TEST_F(DoctorCommand, warns_of_an_outline_that_is_not_closed_after_the_repair_too) {
+  write("ill.poly",
+        "8 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 0\n6 2 0\n7 3 0\n8 3 1\n"
+        "6 0\n1 5 2\n2 2 3\n3 3 4\n4 4 1\n5 6 7\n6 7 8\n0\n");
+  const Ran ran = pardel({"doctor", "ill.poly", "--repair", "well.poly", "--json", "findings.json"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  const std::string message = "2 segments, the first of them segment 5, are joined";
+  EXPECT_TRUE(holds(ran.err, {"well.poly: warning: " + message})) << ran;
+  EXPECT_TRUE(holds(read("findings.json"), {message}));
+  EXPECT_TRUE(holds(pardel({"doctor", "well.poly"}).err, {"well.poly: warning: " + message}));
+}
+
 TEST_F(DoctorCommand, names_no_snapping_distance_without_saying_that_it_removes_the_domain) {
   write("plate.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-8\n4 0 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   const Ran ran = pardel({"doctor", "plate.poly"});
