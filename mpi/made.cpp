@@ -17,7 +17,8 @@ void print(const Made& made, const char* making, int threads, std::span<const st
   const auto margins = static_cast<double>(sum_of(made.margin, job.ranks()));
   if (!job.is_first() || quiet) return;
   constexpr double mib = 0x1p20;
-  fmt::print("ranks   {}, with {} threads each\n", job.ranks().count(), threads);
+  fmt::print("ranks   {}, with {} threads each; each has read {} input\n", job.count(), threads,
+             made.divided ? "a part of the" : "the whole");
   fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points, made.triangles,
              made.constrained_edges);
   fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,

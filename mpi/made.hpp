@@ -23,6 +23,7 @@ struct Made {
   std::uint64_t margin = 0;                                                    ///< MeshPiece::margin of this rank
   Digest digest;                                                               ///< of the pieces of this rank
   Seconds seconds;
+  bool divided = false;  ///< each rank has read a part of the input
 
   void add(const MeshPiece& piece) {
     points = piece.points;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "../cli/choice.hpp"
@@ -20,6 +21,8 @@
 #include "../cli/threads_option.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/agree.hpp"
+#include "../core/support/collective.hpp"
+#include "../core/support/enum_names.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
@@ -50,10 +53,20 @@ Examples:
   mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
   mpirun -n 2 pardel-mpi mesh pipe.poly -o large.pvtu --max-area 1e-8 --interior fill --pieces 32)";
 
-constexpr int most_pieces = 10'000;  // their numbers have four digits
+constexpr int most_pieces = 10'000;              // their numbers have four digits
+constexpr std::uintmax_t small_input = 8 << 20;  // bytes; about 200,000 points
+
+/// How the ranks read the input.
+enum class Reading : std::uint8_t { automatic, whole, parts };
+constexpr auto reading_names = enum_names<Reading>({
+    {Reading::automatic, "auto"},
+    {Reading::whole, "whole"},
+    {Reading::parts, "parts"},
+});
 
 struct Arguments {
   std::filesystem::path input;
+  Reading reading = Reading::automatic;
   std::vector<std::filesystem::path> outputs;
   GoalOptions goal;
   Options options{.placement = Placement::automatic};  // the interior is refined
@@ -76,6 +89,11 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "What fills the interior where areas and edges have constant bounds: refine (default); fill and\n"
                  "auto: see 'pardel mesh --help'")
       ->transform(choice(interior_names))
+      ->type_name("WHAT");
+  app.add_option("--read", arguments.reading,
+                 "What each rank reads: a part of the input, or the whole; auto (default): a part of an input above\n"
+                 "8 MiB, if no rank needs all of it. The mesh does not depend on it")
+      ->transform(choice(reading_names))
       ->type_name("WHAT");
   app.add_option("--pieces", arguments.pieces,
                  "Number of pieces, at least one per rank (default: one per rank). A rank makes and writes its pieces\n"
@@ -121,10 +139,31 @@ Result<Made> make_together(const Arguments& arguments, const Problem& input, Job
 }
 
 /// True if no rank needs the whole domain.
-bool may_divide(const Arguments& arguments, const Job& job) {
+bool may_divide(const Arguments& arguments) {
   const std::filesystem::path suffix = arguments.input.extension();
-  return (suffix == ".node" || suffix == ".poly") && job.count() > 1 && arguments.pieces == 0 &&
-         arguments.goal.sizes.empty() && can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
+  return (suffix == ".node" || suffix == ".poly") && arguments.pieces == 0 && arguments.goal.sizes.empty() &&
+         can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
+}
+
+/// True if each rank can as well make the initial mesh and the coarse levels for itself: one rank that makes them for
+/// all lets the others wait. The points of a .poly can be in a .node.
+bool is_small(const std::filesystem::path& input) {
+  std::error_code error;
+  std::uintmax_t bytes = std::filesystem::file_size(input, error);
+  if (error) return false;
+  if (input.extension() == ".poly") {
+    const std::filesystem::path node = std::filesystem::path(input).replace_extension(".node");
+    const std::uintmax_t more = std::filesystem::file_size(node, error);
+    if (!error) bytes += more;
+  }
+  return bytes <= small_input;
+}
+
+/// Collective. True if each rank is to read a part of the input.
+bool is_divided(const Arguments& arguments, Job& job) {
+  if (job.count() == 1 || arguments.reading == Reading::whole || !may_divide(arguments)) return false;
+  // All ranks do the same, even if a machine does not see yet that a file is complete.
+  return arguments.reading == Reading::parts || sum_of(is_small(arguments.input) ? 0U : 1U, job.ranks()) > 0;
 }
 
 /// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
@@ -189,6 +228,10 @@ Status check_number_of_pieces(const Arguments& arguments, int ranks) {
 }
 
 Status check_arguments(Arguments& arguments, const Ranks& ranks) {
+  if (arguments.reading == Reading::parts && !may_divide(arguments))
+    return Error{ErrorKind::usage,
+                 "--read parts needs a .poly or .node, an interior that is refined on a lattice, and bounds that do "
+                 "not vary from place to place, except --regions"};
   if (Status fine = check_number_of_pieces(arguments, ranks.count()); !fine) return fine;
   const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count())};
   if (Status fine = check_outputs(expected, arguments.input, arguments.goal.sizes, ranks); !fine) return fine;
@@ -197,12 +240,14 @@ Status check_arguments(Arguments& arguments, const Ranks& ranks) {
 
 Result<Made> make(const Arguments& arguments, Job& job) {
   const Stopwatch watch;
-  if (may_divide(arguments, job)) {
+  if (is_divided(arguments, job)) {
     Result<PartOfPslg> input = read_part_of_pslg(arguments.input, job.ranks());
     if (!input) return input.error();
     const double read_seconds = watch.seconds();
     Result<Made> made = make_of_parts(arguments, std::move(*input), job);
-    if (made) made->seconds.read = read_seconds;
+    if (!made) return made;
+    made->seconds.read = read_seconds;
+    made->divided = true;
     return made;
   }
   const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);

@@ -77,6 +77,7 @@ Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job
   if (!input) return input.error();
   if (!is_point_set(*input, job.ranks())) return not_only_points(arguments.input, job);
   Made made;
+  made.divided = job.count() > 1;
   made.seconds.read = watch.seconds();
   const Result<MeshPiece> piece = triangulate(std::move(input->points), {.threads = threads}, job.ranks());
   if (!piece) return fault_of_points(piece.error(), arguments.input, threads, job);

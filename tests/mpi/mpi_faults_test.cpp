@@ -37,7 +37,8 @@ class MpiFaults : public testing::Workshop {
   }
 
   /// Starts the ranks with a prefix before the program. A job that does not end in time gives exit code 137.
-  Ran job(const std::vector<std::string>& prefix, const std::string& max_area = "1e-4") const {
+  Ran job(const std::vector<std::string>& prefix, const std::string& max_area = "1e-4",
+          const std::string& reading = "auto") const {
     for (const std::string& file : outputs) write(file, earlier);
     std::vector<std::string> all{
         "--signal=KILL",      std::to_string(most_seconds), PARDEL_MPIRUN, "--oversubscribe", "--bind-to", "none", "-n",
@@ -45,14 +46,15 @@ class MpiFaults : public testing::Workshop {
     all.insert(all.end(), prefix.begin(), prefix.end());
     for (const char* word : {PARDEL_MPI_PROGRAM, "mesh", "pipe.poly", "-o", "out.pvtu", "--threads", "1", "--max-area"})
       all.emplace_back(word);
-    all.push_back(max_area);
+    all.insert(all.end(), {max_area, "--read", reading});
     return run("timeout", all);
   }
   Ran with_faulty_rank(const std::string& how, const std::string& amount, const std::string& max_area = "1e-4") const {
     return job({PARDEL_FAULTY_RANK, "1", how, amount}, max_area);
   }
-  Ran with_messages(const std::string& wrong, const std::string& max_area = "1e-4") const {
-    return job({"env", "LD_PRELOAD=" PARDEL_WRONG_MESSAGES, "PARDEL_WRONG=" + wrong}, max_area);
+  Ran with_messages(const std::string& wrong, const std::string& max_area = "1e-4",
+                    const std::string& reading = "auto") const {
+    return job({"env", "LD_PRELOAD=" PARDEL_WRONG_MESSAGES, "PARDEL_WRONG=" + wrong}, max_area, reading);
   }
 
   void expect_earlier_files() const {
@@ -161,10 +163,10 @@ class WrongMessages : public MpiFaults, public ::testing::WithParamInterface<Wro
 TEST_P(WrongMessages, end_the_job_with_an_internal_error) {
   if (testing::sanitized) GTEST_SKIP() << "the library for messages is not built with the sanitizer";
   const std::string kind = GetParam().kind;
-  for (const int rank : {0, 2})
+  for (const auto& [rank, reading] : {std::pair{0, "parts"}, {2, "whole"}})
     for (const int number : {2, kind == "repeat" ? 1 : 4}) {
       const std::string wrong = kind + ":" + std::to_string(rank) + ":" + std::to_string(number);
-      const Ran ran = with_messages(wrong);
+      const Ran ran = with_messages(wrong, "1e-4", reading);
       EXPECT_EQ(ran.exit_code, 6) << wrong << '\n' << ran;
       EXPECT_TRUE(holds(ran.err, {"pardel-mpi: internal error: rank ", GetParam().said})) << wrong << '\n' << ran;
       expect_earlier_files();
@@ -186,11 +188,12 @@ TEST_F(MpiFaults, messages_in_another_order_and_with_delays_change_nothing) {
   const auto digest_in = [](const Ran& ran) { return ran.out.substr(ran.out.find("digest"), 40); };
   const Ran normal = job({});
   ASSERT_EQ(normal.exit_code, 0) << normal;
-  for (const std::string seed : {"1", "2", "3"}) {
-    const Ran ran = with_messages("reorder:" + seed + ":0");
-    ASSERT_EQ(ran.exit_code, 0) << ran;
-    EXPECT_EQ(digest_in(ran), digest_in(normal));
-  }
+  for (const char* reading : {"parts", "whole"})
+    for (const std::string seed : {"1", "2", "3"}) {
+      const Ran ran = with_messages("reorder:" + seed + ":0", "1e-4", reading);
+      ASSERT_EQ(ran.exit_code, 0) << ran;
+      EXPECT_EQ(digest_in(ran), digest_in(normal));
+    }
 }
 
 }  // namespace

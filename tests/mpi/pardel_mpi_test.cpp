@@ -37,7 +37,8 @@ TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
   EXPECT_TRUE(check(domains::pipe(), *whole, goal, {.foreign = true}).valid);
   const Result<Meshed> expected = mesh(domains::pipe(), goal);
   EXPECT_EQ(to_string(digest(*whole)), to_string(digest(expected->mesh)));
-  EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(*whole)), "ranks   3, with 1 threads each"}));
+  EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(*whole)),
+                              "ranks   3, with 1 threads each; each has read the whole input"}));
 }
 
 TEST_F(PardelMpi, check_writes_the_certificate_of_one_process_on_any_number_of_ranks) {
@@ -181,7 +182,7 @@ TEST_F(PardelMpi, meshes_points_that_no_rank_has_as_a_whole) {
   std::map<std::string, std::string> expected;
   for (const auto& [ranks, threads] : {std::pair{1, "1"}, {2, "2"}, {3, "1"}, {5, "1"}}) {
     const Ran ran = on_ranks(ranks, {"mesh", "points.poly", "-o", "out.pvtu", "-o", "out.node", "--min-angle", "26",
-                                     "--triangles-per-tile", "300", "--threads", threads});
+                                     "--triangles-per-tile", "300", "--read", "parts", "--threads", threads});
     ASSERT_EQ(ran.exit_code, 0) << ran;
     for (const char* file : {"out.node", "out.ele", "out.poly"})
       EXPECT_TRUE(expected.try_emplace(file, read(file)).first->second == read(file)) << file << ranks;
@@ -209,14 +210,57 @@ TEST_F(PardelMpi, meshes_a_domain_whose_points_no_rank_has_as_a_whole) {
   ASSERT_TRUE(write_poly(survey(), folder_ / "work" / "survey.poly"));
   std::map<std::string, std::string> expected;
   for (const auto& [ranks, threads] : {std::pair{1, "1"}, {2, "2"}, {3, "1"}, {5, "1"}}) {
-    const Ran ran = on_ranks(ranks, {"mesh", "survey.poly", "-o", "out.pvtu", "-o", "out.node", "--min-angle", "26",
-                                     "--regions", "--triangles-per-tile", "300", "--threads", threads});
+    const Ran ran =
+        on_ranks(ranks, {"mesh", "survey.poly", "-o", "out.pvtu", "-o", "out.node", "--min-angle", "26", "--regions",
+                         "--triangles-per-tile", "300", "--read", "parts", "--threads", threads});
     ASSERT_EQ(ran.exit_code, 0) << ran;
     for (const char* file : {"out.node", "out.ele", "out.poly"})
       EXPECT_TRUE(expected.try_emplace(file, read(file)).first->second == read(file)) << file << ranks;
     const Ran checked = on_ranks(2, {"check", "survey.poly", "out.pvtu", "--min-angle", "26", "--regions"});
     EXPECT_EQ(checked.exit_code, 0) << checked;
   }
+}
+
+TEST_F(PardelMpi, reads_a_large_input_in_parts_and_makes_the_same_mesh_of_the_whole) {
+  ASSERT_TRUE(write_poly(survey(), folder_ / "work" / "survey.poly"));
+  const std::string small = read("survey.poly");
+  const std::string comment = "# " + std::string(97, '-') + "\n";
+  std::string large = small;
+  while (large.size() <= 8 << 20) large += comment;
+  write("large.poly", large);
+  const auto mesh_of = [&](const std::string& input, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"mesh", input, "-o", "out.pvtu", "--min-angle", "26", "--regions"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return on_ranks(2, arguments);
+  };
+  const auto digest_in = [](const Ran& ran) { return ran.out.substr(ran.out.find("digest"), 40); };
+  const Ran of_small = mesh_of("survey.poly", {}), of_large = mesh_of("large.poly", {});
+  EXPECT_TRUE(holds(of_small.out, {"each has read the whole input"})) << of_small;
+  EXPECT_TRUE(holds(of_large.out, {"each has read a part of the input"})) << of_large;
+  EXPECT_EQ(digest_in(of_small), digest_in(of_large));
+  EXPECT_TRUE(holds(mesh_of("survey.poly", {"--read", "parts"}).out, {"each has read a part of the input"}));
+  EXPECT_TRUE(holds(mesh_of("large.poly", {"--read", "whole"}).out, {"each has read the whole input"}));
+  // A gradation needs all of the input.
+  EXPECT_TRUE(holds(mesh_of("large.poly", {"--grading", "0.3"}).out, {"each has read the whole input"}));
+  const Ran refused = mesh_of("survey.poly", {"--grading", "0.3", "--read", "parts"});
+  EXPECT_EQ(refused.exit_code, 2) << refused;
+  EXPECT_TRUE(holds(refused.err, {"--read parts needs"})) << refused;
+}
+
+TEST_F(PardelMpi, counts_the_points_in_a_node_file_as_input) {
+  const Pslg points = domains::random_points(1'000, 9);
+  ASSERT_TRUE(write_poly(points, folder_ / "work" / "points.poly"));
+  std::string node = read("points.poly");
+  std::size_t end = 0;
+  for (int lines = 0; lines < 1 + 1'000; ++lines) end = node.find('\n', end) + 1;  // the header and the points
+  node.resize(end);
+  const std::string comment = "# " + std::string(97, '-') + "\n";
+  while (node.size() <= 8 << 20) node += comment;
+  write("points.node", node);
+  write("points.poly", "0 2 0 0\n0 0\n0\n");
+  const Ran ran = on_ranks(2, {"mesh", "points.poly", "-o", "out.pvtu", "--min-angle", "26", "--convex-hull"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"each has read a part of the input"})) << ran;
 }
 
 TEST_F(PardelMpi, says_what_is_wrong_with_a_domain_as_pardel_does) {
@@ -226,11 +270,13 @@ TEST_F(PardelMpi, says_what_is_wrong_with_a_domain_as_pardel_does) {
   open.segments = {{0, 1, 0}};
   for (const Pslg& pslg : {inside, crossing, open}) {
     ASSERT_TRUE(write_poly(pslg, folder_ / "work" / "survey.poly"));
-    const Ran ran = on_ranks(3, {"mesh", "survey.poly", "-o", "out.pvtu"});
     const Ran expected = pardel({"mesh", "survey.poly", "-o", "out.msh"});
-    EXPECT_EQ(ran.exit_code, 3) << ran;
-    EXPECT_TRUE(holds(ran.err, {expected.err.substr(expected.err.find(": "))})) << ran << expected;
-    EXPECT_EQ(files(), (Files{"pipe.poly", "survey.poly"}));
+    for (const char* what : {"whole", "parts"}) {
+      const Ran ran = on_ranks(3, {"mesh", "survey.poly", "-o", "out.pvtu", "--read", what});
+      EXPECT_EQ(ran.exit_code, 3) << ran;
+      EXPECT_TRUE(holds(ran.err, {expected.err.substr(expected.err.find(": "))})) << ran << expected;
+      EXPECT_EQ(files(), (Files{"pipe.poly", "survey.poly"}));
+    }
   }
 }
 
@@ -238,8 +284,11 @@ TEST_F(PardelMpi, says_once_what_is_wrong_with_points) {
   Pslg points = domains::random_points(500, 7);
   points.points[420] = points.points[3];
   ASSERT_TRUE(write_poly(points, folder_ / "work" / "points.poly"));
-  for (const char* command : {"triangulate", "mesh"}) {
-    const Ran ran = on_ranks(3, {command, "points.poly", "-o", "out.pvtu"});
+  const std::vector<std::vector<std::string>> commands = {
+      {"triangulate"}, {"mesh", "--read", "parts"}, {"mesh", "--read", "whole"}};
+  for (std::vector<std::string> command : commands) {
+    command.insert(command.end(), {"points.poly", "-o", "out.pvtu"});
+    const Ran ran = on_ranks(3, command);
     EXPECT_EQ(ran.exit_code, 3) << ran;
     EXPECT_TRUE(holds(ran.err, {"pardel-mpi: points.poly: Points 4 and 421 are both at", "repairs such problems"}))
         << ran;
