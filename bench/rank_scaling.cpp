@@ -31,6 +31,7 @@ struct Settings {
   Task task{.domain = "pipe", .goal = {}, .triangles = 10'000'000};
   std::uint64_t per_rank = 0;  ///< if not 0: this number of triangles for each rank
   int runs = 5;
+  double rest = 1.5;   ///< seconds without work before each measured run
   bool parts = false;  ///< each rank begins with a part of the domain
 };
 
@@ -93,7 +94,12 @@ class Comparison {
     (void)touch_memory(bytes_per_triangle * settings_.task.triangles / static_cast<std::uint64_t>(parts));
   }
 
+  /// A host may let a virtual machine run faster for some seconds after it has rested. Without a rest before each run,
+  /// ranks began after work on all processors, and threads after work on one.
+  void rest() const { usleep(static_cast<useconds_t>(1e6 * settings_.rest)); }
+
   void make_piece() {
+    rest();
     warm(ranks_.count());
     wait_for_all();
     const Stopwatch watch;
@@ -109,6 +115,7 @@ class Comparison {
     digest_ = digest(*piece, ranks_);
   }
   void make_whole(int parts, int threads, std::vector<double>& seconds) {
+    rest();
     warm(parts);
     const Stopwatch watch;
     const Result<Meshed> whole = mesh(domain_, goal(parts), {.threads = threads});
@@ -175,6 +182,7 @@ int run(int argc, char** argv) {
   app.add_option("--per-rank", settings.per_rank, "about this number of triangles for each rank (weak scaling)")
       ->excludes(all);
   app.add_option("--runs", settings.runs, "the number of rounds");
+  app.add_option("--rest", settings.rest, "seconds without work before each measured run")->check(CLI::Range(0, 60));
   app.add_flag("--parts", settings.parts,
                "each rank begins with a part of the domain, as pardel-mpi does if the input is large");
   CLI11_PARSE(app, argc, argv);

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "../core/formats.hpp"
 #include "../core/support/open_file.hpp"
 
 namespace pardel::cli {
@@ -69,6 +70,18 @@ Status check_distinct(std::span<const NamedFile> outputs, std::span<const NamedF
     }
   }
   return Done{};
+}
+
+std::vector<NamedFile> with_pieces(const NamedFile& mesh) {
+  std::vector<NamedFile> files{mesh};
+  if (mesh.file.extension() == ".pvtu")
+    if (const auto pieces = files_of_pieces(mesh.file))
+      for (const fs::path& piece : *pieces) files.push_back({{}, piece, false});
+  std::error_code ignored;
+  if (mesh.file.extension() == ".msh" && !fs::exists(mesh.file, ignored))
+    for (int i = 1; fs::exists(msh_of_piece(mesh.file, i), ignored); ++i)
+      files.push_back({{}, msh_of_piece(mesh.file, i), false});
+  return files;
 }
 
 NamedFile domain_input(const fs::path& file) {

@@ -95,12 +95,11 @@ void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");
 }
 
-/// Refuses --interior fill where no triangle would be laid.
-Status check_interior(const MeshArguments& arguments) {
+}  // namespace
+
+Status check_interior(Interior interior, const GoalOptions& goal) {
   const auto refuse = [](const std::string& why) { return Error{ErrorKind::usage, "--interior fill " + why}; };
-  if (arguments.options.interior != Interior::fill) return Done{};
-  const GoalOptions& goal = arguments.goal;
-  if (arguments.refine) return refuse("needs a domain and cannot be used with --refine");
+  if (interior != Interior::fill) return Done{};
   for (const auto& [name, given] :
        {std::pair{"--sizes", !goal.sizes.empty()}, std::pair{"--grading", goal.grading.has_value()},
         std::pair{"--feature-size", goal.feature_size.has_value()}})
@@ -108,8 +107,6 @@ Status check_interior(const MeshArguments& arguments) {
   if (!goal.max_area && !goal.max_edge && !goal.regions) return refuse("needs --max-area, --max-edge or --regions");
   return Done{};
 }
-
-}  // namespace
 
 void add_ways_to_work(CLI::App& app, Options& options, std::vector<Index>& cells) {
   app.add_option("--placement", options.placement,
@@ -161,7 +158,9 @@ Status set_cells(const std::vector<Index>& cells, Options& options) {
 
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;
-  if (Status fits = check_interior(arguments); !fits) return fits;
+  if (arguments.options.interior == Interior::fill && arguments.refine)
+    return Error{ErrorKind::usage, "--interior fill needs a domain and cannot be used with --refine"};
+  if (Status fits = check_interior(arguments.options.interior, arguments.goal); !fits) return fits;
   for (const auto& [name, given] : {std::pair{"--grading", arguments.goal.grading.has_value()},
                                     std::pair{"--feature-size", arguments.goal.feature_size.has_value()}})
     if (given && arguments.refine)
@@ -180,7 +179,8 @@ std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {
 }
 
 Status check_outputs(const MeshArguments& arguments) {
-  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.goal.sizes, false}};
+  std::vector<NamedFile> inputs = with_pieces({{}, arguments.input});
+  for (NamedFile& file : with_pieces({{}, arguments.goal.sizes, false})) inputs.push_back(std::move(file));
   std::vector<NamedFile> outputs;
   for (const auto& output : arguments.outputs) outputs.push_back({"-o", output});
   outputs.push_back({"--json", arguments.json});

@@ -14,8 +14,9 @@ Error invalid(const std::string& message) { return {ErrorKind::invalid_input, me
 
 class Join {
  public:
-  /// A rank without triangles has an empty piece, which says nothing about the kinds of data.
-  explicit Join(std::span<const NumberedMesh> pieces) {
+  /// `names`: what messages call the numbers; empty if it is the numbers themselves. A rank without triangles has an
+  /// empty piece, which says nothing about the kinds of data.
+  explicit Join(std::span<const NumberedMesh> pieces, std::span<const std::uint64_t> names = {}) : names_(names) {
     for (const NumberedMesh& piece : pieces)
       if (!piece.mesh.points.empty()) pieces_.push_back(&piece);
   }
@@ -36,6 +37,10 @@ class Join {
   }
 
  private:
+  [[nodiscard]] std::string name(std::uint64_t number) const {
+    return std::to_string(names_.empty() ? number : names_[number]);
+  }
+
   /// The largest number determines the number of points. It is less than the number of points of all pieces, because no
   /// number is missing.
   Status make_room() {
@@ -93,9 +98,9 @@ class Join {
       const Point p = piece.mesh.points[v];
       if (is_known_[number] != 0) {
         if (p.x != mesh_.points[number].x || p.y != mesh_.points[number].y)
-          return invalid("two pieces have different points with the number " + std::to_string(number));
+          return invalid("different points have the number " + name(number));
         if (!has_same_data(piece.mesh, v, number))
-          return invalid("two pieces have different data of the point with the number " + std::to_string(number));
+          return invalid("there are different data of the point with the number " + name(number));
         continue;
       }
       is_known_[number] = 1;
@@ -126,17 +131,14 @@ class Join {
   }
 
   std::vector<const NumberedMesh*> pieces_;
+  std::span<const std::uint64_t> names_;
   Array<char> is_known_;  ///< per point
   bool have_regions_ = false;
   Mesh mesh_;
 };
 
-}  // namespace
-
-Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces) { return Join(pieces).join(); }
-
-Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces) {
-  if (pieces.size() == 1) return std::move(pieces.front());
+/// Makes one piece, whose points are in the order of their numbers.
+Result<NumberedMesh> joined(std::vector<NumberedMesh> pieces) {
   std::vector<std::uint64_t> numbers;
   for (const NumberedMesh& piece : pieces) numbers.insert(numbers.end(), piece.number.begin(), piece.number.end());
   std::ranges::sort(numbers);
@@ -144,9 +146,24 @@ Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces) {
   for (NumberedMesh& piece : pieces)
     for (std::uint64_t& number : piece.number)
       number = static_cast<std::uint64_t>(std::ranges::lower_bound(numbers, number) - numbers.begin());
-  Result<Mesh> mesh = join_pieces(pieces);
+  Result<Mesh> mesh = Join(pieces, numbers).join();
   if (!mesh) return mesh.error();
   return NumberedMesh{std::move(*mesh), Array<std::uint64_t>(numbers)};
+}
+
+}  // namespace
+
+Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces) { return Join(pieces).join(); }
+
+Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces) {
+  if (pieces.size() == 1) return std::move(pieces.front());
+  return joined(std::move(pieces));
+}
+
+Result<NumberedMesh> join_points(NumberedMesh piece) {
+  std::vector<NumberedMesh> pieces;
+  pieces.push_back(std::move(piece));
+  return joined(std::move(pieces));
 }
 
 }  // namespace pardel

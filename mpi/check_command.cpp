@@ -23,6 +23,7 @@
 #include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../properties/checker/check_pieces.hpp"
+#include "outputs.hpp"
 #include "problem.hpp"
 
 namespace pardel::mpi {
@@ -63,12 +64,14 @@ void add_check_options(CLI::App& app, CheckArguments& arguments) {
   app.footer(check_footer);
 }
 
-Status check_arguments_of(const CheckArguments& arguments) {
+Status check_arguments_of(const CheckArguments& arguments, const Ranks& ranks) {
+  if (Status fine = check_inputs(std::array{arguments.domain, arguments.goal.sizes}, ranks); !fine) return fine;
   if (arguments.mesh.extension() != ".pvtu")
     return Error{ErrorKind::usage, fmt::format("the mesh {} must be a .pvtu", arguments.mesh.string())};
   const std::array outputs = {NamedFile{"--json", arguments.json}};
-  const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
-                             NamedFile{{}, arguments.goal.sizes, false}};
+  std::vector<NamedFile> inputs = with_pieces({{}, arguments.mesh});
+  for (NamedFile& file : with_pieces({{}, arguments.goal.sizes, false})) inputs.push_back(std::move(file));
+  inputs.push_back(domain_input(arguments.domain));
   if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }
@@ -117,7 +120,7 @@ Status status_of(const Result<T>& result) {
 
 Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_arguments_of(arguments)); !fine) return fine.error();
+  if (Status fine = job.agree(check_arguments_of(arguments, job.ranks())); !fine) return fine.error();
   use_threads(arguments.threads > 0 ? arguments.threads : job.threads_per_rank());
   const Stopwatch watch;
   // As 'pardel check', the first rank writes why an input is refused to the file of --json.

@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +36,7 @@ constexpr const char* footer = R"(Start it with mpirun or srun:
 
 Exit status: as 'pardel --help' lists. If one rank cannot go on, it ends all ranks, with its exit status.)";
 
-/// All ranks have the same arguments; the first one prints.
+/// All ranks have the same arguments; the first one prints. If one rank cannot use its arguments, none begins.
 ExitCode run(int argc, char** argv, Job& job) {
   CLI::App program(description, "pardel-mpi");
   program.set_version_flag("-V,--version", "pardel-mpi " PARDEL_VERSION);
@@ -46,13 +47,17 @@ ExitCode run(int argc, char** argv, Job& job) {
   const std::array commands{add_mesh(program, job), add_triangulate(program, job), add_check(program, job)};
   std::vector<std::string> arguments(argv + 1, argv + argc);
   cli::expand_help(arguments);
-  std::ranges::reverse(arguments);  // as CLI11 wants them
+  std::ranges::reverse(arguments);      // as CLI11 wants them
+  std::optional<CLI::ParseError> stop;  // also for --help and --version
   try {
     program.parse(std::move(arguments));
-  } catch (const CLI::ParseError& stop) {  // also --help and --version
-    if (!job.is_first()) return stop.get_exit_code() == 0 ? ExitCode::done : ExitCode::usage;
-    return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
+  } catch (const CLI::ParseError& thrown) {
+    stop = thrown;
   }
+  const Status all = job.agree(stop ? Status(Error{ErrorKind::usage, stop->what()}) : Status(Done{}));
+  if (stop && job.is_first()) return program.exit(*stop) == 0 ? ExitCode::done : ExitCode::usage;
+  if (stop) return stop->get_exit_code() == 0 ? ExitCode::done : ExitCode::usage;
+  if (!all) return job.is_first() ? cli::report(all.error(), "pardel-mpi") : ExitCode::usage;
   const auto given = std::ranges::find_if(commands, [](const cli::Command& command) { return command.app->parsed(); });
   const Result<ExitCode> result = given->run();
   if (result) return *result;

@@ -233,6 +233,7 @@ Status check_arguments(Arguments& arguments, const Ranks& ranks) {
                  "--read parts needs a .poly or .node, an interior that is refined on a lattice, and bounds that do "
                  "not vary from place to place, except --regions"};
   if (Status fine = check_number_of_pieces(arguments, ranks.count()); !fine) return fine;
+  if (Status fine = check_interior(arguments.options.interior, arguments.goal); !fine) return fine;
   const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count())};
   if (Status fine = check_outputs(expected, arguments.input, arguments.goal.sizes, ranks); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "../cli/distinct_files.hpp"
@@ -28,15 +30,6 @@ fs::path piece_of(const fs::path& output, int number) {
   return output.extension() == ".msh" ? msh_of_piece(output, number + 1) : vtu_of_piece(behind_links(output), number);
 }
 
-/// The files of a field of sizes: if it is a mesh in pieces, its pieces, too.
-std::vector<cli::NamedFile> files_of_sizes(const fs::path& sizes) {
-  std::vector<cli::NamedFile> files{{{}, sizes, false}};
-  if (sizes.extension() != ".pvtu") return files;
-  if (const auto pieces = files_of_pieces(sizes))  // else the reader says what is wrong
-    for (const fs::path& piece : *pieces) files.push_back({{}, piece, false});
-  return files;
-}
-
 Status check_output(const fs::path& output) {
   const std::string name = output.string();
   const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
@@ -51,12 +44,14 @@ Status check_output(const fs::path& output) {
   return is_msh ? Status(Done{}) : cli::check_folder(output);
 }
 
-/// Of the pieces of an output, those of this rank.
-Status check_names_of_pieces(const fs::path& output, int pieces, std::span<const cli::NamedFile> inputs,
-                             const Ranks& ranks) {
+/// Of the pieces of an output, those of this rank. `outputs`: all of the command line.
+Status check_names_of_pieces(const fs::path& output, int pieces, std::vector<cli::NamedFile> outputs,
+                             std::span<const cli::NamedFile> inputs, const Ranks& ranks) {
+  outputs.push_back({fmt::format("-o {}:", output.string()), {}, false});
+  cli::NamedFile& piece = outputs.back();
   for (int number = ranks.rank(); number < pieces; number += ranks.count()) {
-    const cli::NamedFile piece{fmt::format("-o {}:", output.string()), piece_of(output, number), false};
-    if (Status fine = cli::check_distinct({&piece, 1}, inputs); !fine) return fine;
+    piece.file = piece_of(output, number);
+    if (Status fine = cli::check_distinct(outputs, inputs); !fine) return fine;
     if (Status fine = cli::check_folder(piece.file); !fine) return fine;
   }
   return Done{};
@@ -95,9 +90,16 @@ std::string names_of(std::span<const fs::path> outputs) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+Status check_inputs(std::span<const fs::path> inputs, const Ranks& ranks) {
+  if (ranks.count() > 1 && std::ranges::any_of(inputs, is_standard_input))
+    return Error{ErrorKind::usage, "-: standard input goes to one rank only; several ranks need the name of a file"};
+  return Done{};
+}
+
 Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, const fs::path& sizes,
                      const Ranks& ranks) {
-  std::vector<cli::NamedFile> inputs = files_of_sizes(sizes);
+  if (Status fine = check_inputs(std::array{input, sizes}, ranks); !fine) return fine;
+  std::vector<cli::NamedFile> inputs = cli::with_pieces({{}, sizes, false});
   inputs.push_back({{}, input});
   std::vector<cli::NamedFile> named;
   for (const fs::path& output : expected.outputs) {
@@ -107,7 +109,7 @@ Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, con
   if (Status fine = cli::check_distinct(named, inputs); !fine) return fine;
   for (const fs::path& output : expected.outputs) {
     if (is_of_triangle(output)) continue;
-    if (Status fine = check_names_of_pieces(output, expected.pieces, inputs, ranks); !fine) return fine;
+    if (Status fine = check_names_of_pieces(output, expected.pieces, named, inputs, ranks); !fine) return fine;
   }
   return Done{};
 }

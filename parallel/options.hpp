@@ -92,8 +92,8 @@ struct Options {
   /// area and size bounds require cannot fit, and later as soon as the mesh exceeds the limit. A limit on the memory of
   /// the whole process can be kept with `progress`.
   std::uint64_t max_memory = 0;
-  /// No point is inserted that would make an edge shorter than this, or shorter than 2^-42 times the largest
-  /// coordinate, the limit of double precision. A length >= 0.
+  /// No point is inserted that would make an edge shorter than this, or than the limit of double precision: 2^-42 times
+  /// the largest coordinate, and 2^-129. A length >= 0.
   double min_edge = 0;
   bool no_boundary_splits = false;  ///< do not split segments on the boundary of the domain (Triangle's switch -Y)
   bool no_segment_splits = false;   ///< do not split any segment (Triangle's switch -YY)

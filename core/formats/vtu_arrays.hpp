@@ -8,6 +8,7 @@
 
 #include "../array.hpp"
 #include "../result.hpp"
+#include "xml_tag.hpp"
 
 namespace pardel::files {
 
@@ -45,8 +46,6 @@ class VtuFile {
   /// An error at byte `at` of the text: `NAME:LINE: message`.
   [[nodiscard]] Error error_at(std::size_t at, const std::string& message) const;
 
-  struct Tag;
-
  private:
   VtuFile() = default;
 
@@ -59,10 +58,10 @@ class VtuFile {
     std::string_view first(std::size_t n);
   };
 
-  std::optional<Error> read_root(const Tag& tag, std::size_t at);
-  std::optional<Error> read_piece(const Tag& tag, std::size_t at);
-  std::optional<Error> read_array(const Tag& tag, std::string_view section, std::size_t& at);
-  std::optional<Error> read_appended(const Tag& tag, std::size_t at);
+  std::optional<Error> read_root(const XmlTag& tag, std::size_t at);
+  std::optional<Error> read_piece(const XmlTag& tag, std::size_t at);
+  std::optional<Error> read_array(const XmlTag& tag, std::string_view section, std::size_t& at);
+  std::optional<Error> read_appended(const XmlTag& tag, std::size_t at);
 
   [[nodiscard]] Result<Data> data_of(const VtuArray& array) const;
   Result<std::string_view> plain_bytes(const VtuArray& array, Data& data) const;

@@ -9,44 +9,6 @@
 namespace pardel::files {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
-
-}  // namespace
-
-/// An XML start tag; text[at] is its '<'. XML entities are not decoded, because no attribute that is read here needs
-/// this.
-struct VtuFile::Tag {
-  std::string_view name;
-  std::string_view attributes;
-  std::size_t end = 0;  ///< the position after the '>' of the tag
-  bool closed = false;  ///< the tag has the form <.../>
-
-  /// The value of an attribute; empty if the tag does not have it.
-  [[nodiscard]] std::string_view operator[](std::string_view key) const {
-    for (std::size_t at = attributes.find(key); at != std::string_view::npos; at = attributes.find(key, at + 1)) {
-      const std::string_view rest = attributes.substr(at + key.size());
-      if (blanks.find(attributes[at - 1]) == std::string_view::npos) continue;  // attributes begin with a blank
-      if (rest.size() < 2 || rest[0] != '=' || (rest[1] != '"' && rest[1] != '\'')) continue;
-      return rest.substr(2, rest.find(rest[1], 2) - 2);
-    }
-    return {};
-  }
-};
-
-namespace {
-
-VtuFile::Tag tag_at(std::string_view text, std::size_t at) {
-  VtuFile::Tag tag;
-  const std::size_t close = std::min(text.find('>', at), text.size());
-  std::string_view inside = text.substr(at + 1, close - at - 1);
-  tag.end = std::min(close + 1, text.size());
-  tag.closed = inside.ends_with('/');
-  if (tag.closed) inside.remove_suffix(1);
-  tag.name = inside.substr(0, inside.find_first_of(blanks));
-  tag.attributes = inside.substr(tag.name.size());
-  return tag;
-}
-
 /// The integer in the text; -1 if the text is not an integer; `otherwise` if the text is empty.
 std::int64_t whole(std::string_view text, std::int64_t otherwise) {
   if (text.empty()) return otherwise;
@@ -66,7 +28,7 @@ Error VtuFile::error_at(std::size_t at, const std::string& message) const {
   return {ErrorKind::invalid_input, name_ + ":" + std::to_string(line) + ": " + message};
 }
 
-std::optional<Error> VtuFile::read_root(const Tag& tag, std::size_t at) {
+std::optional<Error> VtuFile::read_root(const XmlTag& tag, std::size_t at) {
   constexpr std::string_view native = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
   if (tag["type"] != "UnstructuredGrid") {
     return error_at(at, "expected type=\"UnstructuredGrid\", found " + in_quotes(tag["type"]));
@@ -83,7 +45,7 @@ std::optional<Error> VtuFile::read_root(const Tag& tag, std::size_t at) {
   return std::nullopt;
 }
 
-std::optional<Error> VtuFile::read_piece(const Tag& tag, std::size_t at) {
+std::optional<Error> VtuFile::read_piece(const XmlTag& tag, std::size_t at) {
   if (found_piece_) return error_at(at, "expected one piece, found a second");
   found_piece_ = true;
   const std::int64_t points = whole(tag["NumberOfPoints"], -1);
@@ -96,7 +58,7 @@ std::optional<Error> VtuFile::read_piece(const Tag& tag, std::size_t at) {
 }
 
 /// Sets `at` to the end of the content of the array.
-std::optional<Error> VtuFile::read_array(const Tag& tag, std::string_view section, std::size_t& at) {
+std::optional<Error> VtuFile::read_array(const XmlTag& tag, std::string_view section, std::size_t& at) {
   const std::int64_t components = whole(tag["NumberOfComponents"], 1);
   const std::int64_t offset = whole(tag["offset"], 0);
   if (components < 1)
@@ -115,7 +77,7 @@ std::optional<Error> VtuFile::read_array(const Tag& tag, std::string_view sectio
     if (close == std::string_view::npos) return error_at(at, "this DataArray does not end");
     // VTK writes inner elements (InformationKey) after the values, other programs before them.
     const std::size_t inner = text_.find('<', tag.end);
-    const bool values_first = text_.find_first_not_of(blanks, tag.end) < inner;
+    const bool values_first = text_.find_first_not_of(xml_blanks, tag.end) < inner;
     array.begin = values_first ? tag.end : std::max(tag.end, text_.rfind('>', close) + 1);
     array.end = values_first ? inner : close;
     at = close;
@@ -126,7 +88,7 @@ std::optional<Error> VtuFile::read_array(const Tag& tag, std::string_view sectio
   return std::nullopt;
 }
 
-std::optional<Error> VtuFile::read_appended(const Tag& tag, std::size_t at) {
+std::optional<Error> VtuFile::read_appended(const XmlTag& tag, std::size_t at) {
   appended_raw_ = tag["encoding"] == "raw";
   appended_ = text_.find('_', tag.end);
   if (appended_ == std::string_view::npos) return error_at(at, "expected appended data, found none");
@@ -139,8 +101,8 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
   file.text_ = text;
   file.name_ = name;
   std::string_view section;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at)) {
-    const Tag tag = tag_at(text, at);
+  for (std::size_t at = next_xml_tag(text, 0); at != std::string_view::npos; at = next_xml_tag(text, at)) {
+    const XmlTag tag = xml_tag_at(text, at);
     std::size_t end = tag.end;
     std::optional<Error> error;
     if (tag.name == "VTKFile") {

@@ -8,6 +8,7 @@
 #include "../../core/support/collective.hpp"
 #include "../../core/support/share_of_rank.hpp"
 #include "pieces/border_delaunay.hpp"
+#include "pieces/data_of_vertices.hpp"
 #include "pieces/faces_in_pieces.hpp"
 #include "pieces/merge.hpp"
 #include "pieces/numbers.hpp"
@@ -107,12 +108,12 @@ class PieceCheck {
     if (!geometry || !input_) return for_each_piece([&](std::size_t i) { return describe_unusable(i); });
     const bool labels = everywhere(&KeptPiece::has_labels);
     if (Status right = count_points(); !right) return right;
+    if (Status right = check_data_of_vertices(read_, certificate_.vertices, ranks_); !right) return right;
     Border border(read_, certificate_.vertices, ranks_);
     NumberSet special = special_numbers(read_, border, ranks_);
-    Result<Judgement> judgement = judge_skeleton(special, labels);
-    if (!judgement) return judgement.error();
-    EdgesOfChains edges(*judgement);
-    const Whole whole{std::move(border), std::move(special), std::move(*judgement), std::move(edges)};
+    Judgement judgement = judge_skeleton(special, labels);
+    EdgesOfChains edges(judgement);
+    const Whole whole{std::move(border), std::move(special), std::move(judgement), std::move(edges)};
 
     const bool have_regions = somewhere(&KeptPiece::has_regions);
     std::optional<FacesOfPieces> faces;
@@ -188,14 +189,13 @@ class PieceCheck {
     return points;
   }
 
-  Result<Judgement> judge_skeleton(const NumberSet& special, bool labels) {
+  Judgement judge_skeleton(const NumberSet& special, bool labels) {
     const bool counter_clockwise = everywhere(&KeptPiece::is_counter_clockwise);
-    const Result<std::optional<Skeleton>> skeleton = gather_skeleton(read_, special, ranks_);
-    if (!skeleton) return skeleton.error();
+    const std::optional<Skeleton> skeleton = gather_skeleton(read_, special, ranks_);
     Ranks::Bytes message;
     const NumberSet settled = settled_inputs(read_, task_.pslg.points.size(), ranks_);
-    if (skeleton->has_value())
-      message = judge(**skeleton, settled, task_, input_->domain, labels, counter_clockwise, found_).message();
+    if (skeleton)
+      message = judge(*skeleton, settled, task_, input_->domain, labels, counter_clockwise, found_).message();
     return Judgement::read(from_first(message, ranks_));
   }
 

@@ -13,8 +13,8 @@
 namespace pardel {
 
 /// Checks the mesh whose pieces the ranks have, and returns its certificate on all ranks. Collective: all ranks pass
-/// the same input, goal and options; options.go_on is not called. Vertices of several pieces with one number are one
-/// vertex. Each triangle and each constrained edge is in one piece, and all constrained edges are listed.
+/// the same input, goal and options; options.go_on is not called. Vertices with one number are one vertex, in several
+/// pieces or in one. Each triangle and each constrained edge is in one piece, and all constrained edges are listed.
 ///
 /// The certificate is that of check(pslg, join_pieces(pieces), goal, options), for the pieces of the first rank, then
 /// those of the second one, and so on: its numbers of vertices and triangles are those in the joined mesh, and the
@@ -38,12 +38,11 @@ namespace pardel {
 /// before a triangle has a region. A rank with one piece keeps it in memory instead.
 ///
 /// Errors: invalid_input if the numbers of vertices are wrong (see join_pieces()), if pieces do not have the same kinds
-/// of data, or do not agree on the marker, the origin or the attributes of a vertex on a segment or at an input point,
-/// or if a piece has not one number for each vertex; resources if the mesh has more vertices or triangles than an Index
-/// can number; those of PiecesOfRank::read(), and io if a piece that is read again has another size. Memory of a rank,
-/// beside the piece that it holds and the input: 10 bytes per triangle of this piece; for all its pieces, about 300
-/// bytes per vertex at a border or on a segment; one bit per point of the whole mesh; and on the first rank the
-/// triangles at segments.
+/// of data, or do not agree on the place, the marker, the origin or the attributes of a vertex, or if a piece has not
+/// one number for each vertex; resources if the mesh has more vertices or triangles than an Index can number; those of
+/// PiecesOfRank::read(), and io if a piece that is read again has another size. Memory of a rank, beside the piece that
+/// it holds and the input: 10 bytes per triangle of this piece; for all its pieces, about 300 bytes per vertex at a
+/// border or on a segment; one bit per point of the whole mesh; and on the first rank the triangles at segments.
 [[nodiscard]] Result<Certificate> check(const Pslg& pslg, const PiecesOfRank& pieces, const Goal& goal,
                                         const CheckOptions& options, Ranks& ranks);
 

@@ -10,6 +10,10 @@ namespace pardel {
 /// the vertex by at most 0.71 units. The rest is for meshers that round more than once.
 inline constexpr double chain_ulps = 2;
 
+/// The least unit: a Pslg has no coordinate between 0 and this value, and a mesher may round computed ones to 0 there.
+/// So it is the distance of coordinates near 0. It counts if all coordinates are below 2^-87.
+inline constexpr double least_unit = 0x1p-140;
+
 /// If a segment has no chain within chain_ulps, the checker looks for the chain that was meant, to report its vertices
 /// as chain_off_segment. They may be off by this share of the segment's length, or further along edges that the mesh
 /// lists as constrained. If there is no such chain, it reports broken_segment. So this value decides between two

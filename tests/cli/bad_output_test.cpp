@@ -113,6 +113,25 @@ TEST_F(BadOutput, that_another_program_writes_is_refused_with_the_name_of_this_p
   EXPECT_TRUE(holds(index.err, {"out.pvtu: '.pvtu' is not a known format", "'pardel-mpi mesh' writes .pvtu"}));
 }
 
+TEST_F(BadOutput, never_replaces_a_piece_of_a_mesh_that_is_read) {
+  const auto mesh = [&](const char* file) { return pardel({"mesh", "square.poly", "-o", file, "-q"}).exit_code; };
+  ASSERT_EQ(mesh("piece.vtu"), 0);
+  write("all.pvtu", "<VTKFile><Piece Source=\"piece.vtu\"/></VTKFile>\n");
+  ASSERT_EQ(mesh("msh_1.msh"), 0);  // msh.msh stands for it
+  const std::string vtu = read("piece.vtu"), msh = read("msh_1.msh");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"check", "square.poly", "all.pvtu", "--json", "piece.vtu"},
+                                             {"mesh", "square.poly", "--sizes", "all.pvtu", "-o", "piece.vtu"},
+                                             {"check", "square.poly", "msh.msh", "--json", "msh_1.msh"},
+                                             {"convert", "msh.msh", "msh_1.msh"}}) {
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"this output would replace files of the input"})) << ran;
+    EXPECT_EQ(read("piece.vtu"), vtu);
+    EXPECT_EQ(read("msh_1.msh"), msh);
+  }
+}
+
 TEST_F(BadOutput, the_input_is_never_replaced) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "square.node"});
   EXPECT_EQ(ran.exit_code, 2) << ran;

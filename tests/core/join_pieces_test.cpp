@@ -72,11 +72,11 @@ TEST(JoinPieces, refuses_numbers_that_are_missing_or_too_large) {
 TEST(JoinPieces, refuses_different_points_with_one_number) {
   std::vector<NumberedMesh> pieces = halves();
   pieces[1].mesh.points[1] = {1, 2};
-  EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 2");
+  EXPECT_EQ(error_of(pieces), "different points have the number 2");
 }
 
 TEST(JoinPieces, refuses_different_data_of_a_point) {
-  const std::string message = "two pieces have different data of the point with the number 2";
+  const std::string message = "there are different data of the point with the number 2";
   const auto with_data = [] {
     std::vector<NumberedMesh> pieces = halves();
     for (NumberedMesh& piece : pieces) {

@@ -325,6 +325,37 @@ TEST_F(PardelMpi, writes_pieces_of_a_filled_mesh_for_gmsh) {
   EXPECT_TRUE(holds(refused.err, {"--pieces needs one output, OUT.pvtu"})) << refused;
 }
 
+TEST_F(PardelMpi, replaces_no_piece_that_it_reads_and_hides_none_that_it_writes) {
+  ASSERT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "-q"}).exit_code, 0);
+  const std::string piece = read("out_0001.vtu");
+  const Ran check = on_ranks(2, {"check", "pipe.poly", "out.pvtu", "--json", "out_0001.vtu"});
+  EXPECT_EQ(check.exit_code, 2) << check;
+  EXPECT_TRUE(holds(check.err, {"would replace files of the input", "out_0001.vtu"})) << check;
+  const Ran convert = pardel({"convert", "out.pvtu", "out_0001.vtu"});
+  EXPECT_EQ(convert.exit_code, 2) << convert;
+  EXPECT_TRUE(holds(convert.err, {"would replace files of the input", "out_0001.vtu"})) << convert;
+  EXPECT_TRUE(read("out_0001.vtu") == piece);
+  const Ran mesh = on_ranks(2, {"mesh", "pipe.poly", "-o", "y.msh", "-o", "y_1.msh"});
+  EXPECT_EQ(mesh.exit_code, 2) << mesh;
+  EXPECT_TRUE(holds(mesh.err, {"y_1.msh"})) << mesh;
+  EXPECT_FALSE(exists("y_1.msh"));
+}
+
+TEST_F(PardelMpi, refuses_what_pardel_refuses_and_standard_input) {
+  const Ran fill = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--interior", "fill"});
+  EXPECT_EQ(fill.exit_code, 2) << fill;
+  EXPECT_TRUE(holds(fill.err, {"--interior fill needs --max-area, --max-edge or --regions"})) << fill;
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"mesh", "-", "-o", "out.pvtu"},
+                                             {"mesh", "pipe.poly", "--sizes", "-", "-o", "out.pvtu"},
+                                             {"check", "-", "out.pvtu"}}) {
+    const Ran ran = on_ranks(2, arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"standard input goes to one rank only"})) << ran;
+  }
+  EXPECT_EQ(files(), Files{"pipe.poly"});
+}
+
 TEST_F(PardelMpi, replaces_and_hides_no_other_file) {
   EXPECT_EQ(on_ranks(2, {"mesh", "pipe.poly", "-o", "pipe.node"}).exit_code, 2);
   write("out.msh", "a mesh of the user");

@@ -86,6 +86,29 @@ Pslg domain_for_bounds(const std::string& name) {
   return std::move(read_pslg(fs::path(PARDEL_REGRESSIONS "/bounds") / (name + ".poly"))).value();
 }
 
+/// Computed coordinates below 2^-140 become 0, so a domain of this size has places for a few vertices only. The
+/// refinement of the first file did not end, and the second one got vertices too far from their segment.
+TEST(BoundsRegression, domains_near_the_smallest_coordinates_are_refined_as_far_as_possible) {
+  for (const char* name : {"square_near_the_smallest_coordinates", "slanted_side_near_the_smallest_coordinates"}) {
+    const Pslg pslg = domain_for_bounds(name);
+    const Result<Meshed> meshed = mesh(pslg, {.max_edge = 1e-42}, {.max_vertices = 10'000});
+    ASSERT_TRUE(meshed) << meshed.error().message;
+    EXPECT_FALSE(meshed->report.goal_met());
+    EXPECT_EQ(meshed->report.count(ExemptReason::min_edge), meshed->report.exempt.size()) << name;
+    EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid) << name;
+  }
+}
+
+/// A vertex on the slanted side has a computed coordinate that becomes 0.
+TEST(BoundsRegression, a_side_with_a_tiny_slope_has_its_vertices_on_it) {
+  Pslg pslg = domain_for_bounds("slanted_side_near_the_smallest_coordinates");
+  for (Point& p : pslg.points) p = {p.x == 1e-42 ? p.x : p.x * 1e11, p.y * 1e11};
+  const Goal goal{.max_edge = 1e-31};
+  const Result<Meshed> meshed = mesh(pslg, goal);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+}
+
 TEST(FeatureSizeRegression, widths_below_the_rounding_of_coordinates_take_no_time) {
   const Pslg pslg = domain_for_bounds("widths_below_the_rounding_of_coordinates");
   const Goal goal{.min_angle_deg = 25, .grading = 0.2, .feature_edges = 1};

@@ -78,7 +78,7 @@ Domain::Domain(const Pslg& pslg, bool convex_hull, StopSignal* stop)
 
   double largest = 0;
   for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  ulp_ = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  ulp_ = std::max(std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest, least_unit);
   tolerance_ = chain_ulps * ulp_;
 }
 

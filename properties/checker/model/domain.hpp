@@ -43,7 +43,7 @@ class Domain {
   /// The largest allowed distance of a vertex from its segment: chain_ulps units in the last place of the largest
   /// absolute coordinate of the Pslg.
   [[nodiscard]] double tolerance() const { return tolerance_; }
-  /// One unit in the last place of the largest absolute coordinate of the Pslg.
+  /// One unit in the last place of the largest absolute coordinate of the Pslg; at least least_unit.
   [[nodiscard]] double ulp() const { return ulp_; }
 
  private:

@@ -44,7 +44,7 @@ class Referee {
     std::ranges::sort(border_, {}, &NumberedPoint::number);
     for (std::size_t i = 1; i < border_.size(); ++i)
       if (border_[i - 1].number == border_[i].number && !(border_[i - 1].at == border_[i].at))
-        return invalid("two pieces have different points with the number " + std::to_string(border_[i].number));
+        return invalid("different points have the number " + std::to_string(border_[i].number));
     return Done{};
   }
 
@@ -84,8 +84,7 @@ void NumbersOfRank::add(std::span<const std::uint64_t> number, const Adjacency& 
   listed_ += number.size();
   for (Index v = 0; v < number.size(); ++v) {
     largest_ = std::max(largest_, number[v]);
-    if (number[v] >= no_index || is_at_border(v, adjacency) || of_piece.insert(number[v]) || !status_) continue;
-    status_ = invalid("two vertices of a piece have the number " + std::to_string(number[v]));
+    if (number[v] < no_index && !is_at_border(v, adjacency)) of_piece.insert(number[v]);
   }
   inner_.unite(of_piece, repeated_);
 }
@@ -94,7 +93,6 @@ Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector
                                     const FindPoints& find, Ranks& ranks) {
   const Result<std::uint64_t> count = count_points(here, ranks);
   if (!count) return count;
-  if (Status all = agree(here.status(), ranks); !all) return all.error();
   const Referees referees(*count, ranks.count());
   std::vector<std::vector<std::uint64_t>> inner;
   for (int rank = 0; rank < ranks.count(); ++rank)

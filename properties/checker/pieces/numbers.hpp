@@ -22,7 +22,7 @@ struct NumberedPoint {
 /// The numbers in the pieces of one rank.
 class NumbersOfRank {
  public:
-  /// Adds those of a piece.
+  /// Adds those of a piece, in which no two vertices have one number.
   void add(std::span<const std::uint64_t> number, const Adjacency& adjacency);
 
   [[nodiscard]] std::uint64_t listed() const { return listed_; }
@@ -31,14 +31,11 @@ class NumbersOfRank {
   [[nodiscard]] const NumberSet& inner() const { return inner_; }
   /// Those in the interiors of several pieces.
   [[nodiscard]] const std::vector<std::uint64_t>& repeated() const { return repeated_; }
-  /// Error: two vertices in the interior of a piece have one number.
-  [[nodiscard]] const Status& status() const { return status_; }
 
  private:
   std::uint64_t listed_ = 0, largest_ = 0;
   NumberSet inner_;
   std::vector<std::uint64_t> repeated_;
-  Status status_ = Done{};
 };
 
 /// Returns the vertices with these numbers, which are sorted, in all pieces of the rank.

@@ -1,7 +1,10 @@
 #include "piece.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "../model/number_set.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -34,6 +37,28 @@ std::shared_ptr<const NumberedMesh> without_regions(const NumberedMesh& piece) {
   return std::make_shared<const NumberedMesh>(std::move(copy));
 }
 
+/// True if several points of a piece have one number.
+bool repeats_a_number(const NumberedMesh& piece) {
+  NumberSet numbers;
+  return std::ranges::any_of(piece.number,
+                             [&](std::uint64_t number) { return number < no_index && !numbers.insert(number); });
+}
+
+bool has_corners_of_its_own(const Mesh& mesh) {
+  const auto n = static_cast<Index>(mesh.points.size());
+  return std::ranges::all_of(mesh.triangles, [&](const Triangle& t) { return std::ranges::max(t.v) < n; }) &&
+         std::ranges::all_of(mesh.constrained_edges, [&](const ConstrainedEdge& e) { return std::max(e.a, e.b) < n; });
+}
+
+/// Points with one number are one vertex: the neighbours of its triangles, and the chains through it, depend on that.
+/// (A piece with corners that do not exist is refused anyway.)
+Result<std::shared_ptr<const NumberedMesh>> with_joined_points(std::shared_ptr<const NumberedMesh> source) {
+  if (!repeats_a_number(*source) || !has_corners_of_its_own(source->mesh)) return source;
+  Result<NumberedMesh> joined = join_points(*source);
+  if (!joined) return joined.error();
+  return std::make_shared<const NumberedMesh>(std::move(*joined));
+}
+
 }  // namespace
 
 Result<Piece*> PieceReader::open(std::size_t i, const Numbering& names, Findings& found) {
@@ -49,6 +74,8 @@ Result<Piece*> PieceReader::open(std::size_t i, const Numbering& names, Findings
     if (expects_regions_ && lacks_regions(**source)) source = without_regions(**source);
     if ((*source)->number.size() != (*source)->mesh.points.size())
       return Error{ErrorKind::invalid_input, "a piece has points without numbers"};
+    source = with_joined_points(std::move(*source));
+    if (!source) return source.error();
     const Numbering all = named(**source);
     open_.emplace(examined(std::move(*source), task_, all, found));
     number_ = i;

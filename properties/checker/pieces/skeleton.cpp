@@ -90,27 +90,21 @@ void contribute(const KeptPiece& piece, Index first_triangle, const NumberSet& s
   message.list(part.edges);
 }
 
-/// Puts the contributions together. A vertex at a border comes from several pieces.
+/// Puts the contributions together. A vertex at a border comes from several pieces, which agree on its data.
 class Assembly {
  public:
   void read(const Ranks::Bytes& message) {
     for (Reader reader(message); !reader.empty();) read_piece(reader);
   }
 
-  /// Error: pieces do not agree on the data of a vertex.
-  [[nodiscard]] Result<Skeleton> assembled() {
+  [[nodiscard]] Skeleton assembled() {
     Skeleton skeleton;
     Mesh& mesh = skeleton.mesh;
     mesh.attributes_per_point = kinds_ ? kinds_->attributes_per_point : 0;
     std::ranges::stable_sort(vertices_, {}, [](const Vertex& v) { return v.what.number; });
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const KeptVertex& vertex = vertices_[i].what;
-      if (i > 0 && vertices_[i - 1].what.number == vertex.number) {
-        if (!has_same_data(vertices_[i - 1], vertices_[i]))
-          return Error{ErrorKind::invalid_input,
-                       "two pieces have different data of the point with the number " + std::to_string(vertex.number)};
-        continue;
-      }
+      if (i > 0 && vertices_[i - 1].what.number == vertex.number) continue;
       skeleton.vertices.push_back(vertex.number);
       skeleton.is_special.push_back(vertex.is_special ? 1 : 0);
       mesh.points.push_back(vertex.at);
@@ -153,10 +147,6 @@ class Assembly {
   [[nodiscard]] std::span<const double> attributes_of(const Vertex& vertex) const {
     return std::span(attributes_).subspan(vertex.first_attribute, kinds_->attributes_per_point);
   }
-  [[nodiscard]] bool has_same_data(const Vertex& a, const Vertex& b) const {
-    return a.what.marker == b.what.marker && a.what.origin == b.what.origin &&
-           std::ranges::equal(attributes_of(a), attributes_of(b), is_same_attribute);
-  }
 
   std::optional<KindsOfData> kinds_;  ///< the same for all pieces with vertices
   std::vector<Vertex> vertices_;
@@ -165,37 +155,17 @@ class Assembly {
   std::vector<KeptEdge> edges_;
 };
 
-/// Error: a piece has markers, origins or attributes, and another one has not. A piece without points does not count.
-Status agree_on_kinds(const PiecesRead& read, Ranks& ranks) {
-  std::vector<KindsOfData> kinds;
-  for (const KeptPiece& piece : read.pieces)
-    if (piece.points > 0 && (kinds.empty() || kinds.back() != piece.part.kinds)) kinds.push_back(piece.part.kinds);
-  kinds = concatenated(lists_of_all(kinds, ranks));
-  if (std::ranges::adjacent_find(kinds, std::not_equal_to<>()) == kinds.end()) return Done{};
-  return Error{ErrorKind::invalid_input, "the pieces do not have the same kinds of data"};
-}
-
 }  // namespace
 
-Result<std::optional<Skeleton>> gather_skeleton(const PiecesRead& read, const NumberSet& special, Ranks& ranks) {
-  if (Status same = agree_on_kinds(read, ranks); !same) return same.error();
+std::optional<Skeleton> gather_skeleton(const PiecesRead& read, const NumberSet& special, Ranks& ranks) {
   Writer message;
   for (std::size_t i = 0; i < read.pieces.size(); ++i)
     contribute(read.pieces[i], read.first_triangle[i], special, message);
   const std::vector<Ranks::Bytes> messages = to_first(message.take(), ranks);
-  std::optional<Skeleton> skeleton;
-  Status fits = Done{};
-  if (ranks.rank() == 0) {
-    Assembly assembly;
-    for (const Ranks::Bytes& from : messages) assembly.read(from);
-    Result<Skeleton> assembled = assembly.assembled();
-    if (assembled)
-      skeleton = std::move(*assembled);
-    else
-      fits = assembled.error();
-  }
-  if (Status all = agree(fits, ranks); !all) return all.error();
-  return skeleton;
+  if (ranks.rank() != 0) return {};
+  Assembly assembly;
+  for (const Ranks::Bytes& from : messages) assembly.read(from);
+  return assembly.assembled();
 }
 
 }  // namespace pardel::checker

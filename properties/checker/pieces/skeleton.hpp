@@ -29,10 +29,8 @@ struct Skeleton {
   std::vector<char> is_special;         ///< per vertex
 };
 
-/// Collective. Returns the skeleton on the first rank, and nothing on the others. Error, on all ranks: invalid_input if
-/// pieces do not have the same kinds of data, or do not agree on the marker, the origin or the attributes of a special
-/// vertex.
-[[nodiscard]] Result<std::optional<Skeleton>> gather_skeleton(const PiecesRead& read, const NumberSet& special,
-                                                              Ranks& ranks);
+/// Collective. Returns the skeleton on the first rank, and nothing on the others. Precondition:
+/// check_data_of_vertices() has found nothing.
+[[nodiscard]] std::optional<Skeleton> gather_skeleton(const PiecesRead& read, const NumberSet& special, Ranks& ranks);
 
 }  // namespace pardel::checker

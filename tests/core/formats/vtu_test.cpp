@@ -389,6 +389,26 @@ TEST(Vtu, has_the_smallest_angle_of_triangles_that_are_turned) {
   }
 }
 
+TEST(Pvtu, names_its_pieces_in_any_xml) {
+  const TemporaryFolder folder;
+  const std::filesystem::path list =
+      folder.write("list.pvtu",
+                   "<?xml version=\"1.0\"?>\n<VTKFile type='PUnstructuredGrid'>\n<!-- <Piece Source=\"old.vtu\"/> -->\n"
+                   "<Piece Source=\"a.vtu\"/><Piece Source = 'b \"2\".vtu' /><Piece\n  Other=\"x>y\"\n"
+                   "  Source\n= \"c&amp;d.vtu\"></Piece>\n</VTKFile>\n");
+  const auto files = files_of_pieces(list);
+  ASSERT_TRUE(files) << files.error().message;
+  ASSERT_EQ(files->size(), 3U);
+  EXPECT_EQ((*files)[0].filename(), "a.vtu");
+  EXPECT_EQ((*files)[1].filename(), "b \"2\".vtu");
+  EXPECT_EQ((*files)[2].filename(), "c&d.vtu");
+  const auto without = files_of_pieces(folder.write("no.pvtu", "<VTKFile>\n<Piece Source=\"a.vtu\"/>\n<Piece/>\n"));
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.error().message.find("no.pvtu:3: expected <Piece Source=\"...\">, found no Source"),
+            std::string::npos)
+      << without.error().message;
+}
+
 /// A .pvtu may name any file, so the name of a piece alone would not tell what is wrong.
 TEST(Pvtu, is_named_if_a_piece_cannot_be_read) {
   const TemporaryFolder folder;

@@ -2,6 +2,7 @@
 #include "../../../properties/checker/check_pieces.hpp"
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -133,7 +134,11 @@ struct Compared {
 /// Cuts the mesh, checks the joined pieces, and the pieces on ranks. Nothing if the pieces cannot be joined.
 std::optional<Compared> cut_and_checked(const MeshedCase& made, const CheckOptions& options) {
   const Cut cut = some_cut(made.mesh);
-  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count);
+  std::function<bool()> again;
+  generators::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  if (*rc::gen::element(false, false, true)) again = [&random] { return random.below(4) == 0; };
+  properties::classify(again != nullptr, "vertices listed several times in a piece", 20);
+  const std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, cut.owner, cut.count, again);
   const Result<Mesh> joined = join_pieces(pieces);
   if (!joined) return std::nullopt;
   const std::vector<std::size_t> division = some_division(pieces.size());
@@ -159,8 +164,8 @@ PARDEL_PROPERTY(
                   "check them, one piece at a time, give the certificate of the joined mesh, character by character; "
                   "if bounds are missed, with the same numbers of violations.",
      .source = "properties/checker/check_pieces.hpp",
-     .families = "lattice domains of every family; slabs, blocks of triangles, and triangles at random places; one to "
-                 "five ranks"}) {
+     .families = "lattice domains of every family; slabs, blocks of triangles, and triangles at random places, some "
+                 "with vertices that a piece lists several times; one to five ranks"}) {
   MeshedCase made = lattice_mesh(exhibit);
   const CheckOptions options{.foreign = *rc::gen::arbitrary<bool>()};
   if (options.foreign && *rc::gen::arbitrary<bool>()) {
@@ -197,7 +202,8 @@ PARDEL_PROPERTY(
          "However a mesh with a defect is cut into pieces, and on however many ranks they lie, the ranks refuse "
          "it if the checker of the joined mesh does.",
      .source = "properties/checker/check_pieces.hpp",
-     .families = "lattice domains of every family, every defect of properties/defects; one to five ranks"}) {
+     .families = "lattice domains of every family, every defect of properties/defects; pieces as above; one to five "
+                 "ranks"}) {
   MeshedCase made = lattice_mesh(exhibit);
   RC_PRE(check(made.pslg, made.mesh, made.goal).valid);
   const defects::Defect& defect =
@@ -342,6 +348,30 @@ std::vector<NumberedMesh> two_halves(Index second = 1) {
   return testing::cut_mesh(mesh, owner, 2);
 }
 
+/// A square with an attribute, and its mesh.
+MeshedCase square_with_attribute() {
+  MeshedCase made{domains::square(), {}, {.max_area = 0.002}};
+  made.pslg.attributes_per_point = 1;
+  for (const Point p : made.pslg.points) made.pslg.point_attributes.push_back(p.x);
+  made.mesh = std::move(mesh(made.pslg, made.goal)).value().mesh;
+  return made;
+}
+
+/// A vertex of both pieces, such that no corner of a triangle around it lies on the boundary.
+Index vertex_between(const Mesh& whole, const std::vector<std::size_t>& owner) {
+  std::vector<std::set<std::size_t>> pieces(whole.points.size());
+  std::vector<char> is_inside(whole.points.size(), 1);
+  for (Index t = 0; t < whole.triangles.size(); ++t) {
+    const auto& v = whole.triangles[t].v;
+    for (const Index corner : v) pieces[corner].insert(owner[t]);
+    if (std::ranges::any_of(v, [&](Index corner) { return whole.origin[corner] != interior_vertex; }))
+      for (const Index corner : v) is_inside[corner] = 0;
+  }
+  for (Index v = 0; v < whole.points.size(); ++v)
+    if (is_inside[v] != 0 && pieces[v].size() == 2) return v;
+  return no_index;
+}
+
 /// What the check of two pieces says about their numbers; empty if it is no error. It has to be the same on one rank
 /// that has both pieces, on two, and on more ranks than pieces; the ranks that report it are not named.
 std::string error_of(const std::vector<NumberedMesh>& pieces) {
@@ -382,7 +412,7 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     const auto next = std::find(first + 1, piece.mesh.origin.end(), interior_vertex);
     const std::uint64_t twice = piece.number[static_cast<std::size_t>(first - piece.mesh.origin.begin())];
     piece.number[static_cast<std::size_t>(next - piece.mesh.origin.begin())] = twice;
-    EXPECT_EQ(verdict(), "two vertices of a piece have the number " + std::to_string(twice));
+    EXPECT_EQ(verdict(), "different points have the number " + std::to_string(twice));
     facts.cases += 2;
   }
   {
@@ -398,7 +428,7 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
   {
     std::vector<NumberedMesh> pieces = two_halves();
     std::swap(number(pieces[1], 0, 0.5), number(pieces[1], 0.5, 0.5));
-    EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 3");
+    EXPECT_EQ(error_of(pieces), "different points have the number 3");
   }
   for (const bool is_attribute : {false, true}) {
     std::vector<NumberedMesh> pieces = two_halves();
@@ -412,7 +442,24 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
       pieces[1].mesh.point_attributes[static_cast<std::size_t>(at)] = 2;
     else
       pieces[1].mesh.point_markers[static_cast<std::size_t>(at)] = 2;
-    EXPECT_EQ(error_of(pieces), "two pieces have different data of the point with the number 3");
+    EXPECT_EQ(error_of(pieces), "there are different data of the point with the number 3");
+  }
+  for (const bool is_right : {true, false}) {
+    const MeshedCase made = square_with_attribute();
+    std::vector<std::size_t> owner;
+    for (const Triangle& t : made.mesh.triangles) owner.push_back(made.mesh.points[t.v[0]].x < 0.5 ? 0 : 1);
+    std::vector<NumberedMesh> pieces = testing::cut_mesh(made.mesh, owner, 2);
+    const Index between = vertex_between(made.mesh, owner);
+    const auto at = std::ranges::find(pieces[1].number, std::uint64_t{between}) - pieces[1].number.begin();
+    ASSERT_LT(at, static_cast<std::ptrdiff_t>(pieces[1].number.size()));
+    if (!is_right) pieces[1].mesh.point_attributes[static_cast<std::size_t>(at)] = 99;
+    const std::string expected =
+        "there are different data of the point with the number " + std::to_string(static_cast<std::uint64_t>(between));
+    for (const std::vector<std::size_t>& division : {std::vector<std::size_t>{0}, {0, 1}}) {
+      const Checked checked = check_on_ranks(made.pslg, pieces, division, made.goal, {});
+      EXPECT_EQ(checked.certificate.valid, is_right) << testing::verdict(checked.certificate);
+      EXPECT_EQ(checked.fault.ends_with(expected), !is_right) << checked.fault;
+    }
   }
   {
     std::vector<NumberedMesh> pieces = two_halves();
@@ -426,7 +473,7 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     pieces[1].number.push_back(4);
     EXPECT_EQ(error_of(pieces), "");
     pieces[1].mesh.points[0] = {0.5, 0.25};
-    EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 4");
+    EXPECT_EQ(error_of(pieces), "different points have the number 4");
   }
   {
     // The vertex in the middle is in the interior of both pieces.
@@ -434,7 +481,7 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     pieces[1] = pieces[0];
     EXPECT_EQ(error_of(pieces), "");
     *std::ranges::find(pieces[1].mesh.points, Point{0.5, 0.5}) = {0.5, 0.25};
-    EXPECT_EQ(error_of(pieces), "two pieces have different points with the number 4");
+    EXPECT_EQ(error_of(pieces), "different points have the number 4");
     pieces[1].number[4] = no_index;
     EXPECT_EQ(error_of(pieces), "a point has the number 4294967295, but the pieces have only 18 points");
   }
@@ -443,7 +490,7 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     pieces[1].mesh.origin.resize(pieces[1].mesh.points.size(), interior_vertex);
     EXPECT_EQ(error_of(pieces), "the pieces do not have the same kinds of data");
   }
-  facts.cases += 13;
+  facts.cases += 15;
 }
 
 PARDEL_FACT(

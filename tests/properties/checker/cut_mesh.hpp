@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "../../../core/join_pieces.hpp"
@@ -12,13 +14,15 @@ namespace pardel::testing {
 /// One piece of a mesh, vertex by vertex.
 class PieceOf {
  public:
-  explicit PieceOf(const Mesh& whole) : whole_(whole), place_(whole.points.size(), no_index) {
+  /// `again()`: true if a vertex of the piece is to be listed once more; may be empty.
+  explicit PieceOf(const Mesh& whole, std::function<bool()> again = {})
+      : whole_(whole), again_(std::move(again)), place_(whole.points.size(), no_index) {
     piece_.mesh.attributes_per_point = whole.attributes_per_point;
     piece_.mesh.region_attributes = whole.region_attributes;
   }
   [[nodiscard]] bool has(Index vertex) const { return place_[vertex] != no_index; }
   Index vertex(Index v) {
-    if (has(v)) return place_[v];
+    if (has(v) && !(again_ && again_())) return place_[v];
     Mesh& mesh = piece_.mesh;
     place_[v] = static_cast<Index>(mesh.points.size());
     mesh.points.push_back(whole_.points[v]);
@@ -44,15 +48,18 @@ class PieceOf {
 
  private:
   const Mesh& whole_;
+  std::function<bool()> again_;
   NumberedMesh piece_;
   std::vector<Index> place_;
 };
 
 /// owner: per triangle, the piece that gets it. A constrained edge goes to the first piece that has both ends; an edge
-/// that is in no piece, and a vertex without triangles, go to the first one. Precondition: ids are in range, and the
-/// arrays have their lengths.
-inline std::vector<NumberedMesh> cut_mesh(const Mesh& whole, const std::vector<std::size_t>& owner, std::size_t count) {
-  std::vector<PieceOf> pieces(count, PieceOf(whole));
+/// that is in no piece, and a vertex without triangles, go to the first one. `again`: decides for each corner and each
+/// end whether a vertex that the piece has already is listed once more. Precondition: ids are in range, and the arrays
+/// have their lengths.
+inline std::vector<NumberedMesh> cut_mesh(const Mesh& whole, const std::vector<std::size_t>& owner, std::size_t count,
+                                          const std::function<bool()>& again = {}) {
+  std::vector<PieceOf> pieces(count, PieceOf(whole, again));
   for (Index t = 0; t < whole.triangles.size(); ++t) pieces[owner[t]].add_triangle(t);
   for (const ConstrainedEdge& edge : whole.constrained_edges) {
     const auto with_both =

@@ -15,6 +15,7 @@
 #include "../../../properties/checker/model/segments_below.hpp"
 #include "../../../properties/checker/model/wanted_size.hpp"
 #include "../../../properties/checker/stages/findings.hpp"
+#include "../../../properties/checker/tolerances.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -281,6 +282,10 @@ TEST(Domain, has_the_unit_of_its_largest_coordinate) {
   EXPECT_EQ(Domain(pslg, false).ulp(), 0x1p-54);
   pslg.points[1].x = 1;
   EXPECT_EQ(Domain(pslg, false).ulp(), 0x1p-52);
+  for (Point& p : pslg.points) p = {p.x * 0x1p-87, p.y * 0x1p-87};
+  EXPECT_EQ(Domain(pslg, false).ulp(), 0x1p-139);
+  for (Point& p : pslg.points) p = {p.x * 0x1p-40, p.y * 0x1p-40};
+  EXPECT_EQ(Domain(pslg, false).ulp(), least_unit);
 }
 
 TEST(Domain, has_edges_of_the_hull_without_markers) {

@@ -79,8 +79,8 @@ TEST(Checker, asks_once_in_1024_steps_in_the_topology_of_a_mesh) {
   const std::size_t triangles = mesh.triangles.size(), edges = mesh.constrained_edges.size();
   const Scan scanned = scan_of(subject);
   expect_stoppable([&](Findings& found) { (void)scan_of(subject, found.stop()); }, triangles, 616);
-  expect_stoppable([&](Findings& found) { (void)check_input(pslg, found); },
-                   pslg.points.size() + pslg.segments.size(), 63);
+  expect_stoppable([&](Findings& found) { (void)check_input(pslg, found); }, pslg.points.size() + pslg.segments.size(),
+                   63);
   expect_stoppable([&](Findings& found) { (void)check_sanity(subject, scanned, found); }, edges, 32);
   const auto topology = [&](bool neighbours_usable, Findings& found) {
     Scan scan = scanned;
@@ -215,7 +215,8 @@ TEST(Checker, asks_at_the_begin_of_each_loop) {
             (Counts{3, 1, 1, 13, 2, 2, 15, 11, 1, 2, 1, 1, 2}));
   EXPECT_EQ(questions_of_stages(domains::cracks(), {.convex_hull = true}, true),
             (Counts{3, 1, 0, 14, 5, 2, 17, 11, 1, 2, 0, 0, 0}));
-  EXPECT_EQ(questions_of_stages(domains::touching_holes(), {}, false), (Counts{3, 1, 1, 6, 2, 2, 21, 11, 1, 5, 0, 0, 0}));
+  EXPECT_EQ(questions_of_stages(domains::touching_holes(), {}, false),
+            (Counts{3, 1, 1, 6, 2, 2, 21, 11, 1, 5, 0, 0, 0}));
 }
 
 TEST(Checker, asks_once_in_1024_steps_of_each_stage) {
