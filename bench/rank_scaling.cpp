@@ -182,7 +182,8 @@ int run(int argc, char** argv) {
   app.add_option("--per-rank", settings.per_rank, "about this number of triangles for each rank (weak scaling)")
       ->excludes(all);
   app.add_option("--runs", settings.runs, "the number of rounds");
-  app.add_option("--rest", settings.rest, "seconds without work before each measured run")->check(CLI::Range(0, 60));
+  app.add_option("--rest", settings.rest, "seconds without work before each measured run")
+      ->check(CLI::Range(0.0, 60.0));
   app.add_flag("--parts", settings.parts,
                "each rank begins with a part of the domain, as pardel-mpi does if the input is large");
   CLI11_PARSE(app, argc, argv);

@@ -73,9 +73,8 @@ void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate&
 
 Status check_output_of(const CheckArguments& arguments) {
   const std::array outputs = {NamedFile{"--json", arguments.json}};
-  std::vector<NamedFile> inputs = with_pieces({{}, arguments.mesh});
-  for (NamedFile& file : with_pieces({{}, arguments.goal.sizes, false})) inputs.push_back(std::move(file));
-  inputs.push_back(domain_input(arguments.domain));
+  const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
+                             NamedFile{{}, arguments.goal.sizes, false}};
   if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }

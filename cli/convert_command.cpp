@@ -68,7 +68,7 @@ Status check_output_of(const ConvertArguments& arguments, const Mesh& /*mesh*/) 
     return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly",
                                                arguments.input.string()));
   if (Status fine = check_mesh_outputs(outputs); !fine) return fine;
-  return check_distinct(std::array{NamedFile{"OUT", arguments.output}}, with_pieces({{}, arguments.input}));
+  return check_distinct(std::array{NamedFile{"OUT", arguments.output}}, std::array{NamedFile{{}, arguments.input}});
 }
 
 void print(const ConvertArguments& arguments, ProgressBar& bar, const std::string& content, const std::string& lost) {

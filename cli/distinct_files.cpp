@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "../core/formats.hpp"
@@ -44,44 +46,39 @@ bool is_skipped(const NamedFile& named) {
   return named.file.empty() || is_standard_output(named.file) || fs::is_character_file(named.file, ignored);
 }
 
-bool are_distinct(const NamedFile& a, const NamedFile& b) {
-  if (is_skipped(a) || is_skipped(b)) return true;
-  const std::vector<fs::path> names = full_names(b);
-  return std::ranges::none_of(full_names(a),
-                              [&](const fs::path& name) { return std::ranges::find(names, name) != names.end(); });
+/// The files of the pieces, if the file is a mesh in pieces that is read. If a .pvtu cannot be read, the reader of the
+/// mesh says why.
+std::vector<fs::path> pieces_of(const fs::path& mesh) {
+  std::vector<fs::path> pieces;
+  std::error_code ignored;
+  if (mesh.extension() == ".pvtu")
+    if (auto listed = files_of_pieces(mesh)) pieces = std::move(*listed);
+  if (mesh.extension() == ".msh" && !fs::exists(mesh, ignored))
+    for (int i = 1; fs::exists(msh_of_piece(mesh, i), ignored); ++i) pieces.push_back(msh_of_piece(mesh, i));
+  return pieces;
 }
 
 }  // namespace
 
 Status check_distinct(std::span<const NamedFile> outputs, std::span<const NamedFile> inputs) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const NamedFile& output = outputs[i];
-    const std::string name = fmt::format("{} {}", output.option, output.file.string());
-    for (const NamedFile& input : inputs) {
-      if (!are_distinct(output, input))
-        return Error{ErrorKind::usage,
-                     fmt::format("{}: this output would replace files of the input {}; choose another name", name,
-                                 input.file.string())};
-    }
-    for (const NamedFile& earlier : outputs.first(i)) {
-      if (!are_distinct(output, earlier))
-        return Error{ErrorKind::usage, fmt::format("{}: this output would replace files of {} {}; choose another name",
-                                                   name, earlier.option, earlier.file.string())};
-    }
+  std::map<fs::path, std::string> taken;  // full names, and whose files they are
+  for (const NamedFile& input : inputs) {
+    if (is_skipped(input)) continue;
+    const std::string whose = fmt::format("the input {}", input.file.string());
+    for (const fs::path& name : full_names(input)) taken.try_emplace(name, whose);
+    for (const fs::path& piece : pieces_of(input.file)) taken.try_emplace(full_name(piece), whose);
+  }
+  for (const NamedFile& output : outputs) {
+    if (is_skipped(output)) continue;
+    const std::string what = fmt::format("{} {}", output.option, output.file.string());
+    const std::vector<fs::path> names = full_names(output);
+    const auto used = std::ranges::find_if(names, [&](const fs::path& name) { return taken.contains(name); });
+    if (used != names.end())
+      return Error{ErrorKind::usage, fmt::format("{}: this output would replace files of {}; choose another name", what,
+                                                 taken.at(*used))};
+    for (const fs::path& name : names) taken.try_emplace(name, what);
   }
   return Done{};
-}
-
-std::vector<NamedFile> with_pieces(const NamedFile& mesh) {
-  std::vector<NamedFile> files{mesh};
-  if (mesh.file.extension() == ".pvtu")
-    if (const auto pieces = files_of_pieces(mesh.file))
-      for (const fs::path& piece : *pieces) files.push_back({{}, piece, false});
-  std::error_code ignored;
-  if (mesh.file.extension() == ".msh" && !fs::exists(mesh.file, ignored))
-    for (int i = 1; fs::exists(msh_of_piece(mesh.file, i), ignored); ++i)
-      files.push_back({{}, msh_of_piece(mesh.file, i), false});
-  return files;
 }
 
 NamedFile domain_input(const fs::path& file) {

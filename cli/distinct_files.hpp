@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "../core/result.hpp"
 
@@ -19,13 +18,10 @@ struct NamedFile {
   bool with_family = true;
 };
 
-/// Error: `usage` if an output is the file of another output, or of an input, under any spelling of its path. Empty
-/// names, standard output and character devices such as /dev/null are skipped.
+/// Error: `usage` if an output is the file of another output, or of an input, under any spelling of its path. An input
+/// that is a mesh in pieces stands for the files of the pieces, too. Empty names, standard output and character devices
+/// such as /dev/null are skipped.
 [[nodiscard]] Status check_distinct(std::span<const NamedFile> outputs, std::span<const NamedFile> inputs);
-
-/// A mesh that is read, or a field of sizes on a mesh: if it is in pieces, their files, too. The names of pieces are
-/// read from a .pvtu; if this fails, the reader of the mesh says why.
-[[nodiscard]] std::vector<NamedFile> with_pieces(const NamedFile& mesh);
 
 /// A domain that is read: a .poly may belong together with a .node, but a .node is read alone.
 [[nodiscard]] NamedFile domain_input(const std::filesystem::path& file);

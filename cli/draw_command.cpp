@@ -61,8 +61,7 @@ Status check_files(const DrawArguments& arguments) {
   if (!to_stream && arguments.of_stream)
     return usage("--format is for the output -; a suffix sets the format of a file");
   if (!format_of(arguments)) return unknown_format(arguments.output, "a picture", ".svg and .png");
-  std::vector<NamedFile> inputs = with_pieces({{}, arguments.input});
-  inputs.push_back({{}, arguments.report});
+  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.report}};
   return check_distinct(std::array{NamedFile{"OUT", arguments.output}}, inputs);
 }
 

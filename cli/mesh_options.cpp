@@ -158,13 +158,12 @@ Status set_cells(const std::vector<Index>& cells, Options& options) {
 
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;
-  if (arguments.options.interior == Interior::fill && arguments.refine)
-    return Error{ErrorKind::usage, "--interior fill needs a domain and cannot be used with --refine"};
-  if (Status fits = check_interior(arguments.options.interior, arguments.goal); !fits) return fits;
-  for (const auto& [name, given] : {std::pair{"--grading", arguments.goal.grading.has_value()},
+  for (const auto& [name, given] : {std::pair{"--interior fill", options.interior == Interior::fill},
+                                    std::pair{"--grading", arguments.goal.grading.has_value()},
                                     std::pair{"--feature-size", arguments.goal.feature_size.has_value()}})
     if (given && arguments.refine)
       return Error{ErrorKind::usage, std::string(name) + " needs a domain and cannot be used with --refine"};
+  if (Status fits = check_interior(options.interior, arguments.goal); !fits) return fits;
   use_threads(arguments.threads);
   options.threads = omp_get_max_threads();
   options.max_memory =
@@ -179,8 +178,7 @@ std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {
 }
 
 Status check_outputs(const MeshArguments& arguments) {
-  std::vector<NamedFile> inputs = with_pieces({{}, arguments.input});
-  for (NamedFile& file : with_pieces({{}, arguments.goal.sizes, false})) inputs.push_back(std::move(file));
+  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.goal.sizes, false}};
   std::vector<NamedFile> outputs;
   for (const auto& output : arguments.outputs) outputs.push_back({"-o", output});
   outputs.push_back({"--json", arguments.json});

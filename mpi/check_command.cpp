@@ -23,7 +23,6 @@
 #include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../properties/checker/check_pieces.hpp"
-#include "outputs.hpp"
 #include "problem.hpp"
 
 namespace pardel::mpi {
@@ -69,9 +68,8 @@ Status check_arguments_of(const CheckArguments& arguments, const Ranks& ranks) {
   if (arguments.mesh.extension() != ".pvtu")
     return Error{ErrorKind::usage, fmt::format("the mesh {} must be a .pvtu", arguments.mesh.string())};
   const std::array outputs = {NamedFile{"--json", arguments.json}};
-  std::vector<NamedFile> inputs = with_pieces({{}, arguments.mesh});
-  for (NamedFile& file : with_pieces({{}, arguments.goal.sizes, false})) inputs.push_back(std::move(file));
-  inputs.push_back(domain_input(arguments.domain));
+  const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
+                             NamedFile{{}, arguments.goal.sizes, false}};
   if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }

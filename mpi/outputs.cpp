@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "../cli/distinct_files.hpp"
@@ -44,19 +44,6 @@ Status check_output(const fs::path& output) {
   return is_msh ? Status(Done{}) : cli::check_folder(output);
 }
 
-/// Of the pieces of an output, those of this rank. `outputs`: all of the command line.
-Status check_names_of_pieces(const fs::path& output, int pieces, std::vector<cli::NamedFile> outputs,
-                             std::span<const cli::NamedFile> inputs, const Ranks& ranks) {
-  outputs.push_back({fmt::format("-o {}:", output.string()), {}, false});
-  cli::NamedFile& piece = outputs.back();
-  for (int number = ranks.rank(); number < pieces; number += ranks.count()) {
-    piece.file = piece_of(output, number);
-    if (Status fine = cli::check_distinct(outputs, inputs); !fine) return fine;
-    if (Status fine = cli::check_folder(piece.file); !fine) return fine;
-  }
-  return Done{};
-}
-
 /// Collective. An earlier .pvtu must not name pieces of two meshes, also if a rank is killed while they get their
 /// names.
 Status remove_index(const fs::path& pvtu, Job& job) {
@@ -90,27 +77,22 @@ std::string names_of(std::span<const fs::path> outputs) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Status check_inputs(std::span<const fs::path> inputs, const Ranks& ranks) {
-  if (ranks.count() > 1 && std::ranges::any_of(inputs, is_standard_input))
-    return Error{ErrorKind::usage, "-: standard input goes to one rank only; several ranks need the name of a file"};
-  return Done{};
-}
-
 Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, const fs::path& sizes,
                      const Ranks& ranks) {
-  if (Status fine = check_inputs(std::array{input, sizes}, ranks); !fine) return fine;
-  std::vector<cli::NamedFile> inputs = cli::with_pieces({{}, sizes, false});
-  inputs.push_back({{}, input});
-  std::vector<cli::NamedFile> named;
+  std::vector<cli::NamedFile> files;  // the outputs, then the pieces of this rank
   for (const fs::path& output : expected.outputs) {
     if (Status fine = check_output(output); !fine) return fine;
-    named.push_back({"-o", output});
+    files.push_back({"-o", output});
   }
-  if (Status fine = cli::check_distinct(named, inputs); !fine) return fine;
   for (const fs::path& output : expected.outputs) {
     if (is_of_triangle(output)) continue;
-    if (Status fine = check_names_of_pieces(output, expected.pieces, named, inputs, ranks); !fine) return fine;
+    for (int number = ranks.rank(); number < expected.pieces; number += ranks.count())
+      files.push_back({fmt::format("-o {}:", output.string()), piece_of(output, number), false});
   }
+  const std::array inputs = {cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}};
+  if (Status fine = cli::check_distinct(files, inputs); !fine) return fine;
+  for (const cli::NamedFile& piece : std::span(files).subspan(expected.outputs.size()))
+    if (Status fine = cli::check_folder(piece.file); !fine) return fine;
   return Done{};
 }
 

@@ -19,12 +19,9 @@ struct ExpectedOutputs {
   int pieces;  ///< of all ranks; rank r of R writes the pieces r, r + R, ...
 };
 
-/// Error: `usage` if there are several ranks and one of the inputs is standard input, which mpirun gives to one rank.
-[[nodiscard]] Status check_inputs(std::span<const std::filesystem::path> inputs, const Ranks& ranks);
-
-/// Errors: those of check_inputs(); `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output or a piece
-/// of this rank would replace or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot
-/// get its name. `sizes`: the file with the field of sizes, or "".
+/// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output or a piece of this rank would replace
+/// or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot get its name. `sizes`: the
+/// file with the field of sizes, or "".
 [[nodiscard]] Status check_outputs(const ExpectedOutputs& expected, const std::filesystem::path& input,
                                    const std::filesystem::path& sizes, const Ranks& ranks);
 

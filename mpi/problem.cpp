@@ -1,13 +1,21 @@
 #include "problem.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "../cli/input.hpp"
 #include "../cli/refusal.hpp"
+#include "../core/support/open_file.hpp"
 
 namespace pardel::mpi {
 
 using namespace cli;
+
+Status check_inputs(std::span<const std::filesystem::path> inputs, const Ranks& ranks) {
+  if (ranks.count() > 1 && std::ranges::any_of(inputs, is_standard_input))
+    return Error{ErrorKind::usage, "-: standard input goes to one rank only; several ranks need the name of a file"};
+  return Done{};
+}
 
 Result<Problem> read_problem(const std::filesystem::path& file, const GoalOptions& options, int threads) {
   Result<Domain> domain = read_domain(file);

@@ -16,6 +16,7 @@
 #include "made.hpp"
 #include "outputs.hpp"
 #include "points.hpp"
+#include "problem.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -66,11 +67,15 @@ Error not_only_points(const std::filesystem::path& input, Job& job) {
   return {ErrorKind::usage, input.string() + ": it has segments, holes or regions; 'pardel-mpi mesh' reads it"};
 }
 
+Status check_files(const TriangulateArguments& arguments, const Ranks& ranks) {
+  if (Status fine = check_inputs({&arguments.input, 1}, ranks); !fine) return fine;
+  return check_outputs({arguments.outputs, ranks.count()}, arguments.input, {}, ranks);
+}
+
 Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
   Stopwatch watch;
   const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
-  if (Status fine = job.agree(check_outputs({arguments.outputs, job.count()}, arguments.input, {}, job.ranks())); !fine)
-    return fine.error();
+  if (Status fine = job.agree(check_files(arguments, job.ranks())); !fine) return fine.error();
   const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(threads);
   Result<PartOfPslg> input = read_part_of_pslg(arguments.input, job.ranks());

@@ -221,13 +221,16 @@ TEST_F(PardelMpi, meshes_a_domain_whose_points_no_rank_has_as_a_whole) {
   }
 }
 
+/// The text of a file, with comments that make it larger than what all ranks read.
+std::string with_comments(std::string text) {
+  const std::string comment = "# " + std::string(97, '-') + "\n";
+  while (text.size() <= 8 << 20) text += comment;
+  return text;
+}
+
 TEST_F(PardelMpi, reads_a_large_input_in_parts_and_makes_the_same_mesh_of_the_whole) {
   ASSERT_TRUE(write_poly(survey(), folder_ / "work" / "survey.poly"));
-  const std::string small = read("survey.poly");
-  const std::string comment = "# " + std::string(97, '-') + "\n";
-  std::string large = small;
-  while (large.size() <= 8 << 20) large += comment;
-  write("large.poly", large);
+  write("large.poly", with_comments(read("survey.poly")));
   const auto mesh_of = [&](const std::string& input, const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"mesh", input, "-o", "out.pvtu", "--min-angle", "26", "--regions"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -254,9 +257,7 @@ TEST_F(PardelMpi, counts_the_points_in_a_node_file_as_input) {
   std::size_t end = 0;
   for (int lines = 0; lines < 1 + 1'000; ++lines) end = node.find('\n', end) + 1;  // the header and the points
   node.resize(end);
-  const std::string comment = "# " + std::string(97, '-') + "\n";
-  while (node.size() <= 8 << 20) node += comment;
-  write("points.node", node);
+  write("points.node", with_comments(node));
   write("points.poly", "0 2 0 0\n0 0\n0\n");
   const Ran ran = on_ranks(2, {"mesh", "points.poly", "-o", "out.pvtu", "--min-angle", "26", "--convex-hull"});
   EXPECT_EQ(ran.exit_code, 0) << ran;

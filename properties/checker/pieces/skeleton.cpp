@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <string>
 #include <utility>
 
-#include "../../../core/support/agree.hpp"
 #include "../../../core/support/collective.hpp"
 #include "../../../core/support/exchange_lists.hpp"
 #include "../../../core/support/message.hpp"
-#include "../../../core/support/same_attribute.hpp"
 
 namespace pardel::checker {
 
