@@ -11,6 +11,7 @@
 
 #include "../core/formats.hpp"
 #include "../core/support/open_file.hpp"
+#include "../core/support/output_file.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;
@@ -19,16 +20,11 @@ namespace {
 constexpr std::array family = {".poly", ".node", ".ele", ".area"};
 
 /// The full name without symbolic links, also if the last link leads to a file that does not exist.
-fs::path full_name(fs::path file) {
+fs::path full_name(const fs::path& file) {
   std::error_code error;
-  constexpr int most_links = 40;
-  for (int i = 0; i < most_links && fs::is_symlink(file, error); ++i) {
-    const fs::path target = fs::read_symlink(file, error);
-    if (error) break;
-    file = file.parent_path() / target;
-  }
-  const fs::path full = fs::weakly_canonical(fs::absolute(file, error), error);
-  return full.empty() ? file : full;
+  const fs::path reached = behind_links(file);
+  const fs::path full = fs::weakly_canonical(fs::absolute(reached, error), error);
+  return full.empty() ? reached : full;
 }
 
 /// The full names of all files that the file stands for. An .npy is read with its world file.

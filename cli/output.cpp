@@ -67,7 +67,9 @@ Status check_folder(const fs::path& file) {
   if (file.empty() || is_standard_output(file)) return Done{};
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return io_error(file, EISDIR);
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const fs::path written = behind_links(file);
+  if (fs::is_symlink(written, ignored)) return io_error(file, ELOOP);
+  const fs::path folder = written.has_parent_path() ? written.parent_path() : fs::path(".");
   const auto error_of_folder = [&](int error) {
     return Error{ErrorKind::io,
                  fmt::format("{}: {} (the folder {})", file.string(), std::strerror(error), folder.string())};

@@ -37,10 +37,15 @@ bool is_written_directly(const fs::path& file) {
 }
 
 fs::path behind_links(const fs::path& file) {
-  std::error_code dangling;
-  if (!fs::is_symlink(file, dangling)) return file;
-  const fs::path pointed_to = fs::canonical(file, dangling);
-  return dangling ? file : pointed_to;
+  constexpr int most_links = 40;  // of the system, which refuses longer chains, and circles
+  fs::path reached = file;
+  std::error_code failure;
+  for (int i = 0; i < most_links && fs::is_symlink(reached, failure); ++i) {
+    const fs::path target = fs::read_symlink(reached, failure);
+    if (failure) break;
+    reached = reached.parent_path() / target;
+  }
+  return reached;
 }
 
 OutputFile::OutputFile(const fs::path& file)
@@ -59,6 +64,11 @@ OutputFile::OutputFile(const fs::path& file)
 
 void OutputFile::write_aside() {
   target_ = behind_links(target_);
+  if (std::error_code ignored; fs::is_symlink(target_, ignored)) {
+    written_.clear();
+    errno = ELOOP;
+    return;
+  }
   PartialFiles& files = partial_files();
   const std::scoped_lock lock(files.mutex);
   // "x": the file must not exist yet. So a file of another process, or of the user, is never replaced or removed.

@@ -16,12 +16,12 @@ namespace pardel {
 /// and /dev/stdout for standard output, /dev/fd/N.
 [[nodiscard]] bool is_written_directly(const std::filesystem::path& file);
 
-/// The file that a symbolic link leads to. The name itself if it is no link, or if the link leads to no file.
+/// The file that a symbolic link leads to, also if it does not exist yet. The name itself if it is no link.
 [[nodiscard]] std::filesystem::path behind_links(const std::filesystem::path& file);
 
 /// Writes to a new file `NAME.PROCESS-NUMBER.partial` in the folder of NAME. commit() renames that file to NAME;
 /// without commit() the destructor removes it. A file for which is_written_directly() is true is written directly. A
-/// symbolic link is followed: the file that it points to is replaced. The object stores the first failure, and close()
+/// symbolic link is followed: the file that it leads to is made or replaced. The object stores the first failure, and close()
 /// reports it.
 class OutputFile {
  public:

@@ -34,6 +34,14 @@ TEST_F(BadOutput, a_file_in_place_of_a_folder_is_refused) {
   EXPECT_TRUE(holds(ran.err, {"square.poly/out.vtu", "Not a directory"}));
 }
 
+TEST_F(BadOutput, a_link_into_a_missing_folder_is_refused_before_the_mesh_is_made) {
+  std::filesystem::create_symlink("missing/out.vtu", folder_ / "work" / "link.vtu");
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "link.vtu"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"link.vtu", "No such file or directory", "the folder missing"}));
+  EXPECT_EQ(ran.out, "");
+}
+
 TEST_F(BadOutput, replaces_no_other_file_of_its_command) {
   std::filesystem::create_symlink("n.vtu", folder_ / "work" / "link.vtu");
   write("n.vtu", "");

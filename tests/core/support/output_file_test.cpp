@@ -144,6 +144,32 @@ TEST(OutputFile, replaces_the_target_of_a_symbolic_link) {
   EXPECT_EQ(folder.read("file"), "new");
 }
 
+TEST(OutputFile, is_made_where_symbolic_links_lead) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "elsewhere");
+  fs::create_symlink("../new", folder / "elsewhere" / "second");
+  fs::create_symlink("elsewhere/second", folder / "link");
+  OutputFile out(folder / "link");
+  out.write("new");
+  ASSERT_TRUE(out.commit().ok());
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_TRUE(fs::is_symlink(folder / "elsewhere" / "second"));
+  EXPECT_EQ(folder.read("new"), "new");
+}
+
+TEST(OutputFile, whose_links_lead_in_a_circle_is_refused) {
+  const TemporaryFolder folder;
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  OutputFile out(folder / "a");
+  const Status placed = out.commit();
+  ASSERT_FALSE(placed.ok());
+  EXPECT_NE(placed.error().message.find((folder / "a").string() + ": cannot be opened for writing: Too many levels"),
+            std::string::npos)
+      << placed.error().message;
+  EXPECT_EQ(folder.names(), "a b ");
+}
+
 TEST(OutputFile, is_written_beside_the_target_of_a_symbolic_link) {
   const TemporaryFolder folder;
   folder.write("elsewhere/file", "old");
