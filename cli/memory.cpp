@@ -61,8 +61,9 @@ std::uint64_t of_process() {
 
 }  // namespace
 
-std::uint64_t available_memory() {
-  const std::uint64_t least = std::min({of_system(), of_control_group(), of_process()});
+std::uint64_t available_memory(std::uint64_t sharing) {
+  const std::uint64_t shared = std::min(of_system(), of_control_group());
+  const std::uint64_t least = std::min(shared == unknown ? unknown : shared / sharing, of_process());
   return least == unknown ? 0 : least;
 }
 

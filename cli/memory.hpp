@@ -6,9 +6,10 @@
 
 namespace pardel::cli {
 
-/// In bytes: the minimum of the memory that the system has available, the memory that the control group allows, and the
-/// memory that RLIMIT_AS allows. 0 if all three are unknown.
-[[nodiscard]] std::uint64_t available_memory();
+/// In bytes: the minimum of the memory that RLIMIT_AS allows, and of this process's share of what the system has
+/// available and of what the control group allows. `sharing`: so many processes share these two; RLIMIT_AS holds for
+/// each of them. 0 if all three are unknown.
+[[nodiscard]] std::uint64_t available_memory(std::uint64_t sharing = 1);
 
 /// In bytes: the physical memory that this process uses, with the pages of its program and libraries. 0 if unknown.
 /// Allocates no memory.

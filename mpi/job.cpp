@@ -9,8 +9,10 @@
 #include <csignal>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "../core/support/agree.hpp"
+#include "../core/support/exchange_lists.hpp"
 
 namespace pardel::mpi {
 
@@ -35,7 +37,7 @@ Job::Job() {
   const int share = std::min(omp_get_num_procs(), std::max(1, processors / ranks_here));
   const bool has_quota = omp_get_max_threads() < omp_get_num_procs();
   threads_per_rank_ = has_quota ? std::min(share, std::max(1, omp_get_max_threads() / ranks_here)) : share;
-  ranks_here_ = ranks_here;
+  ranks_here_ = static_cast<std::uint64_t>(ranks_here);
 }
 
 /// When the first rank has ended with an error that all ranks have, mpirun sends SIGTERM to the ranks that are still
@@ -48,10 +50,8 @@ Job::~Job() {
 Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 
 Job::Range Job::range_of(std::uint64_t value) {
-  Range range{};
-  check(MPI_Allreduce(&value, &range.least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD));
-  check(MPI_Allreduce(&value, &range.most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD));
-  return range;
+  const auto [least, most] = std::ranges::minmax(concatenated(lists_of_all(std::vector{value}, ranks_)));
+  return {least, most};
 }
 
 void Job::abort(const Error& error) {
@@ -59,6 +59,8 @@ void Job::abort(const Error& error) {
   if (!is_first()) std::this_thread::sleep_for(std::chrono::milliseconds(500));
   const cli::ExitCode code =
       cli::report({error.kind, "rank " + std::to_string(ranks_.rank()) + ": " + error.message}, "pardel-mpi");
+  // Some launchers end their processes at once, and lose what has not reached them yet.
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
   std::_Exit(static_cast<int>(code));
 }

@@ -24,7 +24,7 @@ class Job {
   /// to which this process is bound; at least 1.
   [[nodiscard]] int threads_per_rank() const { return threads_per_rank_; }
   /// The number of ranks on this machine.
-  [[nodiscard]] int ranks_here() const { return ranks_here_; }
+  [[nodiscard]] std::uint64_t ranks_here() const { return ranks_here_; }
 
   /// Collective. Done if all ranks pass Done. Otherwise the error of the first rank that failed; its message names the
   /// rank, unless all ranks failed.
@@ -45,7 +45,7 @@ class Job {
   Started started_;
   MpiRanks ranks_;
   int threads_per_rank_ = 1;
-  int ranks_here_ = 1;
+  std::uint64_t ranks_here_ = 1;
 };
 
 }  // namespace pardel::mpi

@@ -264,8 +264,9 @@ Result<Made> make(const Arguments& arguments, Job& job) {
 
 Result<ExitCode> run(Arguments& arguments, Job& job) {
   Stopwatch watch;
-  const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
+  const MemoryWatch memory_watch(available_memory(job.ranks_here()));
   if (Status fine = job.agree(check_arguments(arguments, job.ranks())); !fine) return fine.error();
+  if (Status common = check_common_folders(arguments.outputs, job); !common) return common.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
   Result<Made> made = make(arguments, job);

@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <optional>
 #include <span>
+#include <system_error>
 #include <vector>
 
 #include "../cli/distinct_files.hpp"
 #include "../cli/output.hpp"
+#include "../core/support/collective.hpp"
+#include "../core/support/exchange_lists.hpp"
 #include "../core/support/output_file.hpp"
 
 namespace pardel::mpi {
@@ -37,6 +41,10 @@ Status check_output(const fs::path& output) {
     return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele", name)};
   if (is_pvtu && output.filename().string().find_first_of("<>&\"") != std::string::npos)
     return Error{ErrorKind::usage, fmt::format("the name of the output {} must not contain <, >, & or \"", name)};
+  if (std::error_code ignored; is_written_directly(output) && !fs::is_directory(output, ignored))
+    return Error{ErrorKind::usage, fmt::format("{}: this is not a regular file, and several ranks cannot write it; "
+                                               "choose another name",
+                                               name)};
   if (std::error_code ignored; is_msh && fs::exists(output, ignored))
     return Error{ErrorKind::usage, fmt::format("{}: this file exists, and would hide the pieces {}, ...; remove it or "
                                                "choose another name",
@@ -55,18 +63,22 @@ Status remove_index(const fs::path& pvtu, Job& job) {
                            : Status(Done{}));
 }
 
-/// Collective. An error if the first rank does not see all pieces, because the ranks are on machines that have no
-/// folder in common.
-Status check_visible(const fs::path& output, int pieces, Job& job) {
-  Status visible = Done{};
-  for (int number = 0; job.is_first() && visible && number < pieces; ++number) {
-    const fs::path piece = piece_of(output, number);
-    if (std::error_code ignored; !fs::exists(piece, ignored))
-      visible = Error{ErrorKind::io, fmt::format("{}: rank {} has written this file, but rank 0 does not see it; the "
-                                                 "folder of the output must be the same on all machines",
-                                                 piece.string(), number % job.count())};
-  }
-  return job.agree(visible);
+/// Collective. An error if a rank does not see the partial file that the first rank has made for an output.
+Status check_common_folder(const fs::path& output, Job& job) {
+  std::optional<OutputFile> probe;
+  std::string made;
+  if (job.is_first()) made = probe.emplace(output).written().string();
+  const Ranks::Bytes name = from_first(to_bytes(std::vector(made.begin(), made.end())), job.ranks());
+  const std::vector<char> seen = list_in<char>(name);
+  const fs::path file(seen.begin(), seen.end());
+  Status here = Done{};
+  if (std::error_code ignored; !file.empty() && !fs::exists(file, ignored))
+    here =
+        Error{ErrorKind::io, fmt::format("{}: rank 0 has made the file {}, but this rank does not see it; the folder "
+                                         "of the output must be the same on all machines",
+                                         output.string(), file.string())};
+  if (job.is_first() && !probe->ok()) here = probe->close();
+  return job.agree(here);
 }
 
 }  // namespace
@@ -96,6 +108,12 @@ Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, con
   return Done{};
 }
 
+Status check_common_folders(std::span<const fs::path> outputs, Job& job) {
+  for (const fs::path& output : outputs)
+    if (Status common = check_common_folder(output, job); !common) return common;
+  return Done{};
+}
+
 PvtuFiles::PvtuFiles(const fs::path& pvtu) : pvtu_(behind_links(pvtu)) {}
 
 Status PvtuFiles::add(const MeshPiece& piece, int number) {
@@ -107,10 +125,9 @@ Status PvtuFiles::add(const MeshPiece& piece, int number) {
 Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
   if (Status written = job.agree(here); !written) return written;
   // A piece without triangles has no regions either.
-  const bool have_regions = job.range_of(have_regions_ ? 1 : 0).most > 0;
+  const bool have_regions = most_of(have_regions_ ? 1 : 0, job.ranks()) > 0;
   if (Status removed = remove_index(pvtu_, job); !removed) return removed;
   if (Status placed = job.agree(files_.commit()); !placed) return placed;
-  if (Status visible = check_visible(pvtu_, pieces, job); !visible) return visible;
   Status index = Done{};
   if (job.is_first()) {
     PiecesOfMesh list{{}, have_regions, attributes_per_point_};
@@ -122,10 +139,7 @@ Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
 }
 
 Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const fs::path& output, MshEncoding msh, Job& job) {
-  if (output.extension() == ".msh") {
-    if (Status written = write_msh_piece(view_of(piece), output, msh, job.ranks()); !written) return written;
-    return check_visible(output, job.count(), job);
-  }
+  if (output.extension() == ".msh") return write_msh_piece(view_of(piece), output, msh, job.ranks());
   if (is_of_triangle(output))
     return write_triangle_pieces(view_of(piece), pslg, fs::path(output).replace_extension(), job.ranks());
   PvtuFiles files(output);

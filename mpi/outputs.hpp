@@ -25,6 +25,10 @@ struct ExpectedOutputs {
 [[nodiscard]] Status check_outputs(const ExpectedOutputs& expected, const std::filesystem::path& input,
                                    const std::filesystem::path& sizes, const Ranks& ranks);
 
+/// Collective, after check_outputs(). An error if a rank does not see the files that the first rank makes in the
+/// folders of the outputs: then the ranks are on machines that have no folder in common.
+[[nodiscard]] Status check_common_folders(std::span<const std::filesystem::path> outputs, Job& job);
+
 /// The files of OUT.pvtu. A rank can write several pieces.
 class PvtuFiles {
  public:

@@ -74,8 +74,9 @@ Status check_files(const TriangulateArguments& arguments, const Ranks& ranks) {
 
 Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job) {
   Stopwatch watch;
-  const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
+  const MemoryWatch memory_watch(available_memory(job.ranks_here()));
   if (Status fine = job.agree(check_files(arguments, job.ranks())); !fine) return fine.error();
+  if (Status common = check_common_folders(arguments.outputs, job); !common) return common.error();
   const int threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(threads);
   Result<PartOfPslg> input = read_part_of_pslg(arguments.input, job.ranks());

@@ -1,5 +1,6 @@
 #include "collective.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "exchange_lists.hpp"
@@ -24,6 +25,10 @@ Ranks::Bytes from_first(const Ranks::Bytes& message, Ranks& ranks) {
 std::uint64_t sum_of(std::uint64_t value, Ranks& ranks) {
   ranks.add_up({&value, 1});
   return value;
+}
+
+std::uint64_t most_of(std::uint64_t value, Ranks& ranks) {
+  return std::ranges::max(concatenated(lists_of_all(std::vector{value}, ranks)));
 }
 
 Digest sum_of(const Digest& digest, Ranks& ranks) {

@@ -21,6 +21,9 @@ namespace pardel {
 /// The sum of the values of all ranks.
 [[nodiscard]] std::uint64_t sum_of(std::uint64_t value, Ranks& ranks);
 
+/// The greatest of the values of all ranks.
+[[nodiscard]] std::uint64_t most_of(std::uint64_t value, Ranks& ranks);
+
 /// The digest of a mesh whose parts have these digests.
 [[nodiscard]] Digest sum_of(const Digest& digest, Ranks& ranks);
 

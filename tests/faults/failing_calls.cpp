@@ -1,6 +1,7 @@
 // A library for LD_PRELOAD that lets calls of the system's functions fail. Two environment variables control it:
 //   PARDEL_FAULT=KIND:N   call number N of this kind fails (from 1; 0: none)
 //   PARDEL_FAULT=KIND:N+  that call and all later ones of this kind fail
+//   PARDEL_FAULT=large:B  all calls for at least B bytes of memory of its own fail
 //   PARDEL_CALLS=FILE     when the process ends, the number of calls of the kind is written to FILE
 // Kinds: memory, map, open, write, short, close, rename, thread. `short` lets fwrite write only the first half of its
 // bytes. Calls are counted from the beginning of main() to its end, because a program has no say before and after.
@@ -61,6 +62,14 @@ bool fails(std::string_view kind, int error) {
   return true;
 }
 
+/// True if a call for memory has to fail.
+bool fails_for(std::string_view kind, std::size_t bytes) {
+  if (fails(kind, ENOMEM)) return true;
+  if (plan.kind != "large" || !counts.load(std::memory_order_relaxed)) return false;
+  errno = ENOMEM;
+  return bytes >= static_cast<std::size_t>(plan.first);
+}
+
 /// The function of this name that the program would call without this library.
 template <class Function>
 Function* next(const char* name) {
@@ -94,27 +103,30 @@ int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, v
                                                                 stack_end);
 }
 
-void* malloc(std::size_t bytes) { return fails("memory", ENOMEM) ? nullptr : __libc_malloc(bytes); }
+void* malloc(std::size_t bytes) { return fails_for("memory", bytes) ? nullptr : __libc_malloc(bytes); }
 void* calloc(std::size_t count, std::size_t bytes) {
-  return fails("memory", ENOMEM) ? nullptr : __libc_calloc(count, bytes);
+  return fails_for("memory", count * bytes) ? nullptr : __libc_calloc(count, bytes);
 }
 void* realloc(void* block, std::size_t bytes) {
-  return fails("memory", ENOMEM) ? nullptr : __libc_realloc(block, bytes);
+  return fails_for("memory", bytes) ? nullptr : __libc_realloc(block, bytes);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t bytes) {
-  return fails("memory", ENOMEM) ? nullptr : __libc_memalign(alignment, bytes);
+  return fails_for("memory", bytes) ? nullptr : __libc_memalign(alignment, bytes);
 }
 int posix_memalign(void** block, std::size_t alignment, std::size_t bytes) {
-  if (fails("memory")) return ENOMEM;
+  if (fails_for("memory", bytes)) return ENOMEM;
   *block = __libc_memalign(alignment, bytes);
   return *block == nullptr ? ENOMEM : 0;
 }
 
 void* mmap(void* place, std::size_t bytes, int protection, int flags, int fd, off_t offset) {
-  return fails("map", ENOMEM) ? MAP_FAILED : next<decltype(mmap)>("mmap")(place, bytes, protection, flags, fd, offset);
+  // A shared mapping is a message between processes, as MPI makes them.
+  const bool fail = (flags & MAP_SHARED) != 0 ? fails("map", ENOMEM) : fails_for("map", bytes);
+  return fail ? MAP_FAILED : next<decltype(mmap)>("mmap")(place, bytes, protection, flags, fd, offset);
 }
 void* mremap(void* block, std::size_t old_bytes, std::size_t new_bytes, int flags, ...) {
-  return fails("map", ENOMEM) ? MAP_FAILED : next<decltype(mremap)>("mremap")(block, old_bytes, new_bytes, flags);
+  return fails_for("map", new_bytes) ? MAP_FAILED
+                                     : next<decltype(mremap)>("mremap")(block, old_bytes, new_bytes, flags);
 }
 
 std::FILE* fopen(const char* file, const char* mode) {

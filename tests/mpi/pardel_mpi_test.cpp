@@ -41,6 +41,14 @@ TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
                               "ranks   3, with 1 threads each; each has read the whole input"}));
 }
 
+/// The certificate of one process, as several ranks write it.
+std::string with_ranks(std::string certificate, int ranks) {
+  const std::string last = "\n}\n";
+  EXPECT_TRUE(certificate.ends_with(last)) << certificate;
+  return certificate.replace(certificate.size() - last.size(), last.size(),
+                             ",\n  \"ranks\": " + std::to_string(ranks) + last);
+}
+
 TEST_F(PardelMpi, check_writes_the_certificate_of_one_process_on_any_number_of_ranks) {
   ASSERT_EQ(on_ranks(3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4"}).exit_code, 0);
   ASSERT_EQ(
@@ -49,7 +57,7 @@ TEST_F(PardelMpi, check_writes_the_certificate_of_one_process_on_any_number_of_r
     const Ran ran = on_ranks(ranks, {"check", "pipe.poly", "out.pvtu", "--max-area", "1e-4", "--json", "ranks.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran;
     EXPECT_TRUE(holds(ran.out, {"valid: ", "ranks   " + std::to_string(ranks) + ", "})) << ran;
-    EXPECT_EQ(read("ranks.json"), read("one.json")) << ranks;
+    EXPECT_EQ(read("ranks.json"), with_ranks(read("one.json"), ranks));
   }
 }
 
@@ -67,7 +75,7 @@ TEST_F(PardelMpi, check_holds_one_of_several_pieces_at_a_time_and_writes_the_cer
   for (const int ranks : {1, 2, 3, 9}) {
     const Ran ran = on_ranks(ranks, with_goal({"check", "pipe.poly", "out.pvtu", "--json", "ranks.json"}));
     EXPECT_EQ(ran.exit_code, 0) << ran;
-    EXPECT_EQ(read("ranks.json"), read("one.json")) << ranks;
+    EXPECT_EQ(read("ranks.json"), with_ranks(read("one.json"), ranks));
   }
   for (const int ranks : {1, 2, 3}) {
     const Ran ran = on_ranks(ranks, {"check", "pipe.poly", "out.pvtu", "--max-area", "1.9e-4", "--min-angle", "25"});
@@ -392,6 +400,14 @@ TEST_F(PardelMpi, puts_pieces_beside_the_file_that_a_link_leads_to) {
   EXPECT_EQ(to_string(digest(*whole)), to_string(digest(mesh(domains::pipe(), Goal{.max_area = 1e-3})->mesh)));
 }
 
+TEST_F(PardelMpi, writes_no_pieces_beside_a_device) {
+  fs::create_symlink("/dev/null", folder_ / "work" / "null.pvtu");
+  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "null.pvtu", "--max-area", "1e-3"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"null.pvtu: this is not a regular file, and several ranks cannot write it"})) << ran;
+  EXPECT_FALSE(fs::exists("/dev/null_0000.vtu"));
+}
+
 /// Ranks with different working folders stand for machines that have no folder in common.
 TEST_F(PardelMpi, says_that_the_folder_of_the_output_is_not_the_same_on_all_machines) {
   const fs::path work = folder_ / "work";
@@ -405,17 +421,15 @@ TEST_F(PardelMpi, says_that_the_folder_of_the_output_is_not_the_same_on_all_mach
     }
     return run(PARDEL_MPIRUN, arguments);
   };
-  const Ran pvtu = on_two_machines("out.pvtu");
-  EXPECT_EQ(pvtu.exit_code, 5) << pvtu;
-  EXPECT_TRUE(holds(pvtu.err, {"out_0001.vtu: rank 1 has written this file, but rank 0 does not see it"})) << pvtu;
-  EXPECT_FALSE(exists("one/out.pvtu"));
-  const Ran msh = on_two_machines("out.msh");
-  EXPECT_EQ(msh.exit_code, 5) << msh;
-  EXPECT_TRUE(holds(msh.err, {"out_2.msh: rank 1 has written this file, but rank 0 does not see it"})) << msh;
-  const Ran node = on_two_machines("out.node");
-  EXPECT_EQ(node.exit_code, 5) << node;
-  EXPECT_FALSE(exists("one/out.node"));
-  EXPECT_FALSE(exists("two/out.node"));
+  for (const std::string output : {"out.pvtu", "out.msh", "out.node"}) {
+    const Ran ran = on_two_machines(output);
+    EXPECT_EQ(ran.exit_code, 5) << ran;
+    EXPECT_TRUE(holds(ran.err, {"pardel-mpi: rank 1: " + output + ": rank 0 has made the file " + output,
+                                "the folder of the output must be the same on all machines"}))
+        << ran;
+    EXPECT_TRUE(fs::is_empty(work / "one")) << output;
+    EXPECT_TRUE(fs::is_empty(work / "two")) << output;
+  }
 }
 
 TEST_F(PardelMpi, has_one_message_for_an_error_of_all_ranks) {

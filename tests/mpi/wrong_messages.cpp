@@ -8,7 +8,7 @@
 //   terms    it announces other terms of sums, from its step N on
 //   longer   it announces messages that are 8 bytes longer, from its step N on. (If they were
 //            shorter, MPI would have to cut messages off, and might then wait for ever.)
-//   skip     it does not take part in its step N
+//   skip     it leaves out its step N, and goes on to the next one as if nothing had arrived
 //   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
 //   signalS  it gets signal S, N microseconds after MPI_Init_thread() (before, mpirun itself may wait for ever)
 //   reorder  on all ranks: messages start in random order, after random delays; this is no mistake (RANK is the seed)
@@ -48,6 +48,7 @@ struct Plan {
   long number = 0;
   int self = 0;
   long steps = 0, messages = 0;
+  bool skips = false;         ///< the present step
   std::vector<char> changed;  ///< the message with the wrong byte, while it is sent
   std::vector<Waiting> waiting;
   pardel::generators::Random random{0};
@@ -86,6 +87,15 @@ void change(Announcement& one, long step) {
   one = one.sealed();
 }
 
+/// What another rank would announce for the same step if it had no message.
+Announcement as_if_nothing_arrived(Announcement mine) {
+  if (mine.step == RankStep::exchange) {
+    mine.bytes = 0;
+    mine.checksum = pardel::checksum({});
+  }
+  return mine.sealed();
+}
+
 }  // namespace
 
 extern "C" {
@@ -109,18 +119,27 @@ int MPI_Alltoall(const void* sent, int sent_count, MPI_Datatype sent_type, void*
     return PMPI_Alltoall(data, sent_count, sent_type, received, received_count, received_type, comm);
   };
   const bool is_now = step == p.number;
-  if (is_now && p.is("skip")) return MPI_SUCCESS;
   if (is_now && p.is("repeat")) call(sent);
   int ranks = 0;
   PMPI_Comm_size(comm, &ranks);
   std::vector<Announcement> announced(static_cast<std::size_t>(ranks));
   std::memcpy(announced.data(), sent, announced.size() * sizeof(Announcement));
+  p.skips = is_now && p.is("skip");
+  if (p.skips) {
+    for (Announcement& one : announced) one = as_if_nothing_arrived(one);
+    std::memcpy(received, announced.data(), announced.size() * sizeof(Announcement));
+    return MPI_SUCCESS;
+  }
   for (Announcement& one : announced) change(one, step);
   return call(announced.data());
 }
 
 int MPI_Isend(const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request) {
   Plan& p = plan();
+  if (p.skips) {
+    *request = MPI_REQUEST_NULL;
+    return MPI_SUCCESS;
+  }
   if (p.kind == "reorder") {
     p.waiting.push_back({data, count, type, to, tag, request});
     return MPI_SUCCESS;
@@ -142,6 +161,10 @@ int MPI_Waitall(int count, MPI_Request* requests, MPI_Status* statuses) {
   }
   p.waiting.clear();
   return PMPI_Waitall(count, requests, statuses);
+}
+
+int MPI_Allreduce(const void* sent, void* received, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm) {
+  return plan().skips ? MPI_SUCCESS : PMPI_Allreduce(sent, received, count, type, op, comm);
 }
 
 }  // extern "C"
