@@ -37,8 +37,10 @@ class MshReader {
     }
     read_format();
     while (in_.next_line()) read_section(in_.word());
-    if (!in_.failed() && !has_nodes_) in_.fail("expected $Nodes, found the end of the file");
-    if (!in_.failed() && !has_elements_) in_.fail("expected $Elements, found the end of the file");
+    const bool may_be_empty = partition_ != 0 && partitions_ > 1;
+    if (!in_.failed() && !has_nodes_ && !may_be_empty) in_.fail("expected $Nodes, found the end of the file");
+    if (!in_.failed() && !has_elements_ && (has_nodes_ || !may_be_empty))
+      in_.fail("expected $Elements, found the end of the file");
     if (in_.failed()) return in_.error();
     mesh_.points.resize(nodes_.size());
     Array<std::uint64_t> number(nodes_.size());

@@ -143,6 +143,8 @@ class PieceWriter {
     write_names(out, model_);
     write_entities(out, model_);
     write_partitioned_entities(out);
+    // Gmsh warns if these sections are there and empty.
+    if (mesh_.points.empty() && ghost_nodes_.empty()) return;
     write_nodes(out);
     write_elements(out);
     write_ghost_elements(out);

@@ -285,8 +285,11 @@ INSTANTIATE_TEST_SUITE_P(Domains, WrittenPieces, testing::ValuesIn(cases()),
 TEST(WrittenPieces, are_opened_by_gmsh_without_a_warning) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
   const TemporaryFolder folder;
-  for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
-    ASSERT_TRUE(all_done(write_msh(cases()[0], 3, folder / "out.msh", encoding)));
+  for (const auto& [mesh, encoding] : {std::pair{&cases().front(), MshEncoding::ascii},
+                                       {&cases().front(), MshEncoding::binary},
+                                       {&cases().back(), MshEncoding::ascii},  // two pieces are empty
+                                       {&cases().back(), MshEncoding::binary}}) {
+    ASSERT_TRUE(all_done(write_msh(*mesh, 3, folder / "out.msh", encoding)));
     for (const char* piece : {"out_1.msh", "out_2.msh", "out_3.msh"}) {
       const std::string log = folder / "log", file = folder / piece;
       ASSERT_EQ(std::system(("'" PARDEL_GMSH "' -0 '" + file + "' > '" + log + "' 2>&1").c_str()), 0);
