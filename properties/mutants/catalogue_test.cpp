@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "../checker/check.hpp"
 #include "registry.hpp"
@@ -37,17 +39,25 @@ std::set<std::string> properties_in_the_sources() {
   return properties;
 }
 
-/// The LABEL of every heading "### LABEL: title", except for sections that contain "Tested by: nothing".
-std::set<std::string> statements_of_the_theory() {
+/// A section of the theory that begins with "### LABEL: title" or "### LABEL".
+struct Statement {
+  std::string label, text;
+  [[nodiscard]] bool has_line(std::string_view begin) const {
+    return text.find("\n" + std::string(begin)) != std::string::npos;
+  }
+};
+
+std::vector<Statement> statements_of_the_theory() {
   const std::string theory = contents(fs::path(PARDEL_SOURCE) / "properties/THEORY.md");
-  std::set<std::string> labels;
-  constexpr std::string_view heading = "\n### ", untested = "\nTested by: nothing";
+  std::vector<Statement> statements;
+  constexpr std::string_view heading = "\n### ";
   for (std::size_t at = theory.find(heading), next; at != std::string::npos; at = next) {
     next = theory.find(heading, at + heading.size());
-    const std::string section = theory.substr(at + heading.size(), next - at - heading.size());
-    if (section.find(untested) == std::string::npos) labels.insert(section.substr(0, section.find_first_of(":\n")));
+    std::string text = theory.substr(at + heading.size(), next - at - heading.size());
+    std::string label = text.substr(0, text.find_first_of(":\n"));
+    statements.push_back({std::move(label), std::move(text)});
   }
-  return labels;
+  return statements;
 }
 
 /// The name of the suite that tests a statement: T1Sharp for T1-sharp.
@@ -67,8 +77,15 @@ TEST(Catalogue, has_a_row_for_every_statement_of_the_theory) {
   std::set<std::string> suites;
   for (const std::string& row : rows_of_the_catalogue()) suites.insert(row.substr(0, row.find('.')));
   EXPECT_GE(statements_of_the_theory().size(), 10U);
-  for (const std::string& label : statements_of_the_theory())
-    EXPECT_TRUE(suites.contains(suite_of(label))) << label << " has no row";
+  for (const Statement& statement : statements_of_the_theory())
+    EXPECT_TRUE(statement.has_line("Tested by: nothing") || suites.contains(suite_of(statement.label)))
+        << statement.label << " has no row";
+}
+
+TEST(Theory, says_of_every_statement_what_tests_it_and_whether_it_is_proved) {
+  for (const Statement& statement : statements_of_the_theory())
+    for (const char* line : {"Tested by:", "Status: "})
+      EXPECT_TRUE(statement.has_line(line)) << statement.label << ": " << line;
 }
 
 /// Cases are counted by classify() (framework/shares.hpp), which promises a share. RapidCheck's own macro promises

@@ -234,7 +234,25 @@ class Meddling : public Distribution {
   const Triangulation& meddled_;
 };
 
-TEST(MarginsOfATask, end_the_run_if_it_has_changed_a_triangle_beyond_its_box) {
+/// The first rank loses the triangles of its margin that have no corner of its own.
+class Forgetful : public Distribution {
+ public:
+  using Distribution::Distribution;
+
+  void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override {
+    Distribution::divide(tiles, work, runner);
+    if (!is_first()) return;
+    std::vector<TriangleId> lost;
+    part().for_each_triangle([&](TriangleId id) {
+      if (std::ranges::none_of(t_.slots[id].v, [&](VertexId v) { return owner_of(v) == 0; })) lost.push_back(id);
+    });
+    for (const TriangleId id : lost) part_->drop(id);
+  }
+};
+
+/// What the first of two ranks says.
+template <class Wrong>
+std::string error_of() {
   const Case& c = samples::cases().front();
   const Options options = samples::options_for(c);
   std::string message;
@@ -243,14 +261,24 @@ TEST(MarginsOfATask, end_the_run_if_it_has_changed_a_triangle_beyond_its_box) {
     ASSERT_TRUE(domain);
     const Criteria criteria(c.goal, options.placement, caps_of(c.pslg));
     ProgressMonitor progress(options);
-    Meddling meddling(ranks, domain->triangulation);
+    Wrong wrong(ranks, domain->triangulation);
     const Result<RefineCounts> counts =
-        refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, {}, {}, &meddling);
+        refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, {}, {}, &wrong);
     ASSERT_FALSE(counts);
     EXPECT_EQ(counts.error().kind, ErrorKind::internal);
     if (ranks.rank() == 0) message = counts.error().message;
   });
+  return message;
+}
+
+TEST(MarginsOfATask, end_the_run_if_it_has_changed_a_triangle_beyond_its_box) {
+  const std::string message = error_of<Meddling>();
   EXPECT_NE(message.find("has made a triangle with a corner outside its box"), std::string::npos) << message;
+}
+
+TEST(MarginsOfATask, end_the_run_if_they_lack_a_triangle) {
+  const std::string message = error_of<Forgetful>();
+  EXPECT_NE(message.find("a task needed a triangle that its rank does not hold"), std::string::npos) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Margins, testing::Range(std::size_t{0}, samples::cases().size()),

@@ -148,9 +148,10 @@ TEST_P(Pieces, have_one_mesh_whatever_the_delays) {
 INSTANTIATE_TEST_SUITE_P(Every, Pieces, testing::Range(std::size_t{0}, cases().size()),
                          [](const auto& parameter) { return cases()[parameter.param].name; });
 
+Case large() { return {"square", domains::square(), {.max_area = 5e-6}, {.threads = 1, .cells = {12, 12}}}; }
+
 TEST(PiecesOfALargeMesh, are_of_about_equal_size) {
-  const Case c{"square", domains::square(), {.max_area = 5e-6}, {.threads = 1, .cells = {12, 12}}};
-  const std::vector<MeshPiece> pieces = pieces_of(c, 4);
+  const std::vector<MeshPiece> pieces = pieces_of(large(), 4);
   for (const MeshPiece& piece : pieces) {
     EXPECT_GT(piece.mesh.triangles.size(), piece.triangles / 6);
     EXPECT_LT(piece.mesh.triangles.size(), piece.triangles / 3);
@@ -158,8 +159,22 @@ TEST(PiecesOfALargeMesh, are_of_about_equal_size) {
 }
 
 /// Writers of common files divide the records by these numbers. If they were wrong, one rank would write all of them.
+/// With twice as many ranks, the rank that holds the most triangles holds less than three quarters.
+TEST(PiecesOfALargeMesh, are_held_with_margins_that_are_small_beside_them) {
+  std::size_t most_before = SIZE_MAX;
+  for (const int count : {1, 2, 4, 8}) {
+    std::size_t most = 0;
+    for (const MeshPiece& piece : pieces_of(large(), count)) {
+      EXPECT_EQ(piece.margin == 0, count == 1);
+      most = std::max(most, piece.mesh.triangles.size() + piece.margin);
+    }
+    EXPECT_LT(most, most_before / 4 * 3) << count << " ranks";
+    most_before = most;
+  }
+}
+
 TEST(PiecesOfALargeMesh, are_near_the_points_of_ranges_of_numbers_of_about_equal_size) {
-  const Case c{"square", domains::square(), {.max_area = 5e-6}, {.threads = 1, .cells = {12, 12}}};
+  const Case c = large();
   const std::vector<MeshPiece> pieces = pieces_of(c, 4);
   EXPECT_EQ(pieces.front().first_point, c.pslg.points.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "../../../parallel/distribution/distribution.hpp"
+#include "../../../parallel/divided_points/divided_points.hpp"
+#include "../../../parallel/divided_points/part_of_domain.hpp"
+#include "../../../parallel/given_points/triangulated_points.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
+#include "../given_points/part_of_rank.hpp"
 #include "../scheduling/many_tasks.hpp"
 
 namespace pardel::engine {
@@ -29,17 +35,20 @@ Place place_of(const Triangulation& t, TriangleId id) {
 /// How cells get their owners.
 enum class Placed { on_any_rank, on_a_rank_of_the_curve_in_another_order };
 
-class PlacedDistribution : public Distribution {
+template <class Parts>
+class AtRandom : public Parts {
  public:
-  PlacedDistribution(Ranks& ranks, Triangulation& t, Placed placed, std::uint64_t seed)
-      : Distribution(ranks, t), placed_(placed), seed_(seed) {}
+  /// `others`: the arguments of Parts.
+  template <class... Others>
+  AtRandom(Placed placed, std::uint64_t seed, Others&&... others)
+      : Parts(std::forward<Others>(others)...), placed_(placed), seed_(seed) {}
 
  protected:
   [[nodiscard]] Ownership ownership_of(const Tiles& tiles, std::span<const double> work) const override {
     generators::Random random(seed_);
-    const Ownership usual = Distribution::ownership_of(tiles, work);
-    std::vector<int> order(static_cast<std::size_t>(ranks())), owner;
-    for (int rank = 0; rank < ranks(); ++rank) order[static_cast<std::size_t>(rank)] = rank;
+    const Ownership usual = Parts::ownership_of(tiles, work);
+    std::vector<int> order(static_cast<std::size_t>(this->ranks())), owner;
+    for (std::size_t rank = 0; rank < order.size(); ++rank) order[rank] = static_cast<int>(rank);
     random.shuffle(order);
     for (Index cell = 0; cell < usual.cells(); ++cell)
       owner.push_back(placed_ == Placed::on_any_rank ? random.one_of(order)
@@ -52,31 +61,63 @@ class PlacedDistribution : public Distribution {
   std::uint64_t seed_;
 };
 
-/// The triangles of the mesh, each as often as it belongs to a rank, in ascending order.
-std::vector<Place> refined_on(int count, const Case& c, const Options& options, Placed placed, std::uint64_t seed) {
-  std::mutex mutex;
-  std::vector<Place> all;
+/// Refines, and returns the triangles that belong to this rank.
+std::vector<Place> refined(DomainTriangulation& domain, const Case& c, const Options& options, Distribution& parts) {
   std::vector<double> caps;
   for (const Region& region : c.pslg.regions) caps.push_back(region.max_area);
+  const Criteria criteria(c.goal, options.placement, caps);
+  ProgressMonitor progress(options);
+  const Result<RefineCounts> counts =
+      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, &parts);
+  EXPECT_TRUE(counts) << counts.error().message;
+  std::vector<Place> own;
+  if (!counts) return own;
+  parts.part().for_each_triangle([&](TriangleId id) {
+    if (parts.owner_of_triangle(id) == parts.network().rank()) own.push_back(place_of(domain.triangulation, id));
+  });
+  return own;
+}
+
+/// Calls refine(rank) on all ranks. Returns the triangles of all ranks, in ascending order.
+template <class Refine>
+std::vector<Place> on_all(int count, std::uint64_t seed, const Refine& refine) {
+  std::mutex mutex;
+  std::vector<Place> all;
   properties::on_ranks(
       count,
       [&](Ranks& ranks) {
-        Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, 1);
-        ASSERT_TRUE(domain);
-        const Criteria criteria(c.goal, options.placement, caps);
-        ProgressMonitor progress(options);
-        PlacedDistribution distribution(ranks, domain->triangulation, placed, seed);
-        const Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, criteria, options,
-                                                             progress, {}, {}, &distribution);
-        ASSERT_TRUE(counts) << counts.error().message;
+        const std::vector<Place> own = refine(ranks);
         const std::scoped_lock lock(mutex);
-        distribution.part().for_each_triangle([&](TriangleId id) {
-          if (distribution.owner_of_triangle(id) == ranks.rank()) all.push_back(place_of(domain->triangulation, id));
-        });
+        all.insert(all.end(), own.begin(), own.end());
       },
       seed);
   std::ranges::sort(all);
   return all;
+}
+
+/// All ranks begin with the whole domain.
+std::vector<Place> refined_on(int count, const Case& c, const Options& options, Placed placed, std::uint64_t seed) {
+  return on_all(count, seed, [&](Ranks& ranks) {
+    Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, 1);
+    EXPECT_TRUE(domain);
+    AtRandom<Distribution> parts(placed, seed, ranks, domain->triangulation);
+    return refined(*domain, c, options, parts);
+  });
+}
+
+/// Each rank begins with a part of the domain.
+std::vector<Place> refined_parts_on(int count, const Case& c, const Options& options, Placed placed,
+                                    std::uint64_t seed) {
+  return on_all(count, seed, [&](Ranks& ranks) {
+    const PartOfSegments segments = part_of_segments(c.pslg, ranks);
+    const Pslg rest = domains::rest_of(c.pslg);
+    Result<std::unique_ptr<TriangulatedPoints>> points = triangulated(part_of(c.pslg, ranks), ranks, Threads(1));
+    EXPECT_TRUE(points);
+    Result<PartOfDomain> part = part_of_domain(**points, {segments, rest}, c.goal.convex_hull, ranks, Threads(1));
+    EXPECT_TRUE(part) << part.error().message;
+    AtRandom<DividedPoints> parts(placed, seed, ranks, *part, (*points)->division);
+    return refined(part->domain, c, options, parts);
+  });
 }
 
 std::vector<Place> refined_alone(const Case& c, const Options& options) {
@@ -105,6 +146,17 @@ TEST_P(Placements, of_cells_on_ranks_at_random_do_not_change_the_mesh) {
         EXPECT_TRUE(refined_on(count, sample, options, placed, seed) == alone) << count << " ranks, seed " << seed;
       }
   }
+}
+
+TEST_P(Placements, of_cells_of_a_divided_domain_at_random_do_not_change_the_mesh) {
+  const Case& c = samples::cases()[GetParam()];
+  const Options options = samples::options_for(c);
+  const std::vector<Place> alone = refined_alone(c, options);
+  for (const Placed placed : {Placed::on_any_rank, Placed::on_a_rank_of_the_curve_in_another_order})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const int count = 2 + static_cast<int>(seed);
+      EXPECT_TRUE(refined_parts_on(count, c, options, placed, seed) == alone) << count << " ranks, seed " << seed;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Placements, testing::Range(std::size_t{0}, samples::cases().size()),
