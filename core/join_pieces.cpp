@@ -6,6 +6,7 @@
 
 #include "neighbours.hpp"
 #include "support/same_attribute.hpp"
+#include "support/shortest.hpp"
 
 namespace pardel {
 namespace {
@@ -98,7 +99,8 @@ class Join {
       const Point p = piece.mesh.points[v];
       if (is_known_[number] != 0) {
         if (p.x != mesh_.points[number].x || p.y != mesh_.points[number].y)
-          return invalid("different points have the number " + name(number));
+          return invalid("different points have the number " + name(number) + ", at " + shortest(mesh_.points[number]) +
+                         " and " + shortest(p));
         if (!has_same_data(piece.mesh, v, number))
           return invalid("there are different data of the point with the number " + name(number));
         continue;

@@ -117,7 +117,7 @@ Status status_of(const Result<T>& result) {
 }
 
 Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
-  const MemoryWatch memory_watch(available_memory() / static_cast<std::uint64_t>(job.ranks_here()));
+  const MemoryWatch memory_watch(available_memory(job.ranks_here()));
   if (Status fine = job.agree(check_arguments_of(arguments, job.ranks())); !fine) return fine.error();
   use_threads(arguments.threads > 0 ? arguments.threads : job.threads_per_rank());
   const Stopwatch watch;
@@ -133,9 +133,9 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   Pieces pieces(std::move(*files), job.ranks());
   const CheckOptions options{
       .max_violations = most_kept(arguments.json), .max_circumradius = arguments.max_circumradius, .foreign = true};
-  const Result<Certificate> checked =
-      check(problem->domain.pslg(), pieces.to_read(), problem->goal, options, job.ranks());
+  Result<Certificate> checked = check(problem->domain.pslg(), pieces.to_read(), problem->goal, options, job.ranks());
   if (!checked) return refusal({checked.error().kind, arguments.mesh.string() + ": " + checked.error().message});
+  checked->ranks = job.count();
   const Certificate& certificate = *checked;
   if (Status sized = job.agree(pieces.require_sizes(problem->goal, certificate)); !sized) return sized.error();
   const double seconds = watch.seconds();

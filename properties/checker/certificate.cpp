@@ -214,6 +214,7 @@ std::string to_json(const Certificate& certificate) {
             {"violation_counts", std::move(counts)},
             {"violations", std::move(violations)},
             {"digest", to_string(certificate.digest)}};
+  if (certificate.ranks > 0) json["ranks"] = certificate.ranks;
   return json.dump(2);
 }
 

@@ -67,6 +67,7 @@ class PieceCheck {
     const Result<Piece*> piece = reader_.open(i, {}, not_yet_described);
     if (!piece) return piece.error();
     read_.pieces.push_back(kept_piece(**piece, input_ ? &*input_ : nullptr, read_.settled));
+    numbers_.count((*piece)->number());
     if (read_.pieces.back().has_geometry) numbers_.add((*piece)->number(), *(*piece)->adjacency);
     return Done{};
   }
@@ -105,9 +106,12 @@ class PieceCheck {
 
   Status run_stages() {
     const bool geometry = everywhere(&KeptPiece::has_geometry);
-    if (!geometry || !input_) return for_each_piece([&](std::size_t i) { return describe_unusable(i); });
+    if (!geometry || !input_) {
+      if (const auto points = count_points(numbers_, ranks_)) certificate_.vertices = *points;
+      return for_each_piece([&](std::size_t i) { return describe_unusable(i); });
+    }
     const bool labels = everywhere(&KeptPiece::has_labels);
-    if (Status right = count_points(); !right) return right;
+    if (Status right = compare_points(); !right) return right;
     if (Status right = check_data_of_vertices(read_, certificate_.vertices, ranks_); !right) return right;
     Border border(read_, certificate_.vertices, ranks_);
     NumberSet special = special_numbers(read_, border, ranks_);
@@ -158,8 +162,8 @@ class PieceCheck {
     return Done{};
   }
 
-  /// The number of points of the whole mesh.
-  Status count_points() {
+  /// Compares the points of the pieces, and counts those of the whole mesh.
+  Status compare_points() {
     std::vector<NumberedPoint> border;
     for (const KeptPiece& piece : read_.pieces)
       for (const KeptVertex& vertex : piece.part.vertices)

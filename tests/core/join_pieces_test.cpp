@@ -72,7 +72,7 @@ TEST(JoinPieces, refuses_numbers_that_are_missing_or_too_large) {
 TEST(JoinPieces, refuses_different_points_with_one_number) {
   std::vector<NumberedMesh> pieces = halves();
   pieces[1].mesh.points[1] = {1, 2};
-  EXPECT_EQ(error_of(pieces), "different points have the number 2");
+  EXPECT_EQ(error_of(pieces), "different points have the number 2, at (1, 1) and (1, 2)");
 }
 
 TEST(JoinPieces, refuses_different_data_of_a_point) {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "../../../core/support/agree.hpp"
 #include "../../../core/support/collective.hpp"
 #include "../../../core/support/exchange_lists.hpp"
+#include "../arithmetic/text.hpp"
 #include "piece.hpp"
 
 namespace pardel::checker {
@@ -41,10 +43,12 @@ class Referee {
   [[nodiscard]] Status judge() {
     if (const std::uint64_t missing = first_ + known_.first_missing(); missing < end_)
       return invalid("no piece has the point with the number " + std::to_string(missing));
-    std::ranges::sort(border_, {}, &NumberedPoint::number);
+    // In this order the message does not depend on the number of ranks.
+    std::ranges::sort(border_, {}, [](const NumberedPoint& p) { return std::tuple(p.number, p.at.x, p.at.y); });
     for (std::size_t i = 1; i < border_.size(); ++i)
       if (border_[i - 1].number == border_[i].number && !(border_[i - 1].at == border_[i].at))
-        return invalid("different points have the number " + std::to_string(border_[i].number));
+        return invalid("different points have the number " + std::to_string(border_[i].number) + ", at " +
+                       to_text(border_[i - 1].at) + " and " + to_text(border_[i].at));
     return Done{};
   }
 
@@ -54,20 +58,6 @@ class Referee {
   std::vector<NumberedPoint> border_;
   std::vector<std::uint64_t> contested_;  ///< less first_
 };
-
-/// The number of points of the whole mesh, from the largest number. All pieces together have at least as many points.
-Result<std::uint64_t> count_points(const NumbersOfRank& here, Ranks& ranks) {
-  const std::uint64_t listed = sum_of(here.listed(), ranks);
-  const std::uint64_t largest = std::ranges::max(concatenated(lists_of_all(std::vector{here.largest()}, ranks)));
-  if (listed == 0) return std::uint64_t{0};
-  if (largest >= listed)
-    return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +
-                   std::to_string(listed) + " points");
-  if (largest + 1 >= no_index)
-    return Error{ErrorKind::resources,
-                 "the mesh has " + std::to_string(largest + 1) + " points, more than can be checked at once"};
-  return largest + 1;
-}
 
 /// The points in the lists for their referees.
 std::vector<std::vector<NumberedPoint>> to_referees(const std::vector<NumberedPoint>& points, const Referees& referees,
@@ -79,14 +69,30 @@ std::vector<std::vector<NumberedPoint>> to_referees(const std::vector<NumberedPo
 
 }  // namespace
 
+void NumbersOfRank::count(std::span<const std::uint64_t> number) {
+  listed_ += number.size();
+  for (const std::uint64_t one : number) largest_ = std::max(largest_, one);
+}
+
 void NumbersOfRank::add(std::span<const std::uint64_t> number, const Adjacency& adjacency) {
   NumberSet of_piece;
-  listed_ += number.size();
   for (Index v = 0; v < number.size(); ++v) {
-    largest_ = std::max(largest_, number[v]);
     if (number[v] < no_index && !is_at_border(v, adjacency)) of_piece.insert(number[v]);
   }
   inner_.unite(of_piece, repeated_);
+}
+
+Result<std::uint64_t> count_points(const NumbersOfRank& here, Ranks& ranks) {
+  const std::uint64_t listed = sum_of(here.listed(), ranks);
+  const std::uint64_t largest = most_of(here.largest(), ranks);
+  if (listed == 0) return std::uint64_t{0};
+  if (largest >= listed)
+    return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +
+                   std::to_string(listed) + " points");
+  if (largest + 1 >= no_index)
+    return Error{ErrorKind::resources,
+                 "the mesh has " + std::to_string(largest + 1) + " points, more than can be checked at once"};
+  return largest + 1;
 }
 
 Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector<NumberedPoint>& border,

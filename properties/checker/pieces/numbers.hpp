@@ -22,7 +22,9 @@ struct NumberedPoint {
 /// The numbers in the pieces of one rank.
 class NumbersOfRank {
  public:
-  /// Adds those of a piece, in which no two vertices have one number.
+  /// Counts those of a piece.
+  void count(std::span<const std::uint64_t> number);
+  /// Adds the vertices of a piece, in which no two vertices have one number, after count().
   void add(std::span<const std::uint64_t> number, const Adjacency& adjacency);
 
   [[nodiscard]] std::uint64_t listed() const { return listed_; }
@@ -41,13 +43,19 @@ class NumbersOfRank {
 /// Returns the vertices with these numbers, which are sorted, in all pieces of the rank.
 using FindPoints = std::function<Result<std::vector<NumberedPoint>>(const std::vector<std::uint64_t>& numbers)>;
 
-/// Returns the number of points of the whole mesh, which is the largest number plus one. Collective; an error is the
-/// same on all ranks. Each number must belong to one vertex, with the same coordinates in all pieces that have it.
-/// `border`: the vertices that other pieces may have, of all pieces of the rank. `find` is called, on all ranks alike,
-/// only if a vertex in the interior of one piece is in another piece, too.
+/// The number of points of the whole mesh, which is the largest number plus one, by count() alone. Collective.
 ///
-/// Errors: invalid_input if a number is missing or belongs to different vertices; resources if there are more points
-/// than an Index can number; those of `find`. Memory: one bit per point of the whole mesh.
+/// Errors: invalid_input if all pieces together have fewer points; resources if there are more than an Index can
+/// number.
+[[nodiscard]] Result<std::uint64_t> count_points(const NumbersOfRank& here, Ranks& ranks);
+
+/// Returns count_points(), after a comparison of the pieces. Collective; an error is the same on all ranks. Each number
+/// must belong to one vertex, with the same coordinates in all pieces that have it. `border`: the vertices that other
+/// pieces may have, of all pieces of the rank. `find` is called, on all ranks alike, only if a vertex in the interior
+/// of one piece is in another piece, too.
+///
+/// Errors: those of count_points() and of `find`; invalid_input if a number is missing or belongs to different points.
+/// Memory: one bit per point of the whole mesh.
 [[nodiscard]] Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector<NumberedPoint>& border,
                                                   const FindPoints& find, Ranks& ranks);
 
