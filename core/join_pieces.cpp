@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "neighbours.hpp"
@@ -92,6 +93,11 @@ class Join {
     return Done{};
   }
 
+  [[nodiscard]] Error different(std::uint64_t number, Point a, Point b) const {
+    if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
+    return invalid("different points have the number " + name(number) + ", at " + shortest(a) + " and " + shortest(b));
+  }
+
   Status add_points(const NumberedMesh& piece) {
     const std::size_t k = mesh_.attributes_per_point;
     for (std::size_t v = 0; v < piece.number.size(); ++v) {
@@ -99,8 +105,7 @@ class Join {
       const Point p = piece.mesh.points[v];
       if (is_known_[number] != 0) {
         if (p.x != mesh_.points[number].x || p.y != mesh_.points[number].y)
-          return invalid("different points have the number " + name(number) + ", at " + shortest(mesh_.points[number]) +
-                         " and " + shortest(p));
+          return different(number, mesh_.points[number], p);
         if (!has_same_data(piece.mesh, v, number))
           return invalid("there are different data of the point with the number " + name(number));
         continue;

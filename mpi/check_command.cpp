@@ -31,8 +31,8 @@ namespace {
 using namespace cli;
 
 constexpr const char* check_footer =
-    R"(The certificate is that of 'pardel check', but no rank holds the whole mesh. The number of ranks may differ
-from the number of pieces; a rank with several pieces holds one at a time. Exit status 0: the mesh is right; 1: it is
+    R"(The certificate is that of 'pardel check', with the number of ranks as one more entry of --json. No rank holds the
+whole mesh. The number of ranks may differ from the number of pieces; a rank with several pieces holds one at a time. Exit status 0: the mesh is right; 1: it is
 wrong, and the violations are listed with their places.
 
 Example:

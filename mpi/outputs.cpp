@@ -34,22 +34,31 @@ fs::path piece_of(const fs::path& output, int number) {
   return output.extension() == ".msh" ? msh_of_piece(output, number + 1) : vtu_of_piece(behind_links(output), number);
 }
 
+/// An error if the ranks cannot write this file.
+Status check_file(const fs::path& file) {
+  if (std::error_code ignored; is_written_directly(file) && !fs::is_directory(file, ignored))
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: this is not a regular file; choose another name for the output", file.string())};
+  return cli::check_folder(file);
+}
+
 Status check_output(const fs::path& output) {
   const std::string name = output.string();
   const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
   if (!is_pvtu && !is_msh && !is_of_triangle(output))
     return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele", name)};
-  if (is_pvtu && output.filename().string().find_first_of("<>&\"") != std::string::npos)
+  if (is_pvtu && behind_links(output).filename().string().find_first_of("<>&\"") != std::string::npos)
     return Error{ErrorKind::usage, fmt::format("the name of the output {} must not contain <, >, & or \"", name)};
-  if (std::error_code ignored; is_written_directly(output) && !fs::is_directory(output, ignored))
-    return Error{ErrorKind::usage, fmt::format("{}: this is not a regular file, and several ranks cannot write it; "
-                                               "choose another name",
-                                               name)};
   if (std::error_code ignored; is_msh && fs::exists(output, ignored))
     return Error{ErrorKind::usage, fmt::format("{}: this file exists, and would hide the pieces {}, ...; remove it or "
                                                "choose another name",
                                                name, msh_of_piece(output, 1).string())};
-  return is_msh ? Status(Done{}) : cli::check_folder(output);
+  if (is_pvtu) return check_file(output);
+  Status fine = Done{};
+  if (is_of_triangle(output))
+    for (const std::string& file : written_files(output))
+      if (fine) fine = check_file(file);
+  return fine;
 }
 
 /// Collective. An earlier .pvtu must not name pieces of two meshes, also if a rank is killed while they get their
@@ -67,7 +76,8 @@ Status remove_index(const fs::path& pvtu, Job& job) {
 Status check_common_folder(const fs::path& output, Job& job) {
   std::optional<OutputFile> probe;
   std::string made;
-  if (job.is_first()) made = probe.emplace(output).written().string();
+  const bool is_msh = output.extension() == ".msh";
+  if (job.is_first()) made = probe.emplace(is_msh ? msh_of_piece(output, 1) : output).written().string();
   const Ranks::Bytes name = from_first(to_bytes(std::vector(made.begin(), made.end())), job.ranks());
   const std::vector<char> seen = list_in<char>(name);
   const fs::path file(seen.begin(), seen.end());
@@ -104,7 +114,7 @@ Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, con
   const std::array inputs = {cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}};
   if (Status fine = cli::check_distinct(files, inputs); !fine) return fine;
   for (const cli::NamedFile& piece : std::span(files).subspan(expected.outputs.size()))
-    if (Status fine = cli::check_folder(piece.file); !fine) return fine;
+    if (Status fine = check_file(piece.file); !fine) return fine;
   return Done{};
 }
 

@@ -37,7 +37,7 @@ class MshReader {
     }
     read_format();
     while (in_.next_line()) read_section(in_.word());
-    const bool may_be_empty = partition_ != 0 && partitions_ > 1;
+    const bool may_be_empty = partitions_ > 1 && !has_partitioned_entities_;
     if (!in_.failed() && !has_nodes_ && !may_be_empty) in_.fail("expected $Nodes, found the end of the file");
     if (!in_.failed() && !has_elements_ && (has_nodes_ || !may_be_empty))
       in_.fail("expected $Elements, found the end of the file");
@@ -147,6 +147,7 @@ class MshReader {
       left_out_.insert({2, tag});
     }
     read_entities_by_dimension([&](int dimension, std::int64_t tag) {
+      has_partitioned_entities_ = true;
       const std::int64_t parent_dimension = source_.integer("the dimension of a parent", 0, 3);
       source_.integer("a parent's tag", any_marker_low, any_marker_high);
       const std::size_t count = source_.size("the number of partitions of an entity");
@@ -411,6 +412,7 @@ class MshReader {
   MshSource source_;
   int partition_;
   std::size_t partitions_ = 1;
+  bool has_partitioned_entities_ = false;
   double version_ = 0;
   std::map<Key, double> value_;           ///< the values of physical groups that have a name
   std::map<Key, std::int64_t> physical_;  ///< the first physical group of each entity

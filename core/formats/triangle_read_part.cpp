@@ -74,7 +74,7 @@ class PointsReader {
   void share_header() {
     std::vector<SentHeader> sent;
     if (ranks_.rank() == with_header_) sent.push_back({header_.points, header_.attributes, header_.markers ? 1U : 0U});
-    const SentHeader read = concatenated(lists_of_all(sent, ranks_)).front();
+    const SentHeader read = value_of_one(sent, ranks_);
     header_ = {read.points, read.attributes, read.markers != 0};
   }
 
@@ -156,7 +156,7 @@ class SegmentsReader {
   void share_header() {
     std::vector<Header> sent;
     if (ranks_.rank() == file_.rank_of(section_)) sent.push_back(header_);
-    header_ = concatenated(lists_of_all(sent, ranks_)).front();
+    header_ = value_of_one(sent, ranks_);
   }
 
   [[nodiscard]] std::uint64_t segments_before(int rank) const {

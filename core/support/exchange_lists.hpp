@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../ranks.hpp"
+#include "stop_signal.hpp"
 
 namespace pardel {
 
@@ -54,6 +55,15 @@ template <class T>
 template <class T>
 [[nodiscard]] std::vector<std::vector<T>> lists_of_all(const std::vector<T>& list, Ranks& ranks) {
   return exchange_lists(std::vector<std::vector<T>>(static_cast<std::size_t>(ranks.count()), list), ranks);
+}
+
+/// Collective. Returns the value that one rank has; the others pass an empty list. Throws Stopped with an internal
+/// error if none has it.
+template <class T>
+[[nodiscard]] T value_of_one(const std::vector<T>& value, Ranks& ranks) {
+  const std::vector<T> all = concatenated(lists_of_all(value, ranks));
+  if (all.empty()) throw Stopped{{ErrorKind::internal, "a value that one rank has is missing"}};
+  return all.front();
 }
 
 }  // namespace pardel

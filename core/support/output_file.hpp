@@ -16,7 +16,8 @@ namespace pardel {
 /// and /dev/stdout for standard output, /dev/fd/N.
 [[nodiscard]] bool is_written_directly(const std::filesystem::path& file);
 
-/// The file that a symbolic link leads to, also if it does not exist yet. The name itself if it is no link.
+/// The file that a symbolic link leads to, also if it does not exist yet. The name itself if it is no link. If links
+/// lead in a circle: one of them.
 [[nodiscard]] std::filesystem::path behind_links(const std::filesystem::path& file);
 
 /// Writes to a new file `NAME.PROCESS-NUMBER.partial` in the folder of NAME. commit() renames that file to NAME;

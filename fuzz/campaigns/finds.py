@@ -57,6 +57,15 @@ def replay(target, file, seconds=30):
 
 
 def smaller(data, target, fails, until):
+    """The smallest input that once() reaches from this one, in any number of rounds. fails() tells whether an input
+    has the same verdict and stack."""
+    before = None
+    while data != before and time.time() < until:
+        before, data = data, once(data, target, fails, until)
+    return data
+
+
+def once(data, target, fails, until):
     """Removes parts, and sets bytes to zero, as long as fails() holds: strokes of a domain, else lines and bytes."""
     head, sizes = (32, [64, 16, 8]) if target.draws else (0, [256, 64, 16, 4, 1])
     for size in sizes:
@@ -78,7 +87,8 @@ def smaller(data, target, fails, until):
 
 
 def record(target, artifact, output, folder, seconds):
-    """Files a find below `folder`. Returns its entry, or None if one with the same verdict and stack is there.
+    """Files a find below `folder`. Returns its entry, or None if one with the same verdict and stack is there. A find
+    gets its name when it is complete; what an interruption leaves is made again.
 
     If the replay program does not fail, the verdict is that of the fuzzer: the run depends on more than its input. Only
     a time-out of the fuzzer is then no find: it counts elapsed time, of which other work may have taken most.
@@ -89,17 +99,20 @@ def record(target, artifact, output, folder, seconds):
     found = signature(again if again is not None else output)
     name = key(target.name, found)
     place = Path(folder) / target.name / name
-    if place.exists():
+    if (place / "find.json").exists():
         count = json.loads((place / "find.json").read_text())
         count["times"] += 1
         (place / "find.json").write_text(json.dumps(count, indent=1))
         return None
-    place.mkdir(parents=True)
-    shutil.copy(artifact, place / "first")
-    (place / "output.txt").write_text(again if again is not None else output)
+    fresh = place.with_suffix(".new")
+    for leftover in (place, fresh):
+        shutil.rmtree(leftover, ignore_errors=True)
+    fresh.mkdir(parents=True)
+    shutil.copy(artifact, fresh / "first")
+    (fresh / "output.txt").write_text(again if again is not None else output)
     data = Path(artifact).read_bytes()
     if again is not None and "timeout" not in found["verdict"]:
-        trial = place / "trial"
+        trial = fresh / "trial"
 
         def fails(candidate):
             trial.write_bytes(candidate)
@@ -108,16 +121,18 @@ def record(target, artifact, output, folder, seconds):
 
         data = smaller(data, target, fails, time.time() + seconds)
         trial.unlink(missing_ok=True)
-    (place / "input").write_bytes(data)
+    (fresh / "input").write_bytes(data)
     if target.draws:
-        drawn = subprocess.run([str(target.folder / "draw_case"), str(place / "input"), str(place / "domain")],
+        drawn = subprocess.run([str(target.folder / "draw_case"), str(fresh / "input"), str(fresh / "domain")],
                                capture_output=True, text=True, check=False)
-        (place / "case.txt").write_text(drawn.stdout)
+        (fresh / "case.txt").write_text(drawn.stdout)
     entry = {"target": target.name, "key": name, "times": 1, "bytes": len(data), "repeats": again is not None,
              "replay": f"{target.replay} {place / 'input'}", "picture": target.draws, **found}
-    (place / "find.json").write_text(json.dumps(entry, indent=1))
+    (fresh / "find.json").write_text(json.dumps(entry, indent=1))
+    fresh.rename(place)
     return entry
 
 
 def all_in(folder):
-    return [json.loads(file.read_text()) for file in sorted(Path(folder).glob("*/*/find.json"))]
+    files = sorted(Path(folder).glob("*/*/find.json"))
+    return [json.loads(file.read_text()) for file in files if file.parent.suffix != ".new"]

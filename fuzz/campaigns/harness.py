@@ -4,6 +4,7 @@ import json
 import shutil
 import signal
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -30,7 +31,8 @@ class Rounds:
     def command(self, work):
         return [str(self.options.harness_program), "--mesher", self.state["mesher"],
                 "--cases", str(self.options.cases), "--seed", str(self.state["seed"]),
-                "--jobs", str(self.options.jobs), "--json", str(work / "report.json"), "--report", str(work / "report.md"), "--failures", str(work / "failures"),
+                "--jobs", str(self.options.jobs), "--json", str(work / "report.json"),
+                "--report", str(work / "report.md"), "--failures", str(work / "failures"),
                 *self.options.harness_options.split()]
 
     def stop(self, *_):
@@ -110,10 +112,19 @@ class Rounds:
         shutil.rmtree(self.folder / "work", ignore_errors=True)
 
 
+def has_begun(folder):
+    """Is the campaign in this folder one of a mesher?"""
+    state = folder / "state.json"
+    return state.exists() and "mesher" in json.loads(state.read_text())
+
+
 def run(folder, options):
     rounds = Rounds(folder, options)
+    if options.harness and options.harness != rounds.state["mesher"]:
+        sys.exit(f"campaign: {folder}: this campaign is of the mesher '{rounds.state['mesher']}'")
     signal.signal(signal.SIGINT, rounds.stop)
     signal.signal(signal.SIGTERM, rounds.stop)
     rounds.run()
-    print(folder / "summary.md")
+    if rounds.state["rounds"] > 0:
+        print(folder / "summary.md")
     return 1 if rounds.state["finds"] or rounds.state["rounds"] == 0 else 0

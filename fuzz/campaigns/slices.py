@@ -60,7 +60,8 @@ def minimise(target, corpus, seconds):
     folders = [corpus] + ([target.committed] if target.committed.is_dir() else [])
     try:
         ran = subprocess.run(target.command("-merge=1", merged, *folders), stdout=subprocess.DEVNULL,
-                             stderr=subprocess.DEVNULL, timeout=seconds, env=programs.environment(), check=False)
+                             stderr=subprocess.DEVNULL, timeout=seconds, env=programs.environment(), check=False,
+                             preexec_fn=end_with_parent)
     except subprocess.TimeoutExpired:
         ran = None
     if ran is None or ran.returncode != 0 or not any(merged.iterdir()):

@@ -50,7 +50,7 @@ struct Certificate {
   /// Triangles for which floating-point filters left a test open, so that it was decided in exact arithmetic.
   std::uint64_t decided_exactly = 0;
   std::vector<std::uint64_t> angle_histogram;  ///< 18 bins of 10 degrees over all angles
-  /// Set by a program whose ranks have checked the mesh together: their number. 0: one process has checked it.
+  /// A program whose ranks have checked the mesh together sets their number. 0: the entry is left out.
   int ranks = 0;
   Digest digest;  ///< of the mesh; all zero if the arrays of the mesh are unusable
 };

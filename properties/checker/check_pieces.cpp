@@ -107,7 +107,9 @@ class PieceCheck {
   Status run_stages() {
     const bool geometry = everywhere(&KeptPiece::has_geometry);
     if (!geometry || !input_) {
-      if (const auto points = count_points(numbers_, ranks_)) certificate_.vertices = *points;
+      const Result<std::uint64_t> points = count_points(numbers_, ranks_);
+      if (!points) return points.error();
+      certificate_.vertices = *points;
       return for_each_piece([&](std::size_t i) { return describe_unusable(i); });
     }
     const bool labels = everywhere(&KeptPiece::has_labels);

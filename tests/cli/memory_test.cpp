@@ -2,7 +2,10 @@
 #include "../../cli/memory.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <fstream>
 #include <vector>
 
 #include "sanitized.hpp"
@@ -46,6 +49,24 @@ TEST(Memory, that_a_process_writes_to_is_used) {
   if (before == 0) GTEST_SKIP() << "there is no /proc";
   const std::vector<char> block(64 * mebibyte, 1);
   EXPECT_GE(used_memory(), before + block.size() / 2);
+}
+
+/// Processes share the memory of the system, but each has its own limit on its address space.
+TEST(Memory, that_the_limit_of_a_process_allows_is_not_divided_among_processes) {
+  const std::uint64_t of_system = available_memory();
+  std::uint64_t pages = 0;
+  if (!(std::ifstream("/proc/self/statm") >> pages)) GTEST_SKIP() << "there is no /proc";
+  EXPECT_LT(available_memory(4), of_system / 3);
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  const std::uint64_t allowed = 64 * mebibyte;
+  const rlimit limit{pages * static_cast<std::uint64_t>(getpagesize()) + allowed, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+  const std::uint64_t alone = available_memory(), shared = available_memory(4);
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_LE(alone, allowed);
+  EXPECT_GT(alone, allowed / 2);
+  EXPECT_EQ(shared, alone);
 }
 
 }  // namespace

@@ -66,8 +66,9 @@ bool fails(std::string_view kind, int error) {
 bool fails_for(std::string_view kind, std::size_t bytes) {
   if (fails(kind, ENOMEM)) return true;
   if (plan.kind != "large" || !counts.load(std::memory_order_relaxed)) return false;
+  if (bytes < static_cast<std::size_t>(plan.first)) return false;
   errno = ENOMEM;
-  return bytes >= static_cast<std::size_t>(plan.first);
+  return true;
 }
 
 /// The function of this name that the program would call without this library.

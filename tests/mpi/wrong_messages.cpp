@@ -9,7 +9,7 @@
 //   longer   it announces messages that are 8 bytes longer, from its step N on. (If they were
 //            shorter, MPI would have to cut messages off, and might then wait for ever.)
 //   skip     it leaves out its step N, and goes on to the next one as if nothing had arrived
-//   repeat   it takes part in its step N twice; for steps without messages (1 and 2: agreements)
+//   repeat   it takes part in its step N twice; for steps without messages (2 and 4: agreements)
 //   signalS  it gets signal S, N microseconds after MPI_Init_thread() (before, mpirun itself may wait for ever)
 //   reorder  on all ranks: messages start in random order, after random delays; this is no mistake (RANK is the seed)
 #include <mpi.h>

@@ -1,6 +1,7 @@
 #include "numbers.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -40,15 +41,18 @@ class Referee {
   }
   void add(const std::vector<NumberedPoint>& more) { border_.insert(border_.end(), more.begin(), more.end()); }
 
+  /// The error of the least number that has one. So the first rank with an error has that of the whole mesh.
   [[nodiscard]] Status judge() {
-    if (const std::uint64_t missing = first_ + known_.first_missing(); missing < end_)
-      return invalid("no piece has the point with the number " + std::to_string(missing));
-    // In this order the message does not depend on the number of ranks.
+    const std::uint64_t missing = first_ + known_.first_missing();
     std::ranges::sort(border_, {}, [](const NumberedPoint& p) { return std::tuple(p.number, p.at.x, p.at.y); });
-    for (std::size_t i = 1; i < border_.size(); ++i)
-      if (border_[i - 1].number == border_[i].number && !(border_[i - 1].at == border_[i].at))
-        return invalid("different points have the number " + std::to_string(border_[i].number) + ", at " +
-                       to_text(border_[i - 1].at) + " and " + to_text(border_[i].at));
+    const auto differ = [](const NumberedPoint& a, const NumberedPoint& b) {
+      return a.number == b.number && !(a.at == b.at);
+    };
+    const auto two = std::ranges::adjacent_find(border_, differ);
+    if (two != border_.end() && two->number < missing)
+      return invalid("different points have the number " + std::to_string(two->number) + ", at " + to_text(two->at) +
+                     " and " + to_text(std::next(two)->at));
+    if (missing < end_) return invalid("no piece has the point with the number " + std::to_string(missing));
     return Done{};
   }
 
@@ -117,7 +121,7 @@ Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector
     if (Status all = agree(found ? Status(Done{}) : found.error(), ranks); !all) return all.error();
     referee.add(concatenated(exchange_lists(to_referees(*found, referees, ranks), ranks)));
   }
-  if (Status all = agree(referee.judge(), ranks); !all) return all.error();
+  if (Status all = agree_on_input(referee.judge(), ranks); !all) return all.error();
   return *count;
 }
 

@@ -158,7 +158,6 @@ TEST(PiecesOfALargeMesh, are_of_about_equal_size) {
   }
 }
 
-/// Writers of common files divide the records by these numbers. If they were wrong, one rank would write all of them.
 /// With twice as many ranks, the rank that holds the most triangles holds less than three quarters.
 TEST(PiecesOfALargeMesh, are_held_with_margins_that_are_small_beside_them) {
   std::size_t most_before = SIZE_MAX;
@@ -173,6 +172,7 @@ TEST(PiecesOfALargeMesh, are_held_with_margins_that_are_small_beside_them) {
   }
 }
 
+/// Writers of common files divide the records by these numbers. If they were wrong, one rank would write all of them.
 TEST(PiecesOfALargeMesh, are_near_the_points_of_ranges_of_numbers_of_about_equal_size) {
   const Case c = large();
   const std::vector<MeshPiece> pieces = pieces_of(c, 4);

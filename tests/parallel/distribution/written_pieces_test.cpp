@@ -364,18 +364,37 @@ TEST(WrittenPieces, of_a_partitioned_mesh_are_all_needed) {
 
 TEST(WrittenPieces, can_be_read_alone_without_their_ghosts) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(all_done(write_msh(cases()[0], 3, folder / "out.msh", MshEncoding::binary)));
-  std::size_t triangles = 0;
-  for (const char* piece : {"out_1.msh", "out_2.msh", "out_3.msh"}) {
-    const Result<Mesh> read = read_mesh(folder / piece);
-    ASSERT_TRUE(read) << read.error().message;
-    triangles += read->triangles.size();
-    std::vector<char> used(read->points.size(), 0);
-    for (const Triangle& t : read->triangles)
-      for (const Index v : t.v) used[v] = 1;
-    EXPECT_EQ(std::ranges::count(used, 0), 0);
+  for (const Case* c : {&cases().front(), &cases().back()}) {  // of the last mesh, two pieces are empty
+    ASSERT_TRUE(all_done(write_msh(*c, 3, folder / "out.msh", MshEncoding::binary)));
+    std::size_t triangles = 0;
+    for (const char* piece : {"out_1.msh", "out_2.msh", "out_3.msh"}) {
+      const Result<Mesh> read = read_mesh(folder / piece);
+      ASSERT_TRUE(read) << read.error().message;
+      triangles += read->triangles.size();
+      std::vector<char> used(read->points.size(), 0);
+      for (const Triangle& t : read->triangles)
+        for (const Index v : t.v) used[v] = 1;
+      EXPECT_EQ(std::ranges::count(used, 0), 0);
+    }
+    EXPECT_EQ(triangles, read_mesh(folder / "out.msh")->triangles.size());
   }
-  EXPECT_EQ(triangles, read_mesh(folder / "out.msh")->triangles.size());
+}
+
+TEST(WrittenPieces, are_not_empty_if_they_have_entities) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(all_done(write_msh(cases().front(), 3, folder / "out.msh", MshEncoding::ascii)));
+  const std::string whole = folder.read("out_2.msh");
+  for (const char* section : {"$Nodes", "$Elements"}) {
+    folder.write("out_2.msh", whole.substr(0, whole.find(section)));
+    for (const char* file : {"out.msh", "out_2.msh"}) {
+      const Result<Mesh> read = read_mesh(folder / file);
+      ASSERT_FALSE(read) << section;
+      EXPECT_NE(read.error().message.find("out_2.msh:"), std::string::npos) << read.error().message;
+      EXPECT_NE(read.error().message.find(std::string("expected ") + section + ", found the end of the file"),
+                std::string::npos)
+          << read.error().message;
+    }
+  }
 }
 
 }  // namespace

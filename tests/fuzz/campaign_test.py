@@ -1,0 +1,312 @@
+"""fuzz/campaign and its parts, with targets that are small scripts in place of libFuzzer programs."""
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "fuzz"))
+from campaigns import finds, programs, slices, summary  # noqa: E402
+
+# Fails if the input has the word "bug", and later a "7". RUNS: a file to which each run adds a byte.
+REPLAY = r"""#!/bin/sh
+[ -z "$RUNS" ] || printf . >> "$RUNS"
+[ -z "$SLOW" ] || sleep "$SLOW"
+if tr '\n\0' '  ' < "$1" | grep -q 'bug.*7'; then
+  echo "fuzz: the property failed: vertex 12 at (0.5, 3) is missing"
+  echo "    #4 0x55e0 in pardel::find_it(int) /source/find.cpp:3"
+  exit 1
+fi
+"""
+
+# Speaks as libFuzzer does. The first argument that is a folder is the corpus.
+FUZZER = r"""#!/usr/bin/env python3
+import re, signal, sys, time
+from pathlib import Path
+options = dict(re.findall(r"-(\w+)=(\S+)", " ".join(sys.argv[1:])))
+folders = [Path(a) for a in sys.argv[1:] if not a.startswith("-")]
+if "merge" in options:
+    sys.exit(1)
+end = time.time() + 1
+signal.signal(signal.SIGINT, lambda *_: globals().__setitem__("end", 0))
+print("#10 INITED cov: 100 ft: 200 corp: 5/50b exec/s: 0", flush=True)
+while time.time() < end:
+    time.sleep(0.05)
+(folders[0] / "new").write_text("input")
+Path(options["artifact_prefix"] + "crash-1").write_bytes(b"some text\nbug number 7 in the middle\nmore\n")
+print("fuzz: the property failed: vertex 99 at (1, 2) is missing", flush=True)
+print("stat::number_of_executed_units: 110\n#110 DONE cov: 120 ft: 260 corp: 6/60b exec/s: 100", flush=True)
+sys.exit(1)
+"""
+
+
+class FakeBuild(unittest.TestCase):
+    """A build folder with one target, `fake`."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = Path(self.temporary.name)
+        (self.folder / "build/fuzz").mkdir(parents=True)
+        (self.folder / "build/fuzz/targets").write_text("fake\n")
+        self.write("build/fuzz/replay_fake", REPLAY)
+        self.write("build/fuzz/fuzz_fake", FUZZER)
+        self.target = programs.targets(self.folder / "build")[0]
+
+    def write(self, name, text):
+        file = self.folder / name
+        file.write_text(text)
+        file.chmod(0o755)
+        return file
+
+    def find(self, text, seconds=20):
+        file = self.folder / "crash-0"
+        file.write_bytes(text)
+        return finds.record(self.target, file, "", self.folder / "finds", seconds)
+
+
+class Signatures(unittest.TestCase):
+    def test_numbers_of_an_input_do_not_tell_verdicts_apart(self):
+        one = finds.signature("fuzz: the property failed: vertex 12 at (0.5, 3) is missing\n")
+        other = finds.signature("fuzz: the property failed: vertex 7 at (1e9, -2) is missing\n")
+        self.assertEqual(one["verdict"], other["verdict"])
+        self.assertNotEqual(one["message"], other["message"])
+
+    def test_the_stack_has_the_innermost_functions_of_the_project(self):
+        output = ("==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x60\n"
+                  "    #0 0x51 in __asan_memcpy (/bin/x+0x1)\n"
+                  "    #1 0x52 in pardel::(anonymous namespace)::read_row(int) /source/a.cpp:1:2\n"
+                  "    #2 0x53 in pardel::read_file(char const*) /source/a.cpp:9:2\n"
+                  "    #3 0x54 in pardel::fuzz::fuzz_one(char const*) /source/b.cpp:9:2\n")
+        found = finds.signature(output)
+        self.assertEqual(found["verdict"], "AddressSanitizer: heap-buffer-overflow")
+        self.assertEqual(found["stack"], ["pardel::read_row", "pardel::read_file"])
+
+    def test_different_stacks_are_different_finds(self):
+        found = {"verdict": "crash", "stack": ["a", "b"]}
+        self.assertNotEqual(finds.key("t", found), finds.key("t", {**found, "stack": ["a", "c"]}))
+        self.assertNotEqual(finds.key("t", found), finds.key("u", found))
+
+
+class Finds(FakeBuild):
+    def test_a_find_is_shrunk_to_the_smallest_input_that_fails_in_the_same_way(self):
+        entry = self.find(b"first line\nhere is a bug, and more\0words; then 1234567890\nlast line\n" * 3)
+        place = self.folder / "finds" / "fake" / entry["key"]
+        self.assertEqual((place / "input").read_bytes(), b"bug7")
+        self.assertIn("vertex 12", (place / "output.txt").read_text())
+        self.assertEqual(finds.all_in(self.folder / "finds"), [entry])
+        command = entry["replay"].split()
+        self.assertEqual(subprocess.run(command, stdout=subprocess.DEVNULL, check=False).returncode, 1)
+
+    def test_the_same_failure_is_counted_and_not_filed_again(self):
+        self.assertIsNotNone(self.find(b"bug 7"))
+        self.assertIsNone(self.find(b"another bug and 7"))
+        self.assertEqual([entry["times"] for entry in finds.all_in(self.folder / "finds")], [2])
+
+    def test_a_find_whose_shrinking_was_interrupted_is_made_again(self):
+        file = self.folder / "crash-0"
+        file.write_bytes(b"a bug that takes long to shrink, because each run sleeps: 7")
+        code = (f"import sys; sys.path.insert(0, {str(ROOT / 'fuzz')!r})\n"
+                f"from campaigns import finds, programs\n"
+                f"target = programs.targets({str(self.folder / 'build')!r})[0]\n"
+                f"finds.record(target, {str(file)!r}, '', {str(self.folder / 'finds')!r}, 60)\n")
+        runs = self.folder / "runs"
+        environment = dict(os.environ, SLOW="0.05", RUNS=str(runs))
+        shrinking = subprocess.Popen([sys.executable, "-c", code], env=environment)
+        while not runs.exists() or runs.stat().st_size < 5:
+            time.sleep(0.02)
+        shrinking.kill()
+        shrinking.wait()
+        self.assertEqual(finds.all_in(self.folder / "finds"), [])
+        self.assertIsNotNone(self.find(file.read_bytes()))
+        self.assertEqual([entry["bytes"] for entry in finds.all_in(self.folder / "finds")], [4])
+
+    def test_a_folder_without_an_entry_is_made_again(self):
+        entry = self.find(b"bug 7")
+        place = self.folder / "finds" / "fake" / entry["key"]
+        (place / "find.json").unlink()
+        self.assertEqual(self.find(b"bug 7")["key"], entry["key"])
+
+    def test_a_time_out_that_does_not_happen_again_is_no_find(self):
+        file = self.folder / "timeout-0"
+        file.write_bytes(b"harmless")
+        folder = self.folder / "finds"
+        self.assertIsNone(finds.record(self.target, file, "ERROR: libFuzzer: timeout after 30 seconds", folder, 1))
+        entry = finds.record(self.target, file, "ERROR: AddressSanitizer: SEGV on unknown address", folder, 1)
+        self.assertFalse(entry["repeats"])
+
+
+class Slices(FakeBuild):
+    def test_executions_do_not_count_what_was_read(self):
+        found = slices.numbers("#10 INITED cov: 5 ft: 6 corp: 3/9b\n#64 NEW cov: 7 ft: 9 corp: 4/12b\n"
+                               "stat::number_of_executed_units: 100\n")
+        self.assertEqual((found["executions"], found["read"], found["coverage"], found["features"], found["inputs"],
+                          found["features_before"]), (90, 10, 7, 9, 4, 6))
+
+    def test_a_corpus_survives_an_interrupted_replacement(self):
+        corpus = self.folder / "corpus" / "fake"
+        for interrupted in ("before", "between", "after"):
+            for name in ("fake", "fake.merged", "fake.old"):
+                slices.remove(corpus.parent / name)
+            kept = {"before": "fake", "between": "fake.old", "after": "fake"}[interrupted]
+            (corpus.parent / kept).mkdir(parents=True)
+            (corpus.parent / kept / "input").write_text(interrupted)
+            if interrupted == "before":
+                (corpus.parent / "fake.merged").mkdir()
+            if interrupted == "after":
+                (corpus.parent / "fake.old").mkdir()
+            slices.recover(corpus)
+            self.assertEqual([f.name for f in corpus.parent.iterdir()], ["fake"], interrupted)
+            self.assertEqual((corpus / "input").read_text(), interrupted)
+
+    def test_a_merge_that_fails_leaves_the_corpus(self):
+        corpus = self.folder / "corpus" / "fake"
+        corpus.mkdir(parents=True)
+        (corpus / "input").write_text("kept")
+        self.assertFalse(slices.minimise(self.target, corpus, 10))
+        self.assertEqual([f.name for f in corpus.parent.iterdir()], ["fake"])
+        self.assertEqual((corpus / "input").read_text(), "kept")
+
+
+class Summaries(unittest.TestCase):
+    def test_the_plot_has_a_line_for_each_target_that_ran(self):
+        picture = summary.plot({"a": [(0.1, 5), (0.2, 9)], "b": [(0.1, 7)], "c": []}, "hours", "edges")
+        self.assertEqual(len(re.findall("<polyline", picture)), 2)
+        self.assertIn("a: 9 edges", picture)
+
+
+class Campaigns(FakeBuild):
+    def begin(self, *options, environment=None):
+        return subprocess.Popen(
+            [sys.executable, ROOT / "fuzz/campaign", "--no-build", "--build", self.folder / "build", "--slice", "60",
+             *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            env=dict(os.environ, **(environment or {})))
+
+    def wait_for_slice(self):
+        log, deadline = self.folder / "run/work/fake-0/log", time.time() + 20
+        while time.time() < deadline and not (log.exists() and "INITED" in log.read_text()):
+            time.sleep(0.02)
+
+    def read(self):
+        return json.loads((self.folder / "run/summary.json").read_text())
+
+    def test_a_campaign_counts_its_runs_and_files_its_finds(self):
+        campaign = self.begin("--out", self.folder / "run", "--hours", "0.0025")
+        said = campaign.communicate()[0]
+        self.assertEqual(campaign.returncode, 1, said)
+        found = self.read()
+        slices_made = found["targets"]["fake"]["slices"]
+        self.assertGreaterEqual(slices_made, 1)
+        self.assertEqual(found["executions"], 100 * slices_made)
+        self.assertEqual([(f["bytes"], f["times"]) for f in found["finds"]], [(4, slices_made)])
+        self.assertIn("vertex 12", (self.folder / "run/summary.md").read_text())
+        self.assertIn("vertex 12", said)
+        self.assertTrue((self.folder / "run/corpus/fake/new").exists())
+
+    def test_a_campaign_that_is_killed_and_resumed_loses_nothing(self):
+        campaign = self.begin("--out", self.folder / "run", "--hours", "1")
+        work = self.folder / "run/work"
+        self.wait_for_slice()
+        campaign.kill()  # libFuzzer ends with its figures
+        campaign.communicate()
+        deadline = time.time() + 20
+        while "DONE" not in next(work.glob("fake-0/log")).read_text() and time.time() < deadline:
+            time.sleep(0.02)
+        resumed = self.begin("--resume", self.folder / "run", "--hours", "0")
+        said = resumed.communicate()[0]
+        self.assertEqual(resumed.returncode, 1, said)
+        found = self.read()
+        self.assertEqual((found["executions"], found["targets"]["fake"]["slices"]), (100, 1), said)
+        self.assertEqual([f["times"] for f in found["finds"]], [1])
+
+    def test_an_interrupted_campaign_ends_with_its_summary(self):
+        campaign = self.begin("--out", self.folder / "run", "--hours", "1")
+        self.wait_for_slice()
+        campaign.send_signal(signal.SIGTERM)
+        said = campaign.communicate()[0]
+        self.assertEqual(campaign.returncode, 1, said)
+        self.assertEqual(self.read()["executions"], 100)
+
+    def test_an_unknown_target_or_folder_is_an_error(self):
+        for options, message in ((("--targets", "none", "--out", self.folder / "run"), "there is no target none"),
+                                 (("--resume", self.folder / "nowhere"), "there is no such folder")):
+            campaign = self.begin(*options)
+            said = campaign.communicate()[0]
+            self.assertEqual(campaign.returncode, 1)
+            self.assertIn(message, said)
+
+
+# Writes the report of a harness that has found one failure. The mesher is `seed N`: it fails for seeds below N.
+HARNESS = r"""#!/usr/bin/env python3
+import json, sys
+from pathlib import Path
+options = dict(zip(sys.argv[1::2], sys.argv[2::2]))
+if options["--mesher"] == "fails":
+    sys.exit(5)
+seed, failing = int(options["--seed"]), int(options["--mesher"].split()[1])
+bad = seed < failing
+kinds = [{"verdict": "wrong", "kind": "overlap", "cases": 2, "first": 3, "message": "triangles 1 and 2 overlap",
+          "smallest": {"poly": "failures/case_3.poly"}}] if bad else []
+Path(options["--json"]).write_text(json.dumps({
+    "families": {"cracks": {"valid": 8 if bad else 10, **({"wrong": 2} if bad else {})}}, "kinds": kinds,
+    "failures": [{"case": 3, "replay": f"pardel-harness --seed {seed} --case 3"}] if bad else []}))
+if bad:
+    Path(options["--failures"]).mkdir()
+    (Path(options["--failures"]) / "case_3.poly").write_text("")
+sys.exit(1 if bad else 0)
+"""
+
+
+class HarnessCampaigns(FakeBuild):
+    def run_campaign(self, *options):
+        program = self.write("harness", HARNESS)
+        return subprocess.run([sys.executable, ROOT / "fuzz/campaign", "--harness-program", program, *options],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+
+    def test_rounds_are_added_up_and_failures_of_one_kind_are_one_find(self):
+        run = self.folder / "run"
+        ran = self.run_campaign("--harness", "seed 3", "--out", run, "--hours", "0.0003")
+        self.assertEqual(ran.returncode, 1, ran.stdout)
+        state = json.loads((run / "state.json").read_text())
+        self.assertGreaterEqual(state["rounds"], 3)
+        self.assertEqual(state["cases"], 10 * state["rounds"])
+        self.assertEqual(state["verdicts"], {"valid": state["cases"] - 4, "wrong": 4})
+        self.assertEqual([(f["kind"], f["times"], f["replay"]) for f in state["finds"]],
+                         [("overlap", 4, "pardel-harness --seed 1 --case 3")])
+        self.assertTrue((run / "finds/case_3.poly").exists())
+
+        again = self.run_campaign("--resume", run, "--hours", "0.0001")
+        self.assertEqual(again.returncode, 1, again.stdout)
+        self.assertGreater(json.loads((run / "state.json").read_text())["rounds"], state["rounds"])
+        other = self.run_campaign("--harness", "seed 5", "--resume", run, "--hours", "0.0001")
+        self.assertIn("this campaign is of the mesher 'seed 3'", other.stdout)
+
+    def test_a_harness_that_cannot_run_is_named(self):
+        ran = self.run_campaign("--harness", "fails", "--out", self.folder / "run", "--hours", "0.0003")
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("harness ended with exit code", ran.stdout)
+        self.assertNotIn("summary.md", ran.stdout)
+
+
+class Canaries(unittest.TestCase):
+    """TARGETS: the list of targets of a build."""
+
+    def test_every_target_has_a_canary_that_is_a_known_mistake(self):
+        def words(path, at):
+            lines = path.read_text().splitlines()
+            return [line.split()[at] for line in lines if line.strip() and not line.startswith("#")]
+
+        targets = words(Path(os.environ["TARGETS"]), 0)
+        self.assertEqual(set(words(ROOT / "fuzz/canaries.list", 0)), set(targets))
+        mistakes = set(words(ROOT / "properties/mutants/registry", 0))
+        self.assertEqual(set(words(ROOT / "fuzz/canaries.list", 1)) - mistakes, set())
+
+
+if __name__ == "__main__":
+    unittest.main()
