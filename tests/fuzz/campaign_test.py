@@ -197,8 +197,10 @@ class Campaigns(FakeBuild):
         return json.loads((self.folder / "run/summary.json").read_text())
 
     def test_a_campaign_counts_its_runs_and_files_its_finds(self):
-        campaign = self.begin("--out", self.folder / "run", "--hours", "0.0025")
-        said = campaign.communicate()[0]
+        campaign = self.begin("--out", self.folder / "run", "--hours", "1")
+        said = campaign.stdout.readline()  # when the first find has been filed
+        campaign.send_signal(signal.SIGTERM)
+        said += campaign.communicate()[0]
         self.assertEqual(campaign.returncode, 1, said)
         found = self.read()
         slices_made = found["targets"]["fake"]["slices"]
@@ -242,14 +244,17 @@ class Campaigns(FakeBuild):
             self.assertIn(message, said)
 
 
-# Writes the report of a harness that has found one failure. The mesher is `seed N`: it fails for seeds below N.
+# Writes the report of a harness that has found one failure. The mesher is `seed N`: it fails for seeds below N. END: at
+# this seed the harness ends as if it had been interrupted.
 HARNESS = r"""#!/usr/bin/env python3
-import json, sys
+import json, os, sys
 from pathlib import Path
 options = dict(zip(sys.argv[1::2], sys.argv[2::2]))
 if options["--mesher"] == "fails":
     sys.exit(5)
 seed, failing = int(options["--seed"]), int(options["--mesher"].split()[1])
+if seed >= int(os.environ["END"]):
+    sys.exit(130)
 bad = seed < failing
 kinds = [{"verdict": "wrong", "kind": "overlap", "cases": 2, "first": 3, "message": "triangles 1 and 2 overlap",
           "smallest": {"poly": "failures/case_3.poly"}}] if bad else []
@@ -264,31 +269,31 @@ sys.exit(1 if bad else 0)
 
 
 class HarnessCampaigns(FakeBuild):
-    def run_campaign(self, *options):
+    def run_campaign(self, *options, end=0):
         program = self.write("harness", HARNESS)
         return subprocess.run([sys.executable, ROOT / "fuzz/campaign", "--harness-program", program, *options],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+                              env=dict(os.environ, END=str(end)))
 
     def test_rounds_are_added_up_and_failures_of_one_kind_are_one_find(self):
         run = self.folder / "run"
-        ran = self.run_campaign("--harness", "seed 3", "--out", run, "--hours", "0.0003")
+        ran = self.run_campaign("--harness", "seed 3", "--out", run, end=5)
         self.assertEqual(ran.returncode, 1, ran.stdout)
         state = json.loads((run / "state.json").read_text())
-        self.assertGreaterEqual(state["rounds"], 3)
-        self.assertEqual(state["cases"], 10 * state["rounds"])
-        self.assertEqual(state["verdicts"], {"valid": state["cases"] - 4, "wrong": 4})
+        self.assertEqual((state["rounds"], state["cases"]), (4, 40))
+        self.assertEqual(state["verdicts"], {"valid": 36, "wrong": 4})
         self.assertEqual([(f["kind"], f["times"], f["replay"]) for f in state["finds"]],
                          [("overlap", 4, "pardel-harness --seed 1 --case 3")])
         self.assertTrue((run / "finds/case_3.poly").exists())
 
-        again = self.run_campaign("--resume", run, "--hours", "0.0001")
+        again = self.run_campaign("--resume", run, end=7)
         self.assertEqual(again.returncode, 1, again.stdout)
-        self.assertGreater(json.loads((run / "state.json").read_text())["rounds"], state["rounds"])
-        other = self.run_campaign("--harness", "seed 5", "--resume", run, "--hours", "0.0001")
+        self.assertEqual(json.loads((run / "state.json").read_text())["rounds"], 6)
+        other = self.run_campaign("--harness", "seed 5", "--resume", run)
         self.assertIn("this campaign is of the mesher 'seed 3'", other.stdout)
 
     def test_a_harness_that_cannot_run_is_named(self):
-        ran = self.run_campaign("--harness", "fails", "--out", self.folder / "run", "--hours", "0.0003")
+        ran = self.run_campaign("--harness", "fails", "--out", self.folder / "run")
         self.assertEqual(ran.returncode, 1)
         self.assertIn("harness ended with exit code", ran.stdout)
         self.assertNotIn("summary.md", ran.stdout)
