@@ -140,7 +140,7 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   if (Status sized = job.agree(pieces.require_sizes(problem->goal, certificate)); !sized) return sized.error();
   const double seconds = watch.seconds();
 
-  const Job::Range memory = job.range_of(peak_memory());
+  const LeastAndMost memory = least_and_most_of(peak_memory(), job.ranks());
   Status written = Done{};
   if (job.is_first()) {
     if (!arguments.quiet && !is_standard_output(arguments.json)) {

@@ -9,10 +9,8 @@
 #include <csignal>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "../core/support/agree.hpp"
-#include "../core/support/exchange_lists.hpp"
 
 namespace pardel::mpi {
 
@@ -48,11 +46,6 @@ Job::~Job() {
 }
 
 Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
-
-Job::Range Job::range_of(std::uint64_t value) {
-  const auto [least, most] = std::ranges::minmax(concatenated(lists_of_all(std::vector{value}, ranks_)));
-  return {least, most};
-}
 
 void Job::abort(const Error& error) {
   // If all ranks have the same error, the first one ends the others before they print it, too.

@@ -29,11 +29,6 @@ class Job {
   /// Collective. Done if all ranks pass Done. Otherwise the error of the first rank that failed; its message names the
   /// rank, unless all ranks failed.
   [[nodiscard]] Status agree(const Status& here);
-  /// Collective. The least and the largest value of all ranks.
-  struct Range {
-    std::uint64_t least, most;
-  };
-  [[nodiscard]] Range range_of(std::uint64_t value);
 
   /// Ends all ranks, because this one cannot go on and the others wait for it. Prints the error.
   [[noreturn]] void abort(const Error& error);

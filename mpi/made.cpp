@@ -11,8 +11,9 @@ namespace pardel::mpi {
 void print(const Made& made, const char* making, int threads, std::span<const std::filesystem::path> outputs,
            bool quiet, Job& job) {
   const Digest all = sum_of(made.digest, job.ranks());
-  const std::uint64_t least = job.range_of(made.least).least, most = job.range_of(made.most).most;
-  const Job::Range memory = job.range_of(cli::peak_memory());
+  const std::uint64_t least = least_and_most_of(made.least, job.ranks()).least,
+                      most = least_and_most_of(made.most, job.ranks()).most;
+  const LeastAndMost memory = least_and_most_of(cli::peak_memory(), job.ranks());
   const auto bytes = static_cast<double>(sum_of(cli::peak_memory(), job.ranks()));
   const auto margins = static_cast<double>(sum_of(made.margin, job.ranks()));
   if (!job.is_first() || quiet) return;

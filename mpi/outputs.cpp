@@ -12,7 +12,6 @@
 #include "../cli/distinct_files.hpp"
 #include "../cli/output.hpp"
 #include "../core/support/collective.hpp"
-#include "../core/support/exchange_lists.hpp"
 #include "../core/support/output_file.hpp"
 
 namespace pardel::mpi {
@@ -78,9 +77,7 @@ Status check_common_folder(const fs::path& output, Job& job) {
   std::string made;
   const bool is_msh = output.extension() == ".msh";
   if (job.is_first()) made = probe.emplace(is_msh ? msh_of_piece(output, 1) : output).written().string();
-  const Ranks::Bytes name = from_first(to_bytes(std::vector(made.begin(), made.end())), job.ranks());
-  const std::vector<char> seen = list_in<char>(name);
-  const fs::path file(seen.begin(), seen.end());
+  const fs::path file = text_from_first(made, job.ranks());
   Status here = Done{};
   if (std::error_code ignored; !file.empty() && !fs::exists(file, ignored))
     here =
@@ -135,7 +132,7 @@ Status PvtuFiles::add(const MeshPiece& piece, int number) {
 Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
   if (Status written = job.agree(here); !written) return written;
   // A piece without triangles has no regions either.
-  const bool have_regions = most_of(have_regions_ ? 1 : 0, job.ranks()) > 0;
+  const bool have_regions = least_and_most_of(have_regions_ ? 1 : 0, job.ranks()).most > 0;
   if (Status removed = remove_index(pvtu_, job); !removed) return removed;
   if (Status placed = job.agree(files_.commit()); !placed) return placed;
   Status index = Done{};

@@ -22,13 +22,20 @@ Ranks::Bytes from_first(const Ranks::Bytes& message, Ranks& ranks) {
   return std::move(from_all(sent, ranks).front());
 }
 
+std::string text_from_first(std::string_view text, Ranks& ranks) {
+  const Ranks::Bytes message = from_first(to_bytes(std::vector(text.begin(), text.end())), ranks);
+  const std::vector<char> letters = list_in<char>(message);
+  return {letters.begin(), letters.end()};
+}
+
 std::uint64_t sum_of(std::uint64_t value, Ranks& ranks) {
   ranks.add_up({&value, 1});
   return value;
 }
 
-std::uint64_t most_of(std::uint64_t value, Ranks& ranks) {
-  return std::ranges::max(concatenated(lists_of_all(std::vector{value}, ranks)));
+LeastAndMost least_and_most_of(std::uint64_t value, Ranks& ranks) {
+  const auto [least, most] = std::ranges::minmax(concatenated(lists_of_all(std::vector{value}, ranks)));
+  return {least, most};
 }
 
 Digest sum_of(const Digest& digest, Ranks& ranks) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "../digest.hpp"
@@ -17,12 +19,17 @@ namespace pardel {
 
 /// Returns on all ranks the message of the first one.
 [[nodiscard]] Ranks::Bytes from_first(const Ranks::Bytes& message, Ranks& ranks);
+/// The same for a text.
+[[nodiscard]] std::string text_from_first(std::string_view text, Ranks& ranks);
 
 /// The sum of the values of all ranks.
 [[nodiscard]] std::uint64_t sum_of(std::uint64_t value, Ranks& ranks);
 
-/// The greatest of the values of all ranks.
-[[nodiscard]] std::uint64_t most_of(std::uint64_t value, Ranks& ranks);
+struct LeastAndMost {
+  std::uint64_t least, most;
+};
+/// Of the values of all ranks.
+[[nodiscard]] LeastAndMost least_and_most_of(std::uint64_t value, Ranks& ranks);
 
 /// The digest of a mesh whose parts have these digests.
 [[nodiscard]] Digest sum_of(const Digest& digest, Ranks& ranks);

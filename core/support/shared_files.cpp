@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "agree.hpp"
-#include "exchange_lists.hpp"
+#include "collective.hpp"
 
 namespace pardel {
 namespace {
@@ -28,10 +28,8 @@ SharedFiles::SharedFiles(std::span<const fs::path> names, Ranks& ranks)
     if (!is_regular) fail(i, "cannot be written by several processes, because it is not a regular file");
     std::string partial;
     if (ranks_.rank() == 0 && is_regular) partial = outputs_.emplace_back(names_[i]).written().string();
-    const std::vector<char> from_first =
-        lists_of_all(std::vector<char>(partial.begin(), partial.end()), ranks_).front();
-    if (from_first.empty()) continue;  // the first rank reports why
-    partial.assign(from_first.begin(), from_first.end());
+    partial = text_from_first(partial, ranks_);
+    if (partial.empty()) continue;  // the first rank reports why
     descriptors_[i] = open(partial.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptors_[i] < 0) fail(i, because("cannot be opened for writing", errno));
   }

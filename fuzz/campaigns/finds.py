@@ -57,15 +57,15 @@ def replay(target, file, seconds=30):
 
 
 def smaller(data, target, fails, until):
-    """The smallest input that once() reaches from this one, in any number of rounds. fails() tells whether an input
-    has the same verdict and stack."""
+    """The smallest input that rounds of one_round() reach from this one. fails() tells whether an input has the same
+    verdict and stack."""
     before = None
     while data != before and time.time() < until:
-        before, data = data, once(data, target, fails, until)
+        before, data = data, one_round(data, target, fails, until)
     return data
 
 
-def once(data, target, fails, until):
+def one_round(data, target, fails, until):
     """Removes parts, and sets bytes to zero, as long as fails() holds: strokes of a domain, else lines and bytes."""
     head, sizes = (32, [64, 16, 8]) if target.draws else (0, [256, 64, 16, 4, 1])
     for size in sizes:

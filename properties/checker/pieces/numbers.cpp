@@ -88,7 +88,7 @@ void NumbersOfRank::add(std::span<const std::uint64_t> number, const Adjacency& 
 
 Result<std::uint64_t> count_points(const NumbersOfRank& here, Ranks& ranks) {
   const std::uint64_t listed = sum_of(here.listed(), ranks);
-  const std::uint64_t largest = most_of(here.largest(), ranks);
+  const std::uint64_t largest = least_and_most_of(here.largest(), ranks).most;
   if (listed == 0) return std::uint64_t{0};
   if (largest >= listed)
     return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +

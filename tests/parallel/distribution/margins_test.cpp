@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
@@ -14,11 +13,8 @@
 
 #include "../../../parallel/distribution/distribution.hpp"
 #include "../../../parallel/divided_points/divided_points.hpp"
-#include "../../../parallel/divided_points/part_of_domain.hpp"
-#include "../../../parallel/given_points/triangulated_points.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
-#include "../given_points/part_of_rank.hpp"
-#include "../scheduling/many_tasks.hpp"
+#include "refined_parts.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -118,17 +114,8 @@ class Watched : public Observable {
   std::size_t phase_ = 0;
 };
 
-std::vector<double> caps_of(const Pslg& pslg) {
-  std::vector<double> caps;
-  for (const Region& region : pslg.regions) caps.push_back(region.max_area);
-  return caps;
-}
-
 void expect_refined(DomainTriangulation& domain, const Case& c, const Options& options, Partners& partners) {
-  const Criteria criteria(c.goal, options.placement, caps_of(c.pslg));
-  ProgressMonitor progress(options);
-  const Result<RefineCounts> counts =
-      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, &partners);
+  const Result<RefineCounts> counts = samples::refine(domain, c, options, partners);
   EXPECT_TRUE(counts) << counts.error().message;
 }
 
@@ -146,14 +133,10 @@ void observe(const Case& c, const Options& options, int count, Observed& observe
 /// Each rank has a part of the domain.
 void observe_divided(const Case& c, const Options& options, int count, Observed& observed) {
   properties::on_ranks(count, [&](Ranks& ranks) {
-    const PartOfSegments segments = part_of_segments(c.pslg, ranks);
-    const Pslg rest = domains::rest_of(c.pslg);
-    Result<std::unique_ptr<TriangulatedPoints>> points = triangulated(part_of(c.pslg, ranks), ranks, Threads(1));
-    ASSERT_TRUE(points);
-    Result<PartOfDomain> part = part_of_domain(**points, {segments, rest}, c.goal.convex_hull, ranks, Threads(1));
-    ASSERT_TRUE(part) << part.error().message;
-    Watched<DividedPoints> distribution(part->domain.triangulation, observed, ranks, *part, (*points)->division);
-    expect_refined(part->domain, c, options, distribution);
+    samples::with_part_of_domain(c, ranks, [&](PartOfDomain& part, const CurveDivision& division) {
+      Watched<DividedPoints> distribution(part.domain.triangulation, observed, ranks, part, division);
+      expect_refined(part.domain, c, options, distribution);
+    });
   });
 }
 
@@ -259,11 +242,8 @@ std::string error_of() {
   properties::on_ranks(2, [&](Ranks& ranks) {
     Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, 1);
     ASSERT_TRUE(domain);
-    const Criteria criteria(c.goal, options.placement, caps_of(c.pslg));
-    ProgressMonitor progress(options);
     Wrong wrong(ranks, domain->triangulation);
-    const Result<RefineCounts> counts =
-        refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, {}, {}, &wrong);
+    const Result<RefineCounts> counts = samples::refine(*domain, c, options, wrong);
     ASSERT_FALSE(counts);
     EXPECT_EQ(counts.error().kind, ErrorKind::internal);
     if (ranks.rank() == 0) message = counts.error().message;

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "../../../parallel/distribution/distribution.hpp"
 #include "../../../parallel/divided_points/divided_points.hpp"
-#include "../../../parallel/divided_points/part_of_domain.hpp"
-#include "../../../parallel/given_points/triangulated_points.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
-#include "../given_points/part_of_rank.hpp"
-#include "../scheduling/many_tasks.hpp"
+#include "refined_parts.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -63,12 +59,7 @@ class AtRandom : public Parts {
 
 /// Refines, and returns the triangles that belong to this rank.
 std::vector<Place> refined(DomainTriangulation& domain, const Case& c, const Options& options, Distribution& parts) {
-  std::vector<double> caps;
-  for (const Region& region : c.pslg.regions) caps.push_back(region.max_area);
-  const Criteria criteria(c.goal, options.placement, caps);
-  ProgressMonitor progress(options);
-  const Result<RefineCounts> counts =
-      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, &parts);
+  const Result<RefineCounts> counts = samples::refine(domain, c, options, parts);
   EXPECT_TRUE(counts) << counts.error().message;
   std::vector<Place> own;
   if (!counts) return own;
@@ -109,14 +100,12 @@ std::vector<Place> refined_on(int count, const Case& c, const Options& options, 
 std::vector<Place> refined_parts_on(int count, const Case& c, const Options& options, Placed placed,
                                     std::uint64_t seed) {
   return on_all(count, seed, [&](Ranks& ranks) {
-    const PartOfSegments segments = part_of_segments(c.pslg, ranks);
-    const Pslg rest = domains::rest_of(c.pslg);
-    Result<std::unique_ptr<TriangulatedPoints>> points = triangulated(part_of(c.pslg, ranks), ranks, Threads(1));
-    EXPECT_TRUE(points);
-    Result<PartOfDomain> part = part_of_domain(**points, {segments, rest}, c.goal.convex_hull, ranks, Threads(1));
-    EXPECT_TRUE(part) << part.error().message;
-    AtRandom<DividedPoints> parts(placed, seed, ranks, *part, (*points)->division);
-    return refined(part->domain, c, options, parts);
+    std::vector<Place> own;
+    samples::with_part_of_domain(c, ranks, [&](PartOfDomain& part, const CurveDivision& division) {
+      AtRandom<DividedPoints> parts(placed, seed, ranks, part, division);
+      own = refined(part.domain, c, options, parts);
+    });
+    return own;
   });
 }
 

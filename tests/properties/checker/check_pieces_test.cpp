@@ -1,6 +1,7 @@
 // The certificate of a mesh in pieces is that of the joined mesh.
 #include "../../../properties/checker/check_pieces.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "../../../core/support/shortest.hpp"
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/checker/check.hpp"
 #include "../../../properties/defects/defects.hpp"
@@ -415,7 +417,13 @@ PARDEL_FACT(Pieces, with_wrong_numbers_are_an_error,
     const auto next = std::find(first + 1, piece.mesh.origin.end(), interior_vertex);
     const std::uint64_t twice = piece.number[static_cast<std::size_t>(first - piece.mesh.origin.begin())];
     piece.number[static_cast<std::size_t>(next - piece.mesh.origin.begin())] = twice;
-    EXPECT_TRUE(verdict().starts_with("different points have the number " + std::to_string(twice) + ", at ("));
+    const auto place = [&](auto v) {
+      return piece.mesh.points[static_cast<std::size_t>(v - piece.mesh.origin.begin())];
+    };
+    const auto [low, high] =
+        std::ranges::minmax(std::array{place(first), place(next)}, {}, [](Point p) { return std::pair(p.x, p.y); });
+    EXPECT_EQ(verdict(), "different points have the number " + std::to_string(twice) + ", at " + shortest(low) +
+                             " and " + shortest(high));
     facts.cases += 2;
   }
   {
