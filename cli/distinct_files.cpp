@@ -33,6 +33,7 @@ std::vector<fs::path> full_names(const NamedFile& named) {
   if (full.extension() == ".npy") return {full, fs::path(full).replace_extension(".wld")};
   if (!named.with_family || std::ranges::find(family, full.extension()) == family.end()) return {full};
   std::vector<fs::path> names;
+  names.reserve(family.size());
   for (const char* suffix : family) names.push_back(fs::path(full).replace_extension(suffix));
   return names;
 }

@@ -34,7 +34,7 @@ double circumradius(const std::vector<Point>& p) {
 /// The value with three digits, or with as many as are needed to tell it from the bound.
 std::string shown(double value, double bound) {
   for (int digits = 3; digits < 17; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value, digits);
     double rounded = value;
     std::from_chars(text.data(), text.data() + text.size(), rounded);
     if (rounded != bound && (rounded < bound) == (value < bound)) return text;

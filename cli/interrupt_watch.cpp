@@ -25,7 +25,7 @@ InterruptWatch::InterruptWatch() {
 
 InterruptWatch::~InterruptWatch() {
   finished_ = true;
-  pthread_kill(thread_.native_handle(), SIGTERM);  // wakes the thread
+  pthread_kill(thread_.native_handle(), SIGHUP);  // wakes the thread, which has finished
   thread_.join();
 }
 

@@ -40,6 +40,15 @@ def last_changes(number, head="HEAD"):
     return newest_first[::-1]
 
 
+def number_of_changes(before, after):
+    """How many commits after the one, up to the other, change what is measured; 0 if this repository lacks one of
+    them. On a branch, as line_of()."""
+    try:
+        return int(git("rev-list", "--count", "--first-parent", f"{before}..{after}", "--", *MEASURED))
+    except subprocess.CalledProcessError:
+        return 0
+
+
 def check_out(commit, tree):
     """Makes the folder `tree` a working tree of the commit, with the present workloads instead of its own."""
     if not os.path.isdir(tree):

@@ -35,8 +35,9 @@ void SmallTriangles::add(const std::array<Point, 3>& c, double size, Colour fill
   const double share = area / (n * n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < 2 * (n - i) - 1; ++j) {
+      const int pair = j / 2;  // of two triangles with a common side
       const double offset = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-      const double u = (i + offset) / n, v = (j / 2 + offset) / n;
+      const double u = (i + offset) / n, v = (pair + offset) / n;
       const double x = c[0].x + u * (c[1].x - c[0].x) + v * (c[2].x - c[0].x) - margin_;
       const double y = c[0].y + u * (c[1].y - c[0].y) + v * (c[2].y - c[0].y) - margin_;
       if (!(x >= 0 && x < columns_ && y >= 0 && y < rows_)) continue;

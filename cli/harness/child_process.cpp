@@ -57,6 +57,7 @@ Ending wait_for(int handle, const Limits& limits, const std::function<bool()>& s
 ChildRun run_child(const std::vector<std::string>& words, const std::filesystem::path& log, const Limits& limits,
                    const std::function<bool()>& stop) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
 

@@ -19,7 +19,7 @@ constexpr auto verdict_names = enum_names<Verdict>({
     {Verdict::hung, "hung"},
     {Verdict::refused, "refused"},
 });
-static_assert(verdict_names.size() == verdict_count);
+static_assert(decltype(verdict_names)::size() == verdict_count);
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 import hashlib
 import json
 import re
-import resource
 import shutil
 import signal
 import subprocess
@@ -44,11 +43,10 @@ def key(target, found):
 
 def replay(target, file, seconds=30):
     """Runs one input, for up to so many seconds of processor time. Returns the output of a failure, or None."""
-    command = [str(target.replay), str(file)]
-    limit = (resource.RLIMIT_CPU, (seconds, seconds))
+    command = ["prlimit", f"--cpu={seconds}", str(target.replay), str(file)]
     try:
         ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20 * seconds,
-                             env=programs.environment(), check=False, preexec_fn=lambda: resource.setrlimit(*limit))
+                             env=programs.environment(), check=False)
     except subprocess.TimeoutExpired:  # it waits for something
         return "ERROR: libFuzzer: timeout"
     if ran.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
@@ -102,7 +100,8 @@ def record(target, artifact, output, folder, seconds):
     if (place / "find.json").exists():
         count = json.loads((place / "find.json").read_text())
         count["times"] += 1
-        (place / "find.json").write_text(json.dumps(count, indent=1))
+        (place / "find.json.new").write_text(json.dumps(count, indent=1))
+        (place / "find.json.new").replace(place / "find.json")
         return None
     fresh = place.with_suffix(".new")
     for leftover in (place, fresh):

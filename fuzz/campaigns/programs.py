@@ -28,6 +28,10 @@ class Target:
     def committed(self):
         return CORPUS / self.name
 
+    @property
+    def dictionary(self):
+        return DICTIONARIES / f"{self.name}.dict"
+
     def program(self, mutated=False):
         return self.folder / f"fuzz_{self.name}{'_mutated' if mutated else ''}"
 
@@ -42,9 +46,8 @@ class Target:
         if not self.draws:
             # The values that are compared guide the search in files. In a mesh nearly every value is new.
             command.append("-use_value_profile=1")
-        dictionary = DICTIONARIES / f"{self.name}.dict"
-        if dictionary.exists():
-            command.append(f"-dict={dictionary}")
+        if self.dictionary.exists():
+            command.append(f"-dict={self.dictionary}")
         return command + [str(a) for a in arguments]
 
 
@@ -63,8 +66,18 @@ def targets(build):
     return [Target(line.split()[0], (line.split() + [""])[1], folder) for line in lines if line.strip()]
 
 
-def build(folder, goal, jobs):
-    """Configures the preset `fuzz` if necessary and builds a CMake target of it."""
+def chosen(targets, names):
+    """The targets whose names are in a text, separated by commas; all of them if it is empty. Raises ValueError."""
+    wanted = [word for word in names.split(",") if word]
+    unknown = set(wanted) - {t.name for t in targets}
+    if unknown:
+        raise ValueError(f"there is no target {', '.join(sorted(unknown))}; the targets are "
+                         + ", ".join(t.name for t in targets))
+    return [t for t in targets if not wanted or t.name in wanted]
+
+
+def build(folder, goal, jobs, preset="fuzz"):
+    """Configures a preset if necessary and builds a CMake target of it."""
     if not (Path(folder) / "CMakeCache.txt").exists():
-        subprocess.run(["cmake", "--preset", "fuzz", "-B", str(folder)], cwd=ROOT, check=True)
+        subprocess.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT, check=True)
     subprocess.run(["cmake", "--build", str(folder), "--target", goal, "-j", str(jobs)], cwd=ROOT, check=True)

@@ -1,9 +1,7 @@
 """Slices: runs of libFuzzer of limited length, and what their logs say."""
-import ctypes
+import os
 import re
-import signal
 import subprocess
-import time
 from pathlib import Path
 
 from . import programs
@@ -30,41 +28,52 @@ def numbers(log):
     return result
 
 
-def end_with_parent():
-    """Linux sends this process SIGINT when the campaign dies, even by SIGKILL; libFuzzer then ends with its figures."""
-    ctypes.CDLL(None).prctl(1, signal.SIGINT)
+# Linux sends the process SIGINT when the campaign dies, even by SIGKILL; libFuzzer then ends with its figures.
+END_WITH_PARENT = ["setpriv", "--pdeathsig", "INT"]
 
 
 def start(target, corpus, work, seconds, seed):
     """Starts a slice. Its log is WORK/log, and a failing input is left in WORK."""
-    work.mkdir(parents=True, exist_ok=True)
     corpus.mkdir(parents=True, exist_ok=True)
-    folders = [corpus] + ([target.committed] if target.committed.is_dir() else [])
+    command = target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
+                             *folders_of(target, corpus))
     with open(work / "log", "wb") as log:
-        return subprocess.Popen(
-            target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
-                           *folders),
-            stdout=log, stderr=subprocess.STDOUT, cwd=work, env=programs.environment(), preexec_fn=end_with_parent)
+        return subprocess.Popen(END_WITH_PARENT + command, stdout=log, stderr=subprocess.STDOUT, cwd=work,
+                                env=programs.environment())
+
+
+def wait(process):
+    """Waits for the end of a process. Returns its seconds of processor time."""
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return used.ru_utime + used.ru_stime
+
+
+def folders_of(target, corpus):
+    return [corpus] + ([target.committed] if target.committed.is_dir() else [])
 
 
 def artifacts(work):
     return [file for file in sorted(Path(work).iterdir()) if re.match(r"(crash|timeout|oom|leak)-", file.name)]
 
 
-def minimise(target, corpus, seconds):
-    """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one."""
+def minimise(target, corpus, seconds, started=lambda process: None):
+    """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one.
+    started: gets the process that does it."""
     merged, old = corpus.with_suffix(".merged"), corpus.with_suffix(".old")
     for leftover in (merged, old):
         remove(leftover)
     merged.mkdir()
-    folders = [corpus] + ([target.committed] if target.committed.is_dir() else [])
+    command = target.command("-merge=1", merged, *folders_of(target, corpus))
+    process = subprocess.Popen(END_WITH_PARENT + command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               env=programs.environment())
+    started(process)
     try:
-        ran = subprocess.run(target.command("-merge=1", merged, *folders), stdout=subprocess.DEVNULL,
-                             stderr=subprocess.DEVNULL, timeout=seconds, env=programs.environment(), check=False,
-                             preexec_fn=end_with_parent)
+        process.wait(timeout=seconds)
     except subprocess.TimeoutExpired:
-        ran = None
-    if ran is None or ran.returncode != 0 or not any(merged.iterdir()):
+        process.kill()
+        process.wait()
+    if process.returncode != 0 or not any(merged.iterdir()):
         remove(merged)
         return False
     corpus.rename(old)
@@ -89,12 +98,3 @@ def remove(folder):
         for file in folder.iterdir():
             file.unlink()
         folder.rmdir()
-
-
-def cpu_seconds(process, since):
-    """The processor time of a process that is running, or the time since it was started."""
-    try:
-        fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / 100
-    except (OSError, IndexError):
-        return time.time() - since

@@ -1,10 +1,12 @@
 """What bench/gate, bench/track and bench/compare compute from their measurements."""
 import importlib.machinery
 import importlib.util
+import json
 import math
 import os
 import random
 import statistics
+import subprocess
 import tempfile
 import unittest
 import unittest.mock
@@ -204,14 +206,33 @@ class History(unittest.TestCase):
         self.assertEqual(track.row_of("0" * 40, "c", [entry(1e9, 0.5, 2), entry(2e9, 0.05, 2)])["seconds"], "2.00000")
         self.assertEqual(track.row_of("0" * 40, "c", [entry(1e9, 0.5, 1), entry(2e9, 0.05, 1)])["seconds"], "1.00000")
 
-    def test_the_committed_history_is_complete_and_in_order(self):
+    def test_the_committed_history_has_one_valid_row_per_commit_workload_and_machine(self):
         rows = history.read()
-        self.assertGreater(len({each["commit"] for each in rows}), 20)
         keys = [(each["commit"], each["workload"], each["compiler"], each["machine"]) for each in rows]
         self.assertEqual(len(keys), len(set(keys)))
         for each in rows:
             self.assertEqual(list(each), history.COLUMNS)
             self.assertTrue(each["instructions"] or float(each["seconds"]) > 0, each)
+
+    def test_the_committed_history_has_the_instructions_of_the_gate_for_twenty_commits_and_more(self):
+        with open(os.path.join(commits.ROOT, "bench", "gate.json")) as file:
+            of_gate = set(json.load(file)["workloads"])
+        counted = {}
+        for each in history.read():
+            if each["instructions"]:
+                counted.setdefault(each["commit"], set()).add(each["workload"])
+        self.assertGreaterEqual(len(counted), 20)
+        self.assertEqual({commit: of_gate - names for commit, names in counted.items() if of_gate - names}, {})
+
+    def test_the_committed_history_is_in_the_order_of_the_commits(self):
+        rows = history.read()
+        try:
+            line = commits.line_of()
+        except (OSError, subprocess.CalledProcessError):
+            self.skipTest("this is no git repository")
+        if not set(row["commit"] for row in rows) <= {commit[:history.SHORT_COMMIT] for commit in line}:
+            self.skipTest("this repository does not have all commits of the history")
+        self.assertEqual(rows, history.in_order(rows, line))
 
 
 class Pressure(unittest.TestCase):
@@ -259,15 +280,23 @@ class Drawing(unittest.TestCase):
             row("a", workload="w/threads:2", seconds="0.1", items="50"),
             row("b", workload="w/threads:2", seconds="0.2", items="50"),
             row("c", workload="w/threads:2", seconds="0.4", items="50"),
-            row("c", workload="other", instructions="5", compiler="c2")]
+            row("c", workload="other", instructions="5", compiler="c2"),
+            row("a", machine="n", seconds="9", items="50"), row("b", machine="n", seconds="3", items="50")]
 
     def draw(self):
-        return drawing.draw(self.ROWS, ["a", "b", "between", "c"], "c", "m", lambda commit: f"<{commit}>")
+        return drawing.draw(self.ROWS, ["a", "b", "between", "c"], "c", lambda before, after: 2 if after == "c" else 1,
+                            lambda commit: f"<{commit}>")
 
-    def test_the_drawing_is_xml_with_a_curve_for_counts_and_speeds_of_each_workload(self):
+    def test_the_drawing_is_xml_with_a_curve_for_counts_and_for_speeds_on_each_machine(self):
         root = xml.etree.ElementTree.fromstring(self.draw()[0])
         lines = root.findall(".//{http://www.w3.org/2000/svg}polyline")
-        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 3])
+        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 2, 3])
+        self.assertNotEqual(lines[1].get("stroke"), lines[2].get("stroke"))
+
+    def test_machines_are_not_compared_with_each_other(self):
+        page = self.draw()[1]
+        self.assertNotIn("+200.0 %", page)  # from a to b on n, with the same instructions
+        self.assertNotIn("-97", page)  # from m to n
 
     def test_the_page_shows_the_drawing_that_lies_beside_it(self):
         picture, page = self.draw()
@@ -276,19 +305,24 @@ class Drawing(unittest.TestCase):
 
     def test_the_page_names_the_commit_that_changed_a_workload(self):
         page = self.draw()[1]
-        self.assertIn("<tr><td>w</td><td>+9.9 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
-        self.assertIn("<tr><td>w</td><td>+100.0 %</td><td>&lt;c&gt;</td><td>b</td><td>another</td></tr>", page)
+        commit = "one of 2 after b, the last of them: &lt;c&gt;"
+        self.assertIn(f"<tr><td>w</td><td>+9.9 %</td><td>b</td><td>{commit}</td><td>another</td></tr>", page)
+        self.assertIn(f"<tr><td>w</td><td>+100.0 %</td><td>b</td><td>{commit}</td><td>another</td></tr>", page)
+
+    def test_a_change_from_one_commit_to_the_next_names_this_commit_alone(self):
+        points = [(0, 1, row("a")), (1, 2, row("b"))]
+        self.assertEqual(drawing.origin(*points, lambda *_: 1, str), "b")
 
     def test_a_change_of_the_speed_is_named_only_if_the_instructions_changed_too(self):
         page = self.draw()[1]
-        self.assertIn("<tr><td>w/threads:2</td><td>-50.0 %</td><td>&lt;c&gt;</td>", page)
+        self.assertIn("<tr><td>w/threads:2</td><td>-50.0 %</td><td>b</td>", page)
         self.assertEqual(page.count("<tr><td>"), 3)
 
     def test_counts_of_another_compiler_are_not_in_a_curve(self):
         self.assertNotIn("other", self.draw()[0])
 
     def test_an_empty_history_can_be_drawn(self):
-        xml.etree.ElementTree.fromstring(drawing.draw([], [], "c", "m", str)[0])
+        xml.etree.ElementTree.fromstring(drawing.draw([], [], "c", lambda *_: 0, str)[0])
 
 
 class Commits(unittest.TestCase):

@@ -3,13 +3,14 @@
 //   PARDEL_FAULT=KIND:N+  that call and all later ones of this kind fail
 //   PARDEL_FAULT=large:B  all calls for at least B bytes of memory of its own fail
 //   PARDEL_CALLS=FILE     when the process ends, the number of calls of the kind is written to FILE
-// Kinds: memory, map, open, write, short, close, rename, thread. `short` lets fwrite write only the first half of its
-// bytes. Calls are counted from the beginning of main() to its end, because a program has no say before and after.
-// Writing to standard error never fails: a test could not see the message.
+// Kinds: memory, map, open, read, write, short, close, rename, thread. `short` lets fwrite and pwrite write only the
+// first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has no say
+// before and after. Writing to standard error never fails: a test could not see the message.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -39,6 +40,7 @@ Plan plan;
 std::atomic<long> calls{0};
 std::atomic<bool> counts{false};
 int (*real_main)(int, char**, char**) = nullptr;
+std::atomic<std::FILE*> unreadable{nullptr};
 
 void read_plan() {
   const char* text = std::getenv("PARDEL_FAULT");
@@ -149,6 +151,14 @@ int open(const char* file, int flags, ...) {
   return next<decltype(open)>("open")(file, flags, mode);
 }
 
+/// After a failed call, ferror() reports an error of the file.
+std::size_t fread(void* data, std::size_t size, std::size_t count, std::FILE* file) {
+  if (!fails("read", EIO)) return next<decltype(fread)>("fread")(data, size, count, file);
+  unreadable = file;
+  return 0;
+}
+int ferror(std::FILE* file) { return file == unreadable ? 1 : next<decltype(ferror)>("ferror")(file); }
+
 std::size_t fwrite(const void* data, std::size_t size, std::size_t count, std::FILE* file) {
   const auto write = next<decltype(fwrite)>("fwrite");
   if (file == stderr) return write(data, size, count, file);
@@ -158,11 +168,24 @@ std::size_t fwrite(const void* data, std::size_t size, std::size_t count, std::F
   errno = ENOSPC;
   return half;
 }
+ssize_t pwrite(int fd, const void* data, std::size_t size, off_t offset) {
+  if (fails("write", ENOSPC)) return -1;
+  return next<decltype(pwrite)>("pwrite")(fd, data, fails("short") ? (size + 1) / 2 : size, offset);
+}
 int fflush(std::FILE* file) { return fails("write", ENOSPC) ? EOF : next<decltype(fflush)>("fflush")(file); }
 /// A file that cannot be closed without an error is closed nevertheless.
 int fclose(std::FILE* file) {
   const int result = next<decltype(fclose)>("fclose")(file);
   return fails("close", EIO) ? EOF : result;
+}
+
+/// Counts only the files to which a program only writes; libraries close much else.
+int close(int fd) {
+  struct stat about {};
+  const bool is_output = counts.load(std::memory_order_relaxed) && (fcntl(fd, F_GETFL) & O_ACCMODE) == O_WRONLY &&
+                         fstat(fd, &about) == 0 && S_ISREG(about.st_mode);
+  const int result = next<decltype(close)>("close")(fd);
+  return is_output && fails("close", EIO) ? -1 : result;
 }
 
 int rename(const char* from, const char* to) {

@@ -127,7 +127,8 @@ TEST_P(FailingCalls, end_the_command_or_change_nothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FailingCalls,
-                         ::testing::Values("memory", "map", "open", "write", "short", "close", "rename", "thread"),
+                         ::testing::Values("memory", "map", "open", "read", "write", "short", "close", "rename",
+                                           "thread"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

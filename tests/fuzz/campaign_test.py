@@ -1,4 +1,4 @@
-"""fuzz/campaign and its parts, with targets that are small scripts in place of libFuzzer programs."""
+"""fuzz/campaign and fuzz/afl and their parts, with small scripts in place of the programs of libFuzzer and AFL++."""
 import json
 import os
 import re
@@ -197,16 +197,13 @@ class Campaigns(FakeBuild):
         return json.loads((self.folder / "run/summary.json").read_text())
 
     def test_a_campaign_counts_its_runs_and_files_its_finds(self):
-        campaign = self.begin("--out", self.folder / "run", "--hours", "1")
-        said = campaign.stdout.readline()  # when the first find has been filed
-        campaign.send_signal(signal.SIGTERM)
-        said += campaign.communicate()[0]
+        # No slice begins in the last five seconds; so there is time for one.
+        campaign = self.begin("--out", self.folder / "run", "--hours", str(5.9 / 3600))
+        said = campaign.communicate()[0]
         self.assertEqual(campaign.returncode, 1, said)
         found = self.read()
-        slices_made = found["targets"]["fake"]["slices"]
-        self.assertGreaterEqual(slices_made, 1)
-        self.assertEqual(found["executions"], 100 * slices_made)
-        self.assertEqual([(f["bytes"], f["times"]) for f in found["finds"]], [(4, slices_made)])
+        self.assertEqual((found["targets"]["fake"]["slices"], found["executions"]), (1, 100))
+        self.assertEqual([(f["bytes"], f["times"]) for f in found["finds"]], [(4, 1)])
         self.assertIn("vertex 12", (self.folder / "run/summary.md").read_text())
         self.assertIn("vertex 12", said)
         self.assertTrue((self.folder / "run/corpus/fake/new").exists())
@@ -234,6 +231,26 @@ class Campaigns(FakeBuild):
         said = campaign.communicate()[0]
         self.assertEqual(campaign.returncode, 1, said)
         self.assertEqual(self.read()["executions"], 100)
+
+    def test_other_targets_go_on_while_a_find_is_shrunk(self):
+        (self.folder / "build/fuzz/targets").write_text("fake\nother\n")
+        self.write("build/fuzz/replay_other", REPLAY)
+        self.write("build/fuzz/fuzz_other", re.sub(r'^Path\(options\["artifact_prefix"\].*\n', "", FUZZER, flags=re.MULTILINE))
+        # Shrinking takes longer than the time in which slices begin.
+        campaign = self.begin("--out", self.folder / "run", "--jobs", "2", "--hours", str(11 / 3600), "--shrink", "7",
+                              environment={"SLOW": "0.3"})
+        said = campaign.communicate()[0]
+        self.assertEqual(campaign.returncode, 1, said)
+        made = {name: entry["slices"] for name, entry in self.read()["targets"].items()}
+        self.assertEqual(made["fake"], 1)
+        self.assertGreaterEqual(made["other"], 2)
+
+    def test_a_program_that_is_missing_is_named(self):
+        (self.folder / "build/fuzz/fuzz_fake").unlink()
+        campaign = self.begin("--out", self.folder / "run")
+        said = campaign.communicate()[0]
+        self.assertEqual(campaign.returncode, 1)
+        self.assertIn("fuzz/fuzz_fake is missing", said)
 
     def test_an_unknown_target_or_folder_is_an_error(self):
         for options, message in ((("--targets", "none", "--out", self.folder / "run"), "there is no target none"),
@@ -297,6 +314,67 @@ class HarnessCampaigns(FakeBuild):
         self.assertEqual(ran.returncode, 1)
         self.assertIn("harness ended with exit code", ran.stdout)
         self.assertNotIn("summary.md", ran.stdout)
+
+
+# Leaves what afl-fuzz leaves: one old and one new input, and a crash.
+AFL_FUZZ = r"""#!/usr/bin/env python3
+import os, sys
+from pathlib import Path
+options = dict(zip(sys.argv[1:], sys.argv[2:]))
+if "ASAN_OPTIONS" in os.environ or options["-m"] != "none" or not os.listdir(options["-i"]):
+    sys.exit(1)
+if os.environ.get("BROKEN"):
+    sys.exit("this machine is not fit for afl-fuzz")
+made = Path(options["-o"]) / "default"
+for name, text in (("queue/id:000000,time:0,execs:0,orig:seed", "old"), ("queue/id:000001,src:000000,time:7", "new"),
+                   ("crashes/id:000000,sig:06", "words, a bug, more words, and 7 words"), ("crashes/README.txt", ""),
+                   ("fuzzer_stats", "execs_done : 1200\nexecs_per_sec : 40.25\nedges_found : 77\ncorpus_count : 2\n"
+                                    "saved_crashes : 1\nsaved_hangs : 0\nafl_banner : fuzz: fake\n")):
+    (made / name).parent.mkdir(parents=True, exist_ok=True)
+    (made / name).write_text(text)
+"""
+
+
+class Afl(FakeBuild):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "bin").mkdir()
+        self.write("bin/afl-fuzz", AFL_FUZZ)
+
+    def run_afl(self, *options, **environment):
+        return subprocess.run([sys.executable, ROOT / "fuzz/afl", "--no-build", "--build", self.folder / "build", "--out",
+                               self.folder / "out", *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              env=dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}", **environment),
+                              check=False)
+
+    def test_a_run_has_a_row_and_its_crash_is_a_find_as_in_a_campaign(self):
+        for _ in range(2):  # the second run replaces the first one
+            ran = self.run_afl()
+            self.assertEqual(ran.returncode, 1, ran.stdout)
+            self.assertIn("| fake | 1,200 | 40 | 77 | 2 | 1 | 1 | 0 |", ran.stdout)
+        found, = finds.all_in(self.folder / "out/finds")
+        self.assertEqual(found["times"], 1)
+        self.assertEqual((self.folder / "out/finds/fake" / found["key"] / "input").read_bytes(), b"bug7")
+
+    def test_a_campaign_gets_the_new_inputs(self):
+        corpus = self.folder / "run/corpus/fake"
+        corpus.mkdir(parents=True)
+        (corpus / "seed").write_text("old")
+        for _ in range(2):
+            self.run_afl("--campaign", self.folder / "run")
+            self.assertEqual(sorted(file.read_text() for file in corpus.iterdir()), ["new", "old"])
+
+    def test_what_afl_says_when_it_cannot_run_is_shown(self):
+        ran = self.run_afl(BROKEN="1")
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("this machine is not fit for afl-fuzz", ran.stdout)
+
+    def test_an_unknown_target_or_campaign_is_an_error(self):
+        for options, message in ((("--targets", "none"), "there is no target none"),
+                                 (("--campaign", self.folder / "nowhere"), "there is no such folder")):
+            ran = self.run_afl(*options)
+            self.assertEqual(ran.returncode, 1)
+            self.assertIn(message, ran.stdout)
 
 
 class Canaries(unittest.TestCase):
