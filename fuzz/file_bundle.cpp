@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 namespace pardel::fuzz {
@@ -17,6 +20,8 @@ bool is_name(std::string_view name) {
   return !name.empty() && name.size() < 60 && name.front() != '.' &&
          std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; });
 }
+
+const std::string prefix = "pardel-fuzz-";  // of the folders; the number of the process follows
 
 }  // namespace
 
@@ -39,9 +44,21 @@ std::vector<NamedText> files_of(std::span<const std::uint8_t> bytes, const std::
 
 Scratch::Scratch() {
   const fs::path memory = "/dev/shm";
-  folder_ =
-      (fs::is_directory(memory) ? memory : fs::temp_directory_path()) / ("pardel-fuzz-" + std::to_string(getpid()));
+  const fs::path place = fs::is_directory(memory) ? memory : fs::temp_directory_path();
+  static const bool once = (remove_leftovers(place), true);
+  static_cast<void>(once);
+  folder_ = place / (prefix + std::to_string(getpid()));
   fs::create_directories(folder_);
+}
+
+void Scratch::remove_leftovers(const fs::path& place) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(place, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const int process = std::atoi(name.c_str() + prefix.size());
+    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
+  }
 }
 
 Scratch::~Scratch() {

@@ -25,7 +25,8 @@ struct NamedText {
 /// front. Bytes that do not begin in this way are one file, with the name `otherwise`.
 [[nodiscard]] std::vector<NamedText> files_of(std::span<const std::uint8_t> bytes, const std::string& otherwise);
 
-/// A folder of this process, in memory if the machine has such a folder. Its files are removed with the object.
+/// A folder of this process, in memory if the machine has such a folder. Its files are removed with the object. A
+/// process that is ended by a find leaves them; the next process removes them, when it makes its first folder.
 class Scratch {
  public:
   Scratch();
@@ -35,6 +36,8 @@ class Scratch {
 
   void write(const NamedText& file) const;
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+  /// Removes the folders of processes that do not exist any more.
+  static void remove_leftovers(const std::filesystem::path& place);
   [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(folder_); }
 
  private:

@@ -3,12 +3,16 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "../core/formats.hpp"
 #include "../core/neighbours.hpp"
 #include "../properties/domains/generators/random.hpp"
+#include "../properties/theorems/framework/local_ranks.hpp"
 #include "file_bundle.hpp"
+#include "two_pieces.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
@@ -121,15 +125,31 @@ std::string any_text_vtu(Random& random) {
          "</Piece></UnstructuredGrid></VTKFile>\n";
 }
 
-std::string any_pieces(const Scratch& scratch, Random& random) {
-  const Mesh mesh = any_mesh(random);
-  std::vector<std::uint64_t> numbers;
-  for (std::uint64_t i = 0; i < mesh.points.size(); ++i) numbers.push_back(i);
-  const PiecesOfMesh pieces{{"piece.vtu"}, !mesh.region.empty(), mesh.attributes_per_point};
+std::string bundle_of(const Scratch& scratch, const std::vector<std::string>& names) {
+  std::string bundle;
+  for (const std::string& name : names)
+    if (std::filesystem::exists(scratch / name))
+      bundle += (bundle.empty() ? "== " : "\n== ") + name + "\n" + contents(scratch / name);
+  return bundle;
+}
+
+std::string any_pieces_as_vtu(const Scratch& scratch, const TwoPieces& divided) {
   VtuPieces files;
-  if (!files.add(mesh, numbers, scratch / "piece.vtu") || !files.commit()) return {};
-  if (!write_pvtu(pieces, scratch / "mesh.pvtu")) return {};
-  return "== mesh.pvtu\n" + contents(scratch / "mesh.pvtu") + "\n== piece.vtu\n" + contents(scratch / "piece.vtu");
+  PiecesOfMesh index{{"a.vtu", "b.vtu"}, !divided.mesh[0].region.empty(), divided.mesh[0].attributes_per_point};
+  for (const std::size_t rank : {0U, 1U})
+    if (!files.add(divided.mesh[rank], divided.number[rank], scratch / index.files[rank])) return {};
+  if (!files.commit() || !write_pvtu(index, scratch / "mesh.pvtu")) return {};
+  return bundle_of(scratch, {"mesh.pvtu", "a.vtu", "b.vtu"});
+}
+
+std::string any_pieces_as_msh(const Scratch& scratch, const TwoPieces& divided, MshEncoding encoding) {
+  bool written = true;
+  properties::on_ranks(2, [&](Ranks& ranks) {
+    const auto rank = static_cast<std::size_t>(ranks.rank());
+    const Status each = write_msh_piece(divided.piece(rank), scratch / "mesh.msh", encoding, ranks);
+    if (rank == 0) written = each.ok();
+  });
+  return written ? bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}) : "";
 }
 
 /// A correct input of the reader.
@@ -141,21 +161,21 @@ std::string any_input(Random& random) {
   if (suffix == ".area" || suffix == ".sizes") return any_list(random);
   if (suffix == ".asc") return any_grid(random);
   if (suffix == ".npy") return any_array(random);
-  if (suffix == ".pvtu") return any_pieces(scratch, random);
   if (suffix == ".vtu" && random.chance(2)) return any_text_vtu(random);
   if (suffix == ".poly") return write_poly(any_pslg(random), file, random.between(0, 1)) ? contents(file) : "";
   if (suffix == ".ele") {
     const TriangleFiles files{
         .base = random.between(0, 1), .write_edge = random.chance(2), .write_neigh = random.chance(2)};
     if (!write_triangle_files(any_mesh(random), {}, scratch / "mesh", files)) return {};
-    std::string bundle;
-    for (const char* each : {"mesh.node", "mesh.ele", "mesh.poly", "mesh.edge", "mesh.neigh"})
-      if (std::filesystem::exists(scratch / each))
-        bundle += std::string("== ") + each + "\n" + contents(scratch / each);
-    return bundle;
+    return bundle_of(scratch, {"mesh.node", "mesh.ele", "mesh.poly", "mesh.edge", "mesh.neigh"});
   }
   const MshEncoding encoding = random.chance(2) ? MshEncoding::ascii : MshEncoding::binary;
-  return write_mesh(any_mesh(random), {}, file, encoding) ? contents(file) : "";
+  const Mesh mesh = any_mesh(random);
+  if (const std::optional<TwoPieces> divided = in_two_pieces(mesh); divided) {
+    if (suffix == ".pvtu") return any_pieces_as_vtu(scratch, *divided);
+    if (suffix == ".msh" && random.chance(4)) return any_pieces_as_msh(scratch, *divided, encoding);
+  }
+  return write_mesh(mesh, {}, file, encoding) ? contents(file) : "";
 }
 
 }  // namespace

@@ -6,14 +6,17 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <tuple>
 
 #include "../core/digest.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/same_attribute.hpp"
+#include "../properties/theorems/framework/local_ranks.hpp"
 #include "file_bundle.hpp"
 #include "fuzz_one.hpp"
+#include "two_pieces.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -87,8 +90,40 @@ void round_trip(const Mesh& mesh, const fs::path& file, bool keeps_regions, cons
   if (read_back(read_mesh(file), file) != once) fail_at(file, "the second round changes the mesh");
 }
 
+/// Writes the mesh as two ranks do, each its piece. The joined pieces must be the mesh.
+void round_trip_in_pieces(const Mesh& mesh, const Scratch& scratch) {
+  const std::optional<TwoPieces> divided = in_two_pieces(mesh);
+  if (!divided) return;
+  const fs::path folder = scratch / "pieces";  // no name in a bundle leads there
+  fs::create_directory(folder);
+  const auto expect_mesh = [&](const fs::path& file) {
+    const Mesh joined = read_back(read_mesh(file), file);
+    if (joined.points != mesh.points) fail_at(file, "the joined pieces have other points");
+    if (digest(joined) != digest(mesh)) fail_at(file, "the joined pieces have another digest");
+  };
+  VtuPieces vtu;
+  PiecesOfMesh index{{}, !mesh.region.empty(), mesh.attributes_per_point};
+  for (const std::size_t rank : {0U, 1U}) {
+    index.files.push_back("piece_" + std::to_string(rank) + ".vtu");
+    require_written(vtu.add(divided->mesh[rank], divided->number[rank], folder / index.files.back()), folder);
+  }
+  require_written(vtu.commit(), folder);
+  require_written(write_pvtu(index, folder / "again.pvtu"), folder / "again.pvtu");
+  expect_mesh(folder / "again.pvtu");
+
+  for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
+    const fs::path file = folder / "again.msh";
+    properties::on_ranks(2, [&](Ranks& ranks) {
+      require_written(write_msh_piece(divided->piece(static_cast<std::size_t>(ranks.rank())), file, encoding, ranks),
+                      file);
+    });
+    expect_mesh(file);
+  }
+}
+
 void round_trip(const Mesh& mesh, const Scratch& scratch) {
   check_ranges(mesh);
+  round_trip_in_pieces(mesh, scratch);
   using Encoding = MshEncoding;
   round_trip(mesh, scratch / "text.msh", true,
              [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::ascii); });

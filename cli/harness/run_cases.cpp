@@ -28,7 +28,7 @@ Status run_tasks(std::size_t count, int threads, const std::function<Status(std:
     }
   };
   std::vector<std::jthread> pool;
-  pool.reserve(static_cast<std::size_t>(std::max(threads, 0)));
+  pool.reserve(static_cast<std::size_t>(threads));
   for (int k = 0; k < threads; ++k) pool.emplace_back(run);
   pool.clear();  // joins the threads
   if (first) return *first;

@@ -55,7 +55,8 @@ class Lattice {
            clamped((p.x - bounds_.min_x) / width_, columns_);
   }
   [[nodiscard]] Point centre_of(Index cell) const {
-    return {bounds_.min_x + (cell % columns_ + 0.5) * width_, bounds_.min_y + (cell / columns_ + 0.5) * height_};
+    const Index column = cell % columns_, row = cell / columns_;
+    return {bounds_.min_x + (column + 0.5) * width_, bounds_.min_y + (row + 0.5) * height_};
   }
   [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
   /// The box in which the task of a cell works. Boxes at the border of the lattice extend to infinity.

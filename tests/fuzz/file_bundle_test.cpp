@@ -2,11 +2,17 @@
 #include "../../fuzz/file_bundle.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace pardel::fuzz {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::vector<NamedText> files(std::string_view text) {
   return files_of({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "main.poly");
@@ -40,6 +46,32 @@ TEST(FileBundle, a_mark_at_the_end_is_an_empty_file) {
   const auto found = files("== a.node");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].text, "");
+}
+
+TEST(Scratch, removes_its_files) {
+  fs::path folder;
+  {
+    const Scratch scratch;
+    folder = (scratch / "").parent_path();
+    scratch.write({"a.poly", "text"});
+    EXPECT_TRUE(fs::exists(scratch / "a.poly"));
+  }
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(Scratch, removes_the_files_of_processes_that_do_not_exist_any_more) {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  const fs::path place = fs::temp_directory_path() / ("leftovers-" + std::to_string(getpid()));
+  const fs::path left = place / ("pardel-fuzz-" + std::to_string(child));
+  const fs::path used = place / ("pardel-fuzz-" + std::to_string(getpid())), other = place / "pardel-fuzz-notes";
+  for (const fs::path& folder : {left, used, other}) fs::create_directories(folder);
+  Scratch::remove_leftovers(place);
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(used));
+  EXPECT_TRUE(fs::exists(other));
+  fs::remove_all(place);
 }
 
 }  // namespace
