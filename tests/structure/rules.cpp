@@ -116,6 +116,7 @@ const std::vector<Exception>& exceptions() {
       {"fuzz/predicates.cpp", "parallel/arithmetic", "compares the predicates and expansions with rational numbers"},
       {"fuzz/many_signs", "parallel/arithmetic", "compares the predicates with exact signs"},
       {"fuzz/many_signs", "properties/checker/arithmetic", "compares the filters of the checker with exact signs"},
+      {"fuzz/with_schedule.hpp", "parallel", "runs the tasks of the refinement in a given order"},
       {"properties/defects", "properties/checker/arithmetic", "a defect is made, and proved, in exact arithmetic"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
       {"bench/model", "parallel", "replays the run of one process as that of many ranks"},

@@ -10,9 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "../../../parallel/conversion/domain_triangulation.hpp"
-#include "../../../parallel/conversion/export_mesh.hpp"
-#include "../../../parallel/scheduling/refine_by_sweeps.hpp"
+#include "../../../fuzz/with_schedule.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/domains/generators/random.hpp"
 
@@ -41,25 +39,10 @@ inline const std::vector<Case>& cases() {
   return all;
 }
 
-/// The result of mesh() after validation, with a given schedule.
-struct Refined {
-  Mesh mesh;
-  RefineCounts counts;
-};
-inline Refined refined(const Case& c, const Options& options, const Schedule& schedule) {
-  Result<DomainTriangulation> domain = triangulate_domain(c.pslg, c.goal.convex_hull, options.threads);
-  EXPECT_TRUE(domain);
-  std::vector<double> attributes, caps;
-  for (const Region& region : c.pslg.regions) {
-    attributes.push_back(region.attribute);
-    caps.push_back(region.max_area);
-  }
-  const Criteria criteria(c.goal, options.placement, caps);
-  ProgressMonitor progress(options);
-  auto counts = refine_by_sweeps(domain->triangulation, domain->segments, criteria, options, progress, schedule);
-  EXPECT_TRUE(counts);
-  const PointData points{c.pslg.points, 0, {}, {}};
-  return {export_mesh(std::move(domain).value(), attributes, points, {}, options.threads), std::move(counts).value()};
+inline fuzz::RefinedMesh refined(const Case& c, const Options& options, const Schedule& schedule) {
+  Result<fuzz::RefinedMesh> result = fuzz::refine_with_schedule(c.pslg, c.goal, options, schedule);
+  EXPECT_TRUE(result);
+  return std::move(result).value();
 }
 
 inline Options options_for(const Case& c, Decomposition decomposition = Decomposition::automatic, int threads = 1) {
