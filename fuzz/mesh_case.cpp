@@ -22,7 +22,8 @@ class Drawing {
   Drawing(MeshCase& drawn, int side) : case_(drawn), pslg_(drawn.pslg), side_(side) {}
 
   void outline(int kind) {
-    const double s = side_, h = side_ / 2;
+    const int half = side_ / 2;
+    const double s = side_, h = half;
     if (kind == 0) polygon({{0, 0}, {s, 0}, {s, s}, {0, s}}, 1);
     if (kind == 1) polygon({{0, 0}, {s, 0}, {h, s}}, 2);
     if (kind == 2) polygon({{0, 0}, {s, 0}, {s, h}, {h, h}, {h, s}, {0, s}}, 3);  // the notch of the L is outside

@@ -11,6 +11,7 @@ struct Cell {
   std::int64_t i = 0;
   std::int64_t j = 0;
   int level = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 reports each <=> that a compiler makes
   friend auto operator<=>(const Cell&, const Cell&) = default;
 };
 

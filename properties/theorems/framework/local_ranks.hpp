@@ -103,6 +103,7 @@ class LocalRanks : public Ranks {
 inline void on_ranks(int count, const std::function<void(Ranks&)>& work, std::uint64_t delays = 0) {
   LocalNetwork network(count);
   std::vector<std::thread> threads;
+  threads.reserve(static_cast<std::size_t>(count));
   std::vector<std::exception_ptr> thrown(count);
   for (int rank = 0; rank < count; ++rank)
     threads.emplace_back([&, rank] {
