@@ -1,6 +1,6 @@
 // The mutator of the readers. From time to time it replaces the input by a correct file of a random small mesh, domain
 // or raster; otherwise libFuzzer changes bytes of it. So files with all their sections need not be guessed.
-#include <cstring>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -187,6 +187,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (!random.chance(16)) return LLVMFuzzerMutate(data, size, max_size);
   const std::string input = pardel::fuzz::any_input(random);
   if (input.empty() || input.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
-  std::memcpy(data, input.data(), input.size());
+  std::copy(input.begin(), input.end(), data);
   return random.chance(2) ? input.size() : LLVMFuzzerMutate(data, input.size(), max_size);
 }
