@@ -25,7 +25,7 @@ InterruptWatch::InterruptWatch() {
 
 InterruptWatch::~InterruptWatch() {
   finished_ = true;
-  pthread_kill(thread_.native_handle(), SIGHUP);  // wakes the thread, which has finished
+  pthread_kill(thread_.native_handle(), SIGHUP);  // wakes the thread, which then sees finished_
   thread_.join();
 }
 

@@ -47,7 +47,7 @@ std::size_t afl_custom_fuzz(void* mutator, const std::uint8_t* input, std::size_
   return length;
 }
 
-// The custom mutator leaves some mutations to libFuzzer. AFL++ does them itself.
-std::size_t LLVMFuzzerMutate(std::uint8_t* /*data*/, std::size_t size, std::size_t /*max_size*/) { return size; }
+// The custom mutator leaves some mutations to libFuzzer. AFL++ does such mutations itself: it runs no input of size 0.
+std::size_t LLVMFuzzerMutate(std::uint8_t* /*data*/, std::size_t /*size*/, std::size_t /*max_size*/) { return 0; }
 
 }  // extern "C"

@@ -57,7 +57,8 @@ void Scratch::remove_leftovers(const fs::path& place) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(prefix)) continue;
     const int process = std::atoi(name.c_str() + prefix.size());
-    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
+    const bool has_ended = process > 0 && kill(process, 0) != 0 && errno == ESRCH;
+    if (has_ended || process == getpid()) fs::remove_all(entry.path(), ignored);  // an earlier process had this number
   }
 }
 

@@ -36,7 +36,7 @@ class Scratch {
 
   void write(const NamedText& file) const;
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
-  /// Removes the folders of processes that do not exist any more.
+  /// Removes the folders of processes that do not exist any more. Precondition: this process has no folder.
   static void remove_leftovers(const std::filesystem::path& place);
   [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(folder_); }
 

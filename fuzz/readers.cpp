@@ -94,7 +94,7 @@ void round_trip(const Mesh& mesh, const fs::path& file, bool keeps_regions, cons
 void round_trip_in_pieces(const Mesh& mesh, const Scratch& scratch) {
   const std::optional<TwoPieces> divided = in_two_pieces(mesh);
   if (!divided) return;
-  const fs::path folder = scratch / "pieces";  // no name in a bundle leads there
+  const fs::path folder = scratch / "in-pieces";  // names in a bundle have no hyphen
   fs::create_directory(folder);
   const auto expect_mesh = [&](const fs::path& file) {
     const Mesh joined = read_back(read_mesh(file), file);

@@ -40,13 +40,13 @@ def last_changes(number, head="HEAD"):
     return newest_first[::-1]
 
 
-def number_of_changes(before, after):
-    """How many commits after the one, up to the other, change what is measured; 0 if this repository lacks one of
-    them. On a branch, as line_of()."""
+def changes_between(before, after):
+    """The commits after the one, up to the other, that change what is measured, the newest first; none if this
+    repository lacks one of them. On a branch, as line_of()."""
     try:
-        return int(git("rev-list", "--count", "--first-parent", f"{before}..{after}", "--", *MEASURED))
+        return git("rev-list", "--first-parent", f"{before}..{after}", "--", *MEASURED).split()
     except subprocess.CalledProcessError:
-        return 0
+        return []
 
 
 def check_out(commit, tree):

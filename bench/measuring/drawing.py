@@ -69,11 +69,13 @@ def svg(rows_of_curves):
 
 
 def origin(before, after, between, subject):
-    """Which commits a change between two measured points may come from. between(before, after): how many commits after
-    the one, up to the other, change what is measured."""
-    number = between(before[2]["commit"], after[2]["commit"])
-    last = subject(after[2]["commit"])
-    return last if number <= 1 else f"one of {number} after {before[2]['commit'][:7]}, the last of them: {last}"
+    """Which commits a change between two measured points may come from. between(before, after): the commits after the
+    one, up to the other, that change what is measured, the newest first."""
+    suspects = between(before[2]["commit"], after[2]["commit"])
+    if not suspects:
+        return f"measured at {subject(after[2]['commit'])}"
+    last = subject(suspects[0])
+    return last if len(suspects) == 1 else f"one of {len(suspects)}, the last of them: {last}"
 
 
 def table(title, steps, between, subject):

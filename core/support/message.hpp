@@ -76,6 +76,7 @@ class Writer {
 /// Collective. Sends message r to rank r. Returns the messages for this rank; element r came from rank r.
 [[nodiscard]] inline std::vector<Ranks::Bytes> exchange(std::vector<Writer>& messages, Ranks& ranks) {
   std::vector<Ranks::Bytes> bytes;
+  bytes.reserve(messages.size());
   for (Writer& message : messages) bytes.push_back(message.take());
   return ranks.exchange(std::move(bytes));
 }

@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 from . import programs
+from .child import Child
 
 STATISTICS = ("execs_done", "execs_per_sec", "edges_found", "corpus_count", "saved_crashes", "saved_hangs")
 
@@ -21,9 +22,11 @@ def build_mutator(folder):
 
 
 def mutator(folder, target):
-    """The library with the mutator of a target, or None."""
+    """The library with the mutator of a target; None if it has none. Raises Failed if it has not been built."""
     library = folder / "mutate_strokes.so"
-    return library if target.draws and library.exists() else None
+    if target.draws and not library.exists():
+        raise Failed(f"{library} is missing; without --no-build it is made")
+    return library if target.draws else None
 
 
 def environment(library):
@@ -37,8 +40,9 @@ def environment(library):
     return result
 
 
-def run(target, corpus, folder, seconds, seed, library):
-    """Runs afl-fuzz for so many seconds. Its files are then in the folder `default` of `folder`. Raises Failed."""
+def run(target, corpus, folder, seconds, seed, library, started=lambda child: None):
+    """Runs afl-fuzz for so many seconds, or until it gets SIGTERM. Its files are then in the folder `default` of
+    `folder`. started: gets the process. Raises Failed."""
     folder.mkdir(parents=True)
     inputs = corpus
     if not (corpus.is_dir() and any(corpus.iterdir())):
@@ -49,10 +53,14 @@ def run(target, corpus, folder, seconds, seed, library):
                "-G", str(programs.LONGEST[target.mutator]), "-i", str(inputs), "-o", str(folder)]
     if target.dictionary.exists():
         command += ["-x", str(target.dictionary)]
-    ran = subprocess.run([*command, "--", str(target.program())], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                         env=environment(library), check=False)
-    if not (folder / "default" / "fuzzer_stats").exists():
-        raise Failed(f"{' '.join(command)} failed\n{ran.stdout.decode(errors='replace')[-2000:]}")
+    with open(folder / "log", "wb") as log:
+        child = Child([*command, "--", target.program()], stdout=log, stderr=subprocess.STDOUT,
+                      env=environment(library))
+    started(child)
+    child.wait()
+    if child.returncode != 0 or not (folder / "default" / "fuzzer_stats").exists():
+        said = (folder / "log").read_text(errors="replace")
+        raise Failed(f"{' '.join(command)} ended with exit code {child.returncode}\n{said[-2000:]}")
 
 
 def statistics(folder):
@@ -60,7 +68,7 @@ def statistics(folder):
     lines = (folder / "default" / "fuzzer_stats").read_text().splitlines()
     read = dict(line.split(":", 1) for line in lines if ":" in line)
     read = {name.strip(): value.strip() for name, value in read.items()}
-    return {name: float(read.get(name, 0)) if name == "execs_per_sec" else int(read.get(name, 0)) for name in STATISTICS}
+    return {name: (float if name == "execs_per_sec" else int)(read.get(name, 0)) for name in STATISTICS}
 
 
 def new_inputs(folder):

@@ -42,11 +42,12 @@ def key(target, found):
 
 
 def replay(target, file, seconds=30):
-    """Runs one input, for up to so many seconds of processor time. Returns the output of a failure, or None."""
+    """Runs one input, for up to so many seconds of processor time. Returns the output of a failure, or None. Signals of
+    a terminal do not reach the run: its end would look like a failure."""
     command = ["prlimit", f"--cpu={seconds}", str(target.replay), str(file)]
     try:
         ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20 * seconds,
-                             env=programs.environment(), check=False)
+                             env=programs.environment(), check=False, start_new_session=True)
     except subprocess.TimeoutExpired:  # it waits for something
         return "ERROR: libFuzzer: timeout"
     if ran.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
@@ -54,39 +55,40 @@ def replay(target, file, seconds=30):
     return None if ran.returncode == 0 else ran.stdout.decode(errors="replace")
 
 
-def smaller(data, target, fails, until):
-    """The smallest input that rounds of one_round() reach from this one. fails() tells whether an input has the same
-    verdict and stack."""
+def smaller(data, target, fails, is_over):
+    """The smallest input that rounds of one_round() reach from this one, until is_over(). fails() tells whether an
+    input has the same verdict and stack."""
     before = None
-    while data != before and time.time() < until:
-        before, data = data, one_round(data, target, fails, until)
+    while data != before and not is_over():
+        before, data = data, one_round(data, target, fails, is_over)
     return data
 
 
-def one_round(data, target, fails, until):
+def one_round(data, target, fails, is_over):
     """Removes parts, and sets bytes to zero, as long as fails() holds: strokes of a domain, else lines and bytes."""
     head, sizes = (32, [64, 16, 8]) if target.draws else (0, [256, 64, 16, 4, 1])
     for size in sizes:
         at = len(data) - (len(data) - head) % size
-        while at > head and time.time() < until:
+        while at > head and not is_over():
             at -= size
             shorter = data[:at] + data[at + size:]
             if at >= head and len(shorter) < len(data) and fails(shorter):
                 data = shorter
     for i in range(len(data)):
-        if time.time() > until:
+        if is_over():
             break
         zeroed = data[:i] + b"\0" + data[i + 1:]
         if zeroed != data and fails(zeroed):
             data = zeroed
-    while data.endswith(b"\0") and fails(data[:-1]) and time.time() < until:
+    while data.endswith(b"\0") and fails(data[:-1]) and not is_over():
         data = data[:-1]
     return data
 
 
-def record(target, artifact, output, folder, seconds):
+def record(target, artifact, output, folder, seconds, stopping=lambda: False):
     """Files a find below `folder`. Returns its entry, or None if one with the same verdict and stack is there. A find
-    gets its name when it is complete; what an interruption leaves is made again.
+    gets its name when it is complete; what an interruption leaves is made again. It is shrunk for so many seconds, or
+    until stopping().
 
     If the replay program does not fail, the verdict is that of the fuzzer: the run depends on more than its input. Only
     a time-out of the fuzzer is then no find: it counts elapsed time, of which other work may have taken most.
@@ -118,7 +120,8 @@ def record(target, artifact, output, folder, seconds):
             text = replay(target, trial)
             return text is not None and key(target.name, signature(text)) == name
 
-        data = smaller(data, target, fails, time.time() + seconds)
+        until = time.time() + seconds
+        data = smaller(data, target, fails, lambda: stopping() or time.time() > until)
         trial.unlink(missing_ok=True)
     (fresh / "input").write_bytes(data)
     if target.draws:

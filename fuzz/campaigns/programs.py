@@ -76,6 +76,12 @@ def chosen(targets, names):
     return [t for t in targets if not wanted or t.name in wanted]
 
 
+def needed(targets):
+    """The programs that a campaign of these targets starts."""
+    found = [program for target in targets for program in (target.program(), target.replay)]
+    return found + [target.folder / "draw_case" for target in targets if target.draws][:1]
+
+
 def build(folder, goal, jobs, preset="fuzz"):
     """Configures a preset if necessary and builds a CMake target of it."""
     if not (Path(folder) / "CMakeCache.txt").exists():

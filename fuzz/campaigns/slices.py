@@ -1,10 +1,10 @@
 """Slices: runs of libFuzzer of limited length, and what their logs say."""
-import os
 import re
 import subprocess
 from pathlib import Path
 
 from . import programs
+from .child import Child
 
 PULSE = re.compile(r"^#(\d+)\s+(\w+)\s+cov: (\d+) ft: (\d+)(?: corp: (\d+)/\S+)?", re.MULTILINE)
 
@@ -28,25 +28,13 @@ def numbers(log):
     return result
 
 
-# Linux sends the process SIGINT when the campaign dies, even by SIGKILL; libFuzzer then ends with its figures.
-END_WITH_PARENT = ["setpriv", "--pdeathsig", "INT"]
-
-
 def start(target, corpus, work, seconds, seed):
-    """Starts a slice. Its log is WORK/log, and a failing input is left in WORK."""
+    """Starts a slice. Its log is WORK/log, and a failing input is left in WORK. SIGTERM ends it with its figures."""
     corpus.mkdir(parents=True, exist_ok=True)
     command = target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
                              *folders_of(target, corpus))
     with open(work / "log", "wb") as log:
-        return subprocess.Popen(END_WITH_PARENT + command, stdout=log, stderr=subprocess.STDOUT, cwd=work,
-                                env=programs.environment())
-
-
-def wait(process):
-    """Waits for the end of a process. Returns its seconds of processor time."""
-    _, status, used = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    return used.ru_utime + used.ru_stime
+        return Child(command, stdout=log, stderr=subprocess.STDOUT, cwd=work, env=programs.environment())
 
 
 def folders_of(target, corpus):
@@ -57,23 +45,20 @@ def artifacts(work):
     return [file for file in sorted(Path(work).iterdir()) if re.match(r"(crash|timeout|oom|leak)-", file.name)]
 
 
-def minimise(target, corpus, seconds, started=lambda process: None):
+def minimise(target, corpus, seconds, started=lambda child: None):
     """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one.
     started: gets the process that does it."""
-    merged, old = corpus.with_suffix(".merged"), corpus.with_suffix(".old")
+    merged, old, control = (corpus.with_suffix(suffix) for suffix in (".merged", ".old", ".control"))
     for leftover in (merged, old):
         remove(leftover)
-    merged.mkdir()
-    command = target.command("-merge=1", merged, *folders_of(target, corpus))
-    process = subprocess.Popen(END_WITH_PARENT + command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                               env=programs.environment())
-    started(process)
-    try:
-        process.wait(timeout=seconds)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.wait()
-    if process.returncode != 0 or not any(merged.iterdir()):
+    merged.mkdir(parents=True)
+    command = target.command("-merge=1", f"-merge_control_file={control}", merged, *folders_of(target, corpus))
+    control.unlink(missing_ok=True)
+    child = Child(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=programs.environment())
+    started(child)
+    child.wait(seconds)
+    control.unlink(missing_ok=True)
+    if child.returncode != 0 or not any(merged.iterdir()):
         remove(merged)
         return False
     corpus.rename(old)

@@ -175,6 +175,7 @@ ssize_t pwrite(int fd, const void* data, std::size_t size, off_t offset) {
 int fflush(std::FILE* file) { return fails("write", ENOSPC) ? EOF : next<decltype(fflush)>("fflush")(file); }
 /// A file that cannot be closed without an error is closed nevertheless.
 int fclose(std::FILE* file) {
+  if (file == unreadable) unreadable = nullptr;  // another file may get the same address
   const int result = next<decltype(fclose)>("fclose")(file);
   return fails("close", EIO) ? EOF : result;
 }

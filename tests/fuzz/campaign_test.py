@@ -25,16 +25,22 @@ if tr '\n\0' '  ' < "$1" | grep -q 'bug.*7'; then
 fi
 """
 
-# Speaks as libFuzzer does. The first argument that is a folder is the corpus.
+# Speaks as libFuzzer does. The first argument that is a folder is the corpus. A run ends after LASTS seconds, or by
+# SIGTERM. A merge fails; that of the target `fake` waits for a process of its own that takes MERGES seconds.
 FUZZER = r"""#!/usr/bin/env python3
-import re, signal, sys, time
+import os, re, signal, subprocess, sys, time
 from pathlib import Path
 options = dict(re.findall(r"-(\w+)=(\S+)", " ".join(sys.argv[1:])))
 folders = [Path(a) for a in sys.argv[1:] if not a.startswith("-")]
 if "merge" in options:
+    if "MERGES" in os.environ and sys.argv[0].endswith("fake"):
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        waits = subprocess.Popen(["sleep", os.environ["MERGES"]])
+        Path(folders[0].parent / "merging").write_text(str(waits.pid))
+        waits.wait()
     sys.exit(1)
-end = time.time() + 1
-signal.signal(signal.SIGINT, lambda *_: globals().__setitem__("end", 0))
+end = time.time() + float(os.environ.get("LASTS", "1"))
+signal.signal(signal.SIGTERM, lambda *_: globals().__setitem__("end", 0))
 print("#10 INITED cov: 100 ft: 200 corp: 5/50b exec/s: 0", flush=True)
 while time.time() < end:
     time.sleep(0.05)
@@ -44,6 +50,14 @@ print("fuzz: the property failed: vertex 99 at (1, 2) is missing", flush=True)
 print("stat::number_of_executed_units: 110\n#110 DONE cov: 120 ft: 260 corp: 6/60b exec/s: 100", flush=True)
 sys.exit(1)
 """
+
+
+def ended(process):
+    """Has the process with this number ended?"""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
+    except OSError:
+        return True
 
 
 class FakeBuild(unittest.TestCase):
@@ -182,16 +196,41 @@ class Summaries(unittest.TestCase):
 
 
 class Campaigns(FakeBuild):
-    def begin(self, *options, environment=None):
+    def begin(self, *options, **environment):
         return subprocess.Popen(
             [sys.executable, ROOT / "fuzz/campaign", "--no-build", "--build", self.folder / "build", "--slice", "60",
-             *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-            env=dict(os.environ, **(environment or {})))
+             *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+            env=dict(os.environ, **environment))
 
-    def wait_for_slice(self):
-        log, deadline = self.folder / "run/work/fake-0/log", time.time() + 20
-        while time.time() < deadline and not (log.exists() and "INITED" in log.read_text()):
+    def wait_until(self, is_reached):
+        deadline = time.time() + 20
+        while not is_reached():
+            self.assertLess(time.time(), deadline)
             time.sleep(0.02)
+
+    def wait_for(self, words):
+        """Waits until the log of the first slice has these words."""
+        log = self.folder / "run/work/fake-0/log"
+        self.wait_until(lambda: log.exists() and words in log.read_text())
+
+    def add_target(self, name):
+        """A target without finds, beside `fake`."""
+        with open(self.folder / "build/fuzz/targets", "a") as targets:
+            targets.write(f"{name}\n")
+        self.write(f"build/fuzz/replay_{name}", REPLAY)
+        without_finds = re.sub(r'^Path\(options\["artifact_prefix"\].*\n', "", FUZZER, flags=re.MULTILINE)
+        self.write(f"build/fuzz/fuzz_{name}", without_finds)
+
+    def write_state(self, **slices_made):
+        """The folder of a campaign with targets that had so many slices. Before its fourth one, a target minimises."""
+        known = {"cpu_seconds": 0.0, "executions": 0, "coverage": 0, "features": 0, "inputs": 0, "new_per_second": 0.0,
+                 "seconds_to_read": 0.0, "history": []}
+        (self.folder / "run").mkdir()
+        (self.folder / "run/state.json").write_text(json.dumps(
+            {"targets": {name: {**known, "slices": made} for name, made in slices_made.items()}, "next": 0}))
+
+    def slices_made(self):
+        return {name: entry["slices"] for name, entry in self.read()["targets"].items()}
 
     def read(self):
         return json.loads((self.folder / "run/summary.json").read_text())
@@ -209,41 +248,69 @@ class Campaigns(FakeBuild):
         self.assertTrue((self.folder / "run/corpus/fake/new").exists())
 
     def test_a_campaign_that_is_killed_and_resumed_loses_nothing(self):
-        campaign = self.begin("--out", self.folder / "run", "--hours", "1")
-        work = self.folder / "run/work"
-        self.wait_for_slice()
-        campaign.kill()  # libFuzzer ends with its figures
+        campaign = self.begin("--out", self.folder / "run", "--hours", "1", LASTS="60")
+        self.wait_for("INITED")
+        campaign.kill()
         campaign.communicate()
-        deadline = time.time() + 20
-        while "DONE" not in next(work.glob("fake-0/log")).read_text() and time.time() < deadline:
-            time.sleep(0.02)
+        self.wait_for("DONE")  # libFuzzer ends with its figures
         resumed = self.begin("--resume", self.folder / "run", "--hours", "0")
         said = resumed.communicate()[0]
         self.assertEqual(resumed.returncode, 1, said)
         found = self.read()
         self.assertEqual((found["executions"], found["targets"]["fake"]["slices"]), (100, 1), said)
         self.assertEqual([f["times"] for f in found["finds"]], [1])
+        self.assertGreater(found["targets"]["fake"]["seconds_to_read"], 0)
 
     def test_an_interrupted_campaign_ends_with_its_summary(self):
-        campaign = self.begin("--out", self.folder / "run", "--hours", "1")
-        self.wait_for_slice()
+        campaign = self.begin("--out", self.folder / "run", "--hours", "1", LASTS="60")
+        self.wait_for("INITED")
         campaign.send_signal(signal.SIGTERM)
-        said = campaign.communicate()[0]
+        said = campaign.communicate(timeout=30)[0]
         self.assertEqual(campaign.returncode, 1, said)
         self.assertEqual(self.read()["executions"], 100)
+        self.assertGreater(self.read()["targets"]["fake"]["cpu_seconds"], 0)
+
+    def test_a_signal_of_the_terminal_ends_shrinking_and_keeps_the_find(self):
+        runs = self.folder / "runs"
+        campaign = self.begin("--out", self.folder / "run", "--hours", "1", "--shrink", "60",
+                              SLOW="0.5", RUNS=str(runs))
+        self.wait_until(lambda: runs.exists() and runs.stat().st_size > 2)
+        os.killpg(campaign.pid, signal.SIGINT)
+        said = campaign.communicate(timeout=30)[0]
+        self.assertEqual(campaign.returncode, 1, said)
+        found, = self.read()["finds"]
+        self.assertIn("vertex 12", found["message"])
+        self.assertGreater(found["bytes"], 4)
+
+    def test_a_signal_ends_a_merge_with_all_its_processes(self):
+        self.write_state(fake=3)
+        campaign = self.begin("--resume", self.folder / "run", "--hours", "1", MERGES="60")
+        merging = self.folder / "run/corpus/merging"
+        self.wait_until(lambda: merging.exists() and merging.read_text())
+        campaign.send_signal(signal.SIGINT)
+        said = campaign.communicate(timeout=30)[0]
+        self.assertEqual(campaign.returncode, 0, said)
+        self.wait_until(lambda: ended(merging.read_text()))
+
+    def test_other_targets_go_on_while_a_corpus_is_minimised(self):
+        self.add_target("other")
+        self.write_state(fake=3, other=4)
+        # The merge takes longer than the time in which slices begin.
+        campaign = self.begin("--resume", self.folder / "run", "--jobs", "2", "--hours", str(12 / 3600), MERGES="8")
+        self.assertEqual(campaign.wait(), 0, campaign.stdout.read())
+        campaign.stdout.close()
+        self.assertEqual(self.slices_made()["fake"], 3)
+        self.assertGreaterEqual(self.slices_made()["other"], 6)
 
     def test_other_targets_go_on_while_a_find_is_shrunk(self):
-        (self.folder / "build/fuzz/targets").write_text("fake\nother\n")
-        self.write("build/fuzz/replay_other", REPLAY)
-        self.write("build/fuzz/fuzz_other", re.sub(r'^Path\(options\["artifact_prefix"\].*\n', "", FUZZER, flags=re.MULTILINE))
+        self.add_target("other")
         # Shrinking takes longer than the time in which slices begin.
         campaign = self.begin("--out", self.folder / "run", "--jobs", "2", "--hours", str(11 / 3600), "--shrink", "7",
-                              environment={"SLOW": "0.3"})
+                              SLOW="0.3")
         said = campaign.communicate()[0]
         self.assertEqual(campaign.returncode, 1, said)
-        made = {name: entry["slices"] for name, entry in self.read()["targets"].items()}
-        self.assertEqual(made["fake"], 1)
-        self.assertGreaterEqual(made["other"], 2)
+        self.assertEqual(self.slices_made()["fake"], 1)
+        self.assertGreaterEqual(self.slices_made()["other"], 2)
 
     def test_a_program_that_is_missing_is_named(self):
         (self.folder / "build/fuzz/fuzz_fake").unlink()
@@ -316,22 +383,28 @@ class HarnessCampaigns(FakeBuild):
         self.assertNotIn("summary.md", ran.stdout)
 
 
-# Leaves what afl-fuzz leaves: one old and one new input, and a crash.
+# Leaves what afl-fuzz leaves: one old and one new input, a crash, and an input that took too long.
 AFL_FUZZ = r"""#!/usr/bin/env python3
-import os, sys
+import os, signal, sys, time
 from pathlib import Path
 options = dict(zip(sys.argv[1:], sys.argv[2:]))
 if "ASAN_OPTIONS" in os.environ or options["-m"] != "none" or not os.listdir(options["-i"]):
-    sys.exit(1)
-if os.environ.get("BROKEN"):
-    sys.exit("this machine is not fit for afl-fuzz")
+    sys.exit("called in a wrong way")
 made = Path(options["-o"]) / "default"
 for name, text in (("queue/id:000000,time:0,execs:0,orig:seed", "old"), ("queue/id:000001,src:000000,time:7", "new"),
                    ("crashes/id:000000,sig:06", "words, a bug, more words, and 7 words"), ("crashes/README.txt", ""),
+                   ("hangs/id:000000,src:000000", "harmless"),
                    ("fuzzer_stats", "execs_done : 1200\nexecs_per_sec : 40.25\nedges_found : 77\ncorpus_count : 2\n"
-                                    "saved_crashes : 1\nsaved_hangs : 0\nafl_banner : fuzz: fake\n")):
+                                    "saved_crashes : 1\nsaved_hangs : 1\nafl_banner : fuzz: fake\n")):
     (made / name).parent.mkdir(parents=True, exist_ok=True)
     (made / name).write_text(text)
+if os.environ.get("BROKEN"):
+    sys.exit("this machine is not fit for afl-fuzz")
+end = time.time() + float(os.environ.get("LASTS", "0"))
+signal.signal(signal.SIGTERM, lambda *_: globals().__setitem__("end", 0))
+(made / "ready").write_text("")
+while time.time() < end:
+    time.sleep(0.05)
 """
 
 
@@ -341,40 +414,72 @@ class Afl(FakeBuild):
         (self.folder / "bin").mkdir()
         self.write("bin/afl-fuzz", AFL_FUZZ)
 
+    def begin(self, *options, **environment):
+        return subprocess.Popen(
+            [sys.executable, ROOT / "fuzz/afl", "--no-build", "--build", self.folder / "build", "--out",
+             self.folder / "out", *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            env=dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}", **environment))
+
     def run_afl(self, *options, **environment):
-        return subprocess.run([sys.executable, ROOT / "fuzz/afl", "--no-build", "--build", self.folder / "build", "--out",
-                               self.folder / "out", *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              env=dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}", **environment),
-                              check=False)
+        """Returns the exit code and the output."""
+        process = self.begin(*options, **environment)
+        said = process.communicate()[0]
+        return process.returncode, said
 
     def test_a_run_has_a_row_and_its_crash_is_a_find_as_in_a_campaign(self):
+        (self.folder / "out/finds/other/0123456789").mkdir(parents=True)
+        (self.folder / "out/finds/other/0123456789/find.json").write_text('{"target": "other"}')
         for _ in range(2):  # the second run replaces the first one
-            ran = self.run_afl()
-            self.assertEqual(ran.returncode, 1, ran.stdout)
-            self.assertIn("| fake | 1,200 | 40 | 77 | 2 | 1 | 1 | 0 |", ran.stdout)
-        found, = finds.all_in(self.folder / "out/finds")
-        self.assertEqual(found["times"], 1)
+            code, said = self.run_afl()
+            self.assertEqual(code, 1, said)
+            self.assertIn("| fake | 1,200 | 40 | 77 | 2 | 1 | 1 | 1 |", said)
+        found, other = finds.all_in(self.folder / "out/finds")  # the time-out does not happen again, and is none
+        self.assertEqual((found["times"], other), (1, {"target": "other"}))
         self.assertEqual((self.folder / "out/finds/fake" / found["key"] / "input").read_bytes(), b"bug7")
 
-    def test_a_campaign_gets_the_new_inputs(self):
+    def test_finds_of_other_targets_do_not_count(self):
+        (self.folder / "out/finds/other/0123456789").mkdir(parents=True)
+        (self.folder / "out/finds/other/0123456789/find.json").write_text('{"target": "other"}')
+        self.write("build/fuzz/replay_fake", "#!/bin/sh\n")
+        self.write("bin/afl-fuzz", AFL_FUZZ.replace('("crashes/id:000000', '("crashes/none'))
+        code, said = self.run_afl()
+        self.assertEqual(code, 0, said)
+
+    def test_a_campaign_gets_the_new_inputs_and_the_finds(self):
         corpus = self.folder / "run/corpus/fake"
         corpus.mkdir(parents=True)
+        (self.folder / "run/state.json").write_text("{}")
         (corpus / "seed").write_text("old")
-        for _ in range(2):
+        for times in (1, 2):
             self.run_afl("--campaign", self.folder / "run")
             self.assertEqual(sorted(file.read_text() for file in corpus.iterdir()), ["new", "old"])
+            self.assertEqual([find["times"] for find in finds.all_in(self.folder / "run/finds")], [times])
 
-    def test_what_afl_says_when_it_cannot_run_is_shown(self):
-        ran = self.run_afl(BROKEN="1")
-        self.assertEqual(ran.returncode, 1)
-        self.assertIn("this machine is not fit for afl-fuzz", ran.stdout)
+    def test_an_interrupted_run_files_what_it_has(self):
+        process = self.begin(LASTS="60")
+        deadline = time.time() + 20
+        while not (self.folder / "out/fake/default/ready").exists():
+            self.assertLess(time.time(), deadline)
+            time.sleep(0.02)
+        process.send_signal(signal.SIGTERM)
+        said = process.communicate(timeout=30)[0]
+        self.assertEqual(process.returncode, 1, said)
+        self.assertEqual(len(finds.all_in(self.folder / "out/finds")), 1)
 
-    def test_an_unknown_target_or_campaign_is_an_error(self):
+    def test_what_afl_says_when_it_fails_is_shown(self):
+        code, said = self.run_afl(BROKEN="1")
+        self.assertEqual(code, 1)
+        self.assertIn("this machine is not fit for afl-fuzz", said)
+
+    def test_a_wrong_target_or_folder_is_an_error(self):
+        (self.folder / "run").mkdir()
+        (self.folder / "run/state.json").write_text("{}")
         for options, message in ((("--targets", "none"), "there is no target none"),
-                                 (("--campaign", self.folder / "nowhere"), "there is no such folder")):
-            ran = self.run_afl(*options)
-            self.assertEqual(ran.returncode, 1)
-            self.assertIn(message, ran.stdout)
+                                 (("--campaign", self.folder / "nowhere"), "there is no campaign in this folder"),
+                                 (("--out", self.folder / "run"), "this is the folder of a campaign")):
+            code, said = self.run_afl(*options)
+            self.assertEqual(code, 1)
+            self.assertIn(message, said)
 
 
 class Canaries(unittest.TestCase):

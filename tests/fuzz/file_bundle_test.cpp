@@ -48,6 +48,10 @@ TEST(FileBundle, a_mark_at_the_end_is_an_empty_file) {
   EXPECT_EQ(found[0].text, "");
 }
 
+TEST(FileBundle, a_name_has_no_hyphen_so_that_targets_have_names_of_their_own) {
+  EXPECT_EQ(files("== in-pieces\nbad").at(0).name, "main.poly");
+}
+
 TEST(Scratch, removes_its_files) {
   fs::path folder;
   {
@@ -65,7 +69,7 @@ TEST(Scratch, removes_the_files_of_processes_that_do_not_exist_any_more) {
   waitpid(child, nullptr, 0);
   const fs::path place = fs::temp_directory_path() / ("leftovers-" + std::to_string(getpid()));
   const fs::path left = place / ("pardel-fuzz-" + std::to_string(child));
-  const fs::path used = place / ("pardel-fuzz-" + std::to_string(getpid())), other = place / "pardel-fuzz-notes";
+  const fs::path used = place / ("pardel-fuzz-" + std::to_string(getppid())), other = place / "pardel-fuzz-notes";
   for (const fs::path& folder : {left, used, other}) fs::create_directories(folder);
   Scratch::remove_leftovers(place);
   EXPECT_FALSE(fs::exists(left));

@@ -70,7 +70,7 @@ std::string text(const Rational& value) {
   std::ostringstream out;
   out << value.numerator();
   if (value.denominator() != 1) out << '/' << value.denominator();
-  const std::string fraction = out.str();
+  std::string fraction = out.str();
   constexpr std::size_t readable = 40;
   if (fraction.size() <= readable) return fraction;
   const double rounded = CGAL::to_double(value);

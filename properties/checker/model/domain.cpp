@@ -49,6 +49,7 @@ std::vector<Segment> with_hull(const Pslg& pslg, bool convex_hull, StopSignal* s
   std::vector<Segment> segments = pslg.segments;
   if (!convex_hull && !segments.empty()) return segments;
   std::vector<std::pair<Index, Index>> present;
+  present.reserve(segments.size());
   for (const Segment& s : segments) present.push_back(ends(s.a, s.b));
   stoppable_sort(present.begin(), present.end(), std::less<>(), stop);
   const std::vector<Index> outline = hull(pslg.points, stop);

@@ -59,6 +59,7 @@ void add_extremes(Certificate& certificate, std::span<const Extreme> later) {
 
 std::vector<Extreme> extremes_of(const Certificate& certificate) {
   std::vector<Extreme> values;
+  values.reserve(std::size(extremes));
   for (const auto extreme : extremes) values.push_back(certificate.*extreme);
   return values;
 }

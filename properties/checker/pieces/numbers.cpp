@@ -101,10 +101,11 @@ Result<std::uint64_t> count_points(const NumbersOfRank& here, Ranks& ranks) {
 
 Result<std::uint64_t> check_numbers(const NumbersOfRank& here, const std::vector<NumberedPoint>& border,
                                     const FindPoints& find, Ranks& ranks) {
-  const Result<std::uint64_t> count = count_points(here, ranks);
+  Result<std::uint64_t> count = count_points(here, ranks);
   if (!count) return count;
   const Referees referees(*count, ranks.count());
   std::vector<std::vector<std::uint64_t>> inner;
+  inner.reserve(static_cast<std::size_t>(ranks.count()));
   for (int rank = 0; rank < ranks.count(); ++rank)
     inner.push_back(here.inner().words(referees.first(rank), referees.share()));
   inner = exchange_lists(std::move(inner), ranks);

@@ -175,6 +175,7 @@ std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, 
   }
   stoppable_sort(vertex.begin(), vertex.end(), std::less<>(), found.stop());
   vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
+  points.reserve(vertex.size());
   for (const Index v : vertex) points.push_back(subject.mesh.points[v]);
   const auto local = [&](Index v) {
     return static_cast<Index>(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
@@ -187,6 +188,7 @@ std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, 
   }
 
   std::vector<Index> name_of_vertex;
+  name_of_vertex.reserve(vertex.size());
   for (const Index v : vertex) name_of_vertex.push_back(names.vertex(v));
   check_simple(points, edges, name_of_vertex, found);
   const bool simple = found.count(ViolationKind::overlap) == 0;

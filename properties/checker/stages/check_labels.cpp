@@ -102,14 +102,12 @@ void check_constrained_edges(const Subject& subject, const Domain& domain, const
   edges.report_unlisted();
 }
 
-/// The marker of a vertex is its own non-zero marker from the input, else a non-zero marker of one of the constrained
-/// edges at it, else 0. (Edges on the boundary have their own marker, or 1.) In a foreign mesh the markers of segments
-/// outside the domain are accepted as well.
-void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
-                          const Adjacency& adjacency, const InputVertices& inputs, Findings& found) {
-  const Mesh& mesh = subject.mesh;
-  if (mesh.point_markers.empty()) return;
-  std::vector<std::pair<Index, int>> markers;  // (vertex, marker of an edge at it)
+/// The non-zero markers of the constrained edges at each vertex, as sorted pairs (vertex, marker). In a foreign mesh
+/// the markers of segments outside the domain count as well.
+std::vector<std::pair<Index, int>> markers_at_vertices(const Subject& subject, const Domain& domain,
+                                                       const Chains& chains, const InputVertices& inputs,
+                                                       StopSignal* stop) {
+  std::vector<std::pair<Index, int>> markers;
   for (const ChainEdge& edge : chains.edges) {
     const int marker = expected_marker(domain, edge.segment);
     if (marker == 0) continue;
@@ -124,8 +122,18 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
       if (inputs.vertex(end) != no_index) markers.emplace_back(inputs.vertex(end), segment.marker);
     }
   }
-  stoppable_sort(markers.begin(), markers.end(), std::less<>(), found.stop());
+  stoppable_sort(markers.begin(), markers.end(), std::less<>(), stop);
   markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
+  return markers;
+}
+
+/// The marker of a vertex is its own non-zero marker from the input, else a non-zero marker of one of the constrained
+/// edges at it, else 0. (Edges on the boundary have their own marker, or 1.)
+void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
+                          const Adjacency& adjacency, const InputVertices& inputs, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  if (mesh.point_markers.empty()) return;
+  const auto markers = markers_at_vertices(subject, domain, chains, inputs, found.stop());
   std::vector<char> is_marked(mesh.points.size(), 0);
   for (const auto& [vertex, marker] : markers) is_marked[vertex] = 1;
   check_each(mesh.points.size(), found, [&](std::size_t v, Findings& mine) {

@@ -1,0 +1,45 @@
+"""Processes that a campaign starts, each with its own children in a process group of its own."""
+import os
+import signal
+import subprocess
+import threading
+import time
+
+
+class Child:
+    """A process. Signals of a terminal do not reach it: the campaign decides when it ends. If the campaign dies, even
+    by SIGKILL, Linux sends it SIGTERM."""
+
+    def __init__(self, command, **options):
+        # So that no signal is sent to a process that has been waited for. A handler of signals may interrupt send().
+        self.lock = threading.RLock()
+        self.process = subprocess.Popen(["setpriv", "--pdeathsig", "TERM", *map(str, command)], start_new_session=True,
+                                        **options)
+
+    @property
+    def returncode(self):
+        return self.process.returncode
+
+    def send(self, number):
+        """Sends a signal to the process and its children, unless it has ended."""
+        with self.lock:
+            if self.process.returncode is None:
+                os.killpg(self.process.pid, number)
+
+    def wait(self, seconds=None):
+        """Waits for the end of the process. Returns its seconds of processor time; or nothing if it takes longer than
+        `seconds`; it is then killed."""
+        end = time.monotonic() + (float("inf") if seconds is None else seconds)
+        pause = 0.001
+        while True:
+            with self.lock:
+                process, status, used = os.wait4(self.process.pid, os.WNOHANG)
+                if process:
+                    self.process.returncode = os.waitstatus_to_exitcode(status)
+                    return used.ru_utime + used.ru_stime
+            if time.monotonic() > end:
+                self.send(signal.SIGKILL)
+                self.wait()
+                return None
+            time.sleep(pause)
+            pause = min(2 * pause, 0.1)
