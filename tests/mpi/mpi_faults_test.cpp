@@ -202,6 +202,12 @@ TEST_P(FaultsOfOtherJobs, end_them_with_a_message) {
     EXPECT_EQ(full.exit_code, 5) << full;
     EXPECT_TRUE(holds(full.err, {"rank 1: ", "File too large"})) << full;
     expect_no_change(full);
+    for (const std::string call : {"write:1+", "close:1+"}) {
+      const Ran failed = job({PARDEL_FAULTY_RANK, "1", "call", call}, GetParam().command);
+      EXPECT_EQ(failed.exit_code, 5) << call << '\n' << failed;
+      EXPECT_TRUE(holds(failed.err, {"rank 1: ", "cannot be written"})) << call << '\n' << failed;
+      expect_no_change(failed);
+    }
   }
   const Ran killed =
       job({"env", "LD_PRELOAD=" PARDEL_WRONG_MESSAGES, "PARDEL_WRONG=signal9:1:5000"}, GetParam().command);
