@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -133,6 +134,15 @@ std::string bundle_of(const Scratch& scratch, const std::vector<std::string>& na
   return bundle;
 }
 
+std::string any_whole_as_vtu(const Scratch& scratch, const Mesh& mesh) {
+  std::vector<std::uint64_t> numbers(mesh.points.size());
+  std::iota(numbers.begin(), numbers.end(), std::uint64_t{0});
+  VtuPieces files;
+  const PiecesOfMesh index{{"a.vtu"}, !mesh.region.empty(), mesh.attributes_per_point};
+  if (!files.add(mesh, numbers, scratch / "a.vtu") || !files.commit()) return {};
+  return write_pvtu(index, scratch / "mesh.pvtu") ? bundle_of(scratch, {"mesh.pvtu", "a.vtu"}) : "";
+}
+
 std::string any_pieces_as_vtu(const Scratch& scratch, const TwoPieces& divided) {
   VtuPieces files;
   PiecesOfMesh index{{"a.vtu", "b.vtu"}, !divided.mesh[0].region.empty(), divided.mesh[0].attributes_per_point};
@@ -171,10 +181,10 @@ std::string any_input(Random& random) {
   }
   const MshEncoding encoding = random.chance(2) ? MshEncoding::ascii : MshEncoding::binary;
   const Mesh mesh = any_mesh(random);
-  if (const std::optional<TwoPieces> divided = in_two_pieces(mesh); divided) {
-    if (suffix == ".pvtu") return any_pieces_as_vtu(scratch, *divided);
-    if (suffix == ".msh" && random.chance(4)) return any_pieces_as_msh(scratch, *divided, encoding);
-  }
+  const std::optional<TwoPieces> divided = in_two_pieces(mesh);
+  if (suffix == ".pvtu")
+    return divided && random.chance(2) ? any_pieces_as_vtu(scratch, *divided) : any_whole_as_vtu(scratch, mesh);
+  if (suffix == ".msh" && divided && random.chance(4)) return any_pieces_as_msh(scratch, *divided, encoding);
   return write_mesh(mesh, {}, file, encoding) ? contents(file) : "";
 }
 

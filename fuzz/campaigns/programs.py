@@ -7,8 +7,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "fuzz" / "corpus"
 DICTIONARIES = ROOT / "fuzz" / "dictionaries"
 
-# The longest input. Strokes: a header of 32 bytes and 24 strokes of 8 bytes.
-LONGEST = {"mutate_strokes.cpp": 224, "mutate_files.cpp": 2048, "": 256}
+# The longest input. Strokes: a header of 32 bytes and 24 strokes of 8 bytes. Files: also a small mesh in two pieces.
+LONGEST = {"mutate_strokes.cpp": 224, "mutate_files.cpp": 4096, "": 256}
 
 
 class Target:
