@@ -20,6 +20,13 @@
 namespace pardel::fuzz {
 namespace {
 
+/// The longer side of the bounding box.
+double extent_of(std::span<const Point> points) {
+  const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
+  return std::max(right.x - left.x, high.y - low.y);
+}
+
 bool is_same(const Exemption& a, const Exemption& b) {
   return std::tie(a.triangle, a.reason, a.apex, a.angle_deg) == std::tie(b.triangle, b.reason, b.apex, b.angle_deg);
 }
@@ -41,15 +48,18 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
 }
 
 /// One thread runs the tasks of a phase together, one insertion at a time. The seed decides whose turn it is, and how
-/// long the turns are. The goal has only those bounds that the refinement itself knows.
-void compare_with_interleaved_tasks(const Pslg& pslg, const MeshCase& drawn, Options options) {
-  Goal goal = drawn.goal;
-  goal.sources.clear();
-  goal.grading = Goal{}.grading;
-  goal.feature_edges = 0;
-  options.threads = 1;
-  const auto plain = refine_with_schedule(pslg, goal, options, {});
+/// long the turns are. An area bound gives the mesh some thousand triangles, so that several tasks have work.
+void compare_with_interleaved_tasks(const Pslg& pslg, const MeshCase& drawn) {
   generators::Random random(drawn.seed);
+  const double extent = extent_of(pslg.points);
+  const Goal goal{.min_angle_deg = drawn.goal.min_angle_deg,
+                  .max_area = extent * extent / 3000,
+                  .conforming = drawn.goal.conforming,
+                  .convex_hull = drawn.goal.convex_hull};
+  Options options{.threads = 1, .min_edge = extent / 200};
+  const auto cells = static_cast<Index>(random.between(3, 7));
+  options.cells = {cells, cells};
+  const auto plain = refine_with_schedule(pslg, goal, options, {});
   const int turns = random.between(1, 4);
   std::size_t turn = 0;
   const engine::Schedule interleaved{.next = [&](std::size_t n) {
@@ -117,10 +127,11 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   // Many tiles, so that there is something to interleave.
   options.triangles_per_tile = std::min(options.triangles_per_tile, 40U);
   options.max_vertices = std::min<std::uint64_t>(options.max_vertices, prepared.pslg.points.size() + 400);
+  // First what does not depend on the time that threads take: such a find can be repeated.
+  compare_with_interleaved_tasks(prepared.pslg, drawn);
   options.interior = drawn.seed % 3 == 0 ? Interior::fill : Interior::refine;
   compare_with_threads(prepared.pslg, drawn, options);
   options.interior = Interior::refine;
-  compare_with_interleaved_tasks(prepared.pslg, drawn, options);
   if (!drawn.nudged) compare_with_ranks(prepared.pslg, drawn, options);
   return 0;
 }
