@@ -176,7 +176,7 @@ Result<CellRefinement<Cells>> refine_on(const std::function<Cells(const PlainMes
 }  // namespace
 
 std::vector<Index> record_touched(Touched& touched, const PlainMesh& mesh, const ExactPoint& p) {
-  const std::vector<Index> hole = cavity(mesh, p);
+  std::vector<Index> hole = cavity(mesh, p);
   for (const Index v : closure(mesh, hole)) touched.vertices.insert(mesh.points[v]);
   std::set<Edge> rim;
   for (const Edge& e : boundary(mesh, hole)) rim.insert(edge(e[0], e[1]));
@@ -198,7 +198,7 @@ Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, cons
   if (auto error = unsupported(pslg, coarse)) return *error;
   const Result<Number> squared_bound = squared_radius_bound(pslg, coarse, theorem);
   if (!squared_bound) return squared_bound.error();
-  const Lattice lattice = lattice_over(pslg.points, *squared_bound);
+  Lattice lattice = lattice_over(pslg.points, *squared_bound);
   const auto before_a_mesh = [&](const PlainMesh&) { return lattice; };
   Result<LatticeRefinement> result = refine_on<Lattice>(before_a_mesh, pslg, goal, coarse, turns);
   if (!result) return result;
