@@ -5,7 +5,6 @@ import subprocess
 from pathlib import Path
 
 from . import programs
-from .child import Child
 
 STATISTICS = ("execs_done", "execs_per_sec", "edges_found", "corpus_count", "saved_crashes", "saved_hangs")
 
@@ -40,9 +39,9 @@ def environment(library):
     return result
 
 
-def run(target, corpus, folder, seconds, seed, library, started=lambda child: None):
-    """Runs afl-fuzz for so many seconds, or until it gets SIGTERM. Its files are then in the folder `default` of
-    `folder`. started: gets the process. Raises Failed."""
+def run(target, corpus, folder, seconds, seed, library, children):
+    """Runs afl-fuzz, one of the children, for so many seconds, or until it gets SIGTERM. Its files are then in the
+    folder `default` of `folder`. Raises Failed."""
     folder.mkdir(parents=True)
     inputs = corpus
     if not (corpus.is_dir() and any(corpus.iterdir())):
@@ -54,9 +53,8 @@ def run(target, corpus, folder, seconds, seed, library, started=lambda child: No
     if target.dictionary.exists():
         command += ["-x", str(target.dictionary)]
     with open(folder / "log", "wb") as log:
-        child = Child([*command, "--", target.program()], stdout=log, stderr=subprocess.STDOUT,
-                      env=environment(library))
-    started(child)
+        child = children.start([*command, "--", target.program()], stdout=log, stderr=subprocess.STDOUT,
+                               env=environment(library))
     child.wait()
     if child.returncode != 0 or not (folder / "default" / "fuzzer_stats").exists():
         said = (folder / "log").read_text(errors="replace")

@@ -1,4 +1,4 @@
-"""Processes that a campaign starts, each with its own children in a process group of its own."""
+"""Processes that a script starts and ends, each with its own children in a process group of its own."""
 import os
 import signal
 import subprocess
@@ -7,8 +7,8 @@ import time
 
 
 class Child:
-    """A process. Signals of a terminal do not reach it: the campaign decides when it ends. If the campaign dies, even
-    by SIGKILL, Linux sends it SIGTERM."""
+    """A process. Signals of a terminal do not reach it: the script decides when it ends. If the script dies, even by
+    SIGKILL, Linux sends it SIGTERM."""
 
     def __init__(self, command, **options):
         # So that no signal is sent to a process that has been waited for. A handler of signals may interrupt send().
@@ -43,3 +43,33 @@ class Child:
                 return None
             time.sleep(pause)
             pause = min(2 * pause, 0.1)
+
+
+class Children:
+    """The processes of a script, which several threads may start. After stop() all get SIGTERM, also those that are
+    started later."""
+
+    def __init__(self):
+        self.stopping = False
+        self.lock = threading.RLock()  # a handler of signals may interrupt start()
+        self.running = []
+
+    def start(self, command, **options):
+        child = Child(command, **options)
+        with self.lock:
+            self.running = [other for other in self.running if other.returncode is None] + [child]
+        if self.stopping:
+            child.send(signal.SIGTERM)
+        return child
+
+    def stop(self, *_):
+        self.stopping = True
+        with self.lock:
+            running = list(self.running)
+        for child in running:
+            child.send(signal.SIGTERM)
+
+    def stop_on_signals(self):
+        """SIGINT and SIGTERM to this script are calls of stop()."""
+        signal.signal(signal.SIGINT, self.stop)
+        signal.signal(signal.SIGTERM, self.stop)

@@ -8,7 +8,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from . import programs
+from . import files, programs
 
 FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
 UNINTERESTING = ("pardel::fuzz::fail(", "fuzz_one(", "LLVMFuzzer", "fuzzer::", "__", "std::", "abort", "raise",
@@ -102,8 +102,7 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
     if (place / "find.json").exists():
         count = json.loads((place / "find.json").read_text())
         count["times"] += 1
-        (place / "find.json.new").write_text(json.dumps(count, indent=1))
-        (place / "find.json.new").replace(place / "find.json")
+        files.replace(place / "find.json", json.dumps(count, indent=1))
         return None
     fresh = place.with_suffix(".new")
     for leftover in (place, fresh):

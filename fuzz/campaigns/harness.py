@@ -2,13 +2,13 @@
 shrinks; their replay lines are those of its report."""
 import json
 import shutil
-import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-from . import programs, summary
+from . import files, programs, summary
+from .child import Children
 
 
 def add_options(parser):
@@ -22,7 +22,7 @@ def add_options(parser):
 
 class Rounds:
     def __init__(self, folder, options):
-        self.folder, self.options, self.stopping, self.process = folder, options, False, None
+        self.folder, self.options, self.children = folder, options, Children()
         state = folder / "state.json"
         self.state = json.loads(state.read_text()) if state.exists() else {
             "mesher": options.harness, "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
@@ -34,11 +34,6 @@ class Rounds:
                 "--jobs", str(self.options.jobs), "--json", str(work / "report.json"),
                 "--report", str(work / "report.md"), "--failures", str(work / "failures"),
                 *self.options.harness_options.split()]
-
-    def stop(self, *_):
-        self.stopping = True
-        if self.process:
-            self.process.send_signal(signal.SIGINT)
 
     def account(self, work, seconds):
         report = json.loads((work / "report.json").read_text())
@@ -72,9 +67,7 @@ class Rounds:
         state["history"].append([round(state["seconds"], 1), state["cases"], len(state["finds"])])
 
     def save(self):
-        fresh = self.folder / "state.json.new"
-        fresh.write_text(json.dumps(self.state))
-        fresh.replace(self.folder / "state.json")
+        files.replace(self.folder / "state.json", json.dumps(self.state))
         (self.folder / "summary.json").write_text(
             json.dumps({"schema": "pardel.campaign/1", **self.state}, indent=1) + "\n")
         verdicts = sorted(self.state["verdicts"])
@@ -96,16 +89,16 @@ class Rounds:
 
     def run(self):
         end = time.time() + 3600 * self.options.hours
-        while not self.stopping and time.time() < end:
+        while not self.children.stopping and time.time() < end:
             work = self.folder / "work"
             shutil.rmtree(work, ignore_errors=True)
             work.mkdir()
             began = time.time()
-            self.process = subprocess.Popen(self.command(work), stdout=subprocess.DEVNULL)
-            code = self.process.wait()
-            if code not in (0, 1):  # interrupted, or the harness cannot run: nothing to count
-                if not self.stopping:
-                    print(f"campaign: {self.command(work)[0]} ended with exit code {code}")
+            child = self.children.start(self.command(work), stdout=subprocess.DEVNULL)
+            child.wait()
+            if child.returncode not in (0, 1):  # interrupted, or the harness cannot run: nothing to count
+                if not self.children.stopping:
+                    print(f"campaign: {self.command(work)[0]} ended with exit code {child.returncode}")
                 break
             self.account(work, time.time() - began)
             self.save()
@@ -122,8 +115,7 @@ def run(folder, options):
     rounds = Rounds(folder, options)
     if options.harness and options.harness != rounds.state["mesher"]:
         sys.exit(f"campaign: {folder}: this campaign is of the mesher '{rounds.state['mesher']}'")
-    signal.signal(signal.SIGINT, rounds.stop)
-    signal.signal(signal.SIGTERM, rounds.stop)
+    rounds.children.stop_on_signals()
     rounds.run()
     if rounds.state["rounds"] > 0:
         print(folder / "summary.md")

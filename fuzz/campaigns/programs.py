@@ -1,6 +1,7 @@
 """The fuzz programs of a build: their names, how they are built, and how libFuzzer is called."""
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -67,12 +68,13 @@ def targets(build):
 
 
 def chosen(targets, names):
-    """The targets whose names are in a text, separated by commas; all of them if it is empty. Raises ValueError."""
+    """The targets whose names are in a text, separated by commas; all of them if it is empty. A wrong name ends the
+    script."""
     wanted = [word for word in names.split(",") if word]
     unknown = set(wanted) - {t.name for t in targets}
     if unknown:
-        raise ValueError(f"there is no target {', '.join(sorted(unknown))}; the targets are "
-                         + ", ".join(t.name for t in targets))
+        sys.exit(f"{Path(sys.argv[0]).name}: there is no target {', '.join(sorted(unknown))}; the targets are "
+                 + ", ".join(t.name for t in targets))
     return [t for t in targets if not wanted or t.name in wanted]
 
 

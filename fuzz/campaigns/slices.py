@@ -4,7 +4,6 @@ import subprocess
 from pathlib import Path
 
 from . import programs
-from .child import Child
 
 PULSE = re.compile(r"^#(\d+)\s+(\w+)\s+cov: (\d+) ft: (\d+)(?: corp: (\d+)/\S+)?", re.MULTILINE)
 
@@ -28,13 +27,14 @@ def numbers(log):
     return result
 
 
-def start(target, corpus, work, seconds, seed):
-    """Starts a slice. Its log is WORK/log, and a failing input is left in WORK. SIGTERM ends it with its figures."""
+def start(target, corpus, work, seconds, seed, children):
+    """Starts a slice, one of the children. Its log is WORK/log, and a failing input is left in WORK. SIGTERM ends it with its figures."""
     corpus.mkdir(parents=True, exist_ok=True)
     command = target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
                              *folders_of(target, corpus))
     with open(work / "log", "wb") as log:
-        return Child(command, stdout=log, stderr=subprocess.STDOUT, cwd=work, env=programs.environment())
+        return children.start(command, stdout=log, stderr=subprocess.STDOUT, cwd=work,
+                              env=programs.environment())
 
 
 def folders_of(target, corpus):
@@ -45,17 +45,16 @@ def artifacts(work):
     return [file for file in sorted(Path(work).iterdir()) if re.match(r"(crash|timeout|oom|leak)-", file.name)]
 
 
-def minimise(target, corpus, seconds, started=lambda child: None):
-    """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one.
-    started: gets the process that does it."""
+def minimise(target, corpus, seconds, children):
+    """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one. One of the
+    children does it."""
     merged, old, control = (corpus.with_suffix(suffix) for suffix in (".merged", ".old", ".control"))
     for leftover in (merged, old):
         remove(leftover)
     merged.mkdir(parents=True)
     command = target.command("-merge=1", f"-merge_control_file={control}", merged, *folders_of(target, corpus))
     control.unlink(missing_ok=True)
-    child = Child(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=programs.environment())
-    started(child)
+    child = children.start(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=programs.environment())
     child.wait(seconds)
     control.unlink(missing_ok=True)
     if child.returncode != 0 or not any(merged.iterdir()):

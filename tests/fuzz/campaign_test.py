@@ -13,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "fuzz"))
 from campaigns import finds, programs, slices, summary  # noqa: E402
+from campaigns.child import Children  # noqa: E402
 
 # Fails if the input has the word "bug", and later a "7". RUNS: a file to which each run adds a byte.
 REPLAY = r"""#!/bin/sh
@@ -183,7 +184,7 @@ class Slices(FakeBuild):
         corpus = self.folder / "corpus" / "fake"
         corpus.mkdir(parents=True)
         (corpus / "input").write_text("kept")
-        self.assertFalse(slices.minimise(self.target, corpus, 10))
+        self.assertFalse(slices.minimise(self.target, corpus, 10, Children()))
         self.assertEqual([f.name for f in corpus.parent.iterdir()], ["fake"])
         self.assertEqual((corpus / "input").read_text(), "kept")
 
