@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,9 +10,8 @@
 #include "../core/formats.hpp"
 #include "../core/neighbours.hpp"
 #include "../properties/domains/generators/random.hpp"
-#include "../properties/theorems/framework/local_ranks.hpp"
 #include "file_bundle.hpp"
-#include "two_pieces.hpp"
+#include "mesh_in_pieces.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
@@ -134,34 +132,6 @@ std::string bundle_of(const Scratch& scratch, const std::vector<std::string>& na
   return bundle;
 }
 
-std::string any_whole_as_vtu(const Scratch& scratch, const Mesh& mesh) {
-  std::vector<std::uint64_t> numbers(mesh.points.size());
-  std::iota(numbers.begin(), numbers.end(), std::uint64_t{0});
-  VtuPieces files;
-  const PiecesOfMesh index{{"a.vtu"}, !mesh.region.empty(), mesh.attributes_per_point};
-  if (!files.add(mesh, numbers, scratch / "a.vtu") || !files.commit()) return {};
-  return write_pvtu(index, scratch / "mesh.pvtu") ? bundle_of(scratch, {"mesh.pvtu", "a.vtu"}) : "";
-}
-
-std::string any_pieces_as_vtu(const Scratch& scratch, const TwoPieces& divided) {
-  VtuPieces files;
-  PiecesOfMesh index{{"a.vtu", "b.vtu"}, !divided.mesh[0].region.empty(), divided.mesh[0].attributes_per_point};
-  for (const std::size_t rank : {0U, 1U})
-    if (!files.add(divided.mesh[rank], divided.number[rank], scratch / index.files[rank])) return {};
-  if (!files.commit() || !write_pvtu(index, scratch / "mesh.pvtu")) return {};
-  return bundle_of(scratch, {"mesh.pvtu", "a.vtu", "b.vtu"});
-}
-
-std::string any_pieces_as_msh(const Scratch& scratch, const TwoPieces& divided, MshEncoding encoding) {
-  bool written = true;
-  properties::on_ranks(2, [&](Ranks& ranks) {
-    const auto rank = static_cast<std::size_t>(ranks.rank());
-    const Status each = write_msh_piece(divided.piece(rank), scratch / "mesh.msh", encoding, ranks);
-    if (rank == 0) written = each.ok();
-  });
-  return written ? bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}) : "";
-}
-
 /// A correct input of the reader.
 std::string any_input(Random& random) {
   const std::filesystem::path name = PARDEL_MAIN_FILE;
@@ -181,10 +151,16 @@ std::string any_input(Random& random) {
   }
   const MshEncoding encoding = random.chance(2) ? MshEncoding::ascii : MshEncoding::binary;
   const Mesh mesh = any_mesh(random);
-  const std::optional<TwoPieces> divided = in_two_pieces(mesh);
-  if (suffix == ".pvtu")
-    return divided && random.chance(2) ? any_pieces_as_vtu(scratch, *divided) : any_whole_as_vtu(scratch, mesh);
-  if (suffix == ".msh" && divided && random.chance(4)) return any_pieces_as_msh(scratch, *divided, encoding);
+  const std::size_t most = std::min<std::size_t>(mesh.triangles.size(), 2);
+  if (suffix == ".pvtu") {
+    const std::optional<MeshInPieces> pieces = in_pieces(mesh, random.chance(2) ? most : 1);
+    const bool written = pieces && write_pvtu(*pieces, file);
+    return written ? bundle_of(scratch, {"mesh.pvtu", "piece_0.vtu", "piece_1.vtu"}) : "";
+  }
+  if (suffix == ".msh" && random.chance(4)) {
+    const std::optional<MeshInPieces> pieces = in_pieces(mesh, most);
+    return pieces && write_msh(*pieces, file, encoding) ? bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}) : "";
+  }
   return write_mesh(mesh, {}, file, encoding) ? contents(file) : "";
 }
 

@@ -13,10 +13,9 @@
 #include "../core/digest.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/same_attribute.hpp"
-#include "../properties/theorems/framework/local_ranks.hpp"
 #include "file_bundle.hpp"
 #include "fuzz_one.hpp"
-#include "two_pieces.hpp"
+#include "mesh_in_pieces.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -92,33 +91,20 @@ void round_trip(const Mesh& mesh, const fs::path& file, bool keeps_regions, cons
 
 /// Writes the mesh as two ranks do, each its piece. The joined pieces must be the mesh.
 void round_trip_in_pieces(const Mesh& mesh, const Scratch& scratch) {
-  const std::optional<TwoPieces> divided = in_two_pieces(mesh);
-  if (!divided) return;
+  const std::optional<MeshInPieces> pieces = in_pieces(mesh, 2);
+  if (!pieces) return;
   const fs::path folder = scratch / "in-pieces";  // names in a bundle have no hyphen
   fs::create_directory(folder);
-  const auto expect_mesh = [&](const fs::path& file) {
+  const auto expect_mesh = [&](const Status& written, const fs::path& file) {
+    require_written(written, file);
     const Mesh joined = read_back(read_mesh(file), file);
     if (joined.points != mesh.points) fail_at(file, "the joined pieces have other points");
     if (digest(joined) != digest(mesh)) fail_at(file, "the joined pieces have another digest");
   };
-  VtuPieces vtu;
-  PiecesOfMesh index{{}, !mesh.region.empty(), mesh.attributes_per_point};
-  for (const std::size_t rank : {0U, 1U}) {
-    index.files.push_back("piece_" + std::to_string(rank) + ".vtu");
-    require_written(vtu.add(divided->mesh[rank], divided->number[rank], folder / index.files.back()), folder);
-  }
-  require_written(vtu.commit(), folder);
-  require_written(write_pvtu(index, folder / "again.pvtu"), folder / "again.pvtu");
-  expect_mesh(folder / "again.pvtu");
-
-  for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary}) {
-    const fs::path file = folder / "again.msh";
-    properties::on_ranks(2, [&](Ranks& ranks) {
-      require_written(write_msh_piece(divided->piece(static_cast<std::size_t>(ranks.rank())), file, encoding, ranks),
-                      file);
-    });
-    expect_mesh(file);
-  }
+  const fs::path pvtu = folder / "again.pvtu", msh = folder / "again.msh";
+  expect_mesh(write_pvtu(*pieces, pvtu), pvtu);
+  for (const MshEncoding encoding : {MshEncoding::ascii, MshEncoding::binary})
+    expect_mesh(write_msh(*pieces, msh, encoding), msh);
 }
 
 void round_trip(const Mesh& mesh, const Scratch& scratch) {

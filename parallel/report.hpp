@@ -32,6 +32,7 @@ struct Exemption {
   ExemptReason reason = ExemptReason::precision;
   Index apex = no_index;  ///< the input vertex with the small angle, for a justified reason; otherwise no_index
   double angle_deg = 0;   ///< the input angle at the apex
+  friend bool operator==(const Exemption&, const Exemption&) = default;
 };
 
 /// A leaf of a quadtree of tiles: the square (column, row) among the 2^level x 2^level squares of its level. The square

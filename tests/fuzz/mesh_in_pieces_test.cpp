@@ -1,4 +1,4 @@
-#include "../../fuzz/two_pieces.hpp"
+#include "../../fuzz/mesh_in_pieces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,25 +25,32 @@ Mesh fan() {
   return mesh;
 }
 
-TEST(TwoPieces, joined_again_are_the_mesh) {
-  const std::optional<TwoPieces> divided = in_two_pieces(fan());
+TEST(MeshInPieces, joined_again_are_the_mesh) {
+  for (const std::size_t count : {1U, 2U, 3U}) {
+    const std::optional<MeshInPieces> divided = in_pieces(fan(), count);
+    ASSERT_TRUE(divided);
+    std::vector<NumberedMesh> pieces;
+    for (std::size_t rank = 0; rank < count; ++rank) {
+      pieces.push_back({divided->mesh[rank], {}});
+      for (const std::uint64_t number : divided->number[rank]) pieces.back().number.push_back(number);
+    }
+    const Result<Mesh> joined = join_pieces(pieces);
+    ASSERT_TRUE(joined) << joined.error().message;
+    EXPECT_EQ(joined->points, fan().points);
+    EXPECT_EQ(joined->point_attributes, fan().point_attributes);
+    EXPECT_EQ(digest(*joined), digest(fan()));
+  }
+}
+
+TEST(MeshInPieces, have_about_equally_many_triangles) {
+  const std::optional<MeshInPieces> divided = in_pieces(fan(), 2);
   ASSERT_TRUE(divided);
   EXPECT_EQ(divided->mesh[0].triangles.size(), 1U);
   EXPECT_EQ(divided->mesh[1].triangles.size(), 2U);
-  std::vector<NumberedMesh> pieces;
-  for (const std::size_t rank : {0U, 1U}) {
-    pieces.push_back({divided->mesh[rank], {}});
-    for (const std::uint64_t number : divided->number[rank]) pieces.back().number.push_back(number);
-  }
-  const Result<Mesh> joined = join_pieces(pieces);
-  ASSERT_TRUE(joined) << joined.error().message;
-  EXPECT_EQ(joined->points, fan().points);
-  EXPECT_EQ(joined->point_attributes, fan().point_attributes);
-  EXPECT_EQ(digest(*joined), digest(fan()));
 }
 
-TEST(TwoPieces, know_the_vertices_that_they_share) {
-  const std::optional<TwoPieces> divided = in_two_pieces(fan());
+TEST(MeshInPieces, know_the_vertices_that_they_share) {
+  const std::optional<MeshInPieces> divided = in_pieces(fan(), 2);
   ASSERT_TRUE(divided);
   for (const std::size_t rank : {0U, 1U}) {
     const PieceOfMesh piece = divided->piece(rank);
@@ -55,21 +62,21 @@ TEST(TwoPieces, know_the_vertices_that_they_share) {
   }
 }
 
-TEST(TwoPieces, do_not_exist_for_every_mesh) {
+TEST(MeshInPieces, do_not_exist_for_every_mesh) {
   Mesh lonely = fan();
   lonely.points.push_back({9, 9});
   lonely.point_attributes.push_back(0);
-  EXPECT_FALSE(in_two_pieces(lonely)) << "a point without a triangle";
+  EXPECT_FALSE(in_pieces(lonely, 2)) << "a point without a triangle";
   Mesh crossing = fan();
   crossing.constrained_edges.push_back({1, 4, no_index, 0});
-  EXPECT_FALSE(in_two_pieces(crossing)) << "an edge from one piece to the other";
+  EXPECT_FALSE(in_pieces(crossing, 2)) << "an edge from one piece to the other";
   Mesh flat = fan();
   flat.triangles[2].v[2] = flat.triangles[2].v[1];
-  EXPECT_FALSE(in_two_pieces(flat)) << "a triangle with equal corners";
+  EXPECT_FALSE(in_pieces(flat, 2)) << "a triangle with equal corners";
   Mesh single = fan();
   single.triangles.resize(1);
   single.region.resize(1);
-  EXPECT_FALSE(in_two_pieces(single)) << "one triangle";
+  EXPECT_FALSE(in_pieces(single, 2)) << "one triangle";
 }
 
 }  // namespace
