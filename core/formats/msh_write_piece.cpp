@@ -28,6 +28,7 @@ MshModel shared_model(const Mesh& mesh, Ranks& ranks) {
 /// The boxes of the groups become those in the whole mesh. Collective.
 void unite_boxes(std::vector<MshGroup>& groups, Ranks& ranks) {
   std::vector<MshBox> boxes;
+  boxes.reserve(groups.size());
   for (const MshGroup& group : groups) boxes.push_back(group.box);
   for (const std::vector<MshBox>& from : lists_of_all(boxes, ranks))
     for (std::size_t g = 0; g < groups.size(); ++g) groups[g].box.cover(from[g]);

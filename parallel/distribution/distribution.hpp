@@ -23,6 +23,7 @@ class Distribution : public Partners {
   [[nodiscard]] bool is_at_home(TriangleId id) const override { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); }
   [[nodiscard]] bool is_first() const override { return ranks_.rank() == 0; }
   [[nodiscard]] int ranks() const override { return ranks_.count(); }
+  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
   void add_up(std::span<std::uint64_t> values) override { ranks_.add_up(values); }
   void deliver(std::vector<PlannedTask>& tasks) override;
   void exchange_changes(std::vector<PlannedTask>& tasks) override;

@@ -112,8 +112,7 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
   return exchanged(std::move(entries));
 }
 
-Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, PhaseRunner& /*runner*/,
-                                   Waiting&& waiting) {
+Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, Waiting&& waiting) {
   drop_borrowed();
   set_owners(ownership_of(tiles, work));
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));

@@ -18,13 +18,12 @@ struct Waiting {
   std::vector<QueuedTriangle> needing_larger_box;
 };
 
+class PartnersInParts;
+
 /// Connects the refinement of this rank with that of the other ranks (ranks.hpp). The coarse levels are refined by
 /// every rank alike. Then the mesh is divided. From then on, every rank runs the tasks of the cells that it owns, on
 /// the part of the mesh around them, and the ranks exchange what they changed after every phase. All functions but
-/// is_at_home(), is_first(), ranks() and begins_in_parts() are collective. They throw Stopped if the run has to end.
-///
-/// If the mesh begins in parts, no rank ever has all of it. Each rank assesses its part. One rank refines the coarse
-/// levels, in an excerpt of the mesh. Then the mesh is divided anew.
+/// is_at_home(), is_first(), ranks() and in_parts() are collective. They throw Stopped if the run has to end.
 class Partners {
  public:
   Partners() = default;
@@ -39,7 +38,8 @@ class Partners {
   /// rank.
   [[nodiscard]] virtual bool is_at_home(TriangleId id) const = 0;
 
-  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
+  /// For a mesh that begins in parts: what else the partners can do. Otherwise nullptr.
+  [[nodiscard]] virtual PartnersInParts* in_parts() { return nullptr; }
 
   /// True on one rank.
   [[nodiscard]] virtual bool is_first() const = 0;
@@ -71,32 +71,36 @@ class Partners {
   /// changes. `rest`: the triangles of this rank.
   virtual void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) = 0;
 
-  // If the mesh begins in parts:
+  /// Called at the end, before the runner is destroyed.
+  virtual void finish() = 0;
+};
+
+/// What the partners of a mesh that begins in parts can do in addition. No rank ever has all of such a mesh. Each rank
+/// assesses its part. One rank refines the coarse levels, in an excerpt of the mesh. Then the mesh is divided anew,
+/// with divide_anew() instead of divide(). All functions but holds() are collective.
+class PartnersInParts {
+ public:
+  PartnersInParts() = default;
+  PartnersInParts(const PartnersInParts&) = delete;
+  PartnersInParts& operator=(const PartnersInParts&) = delete;
+  virtual ~PartnersInParts() = default;
 
   /// To be called first. The indices of all vertices and triangles are in use.
-  virtual void begin(PhaseRunner& /*runner*/) {}
+  virtual void begin(PhaseRunner& runner) = 0;
   /// True if the slot contains a triangle.
-  [[nodiscard]] virtual bool holds(TriangleId /*id*/) const { return true; }
-  [[nodiscard]] virtual Box bounds_of_all(const Box& here) { return here; }
+  [[nodiscard]] virtual bool holds(TriangleId id) const = 0;
+  [[nodiscard]] virtual Box bounds_of_all(const Box& here) = 0;
   /// Replaces each value by the largest one of all ranks.
-  virtual void take_largest(std::span<double> /*values*/) {}
+  virtual void take_largest(std::span<double> values) = 0;
   /// Refines the coarse levels in an excerpt. Returns what waits there for finer levels, or for a larger box.
-  using RefineCoarse = std::function<Waiting(const Excerpt& excerpt, std::vector<TriangleId>& changed)>;
+  using RefineCoarse = std::function<Waiting(const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed)>;
   /// Refines the coarse levels on one rank, which gets the due triangles and those around them; if the excerpt is too
   /// small, it gets more and starts again. All ranks take over the changes. Returns what now waits on this rank in
   /// addition. `due`: the triangles of this rank that coarse levels have to split.
-  [[nodiscard]] virtual Waiting refine_coarse(std::span<const Deferred> /*due*/, const RefineCoarse& /*refine*/) {
-    return {};
-  }
-  /// divide() for a mesh that begins in parts. Triangles move to the ranks that hold them from now on, and waiting ones
-  /// to those where they are at home. Returns those that wait on this rank.
-  [[nodiscard]] virtual Waiting divide_anew(const Tiles& /*tiles*/, std::span<const double> /*work*/,
-                                            PhaseRunner& /*runner*/, Waiting&& waiting) {
-    return std::move(waiting);
-  }
-
-  /// Called at the end, before the runner is destroyed.
-  virtual void finish() = 0;
+  [[nodiscard]] virtual Waiting refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) = 0;
+  /// Divides the finest tiles among the ranks, by `work` per cell. Triangles move to the ranks that hold them from now
+  /// on, and waiting ones to those where they are at home. Returns those that wait on this rank.
+  [[nodiscard]] virtual Waiting divide_anew(const Tiles& tiles, std::span<const double> work, Waiting&& waiting) = 0;
 };
 
 /// Replaces the estimates by their sums over all ranks. Collective.

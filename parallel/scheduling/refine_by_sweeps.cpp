@@ -61,6 +61,7 @@ class Refinement {
         schedule_(schedule),
         watcher_(watcher),
         partners_(partners),
+        in_parts_(partners == nullptr ? nullptr : partners->in_parts()),
         assessor_(t, segments, criteria, options),
         threads_(threads),
         runner_(t, assessor_, criteria, options, threads_, schedule),
@@ -100,18 +101,16 @@ class Refinement {
   /// From coarse tiles to fine ones. References to the elements stay valid when levels are added.
   using Levels = std::deque<Tiles>;
 
-  [[nodiscard]] bool begins_in_parts() const { return partners_ != nullptr && partners_->begins_in_parts(); }
-
   [[nodiscard]] Box bounds_of_all() {
     const Box here = bounding_box(threads_, t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
-    return begins_in_parts() ? partners_->bounds_of_all(here) : here;
+    return in_parts_ != nullptr ? in_parts_->bounds_of_all(here) : here;
   }
 
   [[nodiscard]] InitialAssessment assess() {
-    if (!begins_in_parts()) return assess_all(t_, criteria_, assessor_, threads_);
-    partners_->begin(runner_);
+    if (in_parts_ == nullptr) return assess_all(t_, criteria_, assessor_, threads_);
+    in_parts_->begin(runner_);
     InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_, [&](TriangleId id) {
-      return partners_->holds(id) && partners_->is_at_home(id);
+      return in_parts_->holds(id) && partners_->is_at_home(id);
     });
     TriangleEstimates& e = initial.estimates;
     std::array sums{e.without_angle_bound, e.with_angle_bound, e.lower_bound};
@@ -210,7 +209,7 @@ class Refinement {
   /// lengths, and no triangle is taken out.)
   void go_down(const Levels& levels) {
     pending_.set_aside(short_enough_for(*levels.back().lattice()));
-    if (begins_in_parts())
+    if (in_parts_ != nullptr)
       go_down_in_excerpt(levels);
     else
       refine_coarse_levels(levels);
@@ -248,7 +247,7 @@ class Refinement {
       changed = *std::move(in_excerpt.changed_);
       return in_excerpt.pending_.take();
     };
-    waiting_ = partners_->refine_coarse(due.deferred, refine);
+    waiting_ = in_parts_->refine_coarse(due.deferred, refine);
     counts_.add(in_last_excerpt);
   }
 
@@ -264,7 +263,7 @@ class Refinement {
   [[nodiscard]] unsigned median_key() {
     std::vector<std::uint64_t> counts = pending_.count_keys();
     for (std::size_t key = 0; key < keys_in_excerpt_.size(); ++key) counts[key] += keys_in_excerpt_[key];
-    if (begins_in_parts()) partners_->add_up(counts);
+    if (in_parts_ != nullptr) partners_->add_up(counts);
     return PendingTriangles::median_key(counts);
   }
 
@@ -272,9 +271,9 @@ class Refinement {
   /// the largest circumradius demands.
   void lay_finest(const Box& bounds, Levels& levels) {
     Radii largest = largest_radii(t_, runner_.triangles(), threads_);
-    if (begins_in_parts()) {
+    if (in_parts_ != nullptr) {
       std::array of_all{largest.radius, largest.ratio, largest.area};
-      partners_->take_largest(of_all);
+      in_parts_->take_largest(of_all);
       largest = {of_all[0], of_all[1], of_all[2]};
     }
     if (options_.decomposition == Decomposition::paper)
@@ -294,7 +293,7 @@ class Refinement {
 
   /// From here on, each rank refines its own cells of the finest tiles. Each triangle that waits waits on one rank.
   void divide(const Tiles& finest) {
-    if (begins_in_parts()) return divide_anew(finest);
+    if (in_parts_ != nullptr) return divide_anew(finest);
     // A cell without work takes some time and memory, too.
     std::vector<double> work(finest.cells(), 1);
     for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += each.triangles;
@@ -310,7 +309,7 @@ class Refinement {
     for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += estimate(each.triangles);
     add_up_estimates(work, *partners_);
     for (double& of_cell : work) of_cell += 1;
-    pending_.add(partners_->divide_anew(finest, work, runner_, pending_.take()));
+    pending_.add(in_parts_->divide_anew(finest, work, pending_.take()));
     runner_.set_partners(partners_);
     is_divided_ = true;
   }
@@ -446,6 +445,7 @@ class Refinement {
   const Schedule& schedule_;
   const Watcher& watcher_;
   Partners* partners_;
+  PartnersInParts* in_parts_;  ///< of partners_; nullptr unless the mesh begins in parts
   bool is_divided_ = false;
   Waiting waiting_;                                 ///< what waits after go_down_in_excerpt()
   std::vector<std::uint64_t> keys_in_excerpt_;      ///< of its deferred triangles, on the rank that has refined it

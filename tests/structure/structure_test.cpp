@@ -84,8 +84,6 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"refinement/exemptions", {"mesher_test", "limits_test"}},
     {"triangulation/held", {"distribution/margins_test", "distribution/pieces_test"}},
     {"triangulation/paired_disk_query", {"triangulation/cavity_test"}},
-    {"parts/excerpts", {"distribution/pieces_test", "divided_points/mesh_of_points_test"}},
-    {"parts/held_segments", {"divided_points/mesh_of_points_test"}},
     {"planning/run_plan", {"mesher_test", "filling/refine_filled_test"}},
     {"planning/supervised", {"stopping_test"}},
     {"scheduling/partners", {"distribution/margins_test"}},

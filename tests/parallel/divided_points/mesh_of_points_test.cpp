@@ -166,13 +166,13 @@ TEST(MeshOfPoints, dense_on_segments_is_the_mesh_of_one_process) {
   }
 }
 
-/// Spokes of three lengths, 4 degrees apart, in a box. Where a spoke passes the end of a shorter one, it is split.
-Pslg spokes() {
+/// Spokes of three lengths in a box. Where a spoke passes the end of a shorter one at a small distance, it is split.
+Pslg spokes(double degrees_apart) {
   Pslg pslg;
   pslg.points = {{0, 0}, {-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
   pslg.segments = {{1, 2}, {2, 3}, {3, 4}, {4, 1}};
   for (int i = 0; i < 24; ++i) {
-    const double angle = i * std::numbers::pi / 45, length = 1 + i % 3;
+    const double angle = i * degrees_apart * std::numbers::pi / 180, length = 1 + i % 3;
     pslg.segments.push_back({0, static_cast<Index>(pslg.points.size())});
     pslg.points.push_back({length * std::cos(angle), length * std::sin(angle)});
   }
@@ -180,9 +180,12 @@ Pslg spokes() {
 }
 
 TEST(MeshOfPoints, with_spokes_of_three_lengths_is_the_mesh_of_one_process) {
-  expect_the_mesh_of_one_process(spokes(), {.min_angle_deg = 25}, {}, "few triangles");
-  expect_the_mesh_of_one_process(with_loose_points(spokes(), 300), {.min_angle_deg = 25, .max_area = 0.01},
-                                 {.triangles_per_tile = 50}, "many triangles");
+  for (const double degrees_apart : {4.0, 0.5}) {
+    const Pslg pslg = spokes(degrees_apart);
+    expect_the_mesh_of_one_process(pslg, {.min_angle_deg = 25}, {}, "few triangles");
+    expect_the_mesh_of_one_process(with_loose_points(pslg, 300), {.min_angle_deg = 25, .max_area = 0.01},
+                                   {.triangles_per_tile = 50}, "many triangles");
+  }
 }
 
 TEST(MeshOfPoints, on_a_coast_is_the_mesh_of_one_process) {

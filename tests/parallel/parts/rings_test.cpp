@@ -12,6 +12,7 @@
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
+#include "part_of_rank.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -28,33 +29,12 @@ Set with_one_ring_more(const Triangulation& t, const Set& triangles) {
   return larger;
 }
 
-/// What a rank holds: the triangles with a corner that it owns.
-class Part {
- public:
-  Part(const Triangulation& whole, int rank, const Rings::Owner& owner)
-      : t(whole),
-        vertices_(static_cast<Index>(t.points.size()), no_index),
-        triangles_(static_cast<Index>(t.slots.size()), no_index),
-        held(t, vertices_, triangles_, Name::rank(rank), {vertices_.end(), triangles_.end()}) {
-    for (TriangleId id = 0; id < whole.slots.size(); ++id)
-      if (std::ranges::none_of(whole.slots[id].v, [&](VertexId v) { return owner(v) == rank; })) held.drop(id);
-  }
-
-  Triangulation t;
-
- private:
-  IndexAllocator vertices_, triangles_;
-
- public:
-  HeldPart held;
-};
-
 /// The sets of triangles around the first one, on several ranks, until they grow no more.
 std::vector<Set> rings_on(int count, const Triangulation& whole, const Rings::Owner& owner) {
   std::vector<Set> found;
   std::mutex mutex;
   properties::on_ranks(count, [&](Ranks& ranks) {
-    const Part part(whole, ranks.rank(), owner);
+    const PartOfRank part(whole, ranks.rank(), owner);
     std::vector<TriangleId> centre;
     if (owner(whole.slots[0].v[0]) == ranks.rank()) centre.push_back(0);
     Rings rings(part.held, part.t, ranks, owner, centre);
@@ -111,7 +91,7 @@ TEST(Rings, grow_around_a_vertex_only_if_they_are_told_so) {
   std::mutex mutex;
   Set first, second, third;
   properties::on_ranks(3, [&](Ranks& ranks) {
-    const Part part(t, ranks.rank(), owner);
+    const PartOfRank part(t, ranks.rank(), owner);
     std::vector<TriangleId> centre;
     if (owner(t.slots[0].v[0]) == ranks.rank()) centre.push_back(0);
     Rings rings(part.held, part.t, ranks, owner, centre);
