@@ -117,8 +117,9 @@ Result<std::vector<SizeSource>> size_sources(const Raster& raster, double gradin
   if (lines.empty()) return sources;
   const Overruled overruled(raster, grading);
   const auto place = [&](std::size_t k) {
-    return Point{raster.first.x + static_cast<double>(k % raster.columns) * raster.step_x,
-                 raster.first.y + static_cast<double>(k / raster.columns) * raster.step_y};
+    const std::size_t row = k / raster.columns, column = k % raster.columns;
+    return Point{raster.first.x + static_cast<double>(column) * raster.step_x,
+                 raster.first.y + static_cast<double>(row) * raster.step_y};
   };
   for (const auto& [a, b] : lines) {
     if (overruled.contains(a, b)) continue;

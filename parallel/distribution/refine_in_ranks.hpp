@@ -24,6 +24,7 @@ namespace pardel::engine {
     std::uint64_t side;
   };
   std::vector<Question> questions;
+  questions.reserve(sides.size());
   for (const EdgeRef e : sides) questions.push_back({distribution.part().name_of(e.triangle()), e.side()});
   const auto whom = [&](std::size_t i) { return distribution.owner_of(t.slot(sides[i]).from(sides[i].side())); };
   const auto answer = [&](const std::vector<Question>& asked) {

@@ -240,6 +240,7 @@ void Labels::ask_about_sides(const OwnPoints& own, Ranks& ranks) {
       asked, 1, ranks, [&](std::size_t i) { return own.owner(asked[i].from); },
       [&](const std::vector<Side>& sides) {
         std::vector<char> are_outside;
+        are_outside.reserve(sides.size());
         for (const Side& side : sides) are_outside.push_back(std::ranges::binary_search(outside_here, side) ? 1 : 0);
         return are_outside;
       });

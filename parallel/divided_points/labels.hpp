@@ -41,7 +41,7 @@ class Labels {
   /// The positions of the ends of a side that has the triangle on its left.
   struct Side {
     std::uint64_t from, to;
-    friend auto operator<=>(const Side&, const Side&) = default;
+    friend auto operator<=>(const Side&, const Side&) = default;  // NOLINT(modernize-use-nullptr)
   };
 
   [[nodiscard]] Side beyond(const Slot& slot, unsigned side) const {

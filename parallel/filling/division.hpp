@@ -39,7 +39,7 @@ class Division {
 struct PointOfPiece {
   Index point = 0;
   std::uint32_t piece = 0;
-  friend auto operator<=>(const PointOfPiece&, const PointOfPiece&) = default;
+  friend auto operator<=>(const PointOfPiece&, const PointOfPiece&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The points that belong to several pieces, with each of these pieces, in ascending order. `around`: the triangles
