@@ -6,6 +6,15 @@ import threading
 import time
 
 
+def remove_openmp_file(pid):
+    """LLVM's OpenMP library removes this file at the end of a process, but not if the process is killed or ends as
+    libFuzzer does. Campaigns start many processes, and the files are in memory."""
+    try:
+        os.remove(f"/dev/shm/__KMP_REGISTERED_LIB_{pid}_{os.getuid()}")
+    except OSError:
+        pass
+
+
 class Child:
     """A process. Signals of a terminal do not reach it: the script decides when it ends. If the script dies, even by
     SIGKILL, Linux sends it SIGTERM."""
@@ -36,6 +45,7 @@ class Child:
                 process, status, used = os.wait4(self.process.pid, os.WNOHANG)
                 if process:
                     self.process.returncode = os.waitstatus_to_exitcode(status)
+                    remove_openmp_file(process)
                     return used.ru_utime + used.ru_stime
             if time.monotonic() > end:
                 self.send(signal.SIGKILL)

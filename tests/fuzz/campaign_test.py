@@ -86,6 +86,14 @@ class FakeBuild(unittest.TestCase):
         return finds.record(self.target, file, "", self.folder / "finds", seconds)
 
 
+class Processes(unittest.TestCase):
+    def test_that_are_killed_leave_no_file_of_the_openmp_library(self):
+        started = Children().start(["sh", "-c", 'touch /dev/shm/__KMP_REGISTERED_LIB_$$_$(id -u); kill -KILL $$'])
+        self.assertIsNotNone(started.wait(20))
+        self.assertEqual(started.returncode, -signal.SIGKILL)
+        self.assertFalse(Path(f"/dev/shm/__KMP_REGISTERED_LIB_{started.process.pid}_{os.getuid()}").exists())
+
+
 class Signatures(unittest.TestCase):
     def test_numbers_of_an_input_do_not_tell_verdicts_apart(self):
         one = finds.signature("fuzz: the property failed: vertex 12 at (0.5, 3) is missing\n")
