@@ -1,6 +1,7 @@
 // paper_tables: repeats the workload of Tables 1 and 2 of [CC] (Chernikov and Chrisochoides 2004) on this machine. The
 // area bound is inversely proportional to the number of threads. So every thread has the same amount of work, and with
-// ideal scaling the time is constant. Prints the results of the paper beside those of this machine. See --help.
+// ideal scaling the time is constant. Prints the results of the paper beside those of this machine. Exit code 1: a run
+// failed. See --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 
 #include "../cli/choice.hpp"
 #include "../cli/names.hpp"
+#include "../core/digest.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/domains/domains.hpp"
@@ -54,6 +56,7 @@ struct Timed {
   std::uint64_t triangles = 0;
   std::uint64_t peak_rss_bytes = 0;
   std::uint32_t cells = 0;
+  Digest digest{};
 };
 
 struct Settings {
@@ -75,8 +78,10 @@ std::optional<Timed> run(const Table& table, const Settings& settings, int threa
     const Stopwatch watch;
     const Result<Meshed> meshed = mesh(pslg, goal, {.threads = threads, .decomposition = settings.decomposition});
     if (!meshed) return Timed{};
+    const double seconds = watch.seconds();
     const Tiling& tiling = meshed->report.tiling;
-    return Timed{watch.seconds(), meshed->mesh.triangles.size(), peak_rss_bytes(), tiling.columns * tiling.rows};
+    return Timed{seconds, meshed->mesh.triangles.size(), peak_rss_bytes(), tiling.columns * tiling.rows,
+                 digest(meshed->mesh)};
   });
 }
 
@@ -93,7 +98,10 @@ std::optional<Timed> median_run(const Table& table, const Settings& settings, in
   return all[all.size() / 2];
 }
 
-/// The median time of ranks of one thread, as text; empty if no ranks are measured. `like`: the run with threads.
+constexpr const char* failed = "failed";
+
+/// The median time of ranks of one thread, as text, or `failed`; empty if no ranks are measured. `like`: the run with
+/// threads.
 std::string seconds_of_ranks(const Table& table, const Settings& settings, int ranks, const Timed& like) {
   if (settings.mpirun.empty()) return "";
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
@@ -116,15 +124,21 @@ std::string seconds_of_ranks(const Table& table, const Settings& settings, int r
     if (line == std::string::npos || std::sscanf(&output[line], "ranks %lf %llu", &seconds, &triangles) != 2 ||
         triangles != like.triangles) {
       fmt::print(stderr, "paper_tables: {} failed:\n{}\n", fmt::join(command, " "), output);
-      return "failed";
+      return failed;
     }
     all.push_back(seconds);
   }
   return fmt::format("{:.2f}", median(all));
 }
 
-/// Measures and prints a table. Returns the rows of this machine.
-std::vector<MeasuredRow> print(const Table& table, const Settings& settings) {
+/// What was measured on this machine.
+struct Measured {
+  std::vector<MeasuredRow> rows;
+  bool failed = false;  ///< some rows are missing
+};
+
+/// Measures a table, prints it, and adds its rows.
+void add(const Table& table, const Settings& settings, Measured& measured) {
   fmt::print("### {}\n\n", table.title);
   fmt::print(
       "| | threads or ranks | cells | triangles, millions | seconds, MPI | seconds, OpenMP | millions/s | "
@@ -132,24 +146,24 @@ std::vector<MeasuredRow> print(const Table& table, const Settings& settings) {
   for (const TheirRun& run : table.theirs)
     fmt::print("| the paper, Table {} | {} | | {:.1f} | {} | {} | | | |\n", run.table, run.processors, run.millions,
                run.mpi, run.openmp);
-  std::vector<MeasuredRow> measured;
   for (const int threads : settings.threads) {
     const std::optional<Timed> one = median_run(table, settings, threads);
     if (!one) {
       fmt::print("| here | {} | | | | failed | | | |\n", threads);
+      measured.failed = true;
       continue;
     }
     const double millions = static_cast<double>(one->triangles) / 1e6;
+    const std::string seconds = seconds_of_ranks(table, settings, threads, *one);
+    measured.failed = measured.failed || seconds == failed;
     fmt::print("| here | {} | {} | {:.1f} | {} | {:.2f} | {:.2f} | {:.2f} | {:.1f} |\n", threads, one->cells, millions,
-               seconds_of_ranks(table, settings, threads, *one), one->seconds, millions / one->seconds,
-               millions / one->seconds / threads,
+               seconds, one->seconds, millions / one->seconds, millions / one->seconds / threads,
                static_cast<double>(one->peak_rss_bytes) / static_cast<double>(one->triangles));
     std::fflush(stdout);
-    measured.push_back(
-        {fmt::format("paper_tables/{}", table.domain), threads, one->seconds, one->triangles, one->peak_rss_bytes});
+    measured.rows.push_back({fmt::format("paper_tables/{}", table.domain), threads, one->seconds, one->triangles,
+                             one->peak_rss_bytes, to_string(one->digest)});
   }
   fmt::print("\n");
-  return measured;
 }
 
 }  // namespace
@@ -170,10 +184,11 @@ int main(int argc, char** argv) {
   std::string json;
   app.add_option("--json", json, "Also write the rows of this machine to this file, in the format of Google Benchmark");
   CLI11_PARSE(app, argc, argv);
-  std::vector<bench::MeasuredRow> measured;
-  for (const bench::Table& table : bench::tables)
-    for (const bench::MeasuredRow& row : bench::print(table, settings)) measured.push_back(row);
-  if (json.empty() || bench::write_json(json, argv[0], measured)) return 0;
-  fmt::print(stderr, "paper_tables: {}: cannot be written\n", json);
-  return 1;
+  bench::Measured measured;
+  for (const bench::Table& table : bench::tables) bench::add(table, settings, measured);
+  if (!json.empty() && !bench::write_json(json, argv[0], measured.rows)) {
+    fmt::print(stderr, "paper_tables: {}: cannot be written\n", json);
+    return 1;
+  }
+  return measured.failed ? 1 : 0;
 }

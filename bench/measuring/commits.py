@@ -1,31 +1,37 @@
 """Commits of this repository, and how the present workloads are built in them."""
+import contextlib
+import fcntl
 import os
+import re
 import shutil
 import subprocess
+
+from . import command, files
+from .command import Failed
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WORKLOADS = os.path.join("bench", "workloads")
 BUILD = os.path.join("build", "bench")
-# Commits that change nothing else have the instructions of the commit before.
+# A commit that changes none of these has the instructions of the commit before it.
 MEASURED = ["core", "parallel", "properties/checker", "properties/domains", "cmake", "CMakeLists.txt", "CMakePresets.json"]
 
 
 def git(*arguments, cwd=None):
-    return subprocess.run(["git", *arguments], cwd=cwd or ROOT, check=True, capture_output=True, text=True).stdout.strip()
+    return command.output("git", *arguments, cwd=cwd or ROOT).strip()
 
 
 def resolve(name):
-    """The full hash of a commit. Raises ValueError if there is no such commit."""
+    """The full hash of a commit."""
     try:
         return git("rev-parse", "--verify", "--quiet", name + "^{commit}")
-    except subprocess.CalledProcessError:
-        raise ValueError(f"{name}: there is no such commit") from None
+    except Failed:
+        raise Failed(f"{name}: there is no such commit") from None
 
 
 def subject(commit):
     try:
-        return git("show", "-s", "--format=%h %s", commit)
-    except subprocess.CalledProcessError:
+        return f"{commit[:7]} {git('show', '-s', '--format=%s', commit)}"
+    except Failed:
         return commit[:7]
 
 
@@ -45,15 +51,44 @@ def changes_between(before, after):
     repository lacks one of them. On a branch, as line_of()."""
     try:
         return git("rev-list", "--first-parent", f"{before}..{after}", "--", *MEASURED).split()
-    except subprocess.CalledProcessError:
+    except Failed:
         return []
 
 
+def workloads_are_committed():
+    """Does this working tree have the workloads of HEAD?"""
+    return not git("status", "--porcelain", "--", WORKLOADS)
+
+
+@contextlib.contextmanager
+def locked(tree):
+    """While the context lasts, no other process may change this working tree."""
+    os.makedirs(os.path.dirname(tree), exist_ok=True)
+    with open(tree + ".lock", "w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise Failed(f"another process is using {tree}") from None
+        yield
+
+
+def require_own_tree(tree):
+    """Otherwise git would change the working tree that contains the folder."""
+    try:
+        top = git("rev-parse", "--show-toplevel", cwd=tree)
+    except Failed:
+        top = ""
+    if os.path.realpath(top) != os.path.realpath(tree):
+        raise Failed(f"{tree} is not a working tree that this script has made; remove this folder")
+
+
 def check_out(commit, tree):
-    """Makes the folder `tree` a working tree of the commit, with the present workloads instead of its own."""
+    """Makes the folder `tree` a working tree of the commit, with the present workloads instead of its own. A build by
+    another compiler than the present one is removed."""
     if not os.path.isdir(tree):
         git("worktree", "prune")
         git("worktree", "add", "--detach", tree, commit)
+    require_own_tree(tree)
     git("checkout", "-q", "--force", "--detach", commit, cwd=tree)
     shutil.rmtree(os.path.join(tree, WORKLOADS), ignore_errors=True)
     shutil.copytree(os.path.join(ROOT, WORKLOADS), os.path.join(tree, WORKLOADS))  # keeps times, so builds stay valid
@@ -63,6 +98,33 @@ def check_out(commit, tree):
     if not known:
         with open(lists, "a") as file:
             file.write(f"add_subdirectory({WORKLOADS})\n")
+    build_folder = os.path.join(tree, BUILD)
+    if os.path.exists(build_folder) and built_by(build_folder) != compiler(build_folder):
+        shutil.rmtree(build_folder)
+
+
+def compiler(build_folder):
+    """The name and the version of the compiler that a build folder uses, for example g++ 12.2.0; empty if CMake has not
+    chosen one."""
+    try:
+        with open(os.path.join(build_folder, "CMakeCache.txt")) as cache:
+            path = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.+)$", cache.read(), re.M)
+    except OSError:
+        return ""
+    if not path:
+        return ""
+    about = command.output(path[1], "--version").splitlines()[0]
+    version = re.search(r"(\d+\.\d+\.\d+)\s*$", about)
+    return f"{'clang++' if 'clang' in about else 'g++'} {version[1] if version else about}"
+
+
+def built_by(build_folder):
+    """What compiler() said at the last build that succeeded."""
+    try:
+        with open(os.path.join(build_folder, "compiler")) as file:
+            return file.read()
+    except OSError:
+        return ""
 
 
 def program(tree, preset="bench"):
@@ -72,8 +134,13 @@ def program(tree, preset="bench"):
 
 def build(tree, *targets, preset="bench"):
     """Builds targets. Returns the end of the compiler's output if this fails, else nothing."""
-    for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "--target", *targets]):
-        result = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    for words in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "--target", *targets]):
+        try:
+            result = subprocess.run(words, cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        except OSError as error:
+            raise Failed(f"{words[0]} cannot be started: {error.strerror}") from None
         if result.returncode != 0:
             return "\n".join(result.stdout.splitlines()[-20:])
+    folder = os.path.join(tree, "build", preset)
+    files.replace(os.path.join(folder, "compiler"), compiler(folder))
     return None

@@ -143,8 +143,8 @@ def draw(rows, line, compiler, between, subject):
         "<h1>Fixed workloads over the commits</h1>",
         f"<p>Written by bench/track: {len(line)} commits, from {first} to {last}. Instructions are counted by valgrind, "
         f"on one thread, with {html.escape(compiler)}. Items are triangles; for predicates evaluations, for insertion "
-        f"points. Seconds are the least of some runs, of the processor on one thread, of the clock on several. Each "
-        f"machine has its curve: {legend}. The machines also did other work, so seconds vary, often by a half. All axes "
+        f"points. The shortest of some runs counts: processor time on one thread, clock time on several. Each machine "
+        f"has its curve: {legend}. The machines also did other work, so seconds vary, often by a half. All axes "
         f"begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions, "
         f"and of {100 * NOTABLE_RATE:.0f} % of the speed on one machine if the instructions changed, too. bench/compare "
         f"finds changes of the speed alone. docs/performance.md describes the workloads.</p>",

@@ -1,9 +1,11 @@
 """The history of measurements: bench/history/workloads.csv, one line per commit and workload."""
 import csv
+import io
 import os
 import platform
 
-from . import commits
+from . import commits, files
+from .command import Failed
 
 FILE = os.path.join(commits.ROOT, "bench", "history", "workloads.csv")
 # A workload on n > 1 threads is NAME/threads:n. Instructions are those of the counted size; the other columns are of
@@ -11,6 +13,7 @@ FILE = os.path.join(commits.ROOT, "bench", "history", "workloads.csv")
 # value that was not measured is empty. `bytes` is the largest memory of the work; for the tables of bench/scaling and
 # bench/paper_tables that of the process. `digest` is the first half of the digest of the mesh.
 COLUMNS = ["commit", "compiler", "machine", "workload", "instructions", "items", "seconds", "bytes", "cycles", "digest"]
+NUMBERS = {"instructions": int, "items": int, "seconds": float, "bytes": int, "cycles": int}
 SHORT_COMMIT, SHORT_DIGEST = 12, 16
 
 
@@ -29,19 +32,42 @@ def machine():
 
 
 def read(file=FILE):
+    """The rows; none if there is no such file."""
     if not os.path.exists(file):
         return []
-    with open(file, newline="") as rows:
-        return list(csv.DictReader(rows))
+    with open(file, newline="") as text:
+        lines = list(csv.reader(text))
+    for number, fields in enumerate(lines or [[]], 1):
+        if fields != COLUMNS if number == 1 else len(fields) != len(COLUMNS) or not are_numbers(fields):
+            raise Failed(f"{file}:{number}: this is not a row of {', '.join(COLUMNS)}")
+    return [dict(zip(COLUMNS, fields)) for fields in lines[1:]]
+
+
+def are_numbers(fields):
+    """Is every field of a row that has to be a number one, or empty?"""
+    try:
+        for name, text in zip(COLUMNS, fields):
+            if name in NUMBERS and text:
+                NUMBERS[name](text)
+    except ValueError:
+        return False
+    return True
 
 
 def merged(old, new):
-    """Both lists, in which a new row replaces the one of the same commit, workload, compiler and machine, and the one
-    of an unknown machine."""
+    """Both lists. A new row replaces the one of the same commit, workload, compiler and machine, and the one of an
+    unknown machine; what it does not have it takes from these."""
     def key(row, machine_of=lambda row: row["machine"]):
         return row["commit"], row["workload"], row["compiler"], machine_of(row)
-    replaced = {key(row) for row in new} | {key(row, lambda _: "") for row in new}
-    return [row for row in old if key(row) not in replaced] + new
+    present = {key(row): row for row in old}
+    taken, completed = set(), []
+    for row in new:
+        for each in (key(row), key(row, lambda _: "")):
+            if each in present and each not in taken:
+                taken.add(each)
+                row = {name: row[name] or present[each][name] for name in COLUMNS}
+        completed.append(row)
+    return [row for row in old if key(row) not in taken] + completed
 
 
 def in_order(rows, line):
@@ -51,11 +77,11 @@ def in_order(rows, line):
 
 
 def write(rows, file=FILE):
-    os.makedirs(os.path.dirname(file), exist_ok=True)
-    with open(file, "w", newline="") as out:
-        writer = csv.DictWriter(out, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    files.replace(file, text.getvalue())
 
 
 def row(commit, compiler, workload, **values):
@@ -68,13 +94,17 @@ def row(commit, compiler, workload, **values):
 
 def series(rows, line, value, of=lambda row: True):
     """For each workload its values in the order of the branch: lists of (place in `line`, number, row).
-    value: computes the number of a row; rows where it is None, and commits of other branches, are left out."""
+    value: computes the number of a row; rows where it is None, and commits of other branches, are left out. Of two rows
+    of one commit, from two machines, the last one counts."""
     place = {commit[:SHORT_COMMIT]: i for i, commit in enumerate(line)}
     found = {}
     for each in in_order(rows, line):
         number = value(each)
         if number is not None and each["commit"] in place and of(each):
-            found.setdefault(each["workload"], []).append((place[each["commit"]], number, each))
+            points = found.setdefault(each["workload"], [])
+            if points and points[-1][0] == place[each["commit"]]:
+                points.pop()
+            points.append((place[each["commit"]], number, each))
     return found
 
 

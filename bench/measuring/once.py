@@ -3,27 +3,11 @@ import concurrent.futures
 import json
 import os
 import re
-import subprocess
 import tempfile
 
+from .command import Failed, output
+
 LONGEST = 150  # characters of the name of a function
-
-
-class Failed(Exception):
-    """A command failed. The message has its output."""
-
-
-def output(*command, cwd=None, threads=1):
-    """The standard output of a command, with OMP_NUM_THREADS set."""
-    environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}  # threads that wait count instructions by chance
-    result = subprocess.run(command, cwd=cwd, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if result.returncode != 0:
-        raise Failed(f"{' '.join(command)} failed\n{result.stdout}{result.stderr}")
-    return result.stdout
-
-
-def compiler():
-    return "g++ " + output("g++", "-dumpfullversion").strip()
 
 
 def workloads(program, kind=None):
@@ -34,8 +18,9 @@ def workloads(program, kind=None):
 
 def run(program, workload, threads=1, timed=True, twice=False):
     """What the program prints about one run, as a dictionary."""
-    options = ["--threads", str(threads)] + ["--timed"] * timed + ["--twice"] * twice
-    return json.loads(output(program, workload, *options, threads=threads))
+    options = ["--threads", threads] + ["--timed"] * timed + ["--twice"] * twice
+    with tempfile.TemporaryDirectory() as folder:  # a run that is killed leaves its files there
+        return json.loads(output(program, workload, *options, threads=threads, TMPDIR=folder))
 
 
 def seconds(result):
@@ -70,7 +55,7 @@ def count(program, workload, waste=0):
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "counts")
         output("valgrind", "--tool=callgrind", "--collect-atstart=no", f"--callgrind-out-file={out}", program, workload,
-               *(["--waste", str(waste)] if waste else []))
+               *(["--waste", waste] if waste else []), TMPDIR=folder)
         with open(out) as lines:
             counts = counts_by_function(lines)
     if not counts:
@@ -81,8 +66,12 @@ def count(program, workload, waste=0):
 def count_all(program, names, waste=None):
     """The counts of several workloads. waste: instructions to add, by workload."""
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        runs = {name: pool.submit(count, program, name, waste[name] if waste else 0) for name in names}
-        return {name: each.result() for name, each in runs.items()}
+        try:
+            runs = {name: pool.submit(count, program, name, waste[name] if waste else 0) for name in names}
+            return {name: each.result() for name, each in runs.items()}
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
 
 
 def total(functions):

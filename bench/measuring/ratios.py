@@ -1,4 +1,5 @@
 """Statistics of runs in pairs: the median of ratios, and a bootstrap interval for it."""
+import fractions
 import math
 import random
 import statistics
@@ -21,7 +22,8 @@ def sign_interval(values, confidence):
     distribution with at least this confidence, whatever the distribution: at most k - 1 of n values lie on one side of
     the median with the probability of at most k - 1 heads in n throws of a coin. (0, infinity) if n is too small."""
     n, below, k = len(values), 0, 0
-    while 2 * (below + math.comb(n, k)) <= (1 - confidence) * 2 ** n:
+    most = fractions.Fraction(1 - confidence) * 2 ** n  # for many values, larger than any double
+    while 2 * (below + math.comb(n, k)) <= most:
         below += math.comb(n, k)
         k += 1
     ordered = sorted(values)

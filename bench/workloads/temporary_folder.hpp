@@ -1,19 +1,22 @@
 // A folder for the files of a benchmark.
 #pragma once
 
-#include <unistd.h>
-
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
 
 namespace pardel::workloads {
 
-/// A folder of this process, which is removed with its files at the end. A process has at most one at a time.
+/// A new folder in $TMPDIR or /tmp, which is removed with its files at the end.
 class TemporaryFolder {
  public:
-  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / ("pardel-benchmark-" + std::to_string(getpid()))) {
-    std::filesystem::create_directory(path_);
+  /// Throws std::system_error if the folder cannot be made.
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "pardel-benchmark-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
+    path_ = name;
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

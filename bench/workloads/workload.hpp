@@ -13,8 +13,8 @@ namespace pardel::workloads {
 
 /// The two sizes of a workload.
 enum class Size : std::uint8_t {
-  counted,  ///< about 50 million instructions, which valgrind counts in some seconds
-  timed,    ///< some tenths of a second, so that a clock can measure it
+  counted,  ///< some tens of millions of instructions, which valgrind counts in some seconds
+  timed,    ///< some hundredths or tenths of a second, so that a clock can measure it
 };
 
 struct Setup {

@@ -85,6 +85,7 @@ namespace {
 /// Points in square cells. Points of several cells can share a list, so the distance must be tested.
 class CellLists {
  public:
+  /// Coordinates divided by the width must be smaller than 2^51.
   CellLists(std::size_t points, double width)
       : width_(width), first_(std::bit_ceil(2 * points + 1), no_index), next_(points) {}
 
@@ -93,8 +94,9 @@ class CellLists {
   /// Calls visit(i) at least for the inserted points closer to p than `distance`, which must be at most the width.
   template <class Visit>
   void for_each_near(Point p, double distance, const Visit& visit) const {
-    for (double x = cell(p.x - distance); x <= cell(p.x + distance); ++x)
-      for (double y = cell(p.y - distance); y <= cell(p.y + distance); ++y)
+    // Cells are whole numbers, small enough that adding 1 is exact.
+    for (double x = cell(p.x - distance); x <= cell(p.x + distance); ++x)    // NOLINT(*-FloatLoopCounter)
+      for (double y = cell(p.y - distance); y <= cell(p.y + distance); ++y)  // NOLINT(*-FloatLoopCounter)
         for (Index i = first_[list_of(x, y)]; i != no_index; i = next_[i]) visit(i);
   }
 

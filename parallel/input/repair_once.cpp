@@ -164,9 +164,7 @@ class Seeds {
         const bool of_region = p.kind == ProblemKind::region_outside || p.kind == ProblemKind::region_on_segment;
         if (of_hole) {
           holes.push_back(p.ids[0]);
-        } else if (of_region) {
-          regions.push_back(p.ids[0]);
-        } else if (p.kind == ProblemKind::regions_share_face) {
+        } else if (of_region || p.kind == ProblemKind::regions_share_face) {
           regions.push_back(p.ids[0]);
         } else {
           rest.push_back(std::move(p));

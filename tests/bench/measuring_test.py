@@ -1,30 +1,20 @@
 """What bench/gate, bench/track and bench/compare compute from their measurements."""
-import importlib.machinery
-import importlib.util
 import json
 import math
 import os
 import random
 import re
 import statistics
-import subprocess
 import tempfile
 import unittest
 import unittest.mock
 import xml.etree.ElementTree
 
-from measuring import commits, drawing, google, history, once, pressure, ratios
+from measuring import command, commits, drawing, files, google, history, once, pressure, ratios
+from script import load
 
 
-def script(name):
-    """A script of bench/ as a module."""
-    loader = importlib.machinery.SourceFileLoader(name, os.path.join(commits.ROOT, "bench", name))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
-    loader.exec_module(module)
-    return module
-
-
-gate, track, compare = script("gate"), script("track"), script("compare")
+gate, track, compare = load("gate"), load("track"), load("compare")
 
 
 class Intervals(unittest.TestCase):
@@ -44,6 +34,10 @@ class Intervals(unittest.TestCase):
         # 2 (1 + 15 + 105) / 2^15 = 0.0074 is below 1 %, with 455 more it is not.
         self.assertEqual(ratios.sign_interval(values, 0.99), (3, 13))
         self.assertEqual(ratios.sign_interval(values, 0.95), (4, 12))
+
+    def test_many_values_have_a_narrow_interval(self):
+        low, high = ratios.sign_interval(list(range(3000)), 0.99)
+        self.assertTrue(1400 < low < 1450 and 1550 < high < 1600)
 
     def test_few_values_have_no_interval_of_high_confidence(self):
         self.assertEqual(ratios.sign_interval([1.0] * 7, 0.99), (0, math.inf))
@@ -126,8 +120,15 @@ class Gate(unittest.TestCase):
     def test_more_than_two_percent_fail_and_the_function_that_grew_is_named(self):
         lines, beyond = gate.compare({"w": {"f": 900, "g": 130}}, self.REFERENCE)
         self.assertEqual(beyond, ["w"])
-        self.assertIn("    g: +120", lines)
-        self.assertFalse(any(line.startswith("    f") for line in lines))
+        self.assertIn("    functions without a count in the reference, among them g (130): +30", lines)
+        self.assertFalse(any(line.startswith("    f:") for line in lines))
+
+    def test_many_small_functions_that_grew_are_named_together(self):
+        functions = {"f": 900, **{f"g{i}": 12 for i in range(12)}}
+        lines, beyond = gate.compare({"w": functions}, self.REFERENCE)
+        self.assertEqual(beyond, ["w"])
+        self.assertIn("    functions without a count in the reference, among them g0 (12), g1 (12), g2 (12), g3 (12), "
+                      "g4 (12): +44", lines)
 
     def test_less_than_two_percent_and_fewer_instructions_pass(self):
         for count in (1019, 500):
@@ -136,6 +137,14 @@ class Gate(unittest.TestCase):
     def test_a_missing_and_a_new_workload_fail(self):
         self.assertEqual(gate.compare({}, self.REFERENCE)[1], ["w"])
         self.assertEqual(gate.compare({"w": {"f": 1000}, "new": {"f": 1}}, self.REFERENCE)[1], ["new"])
+
+
+    def test_the_document_has_the_counts_of_the_reference(self):
+        with open(gate.REFERENCE) as file:
+            counts = {name: f"{each['instructions'] / 1e6:.1f}" for name, each in json.load(file)["workloads"].items()}
+        with open(os.path.join(commits.ROOT, "docs", "performance.md")) as document:
+            written = dict(re.findall(r"^\| `(\w+)` \| .* \| ([\d.]+) \|$", document.read(), re.M))
+        self.assertEqual({name: written.get(name) for name in counts}, counts)
 
 
 class Callgrind(unittest.TestCase):
@@ -155,6 +164,11 @@ class History(unittest.TestCase):
         new = [row("a", instructions="7")]
         self.assertEqual(history.merged(old, new), [old[2], old[3], old[4], new[0]])
 
+    def test_a_new_row_takes_from_the_old_one_what_it_lacks(self):
+        old = [row("a", seconds="2", items="5", instructions="6"), row("a", machine="", digest="0f", seconds="9")]
+        found, = history.merged(old, [row("a", instructions="7")])
+        self.assertEqual(found, row("a", instructions="7", seconds="2", items="5", digest="0f"))
+
     def test_rows_are_in_the_order_of_the_branch(self):
         rows = [row("b"), row("a", "x"), row("a", "w"), row("elsewhere")]
         order = [(each["commit"], each["workload"]) for each in history.in_order(rows, ["a", "b"])]
@@ -167,6 +181,31 @@ class History(unittest.TestCase):
             self.assertEqual(history.read(file), [])
             history.write(rows, file)
             self.assertEqual(history.read(file), rows)
+
+    def test_a_damaged_file_is_refused_with_the_line(self):
+        good = ",".join(history.COLUMNS) + "\na,c,m,w,5,,,,,\n"
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "workloads.csv")
+            for line, text in ((1, ""), (1, "commit,workload\n"), (3, good + "<<<<<<< HEAD\n"), (3, good + "a,c,m\n"),
+                               (3, good + "a,c,m,w,many,,,,,\n"), (3, good + "a,c,m,w,5,,,,,,one more\n")):
+                files.replace(file, text)
+                with self.assertRaisesRegex(command.Failed, f"workloads.csv:{line}: "):
+                    history.read(file)
+
+    def test_a_file_that_cannot_be_written_is_as_before(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "workloads.csv")
+            history.write([row("a")], file)
+            with self.assertRaises(ValueError):
+                history.write([row("b"), {**row("c"), "unknown": "5"}], file)
+            with unittest.mock.patch("builtins.open", side_effect=OSError("no space left")), self.assertRaises(OSError):
+                history.write([row("b")], file)
+            self.assertEqual(history.read(file), [row("a")])
+
+    def test_two_machines_have_one_point_for_the_instructions_of_a_commit(self):
+        rows = [row("a", instructions="10"), row("a", machine="n", instructions="11"), row("b", instructions="12")]
+        points = history.series(rows, ["a", "b"], history.instructions)["w"]
+        self.assertEqual([(place, number) for place, number, _ in points], [(0, 11), (1, 12)])
 
     def test_a_series_has_no_gaps_for_what_was_not_measured_and_no_commits_of_other_branches(self):
         rows = [row("a", instructions="10"), row("b"), row("c", instructions="11"), row("z", instructions="99")]
@@ -232,11 +271,24 @@ class History(unittest.TestCase):
         rows = history.read()
         try:
             line = commits.line_of()
-        except (OSError, subprocess.CalledProcessError):
+        except command.Failed:
             self.skipTest("this is no git repository")
         if not set(row["commit"] for row in rows) <= {commit[:history.SHORT_COMMIT] for commit in line}:
             self.skipTest("this repository does not have all commits of the history")
         self.assertEqual(rows, history.in_order(rows, line))
+
+    def test_the_committed_page_shows_the_committed_history(self):
+        try:
+            line = commits.line_of()
+        except command.Failed:
+            self.skipTest("this is no git repository")
+        rows = history.read()
+        if not set(row["commit"] for row in rows) <= {commit[:history.SHORT_COMMIT] for commit in line}:
+            self.skipTest("this repository does not have all commits of the history")
+        folder = os.path.dirname(history.FILE)
+        for name, text in track.drawn().items():
+            with open(os.path.join(folder, name)) as file:
+                self.assertEqual(file.read(), text, f"{name}: bench/track --draw draws it again")
 
 
 class Pressure(unittest.TestCase):
@@ -374,7 +426,7 @@ class Commits(unittest.TestCase):
             self.assertEqual(commits.changes_between("0" * 40, last), [])
 
     def test_an_unknown_commit_is_an_error(self):
-        with self.assertRaisesRegex(ValueError, "no such commit"):
+        with self.assertRaisesRegex(command.Failed, "no such commit"):
             commits.resolve("no-such-branch-here")
 
 

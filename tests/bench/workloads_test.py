@@ -1,22 +1,14 @@
 """The program that runs one workload, and the comparison of two programs by real runs. ONCE names the program."""
-import importlib.machinery
-import importlib.util
 import os
 import random
 import subprocess
 import unittest
 
 from measuring import commits, once
+from script import load
 
 PROGRAM = os.environ["ONCE"]
 OF_ONE_MESH = ["check", "files", "write_node", "read_node", "write_vtu", "read_vtu", "write_msh", "read_msh"]
-
-
-def load_compare():
-    loader = importlib.machinery.SourceFileLoader("compare", os.path.join(commits.ROOT, "bench", "compare"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("compare", loader))
-    loader.exec_module(module)
-    return module
 
 
 def counted(workload, threads=1):
@@ -78,7 +70,7 @@ class RealComparison(unittest.TestCase):
     CASES = [("refinement", 1), ("incircle_corrected", 1)]
 
     def lines(self, twice):
-        compare = load_compare()
+        compare = load("compare")
         return compare.compare(lambda case: once.run(PROGRAM, *case, timed=False),
                                lambda case: once.run(PROGRAM, *case, timed=False, twice=twice), self.CASES, 15, 0.99,
                                random.Random())
