@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -147,7 +148,7 @@ struct TriangleFiles {
 /// The name of the point array in which a .vtu of one piece has the numbers of its points in the whole mesh.
 inline constexpr const char* vtu_vertex_numbers = "GlobalNodeId";
 /// Writes pieces of a mesh that several processes have made: as write_vtu(), with one number per point. The files get
-/// their names together. Processes agree before that, so that either all pieces get their names or none.
+/// their names together, and processes agree about that, so that either all pieces get their names or none.
 class VtuPieces {
  public:
   VtuPieces();
@@ -158,8 +159,9 @@ class VtuPieces {
 
   /// Writes a piece, under another name than `file`.
   [[nodiscard]] Status add(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file);
-  /// Gives all files their names.
-  [[nodiscard]] Status commit();
+  /// Gives all files their names, or none after an error. `agree` is called with the outcome, and returns that of all
+  /// processes: if this is an error, the files that were there before are put back.
+  [[nodiscard]] Status commit(const std::function<Status(const Status& placed)>& agree = {});
 
  private:
   struct Files;

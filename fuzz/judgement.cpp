@@ -93,6 +93,9 @@ class Judgement {
       if (justified(e.reason) && misses_[e.triangle] && !is_justified[e.triangle])
         return "the checker sees no such reason: " + listed;
       if (e.reason == ExemptReason::budget && options.max_vertices == 0) return "there is no limit: " + listed;
+      if (e.reason == ExemptReason::budget && mesh_.points.size() < options.max_vertices)
+        return "the limit was not reached, with " + std::to_string(mesh_.points.size()) + " of " +
+               std::to_string(options.max_vertices) + " vertices: " + listed;
       if (e.reason == ExemptReason::kept_segment && !options.no_boundary_splits && !options.no_segment_splits)
         return "every segment may be split: " + listed;
     }
@@ -198,6 +201,38 @@ std::vector<double> caps_of(const Mesh& mesh) {
   return caps;
 }
 
+/// To the left of the line through a and b, or to its right by less than the rounding of p.
+bool is_hardly_right_of(Point a, Point b, Point p) {
+  const double size = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(p.x - a.x), std::abs(p.y - a.y)});
+  const double rounding = 1e-9 * size + 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y));
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= -rounding * size;
+}
+
+/// The largest cap of the triangles that contain a place, within rounding.
+double cap_at(const Mesh& mesh, const std::vector<double>& caps, Point p) {
+  double largest = 0;
+  for (std::size_t t = 0; t < caps.size(); ++t) {
+    const auto& v = mesh.triangles[t].v;
+    const Point a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]];
+    if (is_hardly_right_of(a, b, p) && is_hardly_right_of(b, c, p) && is_hardly_right_of(c, a, p))
+      largest = std::max(largest, caps[t]);
+  }
+  return largest;
+}
+
+/// A triangle that is larger than the cap of the triangle of the coarse mesh in which it lies has to be listed.
+std::string fault_of_caps(const Meshed& refined, const Mesh& coarse, const std::vector<double>& caps) {
+  std::vector<bool> is_listed(refined.mesh.triangles.size(), false);
+  for (const Exemption& e : refined.report.exempt) is_listed[e.triangle] = true;
+  for (std::size_t t = 0; t < is_listed.size(); ++t) {
+    const Triangle& triangle = refined.mesh.triangles[t];
+    if (!is_listed[t] &&
+        area_of(refined.mesh, triangle) * nearly > cap_at(coarse, caps, cli::centroid(refined.mesh, triangle)))
+      return "triangle " + std::to_string(t) + " is larger than the cap of the triangle in which it lies";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string fault_of(const Meshed& meshed, const Expected& expected) { return Judgement(meshed, expected).fault(); }
@@ -213,15 +248,17 @@ std::string fault_of_refining(Mesh coarse, const Goal& goal, const Options& opti
   again.feature_edges = 0;
   Options limited = options;
   limited.max_vertices = coarse.points.size() + 300;
-  Result<Meshed> refined = refine(coarse, caps_of(coarse), again, limited);
+  const std::vector<double> caps = caps_of(coarse);
+  Result<Meshed> refined = refine(coarse, caps, again, limited);
   if (!refined) return "a valid mesh was rejected: " + refined.error().message;
   forget_origins(refined->mesh);
-  const std::string fault = fault_of(*refined, {.pslg = *domain,
-                                                .goal = again,
-                                                .options = limited,
-                                                .may_miss = may_miss,
-                                                .foreign = true,
-                                                .has_other_caps = true});
+  std::string fault = fault_of(*refined, {.pslg = *domain,
+                                          .goal = again,
+                                          .options = limited,
+                                          .may_miss = may_miss,
+                                          .foreign = true,
+                                          .has_other_caps = true});
+  if (fault.empty()) fault = fault_of_caps(*refined, coarse, caps);
   return fault.empty() ? fault : "refined again: " + fault;
 }
 

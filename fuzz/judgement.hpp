@@ -21,7 +21,7 @@ struct Expected {
   bool foreign = false;  ///< CheckOptions::foreign
   /// The longest edge that the mesher allows at a place, if this depends on the place. See allowed_size().
   std::function<double(Point)> longest_edge{};
-  /// The largest area per triangle of a mesh that was refined is not known here, so any triangle may be listed.
+  /// There are caps on the areas of triangles that are not known here, so any triangle may be listed.
   bool has_other_caps = false;
 };
 

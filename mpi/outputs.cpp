@@ -12,6 +12,7 @@
 #include "../cli/distinct_files.hpp"
 #include "../cli/output.hpp"
 #include "../core/support/collective.hpp"
+#include "../core/support/kept_file.hpp"
 #include "../core/support/output_file.hpp"
 
 namespace pardel::mpi {
@@ -60,16 +61,30 @@ Status check_output(const fs::path& output) {
   return fine;
 }
 
-/// Collective. An earlier .pvtu must not name pieces of two meshes, also if a rank is killed while they get their
-/// names.
-Status remove_index(const fs::path& pvtu, Job& job) {
-  std::error_code failure;
-  const auto status = fs::symlink_status(pvtu, failure);
-  if (job.is_first() && fs::is_regular_file(status)) fs::remove(pvtu, failure);
-  if (!job.is_first() || !fs::exists(status)) failure.clear();
-  return job.agree(failure ? Status(Error{ErrorKind::io, fmt::format("{}: {}", pvtu.string(), failure.message())})
-                           : Status(Done{}));
-}
+/// The earlier .pvtu, which the first rank removes before pieces get their names: it must not name pieces of two
+/// meshes, also if a rank is killed then. Without forget() the destructor puts it back.
+class KeptIndex {
+ public:
+  KeptIndex(const fs::path& pvtu, Job& job) : pvtu_(pvtu), job_(job) {
+    std::error_code ignored;
+    if (job.is_first() && fs::is_regular_file(fs::symlink_status(pvtu, ignored))) kept_.emplace(pvtu);
+  }
+  /// Collective.
+  [[nodiscard]] Status remove() {
+    std::error_code failure;
+    if (kept_ && fs::remove(pvtu_, failure)) kept_->changed();
+    return job_.agree(failure ? Status(Error{ErrorKind::io, fmt::format("{}: {}", pvtu_.string(), failure.message())})
+                              : Status(Done{}));
+  }
+  void forget() {
+    if (kept_) kept_->forget();
+  }
+
+ private:
+  const fs::path& pvtu_;
+  Job& job_;
+  std::optional<KeptFile> kept_;
+};
 
 /// Collective. An error if a rank does not see the partial file that the first rank has made for an output.
 Status check_common_folder(const fs::path& output, Job& job) {
@@ -133,16 +148,21 @@ Status PvtuFiles::commit(const Status& here, int pieces, Job& job) {
   if (Status written = job.agree(here); !written) return written;
   // A piece without triangles has no regions either.
   const bool have_regions = least_and_most_of(have_regions_ ? 1 : 0, job.ranks()).most > 0;
-  if (Status removed = remove_index(pvtu_, job); !removed) return removed;
-  if (Status placed = job.agree(files_.commit()); !placed) return placed;
-  Status index = Done{};
-  if (job.is_first()) {
-    PiecesOfMesh list{{}, have_regions, attributes_per_point_};
-    for (int number = 0; number < pieces; ++number)
-      list.files.push_back(vtu_of_piece(pvtu_, number).filename().string());
-    index = write_pvtu(list, pvtu_);
-  }
-  return job.agree(index);
+  KeptIndex old(pvtu_, job);
+  if (Status removed = old.remove(); !removed) return removed;
+  Status done = files_.commit([&](const Status& placed) {
+    if (Status all = job.agree(placed); !all) return all;
+    Status index = Done{};
+    if (job.is_first()) {
+      PiecesOfMesh list{{}, have_regions, attributes_per_point_};
+      for (int number = 0; number < pieces; ++number)
+        list.files.push_back(vtu_of_piece(pvtu_, number).filename().string());
+      index = write_pvtu(list, pvtu_);
+    }
+    return job.agree(index);
+  });
+  if (done) old.forget();
+  return done;
 }
 
 Status write_pieces(const MeshPiece& piece, const Pslg& pslg, const fs::path& output, MshEncoding msh, Job& job) {

@@ -17,7 +17,7 @@ constexpr auto reason_names = enum_names<ExemptReason>({
     {ExemptReason::precision, "precision"},
     {ExemptReason::kept_segment, "kept_segment"},
 });
-static_assert(reason_names.size() == exempt_reasons);
+static_assert(decltype(reason_names)::size() == exempt_reasons);
 
 engine::Lattice lattice_of(const Tiling& tiling) {
   return {{tiling.low.x, tiling.low.y, tiling.high.x, tiling.high.y}, tiling.columns, tiling.rows};

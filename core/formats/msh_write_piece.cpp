@@ -3,6 +3,7 @@
 // partition r + 1. It has one partitioned entity per group, one for each set of partitions that share vertices, and a
 // ghost entity with the triangles of other pieces around it.
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <map>
 #include <string>
@@ -303,11 +304,12 @@ std::filesystem::path msh_of_piece(const std::filesystem::path& file, int partit
 Status write_msh_piece(const PieceOfMesh& piece, const std::filesystem::path& file, MshEncoding encoding,
                        Ranks& ranks) {
   const PieceWriter writer(piece, ranks);
-  OutputFile out(msh_of_piece(file, ranks.rank() + 1));
+  std::deque<OutputFile> files;
+  OutputFile& out = files.emplace_back(msh_of_piece(file, ranks.rank() + 1));
   MshRows rows(out, encoding);
   writer.write(rows);
   if (Status all = agree(out.close(), ranks); !all) return all;
-  return agree(out.commit(), ranks);
+  return commit_all(files, [&](const Status& placed) { return agree(placed, ranks); });
 }
 
 }  // namespace pardel

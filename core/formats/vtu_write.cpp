@@ -205,7 +205,7 @@ Status VtuPieces::add(const Mesh& mesh, std::span<const std::uint64_t> numbers, 
   return out.close();
 }
 
-Status VtuPieces::commit() { return commit_all(files_->all); }
+Status VtuPieces::commit(const std::function<Status(const Status& placed)>& agree) { return commit_all(files_->all, agree); }
 
 Status write_pvtu(const PiecesOfMesh& pieces, const std::filesystem::path& file) {
   Bytes text;

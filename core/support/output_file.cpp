@@ -3,31 +3,15 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
-#include <set>
 #include <system_error>
 
+#include "kept_file.hpp"
 #include "open_file.hpp"
+#include "partial_files.hpp"
 
 namespace pardel {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// The partial files that exist. There is one list for the process, because the process may have to end while any of
-/// its threads writes. Whoever makes, renames or removes a partial file holds the mutex.
-struct PartialFiles {
-  std::mutex mutex;
-  std::set<fs::path> names;
-  std::uint64_t made = 0;  ///< counts the names that were tried
-};
-
-PartialFiles& partial_files() {
-  static PartialFiles files;
-  return files;
-}
-
-}  // namespace
 
 bool is_written_directly(const fs::path& file) {
   if (descriptor_of(file)) return true;
@@ -69,27 +53,16 @@ void OutputFile::write_aside() {
     errno = ELOOP;
     return;
   }
-  PartialFiles& files = partial_files();
-  const std::scoped_lock lock(files.mutex);
   // "x": the file must not exist yet. So a file of another process, or of the user, is never replaced or removed.
-  // The name is on the list before the file exists: if there is no memory for it, no file stays behind.
-  do {
-    written_ = target_;
-    written_ += "." + std::to_string(getpid()) + "-" + std::to_string(++files.made) + ".partial";
-    const auto name = files.names.insert(written_).first;
-    stream_ = std::fopen(written_.c_str(), "wbx");
-    if (stream_ == nullptr) files.names.erase(name);
-  } while (stream_ == nullptr && errno == EEXIST);
-  if (stream_ == nullptr) written_.clear();
+  written_ = PartialFiles::of_process().make(target_, [&](const fs::path& name) {
+    stream_ = std::fopen(name.c_str(), "wbx");
+    return stream_ == nullptr ? errno : 0;
+  });
 }
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
-  if (written_.empty() || written_ == target_) return;
-  const std::scoped_lock lock(partial_files().mutex);
-  std::error_code ignored;  // a partial file stays if it cannot be removed
-  fs::remove(written_, ignored);
-  partial_files().names.erase(written_);
+  if (!written_.empty() && written_ != target_) PartialFiles::of_process().remove(written_);
 }
 
 void OutputFile::fail(const char* what, int error_number) {
@@ -111,40 +84,68 @@ Status OutputFile::close() {
 
 Status OutputFile::commit() {
   if (Status closed = close(); !closed.ok()) return closed;
-  const std::scoped_lock lock(partial_files().mutex);
   return put_in_place();
 }
 
-/// Precondition: the file is closed, and the caller holds the mutex of the partial files.
+/// Precondition: the file is closed.
 Status OutputFile::put_in_place() {
   if (written_ == target_) return Done{};
+  const std::scoped_lock lock(PartialFiles::of_process().mutex);
   std::error_code error;
   fs::rename(written_, target_, error);
   if (error) {
     fail("cannot be put in place", error.value());
     return Error{ErrorKind::io, failure_};
   }
-  partial_files().names.erase(written_);
+  PartialFiles::of_process().forget(written_);
   written_.clear();
   return Done{};
 }
 
-Status commit_all(std::deque<OutputFile>& files) {
-  for (OutputFile& file : files) {
-    if (Status closed = file.close(); !closed.ok()) return closed;
+/// Replaces files by new ones. What they replace is kept until the end.
+class Replacement {
+ public:
+  explicit Replacement(std::deque<OutputFile>& files) : files_(files) {}
+
+  /// Renames the files. If this fails, all that was replaced is put back before another thread may end the process.
+  Status place() {
+    for (OutputFile& file : files_)
+      if (Status closed = file.close(); !closed.ok()) return closed;
+    const std::scoped_lock lock(PartialFiles::of_process().mutex);
+    Status placed = place_all();
+    if (!placed.ok()) kept_.clear();
+    return placed;
   }
-  const std::scoped_lock lock(partial_files().mutex);
-  for (OutputFile& file : files) {
-    if (Status placed = file.put_in_place(); !placed.ok()) return placed;
+  void forget_old() {
+    for (KeptFile& kept : kept_) kept.forget();
   }
-  return Done{};
+
+ private:
+  Status place_all() {
+    for (OutputFile& file : files_) {
+      if (file.written_ == file.target_) continue;
+      KeptFile& old = kept_.emplace_back(file.target_);
+      if (Status placed = file.put_in_place(); !placed.ok()) return placed;
+      old.changed();
+    }
+    return Done{};
+  }
+
+  std::deque<OutputFile>& files_;
+  std::deque<KeptFile> kept_;
+};
+
+Status commit_all(std::deque<OutputFile>& files, const FinalAgreement& agree) {
+  Replacement replacement(files);
+  Status done = replacement.place();
+  if (agree) done = agree(done);
+  if (done.ok()) replacement.forget_old();
+  return done;
 }
 
-std::unique_lock<std::mutex> remove_partial_files() {
-  std::unique_lock lock(partial_files().mutex);
-  std::error_code ignored;
-  for (const fs::path& name : partial_files().names) fs::remove(name, ignored);
-  partial_files().names.clear();
+std::unique_lock<std::recursive_mutex> remove_partial_files() {
+  std::unique_lock lock(PartialFiles::of_process().mutex);
+  PartialFiles::of_process().remove_all();
   return lock;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -52,17 +53,22 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
   std::string failure_;
 
-  friend Status commit_all(std::deque<OutputFile>& files);
+  friend class Replacement;
 };
 
-/// Closes all files; if every close() succeeds, commits each file. So either all files get their final names or none
-/// does, unless a rename fails.
-Status commit_all(std::deque<OutputFile>& files);
+/// Called when all files have their final names, or with the error because of which they have not. If it returns an
+/// error, the files that were there before are put back.
+using FinalAgreement = std::function<Status(const Status& placed)>;
+
+/// Closes all files, then renames them to their final names: all or none. If a file cannot be renamed, or `agree`
+/// returns an error, the files that were there before are put back (KeptFile says when this is not possible). Returns
+/// the error, or the result of `agree`, which is called in any case.
+Status commit_all(std::deque<OutputFile>& files, const FinalAgreement& agree = {});
 
 /// Removes the partial files of all OutputFiles that exist. While the caller holds the lock, no partial file is made
 /// and no file gets its final name: other threads that try wait. A program calls this if it has to end at once, in the
 /// middle of any work, and keeps the lock until it ends. Of files that are committed together, either all have their
 /// final names then or none has.
-[[nodiscard]] std::unique_lock<std::mutex> remove_partial_files();
+[[nodiscard]] std::unique_lock<std::recursive_mutex> remove_partial_files();
 
 }  // namespace pardel

@@ -74,7 +74,7 @@ Status SharedFiles::close() {
 
 Status SharedFiles::commit() {
   if (Status all = agree(close(), ranks_); !all) return all;
-  return agree(commit_all(outputs_), ranks_);
+  return commit_all(outputs_, [&](const Status& placed) { return agree(placed, ranks_); });
 }
 
 }  // namespace pardel

@@ -11,8 +11,17 @@ from pathlib import Path
 from . import files, programs
 
 FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
-UNINTERESTING = ("pardel::fuzz::fail(", "fuzz_one(", "LLVMFuzzer", "fuzzer::", "__", "std::", "abort", "raise",
-                 "gsignal", "main", "_start", "operator")
+OF_OTHERS = ("LLVMFuzzer", "fuzzer::", "__", "std::", "operator")  # beginnings of names
+NOT_TELLING = ("pardel::fuzz::fail", "pardel::fuzz::fuzz_one", "abort", "raise", "gsignal", "main", "_start")
+
+
+def plain(function):
+    """The name of a function without the types of its result, of its arguments and of templates."""
+    name = function.replace("(anonymous namespace)::", "")
+    while (shorter := re.sub(r"<[^<>]*>", "", name)) != name:
+        name = shorter
+    name = name.partition("(")[0]
+    return name if name.startswith("operator") else name.split()[-1] if name.split() else ""
 
 
 def signature(output):
@@ -29,10 +38,9 @@ def signature(output):
     verdict = re.sub(r"-?\d[\d.]*(e[+-]?\d+)?|\"[^\"]*\"", "N", verdict)[:160]
     verdict = re.sub(r"(\(N, N\),? ?)+|(N )+N", "N", verdict)
     frames = []
-    for name in FRAME.findall(output):
-        plain = re.sub(r"\(anonymous namespace\)::|\(.*|<.*", "", name)
-        if not any(name.startswith(word) or word in name for word in UNINTERESTING) and plain not in frames:
-            frames.append(plain)
+    for name in map(plain, FRAME.findall(output)):
+        if name and not name.startswith(OF_OTHERS) and name not in NOT_TELLING and name not in frames:
+            frames.append(name)
     return {"verdict": verdict, "stack": frames[:3], "message": message[:400]}
 
 

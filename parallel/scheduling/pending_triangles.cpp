@@ -14,6 +14,7 @@ namespace pardel::engine {
 
 void PendingTriangles::defer_all_of(const std::vector<PlannedTask>& tasks) {
   std::vector<std::span<const Deferred>> lists;
+  lists.reserve(tasks.size());
   for (const PlannedTask& task : tasks) lists.emplace_back(task.result.deferred);
   append_blocks(threads_, lists, deferred_);
 }

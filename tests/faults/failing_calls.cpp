@@ -3,9 +3,9 @@
 //   PARDEL_FAULT=KIND:N+  that call and all later ones of this kind fail
 //   PARDEL_FAULT=large:B  all calls for at least B bytes of memory of its own fail
 //   PARDEL_CALLS=FILE     when the process ends, the number of calls of the kind is written to FILE
-// Kinds: memory, map, open, read, write, short, close, rename, thread. `short` lets fwrite and pwrite write only the
-// first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has no say
-// before and after. Writing to standard error never fails: a test could not see the message.
+// Kinds: memory, map, open, read, write, short, close, rename, link, thread. `short` lets fwrite and pwrite write only
+// the first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has no
+// say before and after. Writing to standard error never fails: a test could not see the message.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -191,6 +191,10 @@ int close(int fd) {
 
 int rename(const char* from, const char* to) {
   return fails("rename", EACCES) ? -1 : next<decltype(rename)>("rename")(from, to);
+}
+
+int link(const char* from, const char* to) {
+  return fails("link", EPERM) ? -1 : next<decltype(link)>("link")(from, to);
 }
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) {

@@ -111,6 +111,24 @@ class Signatures(unittest.TestCase):
         self.assertEqual(found["verdict"], "AddressSanitizer: heap-buffer-overflow")
         self.assertEqual(found["stack"], ["pardel::read_row", "pardel::read_file"])
 
+    def test_types_of_results_and_arguments_do_not_hide_a_function(self):
+        for name, plain in (
+                ("pardel::engine::triangulate_domain(pardel::Pslg const&, bool)", "pardel::engine::triangulate_domain"),
+                ("pardel::read_row(std::basic_string_view<char, std::char_traits<char> >, int)", "pardel::read_row"),
+                ("std::vector<pardel::Point> pardel::remaining<std::less<int> >(pardel::Array<int> const&)",
+                 "pardel::remaining"),
+                ("pardel::Array<(anonymous namespace)::Domain>::operator[](unsigned long) const",
+                 "pardel::Array::operator[]"),
+                ("pardel::f(int)::{lambda(int)#1}::operator()(int) const", "pardel::f")):
+            found = finds.signature(f"ERROR: AddressSanitizer: heap-buffer-overflow on\n    #1 0x52 in {name} /a.cpp:1\n")
+            self.assertEqual(found["stack"], [plain])
+
+    def test_functions_of_libraries_are_left_out(self):
+        names = ("std::vector<pardel::Point>::at(unsigned long)", "operator new(unsigned long)", "abort", "main",
+                 "void std::sort<pardel::Less>(pardel::Less)", "__libc_start_main", "pardel::fuzz::fail(std::string const&)")
+        output = "".join(f"    #{i} 0x52 in {name} /a.cpp:1\n" for i, name in enumerate(names))
+        self.assertEqual(finds.signature(output)["stack"], [])
+
     def test_different_stacks_are_different_finds(self):
         found = {"verdict": "crash", "stack": ["a", "b"]}
         self.assertNotEqual(finds.key("t", found), finds.key("t", {**found, "stack": ["a", "c"]}))
@@ -329,12 +347,38 @@ class Campaigns(FakeBuild):
         self.assertIn("fuzz/fuzz_fake is missing", said)
 
     def test_an_unknown_target_or_folder_is_an_error(self):
-        for options, message in ((("--targets", "none", "--out", self.folder / "run"), "there is no target none"),
-                                 (("--resume", self.folder / "nowhere"), "there is no such folder")):
+        (self.folder / "other").mkdir()
+        self.write_state(fake=1)
+        for options, message in ((("--targets", "none", "--out", self.folder / "new"), "there is no target none"),
+                                 (("--resume", self.folder / "nowhere"), "there is no campaign in this folder"),
+                                 (("--resume", self.folder / "other"), "there is no campaign in this folder"),
+                                 (("--out", self.folder / "run"), "--resume continues it"),
+                                 (("--jobs", "0"), "a number is out of range")):
             campaign = self.begin(*options)
             said = campaign.communicate()[0]
-            self.assertEqual(campaign.returncode, 1)
+            self.assertNotEqual(campaign.returncode, 0)
             self.assertIn(message, said)
+
+    def test_two_processes_do_not_work_on_one_campaign(self):
+        first = self.begin("--out", self.folder / "run", "--hours", "1", LASTS="60")
+        self.wait_for("INITED")
+        second = self.begin("--resume", self.folder / "run", "--hours", "0")
+        self.assertIn("another process is working on this campaign", second.communicate()[0])
+        self.assertEqual(second.returncode, 1)
+        first.send_signal(signal.SIGTERM)
+        self.assertEqual(first.communicate(timeout=30)[1], None)
+        self.assertEqual(self.read()["executions"], 100)
+
+    def test_a_slice_that_was_accounted_for_does_not_count_again(self):
+        self.write_state(fake=1)
+        state = self.folder / "run/state.json"
+        state.write_text(json.dumps({**json.loads(state.read_text()), "accounted": "fake-0"}))
+        work = self.folder / "run/work/fake-0"
+        work.mkdir(parents=True)
+        (work / "log").write_text("#9 DONE cov: 1 ft: 1 corp: 1/1b\n")
+        self.begin("--resume", self.folder / "run", "--hours", "0").communicate()
+        self.assertEqual(self.slices_made(), {"fake": 1})
+        self.assertFalse(work.exists())
 
 
 # Writes the report of a harness that has found one failure. The mesher is `seed N`: it fails for seeds below N. END: at

@@ -191,6 +191,50 @@ TEST(OutputFile, that_cannot_get_its_name_is_an_io_error_with_its_name) {
   EXPECT_FALSE(out.ok());
 }
 
+/// The second file cannot get its name, because a folder has it now.
+Status commit_blocked(const TemporaryFolder& folder) {
+  std::deque<OutputFile> files;
+  for (const char* name : {"a.txt", "b.txt", "c.txt"}) files.emplace_back(folder / name).write("new");
+  fs::create_directory(folder / "b.txt");
+  return commit_all(files);
+}
+
+TEST(OutputFiles, that_get_their_names_together_put_back_what_they_replaced) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  folder.write("c.txt", "old");
+  fs::create_hard_link(folder / "a.txt", folder / "same");
+  EXPECT_EQ(message_of(commit_blocked(folder), folder), "b.txt: cannot be put in place: Is a directory");
+  EXPECT_EQ(folder.names(), "a.txt b.txt c.txt same ");
+  EXPECT_EQ(folder.read("a.txt"), "old");
+  EXPECT_TRUE(fs::equivalent(folder / "a.txt", folder / "same")) << "it is a copy";
+  EXPECT_EQ(folder.read("c.txt"), "old");
+}
+
+TEST(OutputFiles, that_get_their_names_together_leave_no_name_that_was_not_there_before) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(commit_blocked(folder).ok());
+  EXPECT_EQ(folder.names(), "b.txt ");
+}
+
+TEST(OutputFiles, keep_their_names_only_if_all_agree) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  for (const bool agree : {false, true}) {
+    std::deque<OutputFile> files;
+    files.emplace_back(folder / "a.txt").write("new");
+    files.emplace_back(folder / "b.txt").write("new");
+    const Status done = commit_all(files, [&](const Status& placed) {
+      EXPECT_TRUE(placed.ok());
+      EXPECT_EQ(folder.read("a.txt"), "new");
+      return agree ? placed : Status(Error{ErrorKind::io, "another process has failed"});
+    });
+    EXPECT_EQ(done.ok(), agree);
+    EXPECT_EQ(folder.names(), agree ? "a.txt b.txt " : "a.txt ");
+    EXPECT_EQ(folder.read("a.txt"), agree ? "new" : "old");
+  }
+}
+
 TEST(OutputFile, that_has_its_name_removes_no_later_file_with_the_name_of_its_partial_file) {
   const TemporaryFolder folder;
   const std::string partial = "a.txt." + partial_suffix();

@@ -1,0 +1,71 @@
+#include "../../../core/support/kept_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../../../core/support/output_file.hpp"
+#include "../../temporary_folder.hpp"
+
+namespace pardel {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(KeptFile, is_put_back_if_it_was_replaced_or_removed) {
+  const TemporaryFolder folder;
+  for (const bool replace : {true, false}) {
+    folder.write("a.txt", "old");
+    {
+      KeptFile kept(folder / "a.txt");
+      fs::remove(folder / "a.txt");
+      if (replace) folder.write("a.txt", "new");
+      kept.changed();
+    }
+    EXPECT_EQ(folder.names(), "a.txt ");
+    EXPECT_EQ(folder.read("a.txt"), "old");
+  }
+}
+
+TEST(KeptFile, stays_as_it_is_if_nothing_has_changed_it) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  { const KeptFile kept(folder / "a.txt"); }
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_EQ(folder.read("a.txt"), "old");
+}
+
+TEST(KeptFile, that_is_not_needed_any_more_leaves_only_the_new_one) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  {
+    KeptFile kept(folder / "a.txt");
+    fs::remove(folder / "a.txt");
+    folder.write("a.txt", "new");
+    kept.changed();
+    kept.forget();
+  }
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_EQ(folder.read("a.txt"), "new");
+}
+
+TEST(KeptFile, that_did_not_exist_is_missing_again) {
+  const TemporaryFolder folder;
+  {
+    KeptFile kept(folder / "a.txt");
+    folder.write("a.txt", "new");
+    kept.changed();
+  }
+  EXPECT_EQ(folder.names(), "");
+}
+
+/// Then the process ends, and the new files have their names.
+TEST(KeptFile, has_no_other_name_after_the_partial_files_were_removed) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  const KeptFile kept(folder / "a.txt");
+  EXPECT_NE(folder.names(), "a.txt ");
+  { const auto lock = remove_partial_files(); }
+  EXPECT_EQ(folder.names(), "a.txt ");
+}
+
+}  // namespace
+}  // namespace pardel
