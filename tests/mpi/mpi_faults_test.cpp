@@ -151,9 +151,15 @@ TEST_F(MpiFaults, a_rank_that_cannot_write_close_or_rename_its_file_ends_the_job
     const Ran ran = with_faulty_rank("call", call);
     EXPECT_EQ(ran.exit_code, 5) << call << '\n' << ran;
     EXPECT_TRUE(holds(ran.err, {"pardel-mpi: ", "out_0001.vtu"})) << call;
-    EXPECT_EQ(read("out.pvtu").find("out_0001"), std::string::npos) << "an index of pieces of two meshes";
-    if (call != "rename:1") expect_earlier_files();
+    expect_earlier_files();
+    expect_no_other_files();
   }
+  const Files pieces = {"out_1.msh", "out_2.msh", "out_3.msh"};
+  for (const std::string& file : pieces) write(file, earlier);
+  const Ran ran = with_faulty_rank("call", "rename:1", {"mesh", "pipe.poly", "-o", "out.msh", "--max-area", "1e-4"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"rank 1: ", "out_2.msh", "cannot be put in place"})) << ran;
+  for (const std::string& file : pieces) EXPECT_TRUE(read(file) == earlier) << file;
 }
 
 TEST_F(MpiFaults, a_rank_without_threads_ends_the_job) {
