@@ -85,7 +85,8 @@ int run(const Arguments& arguments) {
   };
   run_watched(numbers, arguments.watch, run, [&](const Record& record) {
     records.push_back(record);
-    if (log.is_open()) log << to_line(record) << std::endl;
+    if (log.is_open() && !(log << to_line(record) << std::endl))
+      throw CLI::FileError(arguments.log + " cannot be written");
   });
 
   const std::string replay = fmt::format("many_domains --seed {}", arguments.seed);
