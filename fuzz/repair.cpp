@@ -101,19 +101,24 @@ class Comparison {
         fail("point " + std::to_string(p) + " moved farther than the repair says");
   }
 
-  /// How far a piece may be from the old segment. It is bent to points near it, and again to points near its pieces:
-  /// distances of 2.6 times the snapping distance were seen.
-  [[nodiscard]] double tolerance() const { return 8 * repaired_.snap + rounding(); }
+  /// How far a piece may be from the old segment that it is mapped to: its ends may move, and between them it may be
+  /// bent.
+  [[nodiscard]] double bend() const {
+    return repaired_.moved_points.distance + repaired_.bent_segments.distance + 2 * rounding();
+  }
+  /// How far it may be from other old segments that it stands for. A segment is bent to points near it, and again to
+  /// points near its pieces: three times the snapping distance was seen.
+  [[nodiscard]] double several_bends() const { return 8 * repaired_.snap + rounding(); }
   /// Crossings are rounded.
   [[nodiscard]] double rounding() const { return 0x1p-50 * largest_; }
 
-  [[nodiscard]] bool is_near(Point p, Index old) const {
+  [[nodiscard]] double distance_to(Index old, Point p) const {
     const Segment& s = before_.segments[old];
-    return distance(p, before_.points[s.a], before_.points[s.b]) <= tolerance();
+    return distance(p, before_.points[s.a], before_.points[s.b]);
   }
 
-  [[nodiscard]] bool is_near(const Segment& piece, Index old) const {
-    return is_near(after_.points[piece.a], old) && is_near(after_.points[piece.b], old);
+  [[nodiscard]] bool is_near(const Segment& piece, Index old, double tolerance) const {
+    return std::max(distance_to(old, after_.points[piece.a]), distance_to(old, after_.points[piece.b])) <= tolerance;
   }
 
   /// True if the piece has the marker of the old segment, or of another one that it lies on if that has none.
@@ -121,7 +126,7 @@ class Comparison {
     if (piece.marker == before_.segments[old].marker) return true;
     if (before_.segments[old].marker != 0) return false;
     for (Index other = 0; other < before_.segments.size(); ++other)
-      if (piece.marker == before_.segments[other].marker && is_near(piece, other)) return true;
+      if (piece.marker == before_.segments[other].marker && is_near(piece, other, several_bends())) return true;
     return false;
   }
 
@@ -129,7 +134,7 @@ class Comparison {
     for (Index s = 0; s < after_.segments.size(); ++s) {
       const Segment& piece = after_.segments[s];
       const Index old = repaired_.segment_map[s];
-      if (!is_near(piece, old))
+      if (!is_near(piece, old, bend()))
         fail("segment " + std::to_string(s) + " does not lie on segment " + std::to_string(old) + " of the old domain");
       if (!has_its_marker(piece, old))
         fail("segment " + std::to_string(s) + " has another marker than segment " + std::to_string(old) +
@@ -146,7 +151,7 @@ class Comparison {
       return p;
     };
     for (const Segment& piece : after_.segments)
-      if (is_near(piece, old)) leader[find(piece.a)] = find(piece.b);
+      if (is_near(piece, old, several_bends())) leader[find(piece.a)] = find(piece.b);
     const Segment& s = before_.segments[old];
     if (find(repaired_.point_map[s.a]) != find(repaired_.point_map[s.b]))
       fail("segment " + std::to_string(old) + " of the old domain is not covered by new ones");

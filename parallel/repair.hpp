@@ -54,7 +54,7 @@ struct Repaired {
   std::vector<std::string> log;
   double snap = 0;        ///< the snapping distance that was used
   Moved moved_points;     ///< old points that were merged into another place
-  Moved bent_segments{};  ///< old segments that were bent to points near them, which are not exactly on them
+  Moved bent_segments{};  ///< old segments that were bent to points beside them; rounding does not count
 };
 
 /// Merges equal points, and points closer than the snapping distance. Drops zero-length and duplicate segments. Splits

@@ -49,7 +49,7 @@ def run(target, corpus, folder, seconds, seed, library, children):
         inputs.mkdir()
         (inputs / "empty").write_bytes(b"\n")  # afl-fuzz needs an input
     command = ["afl-fuzz", "-V", str(seconds), "-s", str(seed), "-m", "none", "-t", "30000",
-               "-G", str(programs.LONGEST[target.mutator]), "-i", str(inputs), "-o", str(folder)]
+               "-G", str(target.longest), "-i", str(inputs), "-o", str(folder)]
     if target.dictionary.exists():
         command += ["-x", str(target.dictionary)]
     with open(folder / "log", "wb") as log:

@@ -10,6 +10,7 @@ DICTIONARIES = ROOT / "fuzz" / "dictionaries"
 
 # The longest input. Strokes: a header of 32 bytes and 24 strokes of 8 bytes. Files: also a small mesh in two pieces.
 LONGEST = {"mutate_strokes.cpp": 224, "mutate_files.cpp": 4096, "": 256}
+SMALL = {"checker": 72, "triangulation": 72}  # they use the first five strokes (decode_small_case)
 
 
 class Target:
@@ -24,6 +25,11 @@ class Target:
     def draws(self):
         """Is the input a domain that draw_case can draw?"""
         return self.mutator == "mutate_strokes.cpp"
+
+    @property
+    def longest(self):
+        """The most bytes of an input."""
+        return SMALL.get(self.name, LONGEST[self.mutator])
 
     @property
     def committed(self):
@@ -42,7 +48,7 @@ class Target:
 
     def command(self, *arguments, mutated=False):
         """The libFuzzer program with the options of this target."""
-        command = [str(self.program(mutated)), f"-max_len={LONGEST[self.mutator]}", "-timeout=30",
+        command = [str(self.program(mutated)), f"-max_len={self.longest}", "-timeout=30",
                    "-rss_limit_mb=3000", "-malloc_limit_mb=1000", "-len_control=0", "-print_final_stats=1"]
         if not self.draws:
             # The values that are compared guide the search in files. In a mesh nearly every value is new.

@@ -47,18 +47,22 @@ Moved moved_points(const Pslg& old, const Work& work, SparseAsk& ask) {
   return moved;
 }
 
-/// The old segments that contain images of other points, but not exactly.
+/// The old segments with pieces that end beside them: at images of other points, or at crossings that were merged into
+/// points. Crossings that are only rounded do not count.
 Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& is_old, SparseAsk& ask) {
+  double largest = 0;
+  for (const Point p : old.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double rounding = 0x1p-50 * largest;
   std::vector<double> distance(old.segments.size());
   for (std::size_t s = 0; s < work.source.size(); ++s) {
     ask();
     const Segment& whole = old.segments[work.source[s]];
     const Point a = old.points[whole.a], b = old.points[whole.b];
     for (const Index end : {work.pslg.segments[s].a, work.pslg.segments[s].b}) {
-      if (!is_old[end] || end == work.point_map[whole.a] || end == work.point_map[whole.b]) continue;
-      const double area = std::abs(orient2d(a, b, work.pslg.points[end]));
+      if (end == work.point_map[whole.a] || end == work.point_map[whole.b]) continue;
+      const double beside = std::abs(orient2d(a, b, work.pslg.points[end])) / engine::distance(a, b);
       double& farthest = distance[work.source[s]];
-      farthest = std::max(farthest, area / engine::distance(a, b));
+      if (is_old[end] || beside > rounding) farthest = std::max(farthest, beside);
     }
   }
   Moved moved;

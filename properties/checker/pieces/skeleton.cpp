@@ -34,7 +34,8 @@ NumberSet settled_inputs(const PiecesRead& read, std::size_t inputs, Ranks& rank
   std::vector<std::vector<std::uint64_t>> ranges(static_cast<std::size_t>(ranks.count()));
   for (std::size_t i = 0; i < here.size(); ++i) ranges[i / share].push_back(here[i]);
   std::vector<std::uint64_t> range;
-  for (const std::vector<std::uint64_t>& of_rank : exchange_lists(std::move(ranges), ranks)) {
+  const std::vector<std::vector<std::uint64_t>> of_ranks = exchange_lists(std::move(ranges), ranks);
+  for (const std::vector<std::uint64_t>& of_rank : of_ranks) {
     range.resize(of_rank.size());
     std::ranges::transform(range, of_rank, range.begin(), std::bit_or<>());
   }
