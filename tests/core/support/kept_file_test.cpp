@@ -57,6 +57,22 @@ TEST(KeptFile, that_did_not_exist_is_missing_again) {
   EXPECT_EQ(folder.names(), "");
 }
 
+TEST(KeptFile, that_cannot_be_put_back_stays_under_its_other_name) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  {
+    KeptFile kept(folder / "a.txt");
+    fs::remove(folder / "a.txt");
+    folder.write("a.txt/b.txt", "a folder has the name now");
+    kept.changed();
+  }
+  { const auto lock = remove_partial_files(); }
+  fs::remove_all(folder / "a.txt");
+  const std::string name = folder.names();
+  EXPECT_TRUE(name.starts_with("a.txt.") && name.ends_with(".partial ")) << name;
+  EXPECT_EQ(folder.read(std::string_view(name).substr(0, name.size() - 1)), "old");
+}
+
 /// Then the process ends, and the new files have their names.
 TEST(KeptFile, has_no_other_name_after_the_partial_files_were_removed) {
   const TemporaryFolder folder;
