@@ -1,12 +1,12 @@
 """Commits of this repository, and how the present workloads are built in them."""
-import contextlib
-import fcntl
 import os
 import re
 import shutil
 import subprocess
 
-from . import command, files
+import safe_files
+
+from . import command
 from .command import Failed
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -60,16 +60,9 @@ def workloads_are_committed():
     return not git("status", "--porcelain", "--", WORKLOADS)
 
 
-@contextlib.contextmanager
 def locked(tree):
-    """While the context lasts, no other process may change this working tree."""
-    os.makedirs(os.path.dirname(tree), exist_ok=True)
-    with open(tree + ".lock", "w") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise Failed(f"another process is using {tree}") from None
-        yield
+    """A context in which no other process may change this working tree."""
+    return safe_files.locked(tree + ".lock", Failed(f"another process is using {tree}"))
 
 
 def require_own_tree(tree):
@@ -132,15 +125,18 @@ def program(tree, preset="bench"):
     return os.path.join(tree, "build", preset, WORKLOADS, "once")
 
 
+class NotBuilt(Failed):
+    """Something does not compile. The message has the end of the compiler's output."""
+
+
 def build(tree, *targets, preset="bench"):
-    """Builds targets. Returns the end of the compiler's output if this fails, else nothing."""
     for words in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "--target", *targets]):
         try:
             result = subprocess.run(words, cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         except OSError as error:
             raise Failed(f"{words[0]} cannot be started: {error.strerror}") from None
         if result.returncode != 0:
-            return "\n".join(result.stdout.splitlines()[-20:])
+            end = "\n".join(result.stdout.splitlines()[-20:])
+            raise NotBuilt(f"{', '.join(targets)} cannot be built in {tree}\n{end}")
     folder = os.path.join(tree, "build", preset)
-    files.replace(os.path.join(folder, "compiler"), compiler(folder))
-    return None
+    safe_files.replace(os.path.join(folder, "compiler"), compiler(folder))

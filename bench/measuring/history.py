@@ -4,7 +4,9 @@ import io
 import os
 import platform
 
-from . import commits, files
+import safe_files
+
+from . import commits
 from .command import Failed
 
 FILE = os.path.join(commits.ROOT, "bench", "history", "workloads.csv")
@@ -31,8 +33,9 @@ def machine():
     return f"{model} {about.get('cpu family', '?')}/{about.get('model', '?')} x {os.cpu_count()}".replace(",", " ")
 
 
-def read(file=FILE):
-    """The rows; none if there is no such file."""
+def read(file=None):
+    """The rows of a file, or of FILE; none if there is no such file."""
+    file = file or FILE
     if not os.path.exists(file):
         return []
     with open(file, newline="") as text:
@@ -76,12 +79,12 @@ def in_order(rows, line):
     return sorted(rows, key=lambda row: (place.get(row["commit"], -1), row["commit"], row["workload"]))
 
 
-def write(rows, file=FILE):
+def write(rows, file=None):
     text = io.StringIO()
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
-    files.replace(file, text.getvalue())
+    safe_files.replace(file or FILE, text.getvalue())
 
 
 def row(commit, compiler, workload, **values):

@@ -8,7 +8,9 @@ import subprocess
 import time
 from pathlib import Path
 
-from . import files, programs
+import safe_files
+
+from . import programs
 
 FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
 OF_OTHERS = ("LLVMFuzzer", "fuzzer::", "__", "std::", "operator")  # beginnings of names
@@ -110,7 +112,7 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
     if (place / "find.json").exists():
         count = json.loads((place / "find.json").read_text())
         count["times"] += 1
-        files.replace(place / "find.json", json.dumps(count, indent=1))
+        safe_files.replace(place / "find.json", json.dumps(count, indent=1))
         return None
     fresh = place.with_suffix(".new")
     for leftover in (place, fresh):

@@ -7,7 +7,9 @@ import sys
 import time
 from pathlib import Path
 
-from . import files, programs, summary
+import safe_files
+
+from . import programs, summary
 from .child import Children
 
 
@@ -67,7 +69,7 @@ class Rounds:
         state["history"].append([round(state["seconds"], 1), state["cases"], len(state["finds"])])
 
     def save(self):
-        files.replace(self.folder / "state.json", json.dumps(self.state))
+        safe_files.replace(self.folder / "state.json", json.dumps(self.state))
         (self.folder / "summary.json").write_text(
             json.dumps({"schema": "pardel.campaign/1", **self.state}, indent=1) + "\n")
         verdicts = sorted(self.state["verdicts"])

@@ -28,7 +28,8 @@ def numbers(log):
 
 
 def start(target, corpus, work, seconds, seed, children):
-    """Starts a slice, one of the children. Its log is WORK/log, and a failing input is left in WORK. SIGTERM ends it with its figures."""
+    """Starts a slice, one of the children. Its log is WORK/log, and a failing input is left in WORK. SIGTERM ends it
+    with its figures."""
     corpus.mkdir(parents=True, exist_ok=True)
     command = target.command(f"-max_total_time={seconds}", f"-seed={seed}", f"-artifact_prefix={work}/", "-reload=0",
                              *folders_of(target, corpus))

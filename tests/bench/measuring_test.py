@@ -10,7 +10,8 @@ import unittest
 import unittest.mock
 import xml.etree.ElementTree
 
-from measuring import command, commits, drawing, files, google, history, once, pressure, ratios
+from measuring import command, commits, drawing, google, history, once, pressure, ratios
+import safe_files
 from script import load
 
 
@@ -188,7 +189,7 @@ class History(unittest.TestCase):
             file = os.path.join(folder, "workloads.csv")
             for line, text in ((1, ""), (1, "commit,workload\n"), (3, good + "<<<<<<< HEAD\n"), (3, good + "a,c,m\n"),
                                (3, good + "a,c,m,w,many,,,,,\n"), (3, good + "a,c,m,w,5,,,,,,one more\n")):
-                files.replace(file, text)
+                safe_files.replace(file, text)
                 with self.assertRaisesRegex(command.Failed, f"workloads.csv:{line}: "):
                     history.read(file)
 

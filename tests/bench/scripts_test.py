@@ -54,8 +54,6 @@ class SmallRepository(unittest.TestCase):
         self.patch(commits, "compiler", lambda folder: self.compiler)
         self.patch(once, "count", lambda program, workload, waste=0: {"f": 1000, workload: self.cost(program) + waste})
         self.patch(history, "FILE", str(self.root / "bench/history/workloads.csv"))
-        self.patch(history.read, "__defaults__", (history.FILE,))
-        self.patch(history.write, "__defaults__", (history.FILE,))
         self.patch(history, "machine", lambda: "m")
         self.patch(pressure.Watch, "share", lambda watch: None)  # of a quiet machine
         self.patch(track, "TREE", str(self.root / "build/track"))
@@ -93,7 +91,7 @@ class SmallRepository(unittest.TestCase):
         cost = (Path(tree) / "core/cost").read_text().strip()
         self.builds.append(cost)
         if cost == "broken":
-            return "error: it does not compile"
+            raise commits.NotBuilt("error: it does not compile")
         for target, text in (("once", ONCE), ("scaling", SCALING)):
             if target in targets:
                 program = Path(commits.program(tree, preset))
@@ -103,9 +101,8 @@ class SmallRepository(unittest.TestCase):
                 program.write_text(text.replace("COST", cost))
                 program.chmod(0o755)
         if targets == ("paper_tables",):
-            return "there is no such target"
+            raise commits.NotBuilt("there is no such target")
         (Path(tree) / "build" / preset / "compiler").write_text(self.compiler)
-        return None
 
     @staticmethod
     def cost(program):
