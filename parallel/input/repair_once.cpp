@@ -10,6 +10,7 @@
 #include "../../core/support/shortest.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
+#include "../concurrency/bounding_box.hpp"
 #include "../segments/plane_sweep.hpp"
 #include "../validate.hpp"
 #include "check_faces.hpp"
@@ -50,9 +51,8 @@ Moved moved_points(const Pslg& old, const Work& work, SparseAsk& ask) {
 /// The old segments with pieces that end beside them: at images of other points, or at crossings that were merged into
 /// points. Crossings that are only rounded do not count.
 Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& is_old, SparseAsk& ask) {
-  double largest = 0;
-  for (const Point p : old.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double rounding = 0x1p-50 * largest;
+  const Box box = bounding_box(1, old.points.size(), [&](std::size_t i) { return old.points[i]; });
+  const double rounding = 0x1p-50 * box.largest_magnitude();
   std::vector<double> distance(old.segments.size());
   for (std::size_t s = 0; s < work.source.size(); ++s) {
     ask();

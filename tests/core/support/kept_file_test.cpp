@@ -10,19 +10,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(KeptFile, is_put_back_if_it_was_replaced_or_removed) {
+/// Another file gets the name.
+void replace(const TemporaryFolder& folder, KeptFile& kept) {
+  fs::remove(folder / "a.txt");
+  folder.write("a.txt", "new");
+  kept.changed();
+}
+
+TEST(KeptFile, is_put_back_if_it_was_replaced) {
   const TemporaryFolder folder;
-  for (const bool replace : {true, false}) {
-    folder.write("a.txt", "old");
-    {
-      KeptFile kept(folder / "a.txt");
-      fs::remove(folder / "a.txt");
-      if (replace) folder.write("a.txt", "new");
-      kept.changed();
-    }
-    EXPECT_EQ(folder.names(), "a.txt ");
-    EXPECT_EQ(folder.read("a.txt"), "old");
+  folder.write("a.txt", "old");
+  {
+    KeptFile kept(folder / "a.txt");
+    replace(folder, kept);
   }
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_EQ(folder.read("a.txt"), "old");
+}
+
+TEST(KeptFile, is_put_back_if_it_was_removed) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "old");
+  {
+    KeptFile kept(folder / "a.txt");
+    fs::remove(folder / "a.txt");
+    kept.changed();
+  }
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_EQ(folder.read("a.txt"), "old");
 }
 
 TEST(KeptFile, stays_as_it_is_if_nothing_has_changed_it) {
@@ -38,9 +53,7 @@ TEST(KeptFile, that_is_not_needed_any_more_leaves_only_the_new_one) {
   folder.write("a.txt", "old");
   {
     KeptFile kept(folder / "a.txt");
-    fs::remove(folder / "a.txt");
-    folder.write("a.txt", "new");
-    kept.changed();
+    replace(folder, kept);
     kept.forget();
   }
   EXPECT_EQ(folder.names(), "a.txt ");
