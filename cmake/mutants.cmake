@@ -9,7 +9,8 @@ set(PARDEL_MUTATED_FOLDERS core parallel properties ref cli fuzz tests)
 # The libraries that have a mutated twin.
 set(PARDEL_MUTATED "core|formats|parallel|checker|domains|defects|generators|ref|framework|samples")
 # Libraries without the prefix `pardel_` that have one.
-set(PARDEL_MUTATED_SUPPORT "fuzz_support|fuzz_cases|fuzz_pieces|fuzz_exact_signs|fuzz_judgement|many_domains_parts")
+set(PARDEL_MUTATED_SUPPORT
+    "fuzz_support|fuzz_cases|fuzz_input_faces|fuzz_known_files|fuzz_pieces|fuzz_exact_signs|fuzz_judgement|many_domains_parts")
 
 # Defines the target mutated_sources, which makes the copy. The target runs again when a source, a patch or the registry
 # changes. It writes only the files that differ, so the build recompiles nothing else.

@@ -39,7 +39,8 @@ namespace pardel {
 /// ranks return the error of the first rank that failed, with its line: that of read_pslg().
 [[nodiscard]] Result<PartOfPslg> read_part_of_pslg(const std::filesystem::path& file, Ranks& ranks);
 
-/// base: the number of the first vertex in Triangle's files, 0 or 1.
+/// base: the number of the first vertex in Triangle's files, 0 or 1. The file of a domain without points is read with the
+/// points of the .node of the same name.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);
 
 /// The formats of meshes: single files, and Triangle's .node, .ele and .poly.

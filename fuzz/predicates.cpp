@@ -24,11 +24,11 @@ using Rational = mpq_class;
 /// The number, or zero if the predicates do not accept it.
 double usable(double x) { return engine::is_usable(x) ? x : 0; }
 
-/// A double that is zero or between the bounds of the predicates. `spread` binary orders of magnitude, from 0.
-double any_double(Supply& bytes, int spread) {
+/// A double that is zero or between the bounds of the predicates. `spread` binary orders of magnitude around 2^middle.
+double any_double(Supply& bytes, int spread, int middle = 0) {
   const std::uint64_t word = bytes.word();
-  const int exponent = spread == 0 ? 0 : static_cast<int>((word >> 52) % static_cast<unsigned>(spread)) - spread / 2;
-  return usable(with_exponent(word, exponent));
+  const int offset = spread == 0 ? 0 : static_cast<int>((word >> 52) % static_cast<unsigned>(spread)) - spread / 2;
+  return usable(with_exponent(word, middle + offset));
 }
 double small_integer(Supply& bytes) { return static_cast<double>(static_cast<std::int8_t>(bytes.byte())); }
 
@@ -37,9 +37,10 @@ Point any_point(Supply& bytes, int kind) {
     const double x = small_integer(bytes);
     return {x, small_integer(bytes)};
   }
-  constexpr int spreads[] = {0, 1, 20, 300};
-  const double x = any_double(bytes, spreads[kind]);
-  return {x, any_double(bytes, spreads[kind])};
+  // The last range is that of the predicates, from 2^-140 to 2^200.
+  constexpr int spreads[] = {0, 1, 20, 341}, middles[] = {0, 0, 0, 30};
+  const double x = any_double(bytes, spreads[kind], middles[kind]);
+  return {x, any_double(bytes, spreads[kind], middles[kind])};
 }
 
 void nudge(Point& p, Supply& bytes) {

@@ -1,6 +1,7 @@
 // Reads the bytes as a .poly, perhaps with its .node (file_bundle.hpp): once as a whole, and once by several ranks,
 // each of which reads a part of the points and of the segments. Together the ranks must have the same domain, or all
 // have the same error.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "../properties/theorems/framework/local_ranks.hpp"
 #include "file_bundle.hpp"
 #include "fuzz_one.hpp"
+#include "known_files/known_file.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -62,10 +64,19 @@ void compare(const Result<Pslg>& whole, const std::vector<Part>& parts) {
 }  // namespace
 
 int fuzz_one(std::span<const std::uint8_t> bytes) {
+  std::size_t number = bytes.size();
+  std::optional<KnownFile> known;
+  if (const auto seed = seed_of_known_file(bytes)) {
+    number = *seed;
+    generators::Random random(*seed);
+    known = any_known_file(random, "domain.poly");
+    if (!known) return -1;
+    bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
+  }
   const Scratch scratch;
   for (const NamedText& file : files_of(bytes, "domain.poly")) scratch.write(file);
   const std::filesystem::path path = scratch / "domain.poly";
-  compare(read_pslg(path), read_by(static_cast<int>(bytes.size() % 5) + 1, path));
+  compare(read_pslg(path), read_by(static_cast<int>(number % 5) + 1, path));
   return 0;
 }
 

@@ -1,10 +1,10 @@
 // Reads the bytes as a file, or as several (file_bundle.hpp). The reader must return a value or an error that names a
 // file. What was read is written in every format that can hold it and read again: it must have the same digest, and
-// another round must change nothing at all. This source is compiled once for each format; PARDEL_MAIN_FILE is the name
-// of the file that is read.
+// another round must change nothing at all. An input that begins with the byte 0 stands for a file of which the content
+// is known (known_files/): the reader must read this content. So it is noticed, too, if a reader always loses
+// something. This source is compiled once for each format; PARDEL_MAIN_FILE is the name of the file that is read.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +15,8 @@
 #include "../core/support/same_attribute.hpp"
 #include "file_bundle.hpp"
 #include "fuzz_one.hpp"
+#include "known_files/known_file.hpp"
+#include "known_files/values.hpp"
 #include "mesh_in_pieces.hpp"
 
 namespace pardel::fuzz {
@@ -43,6 +45,7 @@ void require_written(const Status& written, const fs::path& file) {
 }
 
 void round_trip(const Pslg& pslg, const Scratch& scratch) {
+  if (pslg.points.empty()) return;  // a .poly without points has those of the .node
   const fs::path file = scratch / "again.poly";
   for (const int base : {0, 1}) {
     require_written(write_poly(pslg, file, base), file);
@@ -87,19 +90,23 @@ struct Keeps {
 void require_data_of_points(const Mesh& once, const Mesh& mesh, const fs::path& file) {
   if (once.attributes_per_point != mesh.attributes_per_point ||
       !std::ranges::equal(once.point_attributes, mesh.point_attributes, is_same_attribute))
-    fail_at(file, "other attributes of points are read back");
+    fail_at(file, "other attributes of points are read");
   if (!mesh.point_markers.empty() && once.point_markers != mesh.point_markers)
-    fail_at(file, "other markers of points are read back");
+    fail_at(file, "other markers of points are read");
+}
+
+void require_same(const Mesh& read, const Mesh& mesh, Keeps keeps, const fs::path& file) {
+  if (read.points != mesh.points) fail_at(file, "other points are read");
+  if (keeps.data_of_points) require_data_of_points(read, mesh, file);
+  if (keeps.regions && digest(read) != digest(mesh)) fail_at(file, "the mesh that is read has another digest");
+  if (!keeps.regions && read.triangles != mesh.triangles) fail_at(file, "other triangles are read");
+  if (!keeps.regions && edges_of(read) != edges_of(mesh)) fail_at(file, "other constrained edges are read");
 }
 
 void round_trip(const Mesh& mesh, const fs::path& file, Keeps keeps, const Write& write) {
   require_written(write(mesh, file), file);
   const Mesh once = read_back(read_mesh(file), file);
-  if (once.points != mesh.points) fail_at(file, "other points are read back");
-  if (keeps.data_of_points) require_data_of_points(once, mesh, file);
-  if (keeps.regions && digest(once) != digest(mesh)) fail_at(file, "the mesh that is read back has another digest");
-  if (!keeps.regions && once.triangles != mesh.triangles) fail_at(file, "other triangles are read back");
-  if (!keeps.regions && edges_of(once) != edges_of(mesh)) fail_at(file, "other constrained edges are read back");
+  require_same(once, mesh, keeps, file);
   require_written(write(once, file), file);
   if (read_back(read_mesh(file), file) != once) fail_at(file, "the second round changes the mesh");
 }
@@ -113,9 +120,7 @@ void round_trip_in_pieces(const Mesh& mesh, const Scratch& scratch) {
   const auto expect_mesh = [&](const Status& written, const fs::path& file, bool keeps_data_of_points) {
     require_written(written, file);
     const Mesh joined = read_back(read_mesh(file), file);
-    if (keeps_data_of_points) require_data_of_points(joined, mesh, file);
-    if (joined.points != mesh.points) fail_at(file, "the joined pieces have other points");
-    if (digest(joined) != digest(mesh)) fail_at(file, "the joined pieces have another digest");
+    require_same(joined, mesh, {.data_of_points = keeps_data_of_points}, file);
   };
   const fs::path pvtu = folder / "again.pvtu", msh = folder / "again.msh";
   expect_mesh(write_pvtu(*pieces, pvtu), pvtu, true);
@@ -145,10 +150,9 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return std::ranges::equal(a, b, is_same_attribute);
 }
 
-std::string text(double x) {
-  char line[40];
-  std::snprintf(line, sizeof line, "%.17g", x);
-  return line;
+bool same(const Raster& a, const Raster& b) {
+  return a.columns == b.columns && a.rows == b.rows && a.first == b.first && a.step_x == b.step_x &&
+         a.step_y == b.step_y && same(a.values, b.values);
 }
 
 /// Writes the raster as an .asc, for which the library has no writer.
@@ -167,57 +171,78 @@ void round_trip(const Raster& raster, const Scratch& scratch) {
       grid += text(std::isnan(value) ? missing : value) + (column + 1 < raster.columns ? " " : "\n");
     }
   scratch.write({"again.asc", grid});
-  const Raster again = read_back(read_raster(scratch / "again.asc"), scratch / "again.asc");
-  if (again.columns != raster.columns || again.rows != raster.rows || again.first != raster.first ||
-      again.step_x != raster.step_x || again.step_y != raster.step_y || !same(again.values, raster.values))
+  if (!same(read_back(read_raster(scratch / "again.asc"), scratch / "again.asc"), raster))
     fail("the raster reads back differently");
 }
 
-void round_trip_of_caps(const std::vector<double>& caps, const Scratch& scratch) {
-  const fs::path file = scratch / "again.area";
-  if (!std::ranges::all_of(caps, [](double cap) { return cap > 0; })) fail("a cap is not positive");
-  require_written(write_area(file, caps, 1), file);
-  if (read_back(read_area(file), file) != caps) fail_at(file, "the written file reads back differently");
-}
-
-void round_trip_of_sizes(const std::vector<double>& sizes, const Scratch& scratch) {
-  std::string lines = std::to_string(sizes.size()) + "\n";
-  for (std::size_t i = 0; i < sizes.size(); ++i) lines += std::to_string(i + 1) + " " + text(sizes[i]) + "\n";
+/// Caps of triangles are written as .area. Sizes are finite, and the library has no writer for them.
+void round_trip(const Numbers& values, const Scratch& scratch) {
+  if (!std::ranges::all_of(values, [](double value) { return value > 0; })) fail("a value is not positive");
+  const fs::path area = scratch / "again.area", sizes = scratch / "again.sizes";
+  require_written(write_area(area, values, 1), area);
+  if (read_back(read_area(area), area) != values) fail_at(area, "the written file reads back differently");
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+    if (fs::path(PARDEL_MAIN_FILE).extension() == ".sizes") fail("a size is not finite");
+    return;
+  }
+  std::string lines = std::to_string(values.size()) + "\n";
+  for (std::size_t i = 0; i < values.size(); ++i) lines += std::to_string(i + 1) + " " + text(values[i]) + "\n";
   scratch.write({"again.sizes", lines});
-  if (!std::ranges::all_of(sizes, [](double size) { return size > 0 && std::isfinite(size); }))
-    fail("a size is not positive");
-  if (read_back(read_sizes(scratch / "again.sizes"), scratch / "again.sizes") != sizes)
-    fail("the sizes read back differently");
+  if (read_back(read_sizes(sizes), sizes) != values) fail_at(sizes, "the sizes read back differently");
 }
 
-/// Calls use(value) if the result has one.
-template <class T, class Use>
-void judge(const Result<T>& result, const fs::path& folder, const Use& use) {
-  if (!result)
-    check_error(result.error(), folder);
-  else
-    use(*result);
+/// The content of the file, read by the reader of its suffix.
+Result<Content> read(const fs::path& file) {
+  const auto content = [](auto result) {
+    return result ? Result<Content>(Content(std::move(*result))) : Result<Content>(result.error());
+  };
+  const std::string suffix = file.extension().string();
+  if (suffix == ".asc" || suffix == ".npy") return content(read_raster(file));
+  if (suffix == ".area") return content(read_area(file));
+  if (suffix == ".sizes") return content(read_sizes(file));
+  Result<std::variant<Pslg, Mesh>> either = read_pslg_or_mesh(file);
+  if (!either) return either.error();
+  return std::visit([](auto& value) { return Result<Content>(Content(std::move(value))); }, *either);
+}
+
+void require_same(const Content& read, const Content& known, const fs::path& file) {
+  if (read.index() != known.index()) fail_at(file, "content of another kind is read");
+  if (const auto* mesh = std::get_if<Mesh>(&known)) return require_same(std::get<Mesh>(read), *mesh, {}, file);
+  if (const auto* raster = std::get_if<Raster>(&known)) {
+    if (!same(std::get<Raster>(read), *raster)) fail_at(file, "another raster is read");
+    return;
+  }
+  const auto* pslg = std::get_if<Pslg>(&known);
+  const bool equal =
+      pslg != nullptr ? std::get<Pslg>(read) == *pslg : std::get<Numbers>(read) == std::get<Numbers>(known);
+  if (!equal) fail_at(file, "other content is read");
+}
+
+/// The main file of an input or, if there is none, the .node without triangles.
+fs::path file_in(const Scratch& scratch) {
+  const fs::path main_file = scratch / PARDEL_MAIN_FILE, points = fs::path(main_file).replace_extension(".node");
+  return main_file.extension() == ".poly" && !fs::exists(main_file) && fs::exists(points) ? points : main_file;
 }
 
 }  // namespace
 
 int fuzz_one(std::span<const std::uint8_t> bytes) {
-  const std::string main_file = PARDEL_MAIN_FILE;
-  const Scratch scratch;
-  for (const NamedText& file : files_of(bytes, main_file)) scratch.write(file);
-  const fs::path folder = (scratch / "").parent_path(), path = scratch / main_file;
-  const std::string suffix = path.extension().string();
-  if (suffix == ".asc" || suffix == ".npy") {
-    judge(read_raster(path), folder, [&](const Raster& raster) { round_trip(raster, scratch); });
-  } else if (suffix == ".area") {
-    judge(read_area(path), folder, [&](const auto& caps) { round_trip_of_caps(caps, scratch); });
-  } else if (suffix == ".sizes") {
-    judge(read_sizes(path), folder, [&](const auto& sizes) { round_trip_of_sizes(sizes, scratch); });
-  } else {
-    judge(read_pslg_or_mesh(path), folder, [&](const std::variant<Pslg, Mesh>& read) {
-      std::visit([&](const auto& value) { round_trip(value, scratch); }, read);
-    });
+  std::optional<KnownFile> known;
+  if (const auto seed = seed_of_known_file(bytes)) {
+    generators::Random random(*seed);
+    known = any_known_file(random, PARDEL_MAIN_FILE);
+    if (!known) return -1;
+    bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
   }
+  const Scratch scratch;
+  for (const NamedText& file : files_of(bytes, PARDEL_MAIN_FILE)) scratch.write(file);
+  const fs::path folder = (scratch / "").parent_path(), file = file_in(scratch);
+  const Result<Content> content = read(file);
+  if (known) require_same(read_back(content, file), known->content, file);
+  if (!content)
+    check_error(content.error(), folder);
+  else
+    std::visit([&](const auto& value) { round_trip(value, scratch); }, *content);
   return 0;
 }
 

@@ -107,8 +107,9 @@ class Comparison {
     return repaired_.moved_points.distance + repaired_.bent_segments.distance + 2 * rounding();
   }
   /// How far it may be from other old segments that it stands for. A segment is bent to points near it, and again to
-  /// points near its pieces: three times the snapping distance was seen.
-  [[nodiscard]] double several_bends() const { return 8 * repaired_.snap + rounding(); }
+  /// points near its pieces: three times the snapping distance was seen. Without snapping, the same happens at rounded
+  /// crossings.
+  [[nodiscard]] double several_bends() const { return 8 * (repaired_.snap + rounding()); }
   /// Crossings are rounded.
   [[nodiscard]] double rounding() const { return 0x1p-50 * largest_; }
 

@@ -41,26 +41,45 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
   if (one->report.exempt != several->report.exempt) fail("the report depends on the number of threads");
 }
 
-/// One thread runs the tasks of a phase together, one insertion at a time. The seed decides whose turn it is, and how
-/// long the turns are. An area bound gives the mesh some thousand triangles, so that several tasks have work.
-void compare_with_interleaved_tasks(const Pslg& pslg, const MeshCase& drawn) {
-  generators::Random random(drawn.seed);
+/// Whose turn it is among the tasks of a phase. Each byte decides for one to four insertions. After the last byte the
+/// sequence begins anew, with random numbers added.
+class Turns {
+ public:
+  Turns(std::span<const std::uint8_t> bytes, std::uint64_t seed) : bytes_(bytes), random_(seed) {}
+
+  std::size_t next(std::size_t tasks) {
+    if (left_ == 0 || turn_ >= tasks) {
+      const std::size_t at = taken_++ % (bytes_.size() + 1);
+      if (at == bytes_.size()) added_ = random_.below(256);
+      const std::size_t byte = ((at < bytes_.size() ? bytes_[at] : 0) + added_) % 256;
+      turn_ = byte % tasks;
+      left_ = 1 + byte / 64;
+    }
+    --left_;
+    return turn_;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  generators::Random random_;
+  std::size_t taken_ = 0, added_ = 0, turn_ = 0, left_ = 0;
+};
+
+/// One thread runs the tasks of a phase together, one insertion at a time. The bytes of the strokes decide whose turn
+/// it is. An area bound gives the mesh some thousand triangles, so that several tasks have work.
+void compare_with_interleaved_tasks(const Pslg& pslg, const MeshCase& drawn, std::span<const std::uint8_t> strokes) {
   const double extent = extent_of(pslg.points);
   const Goal goal{.min_angle_deg = drawn.goal.min_angle_deg,
                   .max_area = extent * extent / 3000,
                   .conforming = drawn.goal.conforming,
                   .convex_hull = drawn.goal.convex_hull};
   Options options{.threads = 1, .min_edge = extent / 200};
-  const auto cells = static_cast<Index>(random.between(3, 7));
+  const auto cells = static_cast<Index>(3 + drawn.seed % 5);
   options.cells = {cells, cells};
   const auto plain = refine_with_schedule(pslg, goal, options, {});
-  const int turns = random.between(1, 4);
-  std::size_t turn = 0;
-  const engine::Schedule interleaved{.next = [&](std::size_t n) {
-    if (turn >= n || random.chance(turns)) turn = random.below(n);
-    return turn;
-  }};
-  const auto other = refine_with_schedule(pslg, goal, options, interleaved);
+  Turns turns(strokes, drawn.seed);
+  const auto other =
+      refine_with_schedule(pslg, goal, options, {.next = [&](std::size_t tasks) { return turns.next(tasks); }});
   if (plain.ok() != other.ok()) fail("the order of the insertions decides whether there is an error");
   if (plain && digest(plain->mesh) != digest(other->mesh)) fail("the mesh depends on the order of the insertions");
 }
@@ -122,7 +141,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   options.triangles_per_tile = std::min(options.triangles_per_tile, 40U);
   options.max_vertices = std::min<std::uint64_t>(options.max_vertices, prepared.pslg.points.size() + 400);
   // First what does not depend on the time that threads take: such a find can be repeated.
-  compare_with_interleaved_tasks(prepared.pslg, drawn);
+  compare_with_interleaved_tasks(prepared.pslg, drawn, bytes.subspan(std::min(bytes.size(), header_bytes)));
   options.interior = drawn.seed % 3 == 0 ? Interior::fill : Interior::refine;
   compare_with_threads(prepared.pslg, drawn, options);
   options.interior = Interior::refine;

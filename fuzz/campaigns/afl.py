@@ -5,12 +5,9 @@ import subprocess
 from pathlib import Path
 
 from . import programs
+from .script import Stop
 
 STATISTICS = ("execs_done", "execs_per_sec", "edges_found", "corpus_count", "saved_crashes", "saved_hangs")
-
-
-class Failed(Exception):
-    """afl-fuzz could not run. The message has its output."""
 
 
 def build_mutator(folder):
@@ -21,10 +18,10 @@ def build_mutator(folder):
 
 
 def mutator(folder, target):
-    """The library with the mutator of a target; None if it has none. Raises Failed if it has not been built."""
+    """The library with the mutator of a target; None if it has none. Raises Stop if it has not been built."""
     library = folder / "mutate_strokes.so"
     if target.draws and not library.exists():
-        raise Failed(f"{library} is missing; without --no-build it is made")
+        raise Stop(f"{library} is missing; without --no-build it is made")
     return library if target.draws else None
 
 
@@ -41,7 +38,7 @@ def environment(library):
 
 def run(target, corpus, folder, seconds, seed, library, children):
     """Runs afl-fuzz, one of the children, for so many seconds, or until it gets SIGTERM. Its files are then in the
-    folder `default` of `folder`. Raises Failed."""
+    folder `default` of `folder`. Raises Stop."""
     folder.mkdir(parents=True)
     inputs = corpus
     if not (corpus.is_dir() and any(corpus.iterdir())):
@@ -58,7 +55,7 @@ def run(target, corpus, folder, seconds, seed, library, children):
     child.wait()
     if child.returncode != 0 or not (folder / "default" / "fuzzer_stats").exists():
         said = (folder / "log").read_text(errors="replace")
-        raise Failed(f"{' '.join(command)} ended with exit code {child.returncode}\n{said[-2000:]}")
+        raise Stop(f"{' '.join(command)} ended with exit code {child.returncode}\n{said[-2000:]}")
 
 
 def statistics(folder):

@@ -3,7 +3,6 @@ shrinks; their replay lines are those of its report."""
 import json
 import shutil
 import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import safe_files
 
 from . import programs, summary
 from .child import Children
+from .script import Stop
 
 
 def add_options(parser):
@@ -116,7 +116,7 @@ def has_begun(folder):
 def run(folder, options):
     rounds = Rounds(folder, options)
     if options.harness and options.harness != rounds.state["mesher"]:
-        sys.exit(f"campaign: {folder}: this campaign is of the mesher '{rounds.state['mesher']}'")
+        raise Stop(f"{folder}: this campaign is of the mesher '{rounds.state['mesher']}'")
     rounds.children.stop_on_signals()
     rounds.run()
     if rounds.state["rounds"] > 0:

@@ -1,8 +1,9 @@
 """The fuzz programs of a build: their names, how they are built, and how libFuzzer is called."""
 import os
 import subprocess
-import sys
 from pathlib import Path
+
+from .script import Stop
 
 ROOT = Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "fuzz" / "corpus"
@@ -74,13 +75,13 @@ def targets(build):
 
 
 def chosen(targets, names):
-    """The targets whose names are in a text, separated by commas; all of them if it is empty. A wrong name ends the
-    script."""
+    """The targets whose names are in a text, separated by commas; all of them if it is empty. Raises Stop for a wrong
+    name."""
     wanted = [word for word in names.split(",") if word]
     unknown = set(wanted) - {t.name for t in targets}
     if unknown:
-        sys.exit(f"{Path(sys.argv[0]).name}: there is no target {', '.join(sorted(unknown))}; the targets are "
-                 + ", ".join(t.name for t in targets))
+        raise Stop(f"there is no target {', '.join(sorted(unknown))}; the targets are "
+                   + ", ".join(t.name for t in targets))
     return [t for t in targets if not wanted or t.name in wanted]
 
 

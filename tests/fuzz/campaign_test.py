@@ -343,7 +343,7 @@ class Campaigns(FakeBuild):
         (self.folder / "build/fuzz/fuzz_fake").unlink()
         campaign = self.begin("--out", self.folder / "run")
         said = campaign.communicate()[0]
-        self.assertEqual(campaign.returncode, 1)
+        self.assertEqual(campaign.returncode, 2)
         self.assertIn("fuzz/fuzz_fake is missing", said)
 
     def test_an_unknown_target_or_folder_is_an_error(self):
@@ -364,7 +364,7 @@ class Campaigns(FakeBuild):
         self.wait_for("INITED")
         second = self.begin("--resume", self.folder / "run", "--hours", "0")
         self.assertIn("another process is working on this campaign", second.communicate()[0])
-        self.assertEqual(second.returncode, 1)
+        self.assertEqual(second.returncode, 2)
         first.send_signal(signal.SIGTERM)
         self.assertEqual(first.communicate(timeout=30)[1], None)
         self.assertEqual(self.read()["executions"], 100)
@@ -521,7 +521,7 @@ class Afl(FakeBuild):
 
     def test_what_afl_says_when_it_fails_is_shown(self):
         code, said = self.run_afl(BROKEN="1")
-        self.assertEqual(code, 1)
+        self.assertEqual(code, 2)
         self.assertIn("this machine is not fit for afl-fuzz", said)
 
     def test_a_wrong_target_or_folder_is_an_error(self):
@@ -531,7 +531,7 @@ class Afl(FakeBuild):
                                  (("--campaign", self.folder / "nowhere"), "there is no campaign in this folder"),
                                  (("--out", self.folder / "run"), "this is the folder of a campaign")):
             code, said = self.run_afl(*options)
-            self.assertEqual(code, 1)
+            self.assertEqual(code, 2)
             self.assertIn(message, said)
 
 

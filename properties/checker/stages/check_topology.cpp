@@ -74,13 +74,12 @@ void check_lost_neighbours(const Subject& subject, const Adjacency& adjacency, F
   }
 }
 
-/// Reports a vertex if an edge at it has two triangles on one side. This is possible only at vertices with several
-/// fans.
+/// Reports a vertex if an edge at it has two triangles on one side. This is possible at vertices with several fans, and
+/// in a fan that turns by 360 degrees or more.
 void check_fans(Index vertex, const Subject& subject, const Adjacency& adjacency, Findings& found) {
   std::vector<Index> ahead;
-  const int fans = adjacency.visit_fans(
-      vertex, [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
-  if (fans <= 1) return;
+  adjacency.visit_fans(vertex,
+                       [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
   std::sort(ahead.begin(), ahead.end());
   const auto twice = std::adjacent_find(ahead.begin(), ahead.end());
   if (twice != ahead.end())

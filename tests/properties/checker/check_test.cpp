@@ -236,6 +236,21 @@ TEST(Check, reports_neighbours_that_are_missing_or_wrong) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_neighbour)) << "missing on both sides";
 }
 
+/// The triangles around a vertex turn by 360 degrees and then once more over the first one.
+TEST(Check, reports_an_edge_with_two_triangles_on_one_side_of_which_one_begins_a_fan_and_one_ends_it) {
+  Case c;
+  c.pslg.points = {{0, 0}, {1, 0}, {0, 1}, {-1, -1}, {0.25, 0.5}};
+  for (const Index corner : {1, 2, 3}) c.pslg.segments.push_back({corner, corner % 3 + 1, 0});
+  for (const Point p : c.pslg.points) c.mesh.points.push_back(p);
+  c.mesh.origin.resize(c.mesh.points.size(), input_vertex);
+  const Index last = 3;
+  for (const auto& [a, b] : {std::pair<Index, Index>(1, 2), {2, 3}, {3, 1}, {1, 4}}) {
+    const auto t = static_cast<Index>(c.mesh.triangles.size());
+    c.mesh.triangles.push_back({{0, a, b}, {no_index, t == last ? no_index : t + 1, t == 0 ? no_index : t - 1}});
+  }
+  EXPECT_TRUE(reports(check(c), Kind::non_manifold_edge));
+}
+
 /// Seven triangles that stand on the lower side of a large one. Their numbers do not ascend along this side.
 TEST(Check, reports_the_edges_that_meet_an_edge_in_the_order_of_their_vertices) {
   Case c;

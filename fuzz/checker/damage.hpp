@@ -1,0 +1,14 @@
+// Changes of a mesh that no list of defects foresees.
+#pragma once
+
+#include "../../core/mesh.hpp"
+#include "../../properties/domains/generators/random.hpp"
+
+namespace pardel::fuzz {
+
+/// Moves a vertex, flips an edge, removes or doubles a triangle, or gives it another corner; or changes a neighbour, a
+/// region, a marker, an origin, an attribute or an entry of the list of constrained edges. Precondition: the mesh has a
+/// triangle, and arrays of the right lengths.
+void damage(Mesh& mesh, generators::Random& random);
+
+}  // namespace pardel::fuzz

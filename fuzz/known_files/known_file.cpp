@@ -1,0 +1,157 @@
+#include "known_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "../../core/formats.hpp"
+#include "../file_bundle.hpp"
+#include "../mesh_in_pieces.hpp"
+#include "../supply.hpp"
+#include "formats.hpp"
+#include "values.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+using generators::Random;
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string bundle_of(const Scratch& scratch, const std::vector<std::string>& names) {
+  std::string bundle;
+  for (const std::string& name : names)
+    if (fs::exists(scratch / name))
+      bundle += (bundle.empty() ? "== " : "\n== ") + name + "\n" + contents(scratch / name);
+  return bundle;
+}
+
+MshEncoding any_encoding(Random& random) { return random.chance(2) ? MshEncoding::ascii : MshEncoding::binary; }
+
+/// The first n lines, and the others.
+std::pair<std::string, std::string> after_lines(const std::string& text, std::size_t n) {
+  std::size_t end = 0;
+  for (; n > 0; --n) end = text.find('\n', end) + 1;
+  return {text.substr(0, end), text.substr(end)};
+}
+
+/// A .poly, one whose points are in a .node, or a .node alone.
+std::optional<KnownFile> any_poly(Random& random, const Scratch& scratch) {
+  Pslg pslg = any_pslg(random);
+  const int form = random.between(0, 3);  // 0: points only; 1: points in a .node; others: one file
+  if (form == 0) {
+    pslg.segments.clear();
+    pslg.holes.clear();
+    pslg.regions.clear();
+    pslg.has_segment_markers = false;
+  }
+  const fs::path file = scratch / "domain.poly";
+  if (!write_poly(pslg, file, random.between(0, 1))) return {};
+  const std::string poly = contents(file);
+  const auto [points, rest] = after_lines(poly, pslg.points.size() + 1);
+  if (form == 0) return KnownFile{"== domain.node\n" + points, std::move(pslg)};
+  if (form == 1) return KnownFile{"== domain.node\n" + points + "\n== domain.poly\n0 2 0 0\n" + rest, std::move(pslg)};
+  return KnownFile{poly, std::move(pslg)};
+}
+
+std::optional<KnownFile> any_triangle_files(Random& random, const Scratch& scratch) {
+  Mesh mesh = any_mesh(random);
+  const TriangleFiles files{.base = random.between(0, 1),
+                            .write_edge = random.chance(2),
+                            .write_neigh = random.chance(2),
+                            .second_order = random.chance(4)};
+  if (!write_triangle_files(mesh, {}, scratch / "mesh", files)) return {};
+  return KnownFile{bundle_of(scratch, {"mesh.node", "mesh.ele", "mesh.poly", "mesh.edge", "mesh.neigh"}),
+                   std::move(mesh)};
+}
+
+/// MSH and OFF do not store the attributes and markers of points.
+Mesh without_data_of_points(Mesh mesh) {
+  mesh.attributes_per_point = 0;
+  mesh.point_attributes.clear();
+  mesh.point_markers.clear();
+  return mesh;
+}
+
+/// The section $NodeData with the first attribute of each point.
+std::string node_data(const Mesh& mesh) {
+  std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n" + std::to_string(mesh.points.size()) + "\n";
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    section += std::to_string(i + 1) + " " + text(mesh.point_attributes[i]) + "\n";
+  return section + "$EndNodeData\n";
+}
+
+std::optional<KnownFile> any_msh(Random& random, const Scratch& scratch) {
+  const MshEncoding encoding = any_encoding(random);
+  if (random.chance(4)) {
+    const Mesh mesh = without_data_of_points(any_fan(random));
+    const std::optional<MeshInPieces> pieces = in_pieces(mesh, std::min<std::size_t>(mesh.triangles.size(), 2));
+    if (!pieces || !write_msh(*pieces, scratch / "mesh.msh", encoding)) return {};
+    return KnownFile{bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}), mesh};
+  }
+  Mesh mesh = any_mesh(random);
+  if (!write_msh(mesh, scratch / "mesh.msh", encoding)) return {};
+  std::string bytes = contents(scratch / "mesh.msh");
+  const bool has_data = encoding == MshEncoding::ascii && mesh.attributes_per_point == 1;
+  if (has_data) {
+    bytes += node_data(mesh);
+    mesh.point_markers.clear();
+  } else {
+    mesh = without_data_of_points(std::move(mesh));
+  }
+  return KnownFile{std::move(bytes), std::move(mesh)};
+}
+
+std::optional<KnownFile> any_pvtu(Random& random, const Scratch& scratch) {
+  Mesh mesh = any_fan(random);
+  const std::size_t most = std::min<std::size_t>(mesh.triangles.size(), 2);
+  const std::optional<MeshInPieces> pieces = in_pieces(mesh, random.chance(2) ? most : 1);
+  if (!pieces || !write_pvtu(*pieces, scratch / "mesh.pvtu")) return {};
+  return KnownFile{bundle_of(scratch, {"mesh.pvtu", "piece_0.vtu", "piece_1.vtu"}), std::move(mesh)};
+}
+
+std::optional<KnownFile> any_single_file(Mesh mesh, const fs::path& file) {
+  if (!write_mesh(mesh, {}, file)) return {};
+  return KnownFile{contents(file), std::move(mesh)};
+}
+
+}  // namespace
+
+std::optional<KnownFile> any_known_file(Random& random, const std::string& main_file) {
+  const std::string suffix = fs::path(main_file).extension().string();
+  if (suffix == ".area" || suffix == ".sizes") return any_list(random);
+  if (suffix == ".asc") return any_grid(random);
+  if (suffix == ".npy") return any_array(random);
+  if (suffix == ".vtu" && random.chance(2)) return any_vtu(random);
+  const Scratch scratch;
+  if (suffix == ".poly") return any_poly(random, scratch);
+  if (suffix == ".ele") return any_triangle_files(random, scratch);
+  if (suffix == ".msh") return any_msh(random, scratch);
+  if (suffix == ".pvtu") return any_pvtu(random, scratch);
+  Mesh mesh = any_mesh(random);
+  if (suffix == ".off") {
+    mesh = without_data_of_points(std::move(mesh));
+    mesh.region.clear();
+    mesh.region_attributes.clear();
+  }
+  return any_single_file(std::move(mesh), scratch / main_file);
+}
+
+std::string input_for_known_file(std::uint64_t seed) {
+  std::string input(1, '\0');
+  for (int i = 0; i < 64; i += 8) input += static_cast<char>(seed >> i & 255U);
+  return input;
+}
+
+std::optional<std::uint64_t> seed_of_known_file(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty() || bytes.front() != 0) return {};
+  return Supply(bytes.subspan(1)).word();
+}
+
+}  // namespace pardel::fuzz
