@@ -67,6 +67,11 @@ Scratch::~Scratch() {
   fs::remove_all(folder_, ignored);
 }
 
+fs::path file_to_read(const Scratch& scratch, const std::string& main_file) {
+  const fs::path file = scratch / main_file, points = fs::path(file).replace_extension(".node");
+  return file.extension() == ".poly" && !fs::exists(file) && fs::exists(points) ? points : file;
+}
+
 void Scratch::write(const NamedText& file) const { std::ofstream(folder_ / file.name, std::ios::binary) << file.text; }
 
 }  // namespace pardel::fuzz

@@ -44,4 +44,8 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
+/// The file that a reader gets: the main file of an input. If it is a .poly that does not exist, the .node of the same
+/// name, if there is one.
+[[nodiscard]] std::filesystem::path file_to_read(const Scratch& scratch, const std::string& main_file);
+
 }  // namespace pardel::fuzz

@@ -15,8 +15,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   const std::size_t choice = random.below(32);
   std::string input;
   if (choice == 0) input = input_for_known_file(random.next());
-  if (choice == 1 || choice == 2)
-    if (const auto known = any_known_file(random, PARDEL_MAIN_FILE)) input = known->bytes;
+  if (choice == 1 || choice == 2) input = any_known_file(random, PARDEL_MAIN_FILE).bytes;
   if (input.empty() || input.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
   std::copy(input.begin(), input.end(), data);
   return choice < 2 ? input.size() : LLVMFuzzerMutate(data, input.size(), max_size);

@@ -1,4 +1,5 @@
-// Reads the bytes as a .poly, perhaps with its .node (file_bundle.hpp): once as a whole, and once by several ranks,
+// Reads the bytes as a .poly, perhaps with its .node (file_bundle.hpp), or as what stands for such a file
+// (known_files/): once as a whole, and once by several ranks,
 // each of which reads a part of the points and of the segments. Together the ranks must have the same domain, or all
 // have the same error.
 #include <optional>
@@ -70,12 +71,11 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     number = *seed;
     generators::Random random(*seed);
     known = any_known_file(random, "domain.poly");
-    if (!known) return -1;
     bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
   }
   const Scratch scratch;
   for (const NamedText& file : files_of(bytes, "domain.poly")) scratch.write(file);
-  const std::filesystem::path path = scratch / "domain.poly";
+  const std::filesystem::path path = file_to_read(scratch, "domain.poly");
   compare(read_pslg(path), read_by(static_cast<int>(number % 5) + 1, path));
   return 0;
 }

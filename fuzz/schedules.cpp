@@ -42,7 +42,7 @@ void compare_with_threads(const Pslg& pslg, const MeshCase& drawn, Options optio
 }
 
 /// Whose turn it is among the tasks of a phase. Each byte decides for one to four insertions. After the last byte the
-/// sequence begins anew, with random numbers added.
+/// sequence begins anew; in each further pass, one random number is added to all bytes.
 class Turns {
  public:
   Turns(std::span<const std::uint8_t> bytes, std::uint64_t seed) : bytes_(bytes), random_(seed) {}

@@ -75,8 +75,8 @@ def smaller(data, target, fails, is_over):
 
 
 def one_round(data, target, fails, is_over):
-    """Removes parts, and sets bytes to zero or to less, as long as fails() holds: strokes of a domain, else lines and
-    bytes. A byte can be the size of a domain that the target draws by itself."""
+    """Removes parts, and sets bytes to zero, as long as fails() holds: strokes of a domain, else lines and bytes. In
+    strokes, bytes are numbers, for example the size of a domain of a family. They are also made smaller."""
     head, sizes = (32, [64, 16, 8]) if target.draws else (0, [256, 64, 16, 4, 1])
     for size in sizes:
         at = len(data) - (len(data) - head) % size
@@ -88,24 +88,26 @@ def one_round(data, target, fails, is_over):
     for i in range(len(data)):
         if is_over():
             break
-        data = with_less_at(i, data, fails)
+        zeroed = data[:i] + b"\0" + data[i + 1:]
+        if zeroed != data and fails(zeroed):
+            data = zeroed
+        elif target.draws:
+            data = with_less_at(i, data, fails, is_over)
     while data.endswith(b"\0") and fails(data[:-1]) and not is_over():
         data = data[:-1]
     return data
 
 
-def with_less_at(i, data, fails):
-    """The input with the least byte at i that is reached by zero, or else by halving and by subtracting one."""
-    def with_byte(value):
-        return data[:i] + bytes([value]) + data[i + 1:]
-
-    if data[i] > 0 and fails(with_byte(0)):
-        return with_byte(0)
-    while data[i] > 1:
-        less = next((value for value in (data[i] // 2, data[i] - 1) if fails(with_byte(value))), None)
-        if less is None:
-            break
-        data = with_byte(less)
+def with_less_at(i, data, fails, is_over):
+    """The input with a smaller byte at i: half of it is subtracted, then a quarter and so on, as long as fails()
+    holds."""
+    step = data[i] // 2
+    while step > 0 and not is_over():
+        less = data[:i] + bytes([data[i] - step]) + data[i + 1:]
+        if data[i] > step and fails(less):
+            data = less
+        else:
+            step //= 2
     return data
 
 

@@ -1,6 +1,8 @@
-"""How the scripts of fuzz/ end: 0 if nothing was found, 1 if something was, 2 if a script could not do its work."""
+"""How the Python scripts of fuzz/ end: 0 if all is well; 1 if there are finds, or a canary was not found; 2 if a script
+could not do its work."""
 import subprocess
 import sys
+import traceback
 from pathlib import Path
 
 
@@ -12,7 +14,10 @@ def run(main):
     """Calls main() and ends the script with its result, or with 2 and a message."""
     try:
         result = main()
-    except (Stop, OSError, subprocess.CalledProcessError) as error:
+    except (Stop, OSError, subprocess.SubprocessError) as error:
         print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
+        result = 2
+    except Exception:  # pylint: disable=broad-except  # Python's own exit code would be 1
+        traceback.print_exc()
         result = 2
     sys.exit(result)

@@ -1,6 +1,6 @@
 #include "damage.hpp"
 
-#include <array>
+#include <utility>
 
 #include "../../properties/defects/edit.hpp"
 

@@ -6,7 +6,7 @@
 
 namespace pardel::fuzz {
 
-/// Moves a vertex, flips an edge, removes or doubles a triangle, or gives it another corner; or changes a neighbour, a
+/// Moves a vertex, flips an edge, removes or adds a triangle, or gives it another corner; or changes a neighbour, a
 /// region, a marker, an origin, an attribute or an entry of the list of constrained edges. Precondition: the mesh has a
 /// triangle, and arrays of the right lengths.
 void damage(Mesh& mesh, generators::Random& random);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "../../core/support/same_attribute.hpp"
 #include "../../properties/checker/tolerances.hpp"
+#include "../../ref/faces.hpp"
 
 namespace pardel::fuzz {
 
@@ -191,12 +193,23 @@ double distance(Point p, Point a, Point b) {
 
 }  // namespace
 
+namespace {
+
+/// How far the checker allows a vertex to be from its segment, if no coordinate is greater.
+double checker_tolerance(double greatest) {
+  return chain_ulps * std::max(greatest * std::numeric_limits<double>::epsilon(), least_unit);
+}
+
+}  // namespace
+
 bool is_far_or_on_walls(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces) {
   double greatest = 0;
   for (const Point p : pslg.points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
   for (const Wall& wall : faces.walls()) {
     const Point a = pslg.points[wall.a], b = pslg.points[wall.b];
-    const double near = std::max(1e-13 * greatest, 1e-5 * std::hypot(b.x - a.x, b.y - a.y));
+    // Farther than the checker allows, and farther than it looks for the chain that was meant.
+    const double near =
+        std::max(100 * checker_tolerance(greatest), 10 * meant_chain_share * std::hypot(b.x - a.x, b.y - a.y));
     for (Index v = 0; v < mesh.given.points.size(); ++v) {
       if (!mesh.has_triangle[v] || v == wall.a || v == wall.b) continue;
       const ExactPoint& p = mesh.plain.points[v];

@@ -7,10 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "../../core/goal.hpp"
 #include "../../core/mesh.hpp"
 #include "../../core/pslg.hpp"
-#include "../../ref/faces.hpp"
+#include "../../ref/definitions.hpp"
 #include "input_faces.hpp"
 
 namespace pardel::fuzz {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace pardel::fuzz {
 namespace {
@@ -65,7 +66,7 @@ struct InputFaces::Arrangement : ArrangementOfSegments {
 InputFaces::InputFaces(const Pslg& pslg, bool convex_hull) : arrangement_(std::make_unique<Arrangement>()) {
   for (Index s = 0; s < pslg.segments.size(); ++s)
     walls_.push_back({pslg.segments[s].a, pslg.segments[s].b, s, pslg.segments[s].marker});
-  if (convex_hull)
+  if (convex_hull || pslg.segments.empty())
     for (const Wall& side : sides_of_hull(pslg)) walls_.push_back(side);
   std::vector<ref::Kernel::Segment_2> curves;
   for (const Wall& wall : walls_) curves.emplace_back(ref::exact(pslg.points[wall.a]), ref::exact(pslg.points[wall.b]));

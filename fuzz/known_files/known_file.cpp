@@ -8,6 +8,7 @@
 
 #include "../../core/formats.hpp"
 #include "../file_bundle.hpp"
+#include "../fuzz_one.hpp"
 #include "../mesh_in_pieces.hpp"
 #include "../supply.hpp"
 #include "formats.hpp"
@@ -22,6 +23,10 @@ namespace fs = std::filesystem;
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void require_written(const Status& written) {
+  if (!written) fail("a known file cannot be written: " + written.error().message);
 }
 
 std::string bundle_of(const Scratch& scratch, const std::vector<std::string>& names) {
@@ -42,7 +47,7 @@ std::pair<std::string, std::string> after_lines(const std::string& text, std::si
 }
 
 /// A .poly, one whose points are in a .node, or a .node alone.
-std::optional<KnownFile> any_poly(Random& random, const Scratch& scratch) {
+KnownFile any_poly(Random& random, const Scratch& scratch) {
   Pslg pslg = any_pslg(random);
   const int form = random.between(0, 3);  // 0: points only; 1: points in a .node; others: one file
   if (form == 0) {
@@ -52,23 +57,29 @@ std::optional<KnownFile> any_poly(Random& random, const Scratch& scratch) {
     pslg.has_segment_markers = false;
   }
   const fs::path file = scratch / "domain.poly";
-  if (!write_poly(pslg, file, random.between(0, 1))) return {};
+  require_written(write_poly(pslg, file, random.between(0, 1)));
   const std::string poly = contents(file);
   const auto [points, rest] = after_lines(poly, pslg.points.size() + 1);
-  if (form == 0) return KnownFile{"== domain.node\n" + points, std::move(pslg)};
-  if (form == 1) return KnownFile{"== domain.node\n" + points + "\n== domain.poly\n0 2 0 0\n" + rest, std::move(pslg)};
-  return KnownFile{poly, std::move(pslg)};
+  if (form == 0) return {"== domain.node\n" + points, std::move(pslg)};
+  if (form == 1) return {"== domain.node\n" + points + "\n== domain.poly\n0 2 0 0\n" + rest, std::move(pslg)};
+  return {poly, std::move(pslg)};
 }
 
-std::optional<KnownFile> any_triangle_files(Random& random, const Scratch& scratch) {
+/// The writers of .node and .vtu give points without markers those of constrained edges.
+Mesh any_mesh_with_markers(Random& random) {
   Mesh mesh = any_mesh(random);
+  if (mesh.point_markers.empty()) mesh.point_markers.resize(mesh.points.size(), 3);
+  return mesh;
+}
+
+KnownFile any_triangle_files(Random& random, const Scratch& scratch) {
+  Mesh mesh = any_mesh_with_markers(random);
   const TriangleFiles files{.base = random.between(0, 1),
                             .write_edge = random.chance(2),
                             .write_neigh = random.chance(2),
                             .second_order = random.chance(4)};
-  if (!write_triangle_files(mesh, {}, scratch / "mesh", files)) return {};
-  return KnownFile{bundle_of(scratch, {"mesh.node", "mesh.ele", "mesh.poly", "mesh.edge", "mesh.neigh"}),
-                   std::move(mesh)};
+  require_written(write_triangle_files(mesh, {}, scratch / "mesh", files));
+  return {bundle_of(scratch, {"mesh.node", "mesh.ele", "mesh.poly", "mesh.edge", "mesh.neigh"}), std::move(mesh)};
 }
 
 /// MSH and OFF do not store the attributes and markers of points.
@@ -87,16 +98,18 @@ std::string node_data(const Mesh& mesh) {
   return section + "$EndNodeData\n";
 }
 
-std::optional<KnownFile> any_msh(Random& random, const Scratch& scratch) {
+KnownFile any_msh(Random& random, const Scratch& scratch) {
+  if (random.chance(4)) return any_msh_2(random);
   const MshEncoding encoding = any_encoding(random);
   if (random.chance(4)) {
     const Mesh mesh = without_data_of_points(any_fan(random));
     const std::optional<MeshInPieces> pieces = in_pieces(mesh, std::min<std::size_t>(mesh.triangles.size(), 2));
-    if (!pieces || !write_msh(*pieces, scratch / "mesh.msh", encoding)) return {};
-    return KnownFile{bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}), mesh};
+    if (!pieces) fail("a fan cannot be divided into pieces");
+    require_written(write_msh(*pieces, scratch / "mesh.msh", encoding));
+    return {bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}), mesh, false};
   }
   Mesh mesh = any_mesh(random);
-  if (!write_msh(mesh, scratch / "mesh.msh", encoding)) return {};
+  require_written(write_msh(mesh, scratch / "mesh.msh", encoding));
   std::string bytes = contents(scratch / "mesh.msh");
   const bool has_data = encoding == MshEncoding::ascii && mesh.attributes_per_point == 1;
   if (has_data) {
@@ -105,27 +118,28 @@ std::optional<KnownFile> any_msh(Random& random, const Scratch& scratch) {
   } else {
     mesh = without_data_of_points(std::move(mesh));
   }
-  return KnownFile{std::move(bytes), std::move(mesh)};
+  return {std::move(bytes), std::move(mesh), false};
 }
 
-std::optional<KnownFile> any_pvtu(Random& random, const Scratch& scratch) {
+KnownFile any_pvtu(Random& random, const Scratch& scratch) {
   Mesh mesh = any_fan(random);
   const std::size_t most = std::min<std::size_t>(mesh.triangles.size(), 2);
   const std::optional<MeshInPieces> pieces = in_pieces(mesh, random.chance(2) ? most : 1);
-  if (!pieces || !write_pvtu(*pieces, scratch / "mesh.pvtu")) return {};
-  return KnownFile{bundle_of(scratch, {"mesh.pvtu", "piece_0.vtu", "piece_1.vtu"}), std::move(mesh)};
+  if (!pieces) fail("a fan cannot be divided into pieces");
+  require_written(write_pvtu(*pieces, scratch / "mesh.pvtu"));
+  return {bundle_of(scratch, {"mesh.pvtu", "piece_0.vtu", "piece_1.vtu"}), std::move(mesh), false};
 }
 
-std::optional<KnownFile> any_single_file(Mesh mesh, const fs::path& file) {
-  if (!write_mesh(mesh, {}, file)) return {};
-  return KnownFile{contents(file), std::move(mesh)};
+KnownFile any_single_file(Mesh mesh, const fs::path& file) {
+  require_written(write_mesh(mesh, {}, file));
+  return {contents(file), std::move(mesh)};
 }
 
 }  // namespace
 
-std::optional<KnownFile> any_known_file(Random& random, const std::string& main_file) {
+KnownFile any_known_file(Random& random, const std::string& main_file) {
   const std::string suffix = fs::path(main_file).extension().string();
-  if (suffix == ".area" || suffix == ".sizes") return any_list(random);
+  if (suffix == ".area" || suffix == ".sizes") return any_list(random, suffix == ".area");
   if (suffix == ".asc") return any_grid(random);
   if (suffix == ".npy") return any_array(random);
   if (suffix == ".vtu" && random.chance(2)) return any_vtu(random);
@@ -134,7 +148,7 @@ std::optional<KnownFile> any_known_file(Random& random, const std::string& main_
   if (suffix == ".ele") return any_triangle_files(random, scratch);
   if (suffix == ".msh") return any_msh(random, scratch);
   if (suffix == ".pvtu") return any_pvtu(random, scratch);
-  Mesh mesh = any_mesh(random);
+  Mesh mesh = any_mesh_with_markers(random);
   if (suffix == ".off") {
     mesh = without_data_of_points(std::move(mesh));
     mesh.region.clear();

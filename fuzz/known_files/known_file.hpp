@@ -22,11 +22,12 @@ using Content = std::variant<Pslg, Mesh, Raster, Numbers>;
 struct KnownFile {
   std::string bytes;  ///< one file, or several (file_bundle.hpp)
   Content content;    ///< without what the format does not store
+  /// Does the format keep the order of triangles and constrained edges? MSH and pieces of a mesh do not.
+  bool keeps_order = true;
 };
 
-/// A file that the reader of `main_file` reads; the suffix of this name sets the format. Nothing if the mesh that was
-/// drawn cannot be divided into pieces.
-[[nodiscard]] std::optional<KnownFile> any_known_file(generators::Random& random, const std::string& main_file);
+/// A file that the reader of `main_file` reads; the suffix of this name sets the format.
+[[nodiscard]] KnownFile any_known_file(generators::Random& random, const std::string& main_file);
 
 /// An input that stands for a known file: the byte 0, with which no file of any format begins, and eight bytes, the
 /// seed of its random numbers.

@@ -11,13 +11,14 @@ namespace pardel::fuzz {
 
 using generators::Random;
 
-KnownFile any_list(Random& random) {
+KnownFile any_list(Random& random, bool may_be_negative) {
   std::vector<double> values(static_cast<std::size_t>(random.between(1, 5)));
   const int first = random.between(0, 1);
   std::string lines = std::to_string(values.size()) + "\n";
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = any_positive_number(random);
-    lines += std::to_string(static_cast<std::size_t>(first) + i) + " " + text(values[i]) + "\n";
+    const bool is_none = may_be_negative && random.chance(4);
+    values[i] = is_none ? std::numeric_limits<double>::infinity() : any_positive_number(random);
+    lines += std::to_string(static_cast<std::size_t>(first) + i) + " " + (is_none ? "-1" : text(values[i])) + "\n";
   }
   return {lines, values};
 }
@@ -80,10 +81,11 @@ struct NumberType {
   double (*append)(std::string& bytes, double value, bool big_endian);
   bool is_whole;
 };
-constexpr NumberType types[] = {{"f8", append_as<double>, false},      {"f4", append_as<float>, false},
-                                {"i1", append_as<std::int8_t>, true},  {"i2", append_as<std::int16_t>, true},
-                                {"i4", append_as<std::int32_t>, true}, {"i8", append_as<std::int64_t>, true},
-                                {"u1", append_as<std::uint8_t>, true}, {"u4", append_as<std::uint32_t>, true}};
+constexpr NumberType types[] = {{"f8", append_as<double>, false},       {"f4", append_as<float>, false},
+                                {"i1", append_as<std::int8_t>, true},   {"i2", append_as<std::int16_t>, true},
+                                {"i4", append_as<std::int32_t>, true},  {"i8", append_as<std::int64_t>, true},
+                                {"u1", append_as<std::uint8_t>, true},  {"u2", append_as<std::uint16_t>, true},
+                                {"u4", append_as<std::uint32_t>, true}, {"u8", append_as<std::uint64_t>, true}};
 
 }  // namespace
 
@@ -91,7 +93,8 @@ KnownFile any_array(Random& random) {
   Raster raster = any_place(random);
   const NumberType& type = types[random.below(std::size(types))];
   const bool big_endian = random.chance(4), columns_first = random.chance(4);
-  std::string header = std::string("{'descr': '") + (big_endian ? '>' : '<') + type.name +
+  const char order = type.name[1] == '1' ? '|' : big_endian ? '>' : '<';
+  std::string header = std::string("{'descr': '") + order + type.name +
                        "', 'fortran_order': " + (columns_first ? "True" : "False") + ", 'shape': (" +
                        std::to_string(raster.rows) + ", " + std::to_string(raster.columns) + "), }";
   header.resize(117, ' ');

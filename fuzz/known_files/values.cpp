@@ -3,6 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <set>
+#include <vector>
 
 #include "../../core/neighbours.hpp"
 
@@ -75,12 +78,18 @@ Mesh without_triangles(const Pslg& pslg) {
   return mesh;
 }
 
+/// Links the triangles, and gives them regions in half of the cases. As readers do it, the regions are in the order of
+/// their attributes, and each has a triangle.
 void finish(Mesh& mesh, Random& random) {
   rebuild_neighbours(mesh.triangles, mesh.points.size());
-  if (!random.chance(2)) return;
-  const double first = any_number(random);
-  mesh.region_attributes = {first, any_number(random)};
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.region.push_back(static_cast<Index>(random.below(2)));
+  if (random.chance(2)) return;
+  const double choice[] = {any_number(random), any_number(random)};
+  std::vector<double> attributes;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) attributes.push_back(choice[random.below(2)]);
+  const std::set<double> distinct(attributes.begin(), attributes.end());
+  mesh.region_attributes.assign(distinct.begin(), distinct.end());
+  for (const double a : attributes)
+    mesh.region.push_back(static_cast<Index>(std::distance(distinct.begin(), distinct.find(a))));
 }
 
 }  // namespace

@@ -2,11 +2,15 @@
 // types, plain or compressed.
 #include <zlib.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "../fuzz_one.hpp"
 #include "formats.hpp"
 #include "values.hpp"
 
@@ -48,7 +52,7 @@ class VtuText {
            (compressed_ ? " compressor=\"vtkZLibDataCompressor\">\n" : ">\n");
   }
 
-  /// `type`: Float64, Int64, Int32 or UInt8, which can hold all values.
+  /// `type`: Float64, Float32, Int64, Int32 or UInt8, which can hold all values.
   std::string array(const std::string& name, const std::string& type, const std::vector<double>& values,
                     int components = 1) {
     std::string element = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
@@ -86,6 +90,7 @@ class VtuText {
     std::string bytes;
     for (const double x : values) {
       if (type == "Float64") append<double>(bytes, x);
+      if (type == "Float32") append<float>(bytes, x);
       if (type == "Int64") append<std::int64_t>(bytes, x);
       if (type == "Int32") append<std::int32_t>(bytes, x);
       if (type == "UInt8") append<std::uint8_t>(bytes, x);
@@ -108,7 +113,9 @@ class VtuText {
       const std::string part = bytes.substr(i * block, block);
       uLongf size = compressBound(part.size());
       std::string small(size, '\0');
-      compress(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(part.data()), part.size());
+      if (compress(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(part.data()),
+                   part.size()) != Z_OK)
+        fail("zlib does not compress a block");
       append_header(header, size);
       data += small.substr(0, size);
     }
@@ -153,10 +160,21 @@ Cells cells_of(const Mesh& mesh, Random& random) {
   return cells;
 }
 
+/// The nearest point whose coordinates are floats. Coordinates that no float can hold become 1.
+Point as_floats(Point p) {
+  const auto rounded = [](double x) {
+    const bool fits = std::abs(x) <= std::numeric_limits<float>::max();
+    return fits ? static_cast<double>(static_cast<float>(x)) : 1.0;
+  };
+  return {rounded(p.x), rounded(p.y)};
+}
+
 }  // namespace
 
 KnownFile any_vtu(Random& random) {
-  const Mesh mesh = any_mesh(random);
+  Mesh mesh = any_mesh(random);
+  const bool has_floats = random.chance(4);
+  for (std::size_t i = 0; has_floats && i < mesh.points.size(); ++i) mesh.points[i] = as_floats(mesh.points[i]);
   const Cells cells = cells_of(mesh, random);
   VtuText file(random);
   std::vector<double> xyz, attributes, markers;
@@ -175,9 +193,9 @@ KnownFile any_vtu(Random& random) {
   if (!markers.empty() || !attributes.empty()) piece += "</PointData>\n";
   piece += "<CellData>\n" + file.array("marker", whole, cells.marker);
   if (!mesh.region.empty()) piece += file.array("region", "Float64", cells.region);
-  piece += "</CellData>\n<Points>\n" + file.array("Points", "Float64", xyz, 3) + "</Points>\n<Cells>\n" +
-           file.array("connectivity", whole, cells.connectivity) + file.array("offsets", whole, cells.offsets) +
-           file.array("types", "UInt8", cells.types) + "</Cells>\n";
+  piece += "</CellData>\n<Points>\n" + file.array("Points", has_floats ? "Float32" : "Float64", xyz, 3) +
+           "</Points>\n<Cells>\n" + file.array("connectivity", whole, cells.connectivity) +
+           file.array("offsets", whole, cells.offsets) + file.array("types", "UInt8", cells.types) + "</Cells>\n";
   return {file.root() + "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(mesh.points.size()) +
               "\" NumberOfCells=\"" + std::to_string(cells.types.size()) + "\">\n" + piece +
               "</Piece>\n</UnstructuredGrid>\n" + file.appended() + "</VTKFile>\n",

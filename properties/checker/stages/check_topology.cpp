@@ -75,11 +75,10 @@ void check_lost_neighbours(const Subject& subject, const Adjacency& adjacency, F
 }
 
 /// Reports a vertex if an edge at it has two triangles on one side. This is possible at vertices with several fans, and
-/// in a fan that turns by 360 degrees or more.
+/// in a fan that turns by more than 360 degrees.
 void check_fans(Index vertex, const Subject& subject, const Adjacency& adjacency, Findings& found) {
   std::vector<Index> ahead;
-  adjacency.visit_fans(vertex,
-                       [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
+  adjacency.visit_fans(vertex, [&](Index t, int corner) { ahead.push_back(adjacency.triangles()[t].v[next(corner)]); });
   std::sort(ahead.begin(), ahead.end());
   const auto twice = std::adjacent_find(ahead.begin(), ahead.end());
   if (twice != ahead.end())
