@@ -256,10 +256,13 @@ Number area(const ExactMesh& mesh) {
   return sum;
 }
 
-InputFaces::Face face_of(const ExactMesh& mesh, const InputFaces& faces, Index t) {
-  const Corners& c = mesh.plain.triangles[t];
+/// The face of the input in which each triangle has its centroid.
+std::vector<InputFaces::Face> faces_of_triangles(const ExactMesh& mesh, const InputFaces& faces) {
+  std::vector<InputFaces::Face> found;
   const auto& p = mesh.plain.points;
-  return faces.face_at(CGAL::centroid(p[c[0]], p[c[1]], p[c[2]]));
+  for (const Corners& c : mesh.plain.triangles)
+    found.push_back(faces.face_at(CGAL::centroid(p[c[0]], p[c[1]], p[c[2]])));
+  return found;
 }
 
 /// The rule of the program Triangle: the wall's own marker if it is not zero, else 1 on the boundary, else 0.
@@ -268,9 +271,9 @@ int marker_of(const Wall& wall) { return wall.marker != 0 ? wall.marker : wall.s
 }  // namespace
 
 bool covers_domain(const ExactMesh& mesh, const InputFaces& faces) {
-  for (Index t = 0; t < mesh.plain.triangles.size(); ++t)
-    if (!faces.is_inside(face_of(mesh, faces, t))) return false;
-  return area(mesh) == faces.area();
+  const auto face = faces_of_triangles(mesh, faces);
+  return std::ranges::all_of(face, [&](InputFaces::Face f) { return faces.is_inside(f); }) &&
+         area(mesh) == faces.area();
 }
 
 std::set<Index> with_wrong_origin(const ExactMesh& mesh, const Pslg& pslg, const Walls& walls) {
@@ -323,8 +326,9 @@ ListFaults faults_of_list(const ExactMesh& mesh, const Walls& walls) {
 
 Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces) {
   if (mesh.given.region.empty()) return {};
+  const auto face = faces_of_triangles(mesh, faces);
   return triangles_that(mesh, [&](Index t, const Corners&) {
-    const std::set<Index> regions = faces.regions_in(face_of(mesh, faces, t));
+    const std::set<Index> regions = faces.regions_in(face[t]);
     const Index given = mesh.given.region[t];
     if (given == no_index || regions.empty()) return given != no_index || !regions.empty();
     return !regions.contains(given) || mesh.given.region_attributes[given] != pslg.regions[given].attribute;
@@ -332,8 +336,10 @@ Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const Input
 }
 
 Triangles larger_than_caps(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces) {
+  if (pslg.regions.empty()) return {};
+  const auto face = faces_of_triangles(mesh, faces);
   return triangles_that(mesh, [&](Index t, const Corners& c) {
-    const std::set<Index> regions = faces.regions_in(face_of(mesh, faces, t));
+    const std::set<Index> regions = faces.regions_in(face[t]);
     return std::ranges::any_of(regions, [&](Index r) {
       const double cap = pslg.regions[r].max_area;
       return std::isfinite(cap) && ref::area(mesh.plain, c) > cap;

@@ -1,7 +1,7 @@
 #include "input_faces.hpp"
 
-#include <CGAL/Arr_naive_point_location.h>
 #include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/convex_hull_2.h>
 
@@ -81,7 +81,7 @@ InputFaces::InputFaces(const Pslg& pslg, bool convex_hull) : arrangement_(std::m
 InputFaces::~InputFaces() = default;
 
 std::vector<InputFaces::Face> InputFaces::around(const ExactPoint& p) const {
-  const CGAL::Arr_naive_point_location<ArrangementOfSegments> location(*arrangement_);
+  const CGAL::Arr_walk_along_line_point_location<ArrangementOfSegments> location(*arrangement_);
   const auto found = location.locate(p);
   std::vector<Face> faces;
   if (const auto* face = boost::get<Arrangement::Face_const_handle>(&found)) faces = {arrangement_->number(*face)};
