@@ -1,7 +1,6 @@
 // Reads the bytes as a .poly, perhaps with its .node (file_bundle.hpp), or as what stands for such a file
-// (known_files/): once as a whole, and once by several ranks,
-// each of which reads a part of the points and of the segments. Together the ranks must have the same domain, or all
-// have the same error.
+// (known_files/): once as a whole, and once by several ranks, each of which reads a part of the points and of the
+// segments. Together the ranks must have the same domain, or all have the same error.
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,18 +64,12 @@ void compare(const Result<Pslg>& whole, const std::vector<Part>& parts) {
 }  // namespace
 
 int fuzz_one(std::span<const std::uint8_t> bytes) {
-  std::size_t number = bytes.size();
-  std::optional<KnownFile> known;
-  if (const auto seed = seed_of_known_file(bytes)) {
-    number = *seed;
-    generators::Random random(*seed);
-    known = any_known_file(random, "domain.poly");
-    bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
-  }
+  const std::optional<KnownFile> known = known_file_of(bytes, "domain.poly");
+  if (known) bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
   const Scratch scratch;
   for (const NamedText& file : files_of(bytes, "domain.poly")) scratch.write(file);
   const std::filesystem::path path = file_to_read(scratch, "domain.poly");
-  compare(read_pslg(path), read_by(static_cast<int>(number % 5) + 1, path));
+  compare(read_pslg(path), read_by(static_cast<int>(bytes.size() % 5) + 1, path));
   return 0;
 }
 

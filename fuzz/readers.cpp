@@ -13,10 +13,10 @@
 #include "../core/digest.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/same_attribute.hpp"
+#include "../core/support/shortest.hpp"
 #include "file_bundle.hpp"
 #include "fuzz_one.hpp"
 #include "known_files/known_file.hpp"
-#include "known_files/values.hpp"
 #include "mesh_in_pieces.hpp"
 
 namespace pardel::fuzz {
@@ -162,13 +162,14 @@ void round_trip(const Raster& raster, const Scratch& scratch) {
   double missing = -9999;
   while (std::ranges::find(raster.values, missing) != raster.values.end()) --missing;
   std::string grid = "NCOLS " + std::to_string(raster.columns) + "\nNROWS " + std::to_string(raster.rows) +
-                     "\nXLLCENTER " + text(raster.first.x) + "\nYLLCENTER " + text(raster.first.y) + "\nDX " +
-                     text(raster.step_x) + "\nDY " + text(raster.step_y) + "\nNODATA_VALUE " + text(missing) + "\n";
+                     "\nXLLCENTER " + shortest(raster.first.x) + "\nYLLCENTER " + shortest(raster.first.y) + "\nDX " +
+                     shortest(raster.step_x) + "\nDY " + shortest(raster.step_y) + "\nNODATA_VALUE " +
+                     shortest(missing) + "\n";
   for (std::size_t row = raster.rows; row-- > 0;)
     for (std::size_t column = 0; column < raster.columns; ++column) {
       const double value = raster.values[row * raster.columns + column];
       if (std::isinf(value)) return;  // an .asc has no such value
-      grid += text(std::isnan(value) ? missing : value) + (column + 1 < raster.columns ? " " : "\n");
+      grid += shortest(std::isnan(value) ? missing : value) + (column + 1 < raster.columns ? " " : "\n");
     }
   scratch.write({"again.asc", grid});
   if (!same(read_back(read_raster(scratch / "again.asc"), scratch / "again.asc"), raster))
@@ -186,7 +187,7 @@ void round_trip(const Numbers& values, const Scratch& scratch) {
     return;
   }
   std::string lines = std::to_string(values.size()) + "\n";
-  for (std::size_t i = 0; i < values.size(); ++i) lines += std::to_string(i + 1) + " " + text(values[i]) + "\n";
+  for (std::size_t i = 0; i < values.size(); ++i) lines += std::to_string(i + 1) + " " + shortest(values[i]) + "\n";
   scratch.write({"again.sizes", lines});
   if (read_back(read_sizes(sizes), sizes) != values) fail_at(sizes, "the sizes read back differently");
 }
@@ -223,12 +224,8 @@ void require_same(const Content& read, const KnownFile& known, const fs::path& f
 }  // namespace
 
 int fuzz_one(std::span<const std::uint8_t> bytes) {
-  std::optional<KnownFile> known;
-  if (const auto seed = seed_of_known_file(bytes)) {
-    generators::Random random(*seed);
-    known = any_known_file(random, PARDEL_MAIN_FILE);
-    bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
-  }
+  const std::optional<KnownFile> known = known_file_of(bytes, PARDEL_MAIN_FILE);
+  if (known) bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
   const Scratch scratch;
   for (const NamedText& file : files_of(bytes, PARDEL_MAIN_FILE)) scratch.write(file);
   const fs::path folder = (scratch / "").parent_path(), file = file_to_read(scratch, PARDEL_MAIN_FILE);

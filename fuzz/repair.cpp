@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../properties/domains/generators/lattice_domain.hpp"
+#include "distances.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
 #include "supply.hpp"
@@ -55,16 +56,6 @@ void compare_with_the_definition(const Pslg& pslg) {
   if (is_valid(*domain) == problems.empty()) return;
   fail(problems.empty() ? "validation finds no problem, but the domain is not valid by definition"
                         : "the domain is valid by definition, but validation says: " + problems.front().message());
-}
-
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
-/// From a point to a segment.
-double distance(Point p, Point a, Point b) {
-  const double x = b.x - a.x, y = b.y - a.y, squared = x * x + y * y;
-  if (squared == 0) return distance(p, a);
-  const double at = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / squared, 0.0, 1.0);
-  return distance(p, {a.x + at * x, a.y + at * y});
 }
 
 /// The domain before and after the repair.

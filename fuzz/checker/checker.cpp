@@ -191,7 +191,8 @@ void compare_domain(const ExactMesh& mesh, const Pslg& pslg, const Goal& goal, b
   if (found.has_any({broken_segment, chain_off_segment}) == walls.are_whole)
     fail("the checker and the definition disagree whether a side of the hull is broken");
   if (!walls.are_whole) return;
-  const bool covers = covers_domain(mesh, faces);
+  const auto face = faces_of_triangles(mesh, faces);
+  const bool covers = covers_domain(mesh, faces, face);
   if (found.has_any({uncovered_domain, covered_exterior, area_mismatch}) == covers)
     fail(covers ? "only the checker reports that the mesh does not cover the domain"
                 : "the checker does not report that the mesh does not cover the domain");
@@ -204,8 +205,8 @@ void compare_domain(const ExactMesh& mesh, const Pslg& pslg, const Goal& goal, b
     found.require(wrong_vertex_marker, found.first(wrong_vertex_marker), with_wrong_marker(mesh, pslg, walls));
   }
   if (!covers) return;
-  if (has_labels) found.require(wrong_region, found.first(wrong_region), with_wrong_region(mesh, pslg, faces));
-  if (goal.region_caps) found.require(region_area, found.first(region_area), larger_than_caps(mesh, pslg, faces));
+  if (has_labels) found.require(wrong_region, found.first(wrong_region), with_wrong_region(mesh, pslg, faces, face));
+  if (goal.region_caps) found.require(region_area, found.first(region_area), larger_than_caps(mesh, pslg, faces, face));
 }
 
 /// `valid`: a valid Pslg. The other one may be damaged.

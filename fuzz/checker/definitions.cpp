@@ -7,6 +7,7 @@
 #include "../../core/support/same_attribute.hpp"
 #include "../../properties/checker/tolerances.hpp"
 #include "../../ref/faces.hpp"
+#include "../distances.hpp"
 
 namespace pardel::fuzz {
 
@@ -181,19 +182,8 @@ namespace {
 
 /// Does p lie on the open segment?
 bool lies_inside(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) {
-  return CGAL::collinear_are_strictly_ordered_along_line(a, p, b);
+  return CGAL::collinear(a, p, b) && CGAL::collinear_are_strictly_ordered_along_line(a, p, b);
 }
-
-double distance(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-  const double share = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (length * length);
-  const double along = std::clamp(share, 0.0, 1.0);
-  return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy);
-}
-
-}  // namespace
-
-namespace {
 
 /// How far the checker allows a vertex to be from its segment, if no coordinate is greater.
 double checker_tolerance(double greatest) {
@@ -208,13 +198,11 @@ bool is_far_or_on_walls(const ExactMesh& mesh, const Pslg& pslg, const InputFace
   for (const Wall& wall : faces.walls()) {
     const Point a = pslg.points[wall.a], b = pslg.points[wall.b];
     // Farther than the checker allows, and farther than it looks for the chain that was meant.
-    const double near =
-        std::max(100 * checker_tolerance(greatest), 10 * meant_chain_share * std::hypot(b.x - a.x, b.y - a.y));
+    const double near = std::max(100 * checker_tolerance(greatest), 10 * meant_chain_share * distance(a, b));
     for (Index v = 0; v < mesh.given.points.size(); ++v) {
       if (!mesh.has_triangle[v] || v == wall.a || v == wall.b) continue;
       const ExactPoint& p = mesh.plain.points[v];
-      const bool is_on =
-          CGAL::collinear(ref::exact(a), p, ref::exact(b)) && lies_inside(p, ref::exact(a), ref::exact(b));
+      const bool is_on = lies_inside(p, ref::exact(a), ref::exact(b));
       if (!is_on && distance(mesh.given.points[v], a, b) <= near) return false;
     }
   }
@@ -229,9 +217,7 @@ Walls walls_of(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces)
     const ExactPoint a = ref::exact(pslg.points[wall.a]), b = ref::exact(pslg.points[wall.b]);
     std::vector<Index> chain = {wall.a, wall.b};
     for (Index v = 0; v < mesh.given.points.size(); ++v)
-      if (mesh.has_triangle[v] && CGAL::collinear(a, mesh.plain.points[v], b) &&
-          lies_inside(mesh.plain.points[v], a, b))
-        chain.push_back(v);
+      if (mesh.has_triangle[v] && lies_inside(mesh.plain.points[v], a, b)) chain.push_back(v);
     std::ranges::sort(chain, [&](Index u, Index v) {
       return CGAL::compare_distance_to_point(a, mesh.plain.points[u], mesh.plain.points[v]) == CGAL::SMALLER;
     });
@@ -256,7 +242,11 @@ Number area(const ExactMesh& mesh) {
   return sum;
 }
 
-/// The face of the input in which each triangle has its centroid.
+/// The rule of the program Triangle: the wall's own marker if it is not zero, else 1 on the boundary, else 0.
+int marker_of(const Wall& wall) { return wall.marker != 0 ? wall.marker : wall.sides_inside == 1 ? 1 : 0; }
+
+}  // namespace
+
 std::vector<InputFaces::Face> faces_of_triangles(const ExactMesh& mesh, const InputFaces& faces) {
   std::vector<InputFaces::Face> found;
   const auto& p = mesh.plain.points;
@@ -265,13 +255,7 @@ std::vector<InputFaces::Face> faces_of_triangles(const ExactMesh& mesh, const In
   return found;
 }
 
-/// The rule of the program Triangle: the wall's own marker if it is not zero, else 1 on the boundary, else 0.
-int marker_of(const Wall& wall) { return wall.marker != 0 ? wall.marker : wall.sides_inside == 1 ? 1 : 0; }
-
-}  // namespace
-
-bool covers_domain(const ExactMesh& mesh, const InputFaces& faces) {
-  const auto face = faces_of_triangles(mesh, faces);
+bool covers_domain(const ExactMesh& mesh, const InputFaces& faces, const std::vector<InputFaces::Face>& face) {
   return std::ranges::all_of(face, [&](InputFaces::Face f) { return faces.is_inside(f); }) &&
          area(mesh) == faces.area();
 }
@@ -324,9 +308,9 @@ ListFaults faults_of_list(const ExactMesh& mesh, const Walls& walls) {
   return faults;
 }
 
-Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces) {
+Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces,
+                            const std::vector<InputFaces::Face>& face) {
   if (mesh.given.region.empty()) return {};
-  const auto face = faces_of_triangles(mesh, faces);
   return triangles_that(mesh, [&](Index t, const Corners&) {
     const std::set<Index> regions = faces.regions_in(face[t]);
     const Index given = mesh.given.region[t];
@@ -335,9 +319,8 @@ Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const Input
   });
 }
 
-Triangles larger_than_caps(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces) {
-  if (pslg.regions.empty()) return {};
-  const auto face = faces_of_triangles(mesh, faces);
+Triangles larger_than_caps(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces,
+                           const std::vector<InputFaces::Face>& face) {
   return triangles_that(mesh, [&](Index t, const Corners& c) {
     const std::set<Index> regions = faces.regions_in(face[t]);
     return std::ranges::any_of(regions, [&](Index r) {

@@ -69,8 +69,11 @@ struct Walls {
 [[nodiscard]] Walls walls_of(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces);
 
 // Preconditions of the following: Walls::are_whole.
-/// Does the mesh cover the domain, and nothing else?
-[[nodiscard]] bool covers_domain(const ExactMesh& mesh, const InputFaces& faces);
+/// Per triangle, the face of the input that contains its centroid.
+[[nodiscard]] std::vector<InputFaces::Face> faces_of_triangles(const ExactMesh& mesh, const InputFaces& faces);
+/// Does the mesh cover the domain, and nothing else? `face`: the faces of the triangles, here and below.
+[[nodiscard]] bool covers_domain(const ExactMesh& mesh, const InputFaces& faces,
+                                 const std::vector<InputFaces::Face>& face);
 [[nodiscard]] std::set<Index> with_wrong_origin(const ExactMesh& mesh, const Pslg& pslg, const Walls& walls);
 [[nodiscard]] std::set<Index> with_wrong_marker(const ExactMesh& mesh, const Pslg& pslg, const Walls& walls);
 /// What is wrong in the list of constrained edges, by position in the list, and what is missing.
@@ -80,7 +83,9 @@ struct ListFaults {
 };
 [[nodiscard]] ListFaults faults_of_list(const ExactMesh& mesh, const Walls& walls);
 // Precondition of the following: covers_domain().
-[[nodiscard]] Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces);
-[[nodiscard]] Triangles larger_than_caps(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces);
+[[nodiscard]] Triangles with_wrong_region(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces,
+                                          const std::vector<InputFaces::Face>& face);
+[[nodiscard]] Triangles larger_than_caps(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces,
+                                         const std::vector<InputFaces::Face>& face);
 
 }  // namespace pardel::fuzz

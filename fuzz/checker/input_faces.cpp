@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <utility>
 
 namespace pardel::fuzz {
 namespace {
@@ -29,8 +28,7 @@ std::vector<Wall> sides_of_hull(const Pslg& pslg) {
   CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(corners));
   std::vector<Wall> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto [from, to] = std::pair(std::min(corners[i], corners[(i + 1) % corners.size()]),
-                                      std::max(corners[i], corners[(i + 1) % corners.size()]));
+    const auto [from, to] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
     Index last = index.at(from);
     for (auto at = index.upper_bound(from); at != index.end() && at->first <= to; ++at) {
       if (CGAL::orientation(from, to, at->first) != CGAL::COLLINEAR) continue;

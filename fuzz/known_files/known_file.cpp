@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../../core/formats.hpp"
+#include "../../core/support/shortest.hpp"
 #include "../file_bundle.hpp"
 #include "../fuzz_one.hpp"
 #include "../mesh_in_pieces.hpp"
@@ -94,7 +95,7 @@ Mesh without_data_of_points(Mesh mesh) {
 std::string node_data(const Mesh& mesh) {
   std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n" + std::to_string(mesh.points.size()) + "\n";
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    section += std::to_string(i + 1) + " " + text(mesh.point_attributes[i]) + "\n";
+    section += std::to_string(i + 1) + " " + shortest(mesh.point_attributes[i]) + "\n";
   return section + "$EndNodeData\n";
 }
 
@@ -163,9 +164,10 @@ std::string input_for_known_file(std::uint64_t seed) {
   return input;
 }
 
-std::optional<std::uint64_t> seed_of_known_file(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty() || bytes.front() != 0) return {};
-  return Supply(bytes.subspan(1)).word();
+std::optional<KnownFile> known_file_of(std::span<const std::uint8_t> input, const std::string& main_file) {
+  if (input.empty() || input.front() != 0) return {};
+  Random random(Supply(input.subspan(1)).word());
+  return any_known_file(random, main_file);
 }
 
 }  // namespace pardel::fuzz

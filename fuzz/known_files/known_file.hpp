@@ -32,7 +32,7 @@ struct KnownFile {
 /// An input that stands for a known file: the byte 0, with which no file of any format begins, and eight bytes, the
 /// seed of its random numbers.
 [[nodiscard]] std::string input_for_known_file(std::uint64_t seed);
-/// The seed of such an input; nothing if the bytes are a file.
-[[nodiscard]] std::optional<std::uint64_t> seed_of_known_file(std::span<const std::uint8_t> bytes);
+/// The file for which such an input stands; nothing if the input is a file.
+[[nodiscard]] std::optional<KnownFile> known_file_of(std::span<const std::uint8_t> input, const std::string& main_file);
 
 }  // namespace pardel::fuzz

@@ -1,6 +1,7 @@
 // Meshes in version 2.2 of MSH, which the library only reads.
 #include <string>
 
+#include "../../core/support/shortest.hpp"
 #include "formats.hpp"
 #include "values.hpp"
 
@@ -20,7 +21,7 @@ KnownFile any_msh_2(Random& random) {
 
   std::string file = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(mesh.points.size()) + "\n";
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    file += std::to_string(i + 1) + " " + text(mesh.points[i].x) + " " + text(mesh.points[i].y) + " 0\n";
+    file += std::to_string(i + 1) + " " + shortest(mesh.points[i].x) + " " + shortest(mesh.points[i].y) + " 0\n";
   file += "$EndNodes\n$Elements\n" + std::to_string(mesh.constrained_edges.size() + mesh.triangles.size()) + "\n";
   // An element: number, kind (1: line, 2: triangle), number of tags, physical group, entity, nodes.
   std::size_t number = 0;

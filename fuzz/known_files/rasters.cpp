@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "../../core/support/shortest.hpp"
 #include "formats.hpp"
 #include "values.hpp"
 
@@ -18,7 +19,7 @@ KnownFile any_list(Random& random, bool may_be_negative) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool is_none = may_be_negative && random.chance(4);
     values[i] = is_none ? std::numeric_limits<double>::infinity() : any_positive_number(random);
-    lines += std::to_string(static_cast<std::size_t>(first) + i) + " " + (is_none ? "-1" : text(values[i])) + "\n";
+    lines += std::to_string(static_cast<std::size_t>(first) + i) + " " + (is_none ? "-1" : shortest(values[i])) + "\n";
   }
   return {lines, values};
 }
@@ -50,16 +51,16 @@ KnownFile any_grid(Random& random) {
   const double half = corner ? 0.5 : 0, missing = names_missing ? random.between(-9, 9) : -9999;
   std::string grid = word(random, "NCOLS ", "ncols ") + std::to_string(raster.columns) + "\n" +
                      word(random, "NROWS ", "nrows ") + std::to_string(raster.rows) + "\n" +
-                     (corner ? "XLLCORNER " : "XLLCENTER ") + text(raster.first.x - half * raster.step_x) + "\n" +
-                     (corner ? "yllcorner " : "yllcenter ") + text(raster.first.y - half * raster.step_y) + "\n";
-  grid += square ? "CELLSIZE " + text(raster.step_x) + "\n"
-                 : "DX " + text(raster.step_x) + "\nDY " + text(raster.step_y) + "\n";
-  if (names_missing) grid += "NODATA_VALUE " + text(missing) + "\n";
+                     (corner ? "XLLCORNER " : "XLLCENTER ") + shortest(raster.first.x - half * raster.step_x) + "\n" +
+                     (corner ? "yllcorner " : "yllcenter ") + shortest(raster.first.y - half * raster.step_y) + "\n";
+  grid += square ? "CELLSIZE " + shortest(raster.step_x) + "\n"
+                 : "DX " + shortest(raster.step_x) + "\nDY " + shortest(raster.step_y) + "\n";
+  if (names_missing) grid += "NODATA_VALUE " + shortest(missing) + "\n";
   for (std::size_t row = raster.rows; row-- > 0;)
     for (std::size_t column = 0; column < raster.columns; ++column) {
       const double given = random.chance(4) ? missing : any_number(random);
       raster.values[row * raster.columns + column] = given == missing ? no_value : given;
-      grid += text(given) + (column + 1 < raster.columns || random.chance(4) ? " " : "\n");
+      grid += shortest(given) + (column + 1 < raster.columns || random.chance(4) ? " " : "\n");
     }
   return {grid, raster};
 }
@@ -109,8 +110,8 @@ KnownFile any_array(Random& random) {
     raster.values[(raster.rows - 1 - row) * raster.columns + column] = type.append(array, value, big_endian);
   }
   const double north = raster.first.y + (raster.rows - 1) * raster.step_y;
-  const std::string world =
-      text(raster.step_x) + "\n0\n0\n" + text(-raster.step_y) + "\n" + text(raster.first.x) + "\n" + text(north) + "\n";
+  const std::string world = shortest(raster.step_x) + "\n0\n0\n" + shortest(-raster.step_y) + "\n" +
+                            shortest(raster.first.x) + "\n" + shortest(north) + "\n";
   return {"== lengths.wld\n" + world + "\n== lengths.npy\n" + array, raster};
 }
 

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <set>
 #include <vector>
@@ -22,12 +21,6 @@ double any_number(Random& random) {
 double any_positive_number(Random& random) {
   const double x = std::abs(any_number(random));
   return x > 0 ? x : 1;
-}
-
-std::string text(double x) {
-  char line[40];
-  std::snprintf(line, sizeof line, "%.17g", x);
-  return line;
 }
 
 namespace {

@@ -1,8 +1,6 @@
 // Random values for files. They need not be sensible domains or meshes, because files store anything.
 #pragma once
 
-#include <string>
-
 #include "../../core/mesh.hpp"
 #include "../../core/pslg.hpp"
 #include "../../properties/domains/generators/random.hpp"
@@ -13,8 +11,6 @@ namespace pardel::fuzz {
 [[nodiscard]] double any_number(generators::Random& random);
 /// A finite number greater than 0.
 [[nodiscard]] double any_positive_number(generators::Random& random);
-/// Enough digits to read back the same double.
-[[nodiscard]] std::string text(double x);
 
 /// A polygon of three to six random points with attributes, markers, holes and regions. It may cross itself.
 [[nodiscard]] Pslg any_pslg(generators::Random& random);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../../core/support/shortest.hpp"
 #include "../fuzz_one.hpp"
 #include "formats.hpp"
 #include "values.hpp"
@@ -58,7 +59,7 @@ class VtuText {
     std::string element = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
                           std::to_string(components) + "\" format=\"";
     const std::size_t format = random_.below(3);
-    if (format == 0) return element + "ascii\">" + listed(values) + "</DataArray>\n";
+    if (format == 0) return element + "ascii\">" + listed(type, values) + "</DataArray>\n";
     const std::vector<std::string> parts = encoded(type, values);
     if (format == 1) return element + "binary\">\n" + in_base64(parts) + "\n</DataArray>\n";
     element += "appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
@@ -74,9 +75,12 @@ class VtuText {
   }
 
  private:
-  std::string listed(const std::vector<double>& values) {
+  std::string listed(const std::string& type, const std::vector<double>& values) {
+    const bool is_whole = !type.starts_with("Float");
     std::string list;
-    for (const double x : values) list += (random_.chance(4) ? "\n" : " ") + text(x);
+    for (const double x : values)
+      list +=
+          (random_.chance(4) ? "\n" : " ") + (is_whole ? std::to_string(static_cast<std::int64_t>(x)) : shortest(x));
     return list;
   }
 

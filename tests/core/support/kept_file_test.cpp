@@ -17,6 +17,12 @@ void replace(const TemporaryFolder& folder, KeptFile& kept) {
   kept.changed();
 }
 
+/// The folder has this file alone, with this content.
+void expect_only_file(const TemporaryFolder& folder, const char* content) {
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_EQ(folder.read("a.txt"), content);
+}
+
 TEST(KeptFile, is_put_back_if_it_was_replaced) {
   const TemporaryFolder folder;
   folder.write("a.txt", "old");
@@ -24,8 +30,7 @@ TEST(KeptFile, is_put_back_if_it_was_replaced) {
     KeptFile kept(folder / "a.txt");
     replace(folder, kept);
   }
-  EXPECT_EQ(folder.names(), "a.txt ");
-  EXPECT_EQ(folder.read("a.txt"), "old");
+  expect_only_file(folder, "old");
 }
 
 TEST(KeptFile, is_put_back_if_it_was_removed) {
@@ -36,16 +41,14 @@ TEST(KeptFile, is_put_back_if_it_was_removed) {
     fs::remove(folder / "a.txt");
     kept.changed();
   }
-  EXPECT_EQ(folder.names(), "a.txt ");
-  EXPECT_EQ(folder.read("a.txt"), "old");
+  expect_only_file(folder, "old");
 }
 
 TEST(KeptFile, stays_as_it_is_if_nothing_has_changed_it) {
   const TemporaryFolder folder;
   folder.write("a.txt", "old");
   { const KeptFile kept(folder / "a.txt"); }
-  EXPECT_EQ(folder.names(), "a.txt ");
-  EXPECT_EQ(folder.read("a.txt"), "old");
+  expect_only_file(folder, "old");
 }
 
 TEST(KeptFile, that_is_not_needed_any_more_leaves_only_the_new_one) {
@@ -56,8 +59,7 @@ TEST(KeptFile, that_is_not_needed_any_more_leaves_only_the_new_one) {
     replace(folder, kept);
     kept.forget();
   }
-  EXPECT_EQ(folder.names(), "a.txt ");
-  EXPECT_EQ(folder.read("a.txt"), "new");
+  expect_only_file(folder, "new");
 }
 
 TEST(KeptFile, that_did_not_exist_is_missing_again) {
