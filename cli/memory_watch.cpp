@@ -9,7 +9,8 @@ namespace pardel::cli {
 
 MemoryWatch::MemoryWatch(std::uint64_t limit)
     : limit_(limit),
-      outgrown_("the process has outgrown the available memory, " + amount_of_memory(static_cast<double>(limit))) {
+      outgrown_("the process has outgrown the memory that it may use, " +
+                amount_of_memory(static_cast<double>(limit))) {
   if (limit == 0) return;
   thread_ = start_watch<std::jthread>("the memory", [this](const std::stop_token& stop) { look_regularly(stop); });
 }

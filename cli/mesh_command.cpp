@@ -156,7 +156,8 @@ Result<ExitCode> verdict(const MeshRun& run, const Source& source, const Mesh& m
   // A mesh that is refined has no gaps in its report.
   if (const auto* domain = std::get_if<ValidPslg>(&source); domain != nullptr && !run.report.gaps.empty())
     warn(gaps_text(run.report.gaps, run.name, *domain));
-  if (!run.report.goal_met()) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--json"));
+  if (!run.report.goal_met())
+    warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--max-vertices", "--json"));
   if (broken) return ExitCode::violations;
   if (!run.report.goal_met()) return ExitCode::goal_missed;
   return run.certificate && !run.certificate->valid ? ExitCode::violations : ExitCode::done;

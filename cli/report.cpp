@@ -221,12 +221,13 @@ std::string to_text(const MeshRun& run) {
   return text;
 }
 
-std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most, std::string_view all_in) {
+std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most, std::string_view limit,
+                          std::string_view all_in) {
   if (report.goal_met()) return {};
-  const bool ended_early = report.count(ExemptReason::budget) > 0;
-  std::string text = fmt::format("{}the goal is missed at some triangles ({}):",
-                                 ended_early ? "the mesh has as many vertices as it may have (the budget), so " : "",
-                                 reasons(report, false));
+  std::string text;
+  if (report.count(ExemptReason::budget) > 0)
+    text = fmt::format("the mesh has as many vertices as {} allows (the budget), so ", limit);
+  text += fmt::format("the goal is missed at some triangles ({}):", reasons(report, false));
   std::size_t listed = 0, left = 0;
   for (const Exemption& exemption : report.exempt) {
     if (justified(exemption.reason)) continue;

@@ -50,9 +50,10 @@ struct MeshRun {
 [[nodiscard]] std::string to_text(const MeshRun& run);
 
 /// Describes the triangles that miss the goal for a reason that no small input angle justifies: their number by reason,
-/// then the corners of the first `most` of them, then the number of the others. If `all_in` is not empty, the text
-/// names it as the place that lists all of them. Returns an empty text if there is no such triangle.
+/// then the corners of the first `most` of them, then the number of the others. `limit` is the option that limits the
+/// vertices. If `all_in` is not empty, the text names it as the place that lists all of them. Returns an empty text if
+/// there is no such triangle.
 [[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most,
-                                        std::string_view all_in = {});
+                                        std::string_view limit, std::string_view all_in = {});
 
 }  // namespace pardel::cli

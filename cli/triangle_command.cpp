@@ -191,7 +191,8 @@ ExitCode verdict(const TriangleSwitches& switches, const MeshedForAngle& made) {
                     switches.name, switches.min_angle_deg, *made.limit, made.goal.min_angle_deg));
   }
   const bool failed = !report.goal_met() && !missed_by_request(switches, report);
-  if (!report.goal_met() && (failed || !switches.quiet)) warn(missed_bounds(report, made.meshed.mesh, most_listed));
+  if (!report.goal_met() && (failed || !switches.quiet))
+    warn(switches.name + ": " + missed_bounds(report, made.meshed.mesh, most_listed, "the switch S"));
   return failed || made.limit ? ExitCode::goal_missed : ExitCode::done;
 }
 

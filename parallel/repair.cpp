@@ -30,16 +30,64 @@ Error tangled() {
           "snapping distance may help."};
 }
 
+/// A repair that chooses its snapping distances itself. Each of its steps continues an earlier one if there is one.
+class AutomaticRepair {
+ public:
+  AutomaticRepair(const Pslg& pslg, bool convex_hull, StopSignal& stop)
+      : pslg_(pslg), convex_hull_(convex_hull), stop_(stop) {}
+
+  /// What fails for the Pslg may succeed for its repair. So the repair goes on until it changes nothing more, or no
+  /// step fails: repairing the result again changes nothing.
+  Result<Repaired> repair() {
+    Result<RepairStage> stage = attempt(nullptr);
+    for (int i = 0; stage && has_failed_ && i < most_attempts; ++i) {
+      Result<RepairStage> next = attempt(&*stage);
+      if (!next || next->repaired.domain.pslg() == stage->repaired.domain.pslg()) break;
+      stage = std::move(next);
+    }
+    if (!stage) return stage.error();
+    return std::move(stage->repaired);
+  }
+
+ private:
+  static constexpr int most_attempts = 20;  // two were seen
+
+  [[nodiscard]] const Pslg& begin(const RepairStage* from) const {
+    return from == nullptr ? pslg_ : from->repaired.domain.pslg();
+  }
+
+  Result<RepairStage> attempt(const RepairStage* from) {
+    has_failed_ = false;
+    Result<RepairStage> stage = repair_roundings(from);
+    if (stage) close_tiny_gaps(*stage, from);
+    return stage;
+  }
+
+  std::optional<Result<RepairStage>> once(double snap, const RepairStage* from) {
+    std::optional<Result<RepairStage>> stage = repair_once(pslg_, snap, convex_hull_, stop_, from);
+    if (!stage || !*stage) has_failed_ = true;
+    return stage;
+  }
+
+  Result<RepairStage> repair_roundings(const RepairStage* from);
+  void close_tiny_gaps(RepairStage& stage, const RepairStage* from);
+
+  const Pslg& pslg_;
+  bool convex_hull_;
+  StopSignal& stop_;
+  bool has_failed_ = false;  ///< a step of this attempt
+};
+
 /// With the default snapping distance, or a smaller one if that fails. A smaller distance does not help against
 /// crossings that become more and more; then only zero is tried.
-Result<Repaired> repair_roundings(const Pslg& pslg, bool convex_hull, StopSignal& stop) {
-  const double snap = default_snap(pslg);
+Result<RepairStage> AutomaticRepair::repair_roundings(const RepairStage* from) {
+  const double snap = default_snap(begin(from));
   for (const double factor : {1.0, 0x1p-4, 0x1p-8, 0x1p-12}) {
-    std::optional<Result<Repaired>> repaired = repair_once(pslg, factor * snap, convex_hull, stop);
-    if (!repaired) break;
-    if (*repaired) return std::move(*repaired);
+    std::optional<Result<RepairStage>> stage = once(factor * snap, from);
+    if (!stage) break;
+    if (*stage) return std::move(*stage);
   }
-  return repair_once(pslg, 0, convex_hull, stop).value_or(tangled());
+  return once(0, from).value_or(tangled());
 }
 
 /// The gaps that repair may close by default: tiny, and much narrower than the segments around them. Small features,
@@ -56,18 +104,17 @@ std::vector<Gap> tiny_gaps(const ValidPslg& domain, double tiny, StopSignal& sto
   return gaps;
 }
 
-/// Repairs the Pslg with larger and larger snapping distances, until the result has no tiny gaps.
-Repaired close_tiny_gaps(const Pslg& pslg, Repaired repaired, StopSignal& stop) {
-  const double tiny = largest_default_snap(pslg);
-  while (repaired.snap < tiny) {
-    const std::vector<Gap> gaps = tiny_gaps(repaired.domain, tiny, stop);
+/// Repairs with larger and larger snapping distances, until the result has no tiny gaps.
+void AutomaticRepair::close_tiny_gaps(RepairStage& stage, const RepairStage* from) {
+  const double tiny = largest_default_snap(begin(from));
+  while (stage.repaired.snap < tiny) {
+    const std::vector<Gap> gaps = tiny_gaps(stage.repaired.domain, tiny, stop_);
     if (gaps.empty()) break;
-    const double snap = std::min(tiny, std::max(closing_snap(gaps), 2 * repaired.snap));
-    std::optional<Result<Repaired>> again = repair_once(pslg, snap, repaired.domain.convex_hull(), stop);
-    if (!again || !*again) break;
-    repaired = std::move(**again);
+    const double snap = std::min(tiny, std::max(closing_snap(gaps), 2 * stage.repaired.snap));
+    std::optional<Result<RepairStage>> wider = once(snap, from);
+    if (!wider || !*wider) break;
+    stage = std::move(**wider);
   }
-  return repaired;
 }
 
 }  // namespace
@@ -85,10 +132,10 @@ Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
   StopSignal stop(StopSignal::unless(options.go_on));
   if (const std::vector<Problem> unusable = find_unusable_values(pslg, stop); !unusable.empty())
     return Error{ErrorKind::invalid_input, messages(unusable, pslg.first_id.value)};
-  if (options.snap) return repair_once(pslg, *options.snap, options.convex_hull, stop).value_or(tangled());
-  Result<Repaired> repaired = repair_roundings(pslg, options.convex_hull, stop);
-  if (repaired) return close_tiny_gaps(pslg, std::move(*repaired), stop);
-  return repaired;
+  if (!options.snap) return AutomaticRepair(pslg, options.convex_hull, stop).repair();
+  Result<RepairStage> stage = repair_once(pslg, *options.snap, options.convex_hull, stop).value_or(tangled());
+  if (!stage) return stage.error();
+  return std::move(stage->repaired);
 } catch (const Stopped& stopped) {
   return stopped.error;
 }

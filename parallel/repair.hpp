@@ -20,7 +20,8 @@ struct RepairOptions {
   /// example because the whole domain is narrower, a 16th of it, a 256th, a 4096th, and finally zero. If splitting at
   /// rounded crossings makes ever more crossings, zero is tried at once. If the repaired domain then has gaps
   /// (gaps.hpp) up to largest_default_snap() between longer segments, the repair is made again with the distance that
-  /// closes the narrowest of them (closing_snap), until there are none.
+  /// closes the narrowest of them (closing_snap), until there are none. A distance that fails for the Pslg may succeed
+  /// for its repair, so after a failure the result is repaired further, until nothing changes.
   std::optional<double> snap{};
   /// The domain is the convex hull of the points. An unclosed outline is then no problem.
   bool convex_hull = false;

@@ -75,7 +75,16 @@ void OutputFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) != bytes.size()) fail("cannot be written", errno);
 }
 
+/// A file that another one will replace must be on the disk before. Else a power failure soon after the rename could
+/// leave an empty file: some file systems write the name first.
+void OutputFile::write_to_disk() {
+  std::error_code ignored;
+  if (written_ == target_ || !fs::exists(target_, ignored)) return;
+  if (std::fflush(stream_) != 0 || fsync(fileno(stream_)) != 0) fail("cannot be written", errno);
+}
+
 Status OutputFile::close() {
+  if (stream_ != nullptr && ok()) write_to_disk();
   if (stream_ != nullptr && std::fclose(stream_) != 0) fail("cannot be written", errno);
   stream_ = nullptr;
   if (!ok()) return Error{ErrorKind::io, failure_};

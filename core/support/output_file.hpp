@@ -23,8 +23,8 @@ namespace pardel {
 
 /// Writes to a new file `NAME.PROCESS-NUMBER.partial` in the folder of NAME. commit() renames that file to NAME;
 /// without commit() the destructor removes it. A file for which is_written_directly() is true is written directly. A
-/// symbolic link is followed: the file that it leads to is made or replaced. The object stores the first failure, and
-/// close() reports it.
+/// symbolic link is followed: the file that it leads to is made or replaced. A file that replaces another one is on the
+/// disk before (fsync). The object stores the first failure, and close() reports it.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
@@ -45,6 +45,7 @@ class OutputFile {
  private:
   void fail(const char* what, int error_number);
   void write_aside();
+  void write_to_disk();
   Status put_in_place();
 
   std::filesystem::path name_;     ///< as given by the caller, for messages

@@ -66,8 +66,6 @@ Status SharedFiles::close() {
     const int descriptor = std::exchange(descriptors_[i], -1);
     if (descriptor >= 0 && ::close(descriptor) != 0) fail(i, because("cannot be written", errno));
   }
-  for (OutputFile& output : outputs_)
-    if (Status closed = output.close(); !closed) return closed;
   if (has_failed()) return Error{ErrorKind::io, failure_};
   return Done{};
 }

@@ -103,7 +103,7 @@ def with_less_at(i, data, fails, is_over):
     holds."""
     step = data[i] // 2
     while step > 0 and not is_over():
-        less = data[:i] + bytes([data[i] - step]) + data[i + 1:]
+        less = data[:i] + bytes([max(0, data[i] - step)]) + data[i + 1:]
         if data[i] > step and fails(less):
             data = less
         else:
@@ -161,5 +161,7 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
 
 
 def all_in(folder):
-    files = sorted(Path(folder).glob("*/*/find.json"))
-    return [json.loads(file.read_text()) for file in files if file.parent.suffix != ".new"]
+    """The finds below a folder, sorted by verdict, then by stack."""
+    files = Path(folder).glob("*/*/find.json")
+    found = [json.loads(file.read_text()) for file in files if file.parent.suffix != ".new"]
+    return sorted(found, key=lambda find: (find["verdict"], find["stack"], find["target"], find["key"]))

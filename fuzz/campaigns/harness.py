@@ -1,6 +1,7 @@
 """Campaigns for any mesher: rounds of pardel-harness, with a new seed each. The finds are the failures that the harness
 shrinks; their replay lines are those of its report."""
 import json
+import os
 import shutil
 import subprocess
 import time
@@ -12,26 +13,37 @@ from . import programs, summary
 from .child import Children
 from .script import Stop
 
+INTERRUPTED = 130  # the exit code of the harness after SIGINT
+
 
 def add_options(parser):
     parser.add_argument("--harness", metavar="MESHER", help="run pardel-harness with this mesher, not the fuzz targets")
-    parser.add_argument("--harness-program", type=Path, default=programs.ROOT / "build/release/cli/pardel-harness",
-                        help="the harness (default build/release/cli/pardel-harness)")
+    parser.add_argument("--harness-program", type=Path,
+                        help="the harness (default: that of the preset `release`, which is built)")
     parser.add_argument("--harness-options", default="",
                         help="further options of pardel-harness, such as '--format vtu'")
     parser.add_argument("--cases", type=int, default=220, help="cases of a round of the harness (default 220)")
 
 
+def built_program(build):
+    """The harness of the preset `release`, which is built if `build` is true."""
+    release = programs.ROOT / "build" / "release"
+    if build:
+        programs.build(release, "pardel-harness", os.cpu_count() or 1, "release")
+    return release / "cli" / "pardel-harness"
+
+
 class Rounds:
     def __init__(self, folder, options):
         self.folder, self.options, self.children = folder, options, Children()
+        self.program = options.harness_program or built_program(not options.no_build)
         state = folder / "state.json"
         self.state = json.loads(state.read_text()) if state.exists() else {
             "mesher": options.harness, "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
             "families": {}, "finds": [], "history": []}
 
     def command(self, work):
-        return [str(self.options.harness_program), "--mesher", self.state["mesher"],
+        return [str(self.program), "--mesher", self.state["mesher"],
                 "--cases", str(self.options.cases), "--seed", str(self.state["seed"]),
                 "--jobs", str(self.options.jobs), "--json", str(work / "report.json"),
                 "--report", str(work / "report.md"), "--failures", str(work / "failures"),
@@ -81,7 +93,7 @@ class Rounds:
         for family, counts in self.state["families"].items():
             text.append(f"| {family} | " + " | ".join(str(counts.get(v, 0)) for v in verdicts) + " |")
         text += ["", "![kinds of failures over time](coverage.svg)", "", "## Failures", ""]
-        for find in self.state["finds"]:
+        for find in sorted(self.state["finds"], key=lambda find: (find["verdict"], find["kind"])):
             text += [f"- **{find['verdict']}** {find['kind']}, {find['times']} times: {find['message']}",
                      f"  - smallest: finds/{find['poly']}", f"  - replay: `{find['replay']}`"]
         (self.folder / "summary.md").write_text("\n".join(text) + "\n")
@@ -98,10 +110,10 @@ class Rounds:
             began = time.time()
             child = self.children.start(self.command(work), stdout=subprocess.DEVNULL)
             child.wait()
-            if child.returncode not in (0, 1):  # interrupted, or the harness cannot run: nothing to count
-                if not self.children.stopping:
-                    print(f"campaign: {self.command(work)[0]} ended with exit code {child.returncode}")
+            if child.returncode == INTERRUPTED or self.children.stopping:
                 break
+            if child.returncode not in (0, 1):
+                raise Stop(f"{self.program} ended with exit code {child.returncode}")
             self.account(work, time.time() - began)
             self.save()
         shutil.rmtree(self.folder / "work", ignore_errors=True)
@@ -121,4 +133,4 @@ def run(folder, options):
     rounds.run()
     if rounds.state["rounds"] > 0:
         print(folder / "summary.md")
-    return 1 if rounds.state["finds"] or rounds.state["rounds"] == 0 else 0
+    return 1 if rounds.state["finds"] else 0

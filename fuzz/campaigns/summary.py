@@ -29,11 +29,14 @@ def plot(histories, across, up):
     return "\n".join(out + ["</svg>"]) + "\n"
 
 
-def table_of_finds(finds):
+def list_of_finds(finds):
+    """Finds that are sorted by verdict: a heading for each verdict."""
     if not finds:
         return ["No finds."]
     lines = []
-    for find in finds:
+    for before, find in zip([None, *finds], finds):
+        if before is None or before["verdict"] != find["verdict"]:
+            lines += ["", f"### {find['verdict']}", ""]
         lines += [f"- **{find['target']}** `{find['key']}`, {find['times']} times: {find['message']}",
                   f"  - stack: {' < '.join(find['stack']) or 'none'}",
                   f"  - smallest input: {find['bytes']} bytes"
@@ -61,7 +64,7 @@ def write(folder, state, finds):
         rate = t["executions"] / t["cpu_seconds"] if t["cpu_seconds"] else 0
         text.append(f"| {name} | {t['cpu_seconds'] / 3600:.2f} | {t['executions']:,} | {rate:,.0f} | {t['coverage']:,} "
                     f"| {t['features']:,} | {t['inputs']:,} | {count} |")
-    text += ["", "![coverage over time](coverage.svg)", "", "## Finds", ""] + table_of_finds(finds)
+    text += ["", "![coverage over time](coverage.svg)", "", "## Finds", ""] + list_of_finds(finds)
     (folder / "summary.md").write_text("\n".join(text) + "\n")
     histories = {name: [(s / 3600, c) for s, c in t["history"]] for name, t in rows}
     (folder / "coverage.svg").write_text(plot(histories, "hours of processor time of the target", "edges"))

@@ -118,15 +118,12 @@ void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
 /// Drops holes and regions.
 class Seeds {
  public:
-  Seeds(Work& work, std::vector<std::string>& log, StopSignal& stop)
+  Seeds(Work& work, SeedRecord& record, StopSignal& stop)
       : work_(work),
-        log_(log),
+        log_(record.dropped),
         stop_(stop),
-        hole_source_(work.pslg.holes.size()),
-        region_source_(work.pslg.regions.size()) {
-    std::iota(hole_source_.begin(), hole_source_.end(), Index{0});
-    std::iota(region_source_.begin(), region_source_.end(), Index{0});
-  }
+        hole_source_(record.hole_source),
+        region_source_(record.region_source) {}
 
   /// Drops those closer than `snap` to a segment.
   void drop_near_segments(double snap) {
@@ -143,8 +140,9 @@ class Seeds {
       std::vector<Index>& ids = is_hole ? holes : regions;
       if (std::ranges::find(ids, id) != ids.end()) continue;
       ids.push_back(id);
-      log_.push_back("Dropped: " + std::string(is_hole ? "Hole " : "Region ") + number(pslg, id) + " at " +
-                     shortest(seeds[seed]) + " is closer to a segment than the snapping distance.");
+      log_.push_back("Dropped: " + std::string(is_hole ? "Hole " : "Region ") +
+                     number(pslg, (is_hole ? hole_source_ : region_source_)[id]) + " at " + shortest(seeds[seed]) +
+                     " is closer to a segment than the snapping distance.");
     }
     drop(holes, regions);
   }
@@ -194,8 +192,14 @@ class Seeds {
   Work& work_;
   std::vector<std::string>& log_;
   StopSignal& stop_;
-  std::vector<Index> hole_source_, region_source_;  ///< new -> old
+  std::vector<Index>&hole_source_, &region_source_;  ///< new -> old
 };
+
+std::vector<Index> numbers(std::size_t n) {
+  std::vector<Index> all(n);
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
 
 }  // namespace
 
@@ -206,28 +210,28 @@ std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
   return std::move(found).sorted();
 }
 
-std::optional<Result<Repaired>> repair_once(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop) {
-  Work work{pslg, std::vector<Index>(pslg.points.size()), std::vector<Index>(pslg.segments.size())};
-  std::iota(work.point_map.begin(), work.point_map.end(), Index{0});
-  std::iota(work.source.begin(), work.source.end(), Index{0});
+std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop,
+                                               const RepairStage* from) {
+  Work work = from == nullptr
+                  ? Work{pslg, numbers(pslg.points.size()), numbers(pslg.segments.size())}
+                  : Work{from->repaired.domain.pslg(), from->repaired.point_map, from->repaired.segment_map};
+  SeedRecord record =
+      from == nullptr ? SeedRecord{numbers(pslg.holes.size()), numbers(pslg.regions.size()), {}} : from->seeds;
   if (!untangle(work, snap, stop)) return std::nullopt;
 
   const std::vector<bool> is_old = images_of_points(work);
   SparseAsk ask(&stop);
   const Moved points = moved_points(pslg, work, ask), segments = bent_segments(pslg, work, is_old, ask);
+  Seeds seeds(work, record, stop);
+  if (points.count + segments.count > 0) seeds.drop_near_segments(snap);
   std::vector<std::string> log = summary(pslg, work, is_old);
   note_moves(pslg, snap, points, segments, log);
-  Seeds seeds(work, log, stop);
-  if (points.count + segments.count > 0) seeds.drop_near_segments(snap);
   Result<ValidPslg, std::vector<Problem>> domain = seeds.drop_misplaced(convex_hull);
   if (!domain) return Error{ErrorKind::invalid_input, messages(domain.error(), pslg.first_id.value)};
-  return Repaired{std::move(domain).value(),
-                  std::move(work.point_map),
-                  std::move(work.source),
-                  std::move(log),
-                  snap,
-                  points,
-                  segments};
+  log.insert(log.end(), record.dropped.begin(), record.dropped.end());
+  return RepairStage{Repaired{std::move(domain).value(), std::move(work.point_map), std::move(work.source),
+                              std::move(log), snap, points, segments},
+                     std::move(record)};
 }
 
 }  // namespace pardel::engine

@@ -202,11 +202,9 @@ double Background::squared_distance_to(const Located& at, Point p) const {
 }
 
 bool Background::has_lesser_corners(const Located& a, const Located& b) const {
-  for (unsigned i = 0; i < 3; ++i) {
-    const Point p = points_[a.v[i]], q = points_[b.v[i]];
-    if (p != q) return lexicographically_less(p, q);
-  }
-  return false;
+  unsigned i = 0;
+  while (i < 2 && points_[a.v[i]] == points_[b.v[i]]) ++i;
+  return lexicographically_less(points_[a.v[i]], points_[b.v[i]]);
 }
 
 Point Background::point_at(const Located& at) const {

@@ -42,7 +42,7 @@ Error too_many_triangles() {
 
 Error too_much_memory(const Options& options) {
   return {ErrorKind::resources,
-          "the mesh has outgrown the available memory, " + amount_of_memory(allowed_memory(options))};
+          "the mesh has outgrown the memory that it may use, " + amount_of_memory(allowed_memory(options))};
 }
 
 }  // namespace pardel::engine

@@ -3,9 +3,9 @@
 //   PARDEL_FAULT=KIND:N+  that call and all later ones of this kind fail
 //   PARDEL_FAULT=large:B  all calls for at least B bytes of memory of its own fail
 //   PARDEL_CALLS=FILE     when the process ends, the number of calls of the kind is written to FILE
-// Kinds: memory, map, open, read, write, short, close, rename, link, thread. `short` lets fwrite and pwrite write only
-// the first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has no
-// say before and after. Writing to standard error never fails: a test could not see the message.
+// Kinds: memory, map, open, read, write, short, sync, close, rename, link, thread. `short` lets fwrite and pwrite write
+// only the first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has
+// no say before and after. Writing to standard error never fails: a test could not see the message.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -173,6 +173,7 @@ ssize_t pwrite(int fd, const void* data, std::size_t size, off_t offset) {
   return next<decltype(pwrite)>("pwrite")(fd, data, fails("short") ? (size + 1) / 2 : size, offset);
 }
 int fflush(std::FILE* file) { return fails("write", ENOSPC) ? EOF : next<decltype(fflush)>("fflush")(file); }
+int fsync(int fd) { return fails("sync", EIO) ? -1 : next<decltype(fsync)>("fsync")(fd); }
 /// A file that cannot be closed without an error is closed nevertheless.
 int fclose(std::FILE* file) {
   if (file == unreadable) unreadable = nullptr;  // another file may get the same address

@@ -151,6 +151,7 @@ class Finds(FakeBuild):
 
         self.assertEqual(finds.with_less_at(0, b"\xc0\x07", fails, lambda: False), b"\x0b\x07")
         self.assertEqual(finds.with_less_at(0, b"\xc0\x07", fails, lambda: True), b"\xc0\x07")
+        self.assertEqual(finds.with_less_at(0, b"\x61", lambda data: data[0] > 0, lambda: False), b"\x01")
 
     def test_the_same_failure_is_counted_and_not_filed_again(self):
         self.assertIsNotNone(self.find(b"bug 7"))
@@ -227,6 +228,19 @@ class Summaries(unittest.TestCase):
         picture = summary.plot({"a": [(0.1, 5), (0.2, 9)], "b": [(0.1, 7)], "c": []}, "hours", "edges")
         self.assertEqual(len(re.findall("<polyline", picture)), 2)
         self.assertIn("a: 9 edges", picture)
+
+    def test_finds_are_listed_by_verdict(self):
+        def find(verdict, target):
+            return {"target": target, "key": "0", "times": 1, "message": verdict, "verdict": verdict, "stack": [],
+                    "bytes": 3, "replay": f"replay_{target}"}
+        with tempfile.TemporaryDirectory() as folder:
+            for number, (verdict, target) in enumerate([("b", "x"), ("a", "z"), ("b", "w")]):
+                place = Path(folder) / target / str(number)
+                place.mkdir(parents=True)
+                (place / "find.json").write_text(json.dumps(find(verdict, target)))
+            lines = summary.list_of_finds(finds.all_in(folder))
+        self.assertEqual([line.split()[1] for line in lines if line.startswith(("###", "- "))],
+                         ["a", "**z**", "b", "**w**", "**x**"])
 
 
 class Campaigns(FakeBuild):
@@ -438,8 +452,8 @@ class HarnessCampaigns(FakeBuild):
 
     def test_a_harness_that_cannot_run_is_named(self):
         ran = self.run_campaign("--harness", "fails", "--out", self.folder / "run")
-        self.assertEqual(ran.returncode, 1)
-        self.assertIn("harness ended with exit code", ran.stdout)
+        self.assertEqual(ran.returncode, 2)
+        self.assertIn("harness ended with exit code 5", ran.stdout)
         self.assertNotIn("summary.md", ran.stdout)
 
 
@@ -468,6 +482,9 @@ while time.time() < end:
 """
 
 
+OTHER_FIND = {"target": "other", "key": "0123456789", "verdict": "wrong", "stack": []}
+
+
 class Afl(FakeBuild):
     def setUp(self):
         super().setUp()
@@ -488,18 +505,18 @@ class Afl(FakeBuild):
 
     def test_a_run_has_a_row_and_its_crash_is_a_find_as_in_a_campaign(self):
         (self.folder / "out/finds/other/0123456789").mkdir(parents=True)
-        (self.folder / "out/finds/other/0123456789/find.json").write_text('{"target": "other"}')
+        (self.folder / "out/finds/other/0123456789/find.json").write_text(json.dumps(OTHER_FIND))
         for _ in range(2):  # the second run replaces the first one
             code, said = self.run_afl()
             self.assertEqual(code, 1, said)
             self.assertIn("| fake | 1,200 | 40 | 77 | 2 | 1 | 1 | 1 |", said)
         found, other = finds.all_in(self.folder / "out/finds")  # the time-out does not happen again, and is none
-        self.assertEqual((found["times"], other), (1, {"target": "other"}))
+        self.assertEqual((found["times"], other), (1, OTHER_FIND))
         self.assertEqual((self.folder / "out/finds/fake" / found["key"] / "input").read_bytes(), b"bug7")
 
     def test_finds_of_other_targets_do_not_count(self):
         (self.folder / "out/finds/other/0123456789").mkdir(parents=True)
-        (self.folder / "out/finds/other/0123456789/find.json").write_text('{"target": "other"}')
+        (self.folder / "out/finds/other/0123456789/find.json").write_text(json.dumps(OTHER_FIND))
         self.write("build/fuzz/replay_fake", "#!/bin/sh\n")
         self.write("bin/afl-fuzz", AFL_FUZZ.replace('("crashes/id:000000', '("crashes/none'))
         code, said = self.run_afl()

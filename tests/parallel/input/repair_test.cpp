@@ -459,5 +459,35 @@ TEST(Repair, of_bundles_of_segments_makes_the_attempts_that_are_recorded) {
   }
 }
 
+/// Holes and regions that the first attempt drops stay dropped, and are named once.
+TEST(Repair, by_default_changes_nothing_again_where_a_snapping_distance_fails) {
+  int changed_by_zero = 0;
+  int succeeded = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    Pslg pslg = bundle(8 + static_cast<int>(seed % 3) * 8, seed, seed % 2 == 0 ? 0 : 21);
+    const auto first = static_cast<Index>(pslg.points.size());
+    const Point low = seed % 2 == 0 ? Point{95, 995} : Point{995, 995};
+    for (const Point corner : {Point{0, 0}, Point{10, 0}, Point{10, 10}, Point{0, 10}})
+      pslg.points.push_back({low.x + corner.x, low.y + corner.y});
+    for (Index i = 0; i < 4; ++i) pslg.segments.push_back({first + i, first + (i + 1) % 4});
+    pslg.holes = {{low.x - 1, low.y}};                                          // outside
+    pslg.regions = {{{low.x + 1, low.y + 1}, 1}, {{low.x + 2, low.y + 1}, 2}};  // in one face
+    const Result<Repaired> once = repair(pslg);
+    if (!once) continue;  // crossings become more and more at every distance
+    ++succeeded;
+    EXPECT_TRUE(once->domain.pslg().holes.empty()) << seed;
+    EXPECT_EQ(once->domain.pslg().regions, std::vector{pslg.regions[1]}) << seed;
+    EXPECT_EQ(std::ranges::count_if(once->log, [](const auto& line) { return line.starts_with("Dropped: "); }), 2);
+    const Result<Repaired> twice = repair(once->domain.pslg());
+    ASSERT_TRUE(twice) << seed;
+    EXPECT_TRUE(twice->log.empty()) << seed << ": " << twice->log.front();
+    EXPECT_EQ(twice->domain.pslg(), once->domain.pslg()) << seed;
+    if (const Result<Repaired> zero = repair(pslg, {.snap = 0}); zero)
+      changed_by_zero += repair(zero->domain.pslg())->log.empty() ? 0 : 1;
+  }
+  EXPECT_GT(succeeded, 20);
+  EXPECT_GT(changed_by_zero, 10);  // the default distances matter in these domains
+}
+
 }  // namespace
 }  // namespace pardel::engine

@@ -377,7 +377,7 @@ std::vector<std::string> record(const Mess& mess) {
         record.add(stage.c_str(), repaired ? (*repaired).error().message : "no end");
         continue;
       }
-      const Repaired& r = **repaired;
+      const Repaired& r = (*repaired)->repaired;
       record.add(stage.c_str(), r.domain.pslg().points.size(), r.domain.pslg().segments.size(),
                  fingerprint(r.domain.pslg(), r.point_map, r.segment_map, r.log), r.moved_points.count,
                  r.moved_points.farthest, r.moved_points.distance, r.bent_segments.count, r.bent_segments.farthest,

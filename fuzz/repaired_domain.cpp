@@ -1,0 +1,220 @@
+#include "repaired_domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../core/support/shortest.hpp"
+#include "distances.hpp"
+#include "fuzz_one.hpp"
+
+namespace pardel::fuzz {
+namespace {
+
+/// The domain before and after the repair.
+class Comparison {
+ public:
+  Comparison(const Pslg& before, const Repaired& repaired, bool convex_hull)
+      : before_(before), repaired_(repaired), after_(repaired.domain.pslg()), convex_hull_(convex_hull) {
+    for (const Point p : before.points) largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
+  }
+
+  void judge() const {
+    check_maps();
+    check_moved_points();
+    check_pieces();
+    for (Index s = 0; s < before_.segments.size(); ++s) check_that_it_is_covered(s);
+    check_gaps();
+    check_values_of_points();
+    check_holes();
+    check_regions();
+  }
+
+ private:
+  /// Every new index must be that of a point or segment.
+  void check_maps() const {
+    if (repaired_.point_map.size() != before_.points.size()) fail("the map of points has the wrong length");
+    for (const Index to : repaired_.point_map)
+      if (to >= after_.points.size()) fail("the map of points leads to no point");
+    if (repaired_.segment_map.size() != after_.segments.size()) fail("the map of segments has the wrong length");
+    for (const Index from : repaired_.segment_map)
+      if (from >= before_.segments.size()) fail("the map of segments leads to no segment");
+  }
+
+  void check_moved_points() const {
+    for (Index p = 0; p < before_.points.size(); ++p)
+      if (distance(before_.points[p], after_.points[repaired_.point_map[p]]) >
+          repaired_.moved_points.distance + rounding())
+        fail("point " + std::to_string(p) + " moved farther than the repair says");
+  }
+
+  /// How far a piece may be from the old segment that it is mapped to: its ends may move, and between them it may be
+  /// bent.
+  [[nodiscard]] double bend() const {
+    return repaired_.moved_points.distance + repaired_.bent_segments.distance + 2 * rounding();
+  }
+  /// How far it may be from other old segments that it stands for. A segment is bent to points near it, and again to
+  /// points near its pieces: three times the snapping distance was seen. Without snapping, the same happens at rounded
+  /// crossings.
+  [[nodiscard]] double several_bends() const { return 8 * (repaired_.snap + rounding()); }
+  /// Crossings are rounded.
+  [[nodiscard]] double rounding() const { return 0x1p-50 * largest_; }
+
+  [[nodiscard]] double distance_to(Index old, Point p) const {
+    const Segment& s = before_.segments[old];
+    return distance(p, before_.points[s.a], before_.points[s.b]);
+  }
+
+  [[nodiscard]] bool is_near(const Segment& piece, Index old, double tolerance) const {
+    return std::max(distance_to(old, after_.points[piece.a]), distance_to(old, after_.points[piece.b])) <= tolerance;
+  }
+
+  /// True if the piece has the marker of the old segment, or of another one that it lies on if that has none.
+  [[nodiscard]] bool has_its_marker(const Segment& piece, Index old) const {
+    if (piece.marker == before_.segments[old].marker) return true;
+    if (before_.segments[old].marker != 0) return false;
+    for (Index other = 0; other < before_.segments.size(); ++other)
+      if (piece.marker == before_.segments[other].marker && is_near(piece, other, several_bends())) return true;
+    return false;
+  }
+
+  void check_pieces() const {
+    for (Index s = 0; s < after_.segments.size(); ++s) {
+      const Segment& piece = after_.segments[s];
+      const Index old = repaired_.segment_map[s];
+      if (!is_near(piece, old, bend()))
+        fail("segment " + std::to_string(s) + " does not lie on segment " + std::to_string(old) + " of the old domain");
+      if (!has_its_marker(piece, old))
+        fail("segment " + std::to_string(s) + " has another marker than segment " + std::to_string(old) +
+             " of the old domain");
+    }
+  }
+
+  /// The ends of an old segment are connected by pieces that lie near it.
+  void check_that_it_is_covered(Index old) const {
+    std::vector<Index> leader(after_.points.size());
+    std::iota(leader.begin(), leader.end(), 0);
+    const auto find = [&](Index p) {
+      while (leader[p] != p) p = leader[p] = leader[leader[p]];
+      return p;
+    };
+    for (const Segment& piece : after_.segments)
+      if (is_near(piece, old, several_bends())) leader[find(piece.a)] = find(piece.b);
+    const Segment& s = before_.segments[old];
+    if (find(repaired_.point_map[s.a]) != find(repaired_.point_map[s.b]))
+      fail("segment " + std::to_string(old) + " of the old domain is not covered by new ones");
+  }
+
+  void check_gaps() const {
+    const double least = repaired_.snap * (1 - 0x1p-30) - rounding();
+    for (Index p = 0; p < after_.points.size(); ++p) {
+      const Point at = after_.points[p];
+      for (Index q = 0; q < p; ++q)
+        if (distance(at, after_.points[q]) < least)
+          fail("points " + std::to_string(q) + " and " + std::to_string(p) + " are closer than the snapping distance");
+      for (Index s = 0; s < after_.segments.size(); ++s) {
+        const Segment& segment = after_.segments[s];
+        if (segment.a != p && segment.b != p &&
+            distance(at, after_.points[segment.a], after_.points[segment.b]) < least / 2)
+          fail("point " + std::to_string(p) + " is too close to segment " + std::to_string(s));
+      }
+    }
+  }
+
+  /// A point has the attributes and the marker of one of the old points that became it. A point at a crossing has the
+  /// marker of a segment, and interpolated attributes.
+  void check_values_of_points() const {
+    if (after_.attributes_per_point != before_.attributes_per_point ||
+        after_.point_attributes.size() != after_.points.size() * after_.attributes_per_point)
+      fail("there is not one row of attributes per point");
+    if (after_.point_markers.size() != after_.points.size()) fail("there is not one marker per point");
+    std::vector<bool> is_image(after_.points.size()), has_values(after_.points.size());
+    for (Index p = 0; p < before_.points.size(); ++p) {
+      const Index to = repaired_.point_map[p];
+      is_image[to] = true;
+      if (before_.point_markers[p] == after_.point_markers[to] && std::ranges::equal(row(before_, p), row(after_, to)))
+        has_values[to] = true;
+    }
+    for (Index p = 0; p < after_.points.size(); ++p) {
+      if (is_image[p] && !has_values[p]) fail("point " + std::to_string(p) + " has the values of no old point");
+      if (!is_image[p]) check_values_of_a_crossing(p);
+    }
+  }
+
+  [[nodiscard]] static std::span<const double> row(const Pslg& pslg, Index p) {
+    return std::span(pslg.point_attributes).subspan(p * pslg.attributes_per_point, pslg.attributes_per_point);
+  }
+
+  void check_values_of_a_crossing(Index p) const {
+    for (std::size_t k = 0; k < linear_attributes.size(); ++k) {
+      const Linear& linear = linear_attributes[k];
+      const double tolerance = linear.slope() * (repaired_.moved_points.distance + several_bends());
+      if (!(std::abs(row(after_, p)[k] - linear(after_.points[p])) <= tolerance))
+        fail("attribute " + std::to_string(k) + " of point " + std::to_string(p) + " is not interpolated: it is " +
+             shortest(row(after_, p)[k]) + ", not " + shortest(linear(after_.points[p])));
+    }
+    for (Index s = 0; s < before_.segments.size(); ++s)
+      if (before_.segments[s].marker == after_.point_markers[p] && distance_to(s, after_.points[p]) <= several_bends())
+        return;
+    fail("point " + std::to_string(p) + " has the marker of no segment at it");
+  }
+
+  /// The holes are old ones, in their order. With one of the others, the domain would not be valid, or something was
+  /// snapped and the hole is near a segment.
+  void check_holes() const {
+    std::size_t kept = 0;
+    for (const Point hole : before_.holes) {
+      if (kept < after_.holes.size() && after_.holes[kept] == hole) {
+        ++kept;
+        continue;
+      }
+      Pslg with = after_;
+      with.holes.push_back(hole);
+      if (is_valid(with) && !is_near_a_segment(hole)) fail("a hole was dropped without a reason");
+    }
+    if (kept != after_.holes.size()) fail("the repaired domain has another hole");
+  }
+
+  void check_regions() const {
+    std::size_t kept = 0;
+    for (const Region& region : before_.regions) {
+      if (kept < after_.regions.size() && after_.regions[kept] == region) {
+        ++kept;
+        continue;
+      }
+      Pslg with = after_;
+      with.regions.push_back(region);
+      if (is_valid(with) && !is_near_a_segment(region.seed)) fail("a region was dropped without a reason");
+    }
+    if (kept != after_.regions.size()) fail("the repaired domain has another region");
+  }
+
+  [[nodiscard]] bool is_valid(const Pslg& pslg) const {
+    return find_problems(pslg, {.convex_hull = convex_hull_}).empty();
+  }
+
+  [[nodiscard]] bool is_near_a_segment(Point p) const {
+    return std::ranges::any_of(after_.segments, [&](const Segment& s) {
+      return distance(p, after_.points[s.a], after_.points[s.b]) <= repaired_.snap + rounding();
+    });
+  }
+
+  const Pslg& before_;
+  const Repaired& repaired_;
+  const Pslg& after_;
+  bool convex_hull_;
+  double largest_ = 0;  ///< magnitude of a coordinate
+};
+
+}  // namespace
+
+double Linear::slope() const { return std::hypot(by_x, by_y); }
+
+void compare_with_repaired(const Pslg& before, const Repaired& repaired, bool convex_hull) {
+  Comparison(before, repaired, convex_hull).judge();
+}
+
+}  // namespace pardel::fuzz
