@@ -101,6 +101,14 @@ def changes_of_speed(points, counted):
     return [step for step in history.changes(points, NOTABLE_RATE) if explained(*step[1:])]
 
 
+def speedups(alone, together):
+    """The points of `together`, speeds on several threads, divided by the speed of the same commit on one thread. Both
+    are of one machine."""
+    of_commit = {row["commit"]: speed for _, speed, row in alone}
+    return [(place, speed / of_commit[row["commit"]], row) for place, speed, row in together
+            if of_commit.get(row["commit"])]
+
+
 def draw(rows, line, compiler, between, subject):
     """The drawing and the page, as texts. rows: the history; line: the commits of the branch; between: see origin();
     subject: text about a commit. The curves are those of one compiler. Speeds have a curve per machine. The commits
@@ -121,6 +129,9 @@ def draw(rows, line, compiler, between, subject):
     def about(point):
         return f"{subject(point[2]['commit'])}: {point[1]:,.0f}"
 
+    def about_ratio(point):
+        return f"{subject(point[2]['commit'])}: {point[1]:.2f}"
+
     def drawn_count(name):
         return name in counts and curve(f"{name}: instructions", [(COLOURS[0], counts[name])], len(line) - 1,
                                         steps_of_counts[name], about)
@@ -128,11 +139,18 @@ def draw(rows, line, compiler, between, subject):
     def drawn_rate(name):
         lines = [(colours[machine], series[name]) for machine, series in machines.items() if name in series]
         return bool(lines) and curve(f"{name}: items/s", lines, len(line) - 1, steps_of_rates[name], about)
+
+    def drawn_speedup(name):
+        lines = [(colours[machine], speedups(series.get(name, []), series.get(f"{name}{THREADS}2", [])))
+                 for machine, series in machines.items()]
+        lines = [(colour, points) for colour, points in lines if points]
+        return bool(lines) and curve(f"{name}: speed on 2 threads / on 1", lines, len(line) - 1, [], about_ratio)
     alone = sorted(name for name in counts.keys() | rates if THREADS not in name)
-    curves = [[drawn_count(name), drawn_rate(name), drawn_rate(f"{name}{THREADS}2")] for name in alone]
+    curves = [[drawn_count(name), drawn_rate(name), drawn_rate(f"{name}{THREADS}2"), drawn_speedup(name)]
+              for name in alone]
     others = sorted(name for name in rates if THREADS in name and
                     not (name.endswith(f"{THREADS}2") and name.split(THREADS)[0] in alone))
-    curves += [[None, drawn_rate(name), None] for name in others]
+    curves += [[None, drawn_rate(name), None, None] for name in others]
     legend = "; ".join(f"<span style='color: {colours[machine]}'>{html.escape(machine)}</span>" for machine in machines)
     first, last = (html.escape(subject(commit)) for commit in (line[0], line[-1])) if line else ("", "")
     page = "\n".join([
@@ -144,7 +162,8 @@ def draw(rows, line, compiler, between, subject):
         f"<p>Written by bench/track: {len(line)} commits, from {first} to {last}. Instructions are counted by valgrind, "
         f"on one thread, with {html.escape(compiler)}. Items are triangles; for predicates evaluations, for insertion "
         f"points. The shortest of some runs counts: processor time on one thread, clock time on several. Each machine "
-        f"has its curve: {legend}. The machines also did other work, so seconds vary, often by a half. All axes "
+        f"has its curve: {legend}. The last column is the speed on two threads divided by that on one. The machines "
+        f"also did other work, so seconds vary, often by a half. All axes "
         f"begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions, "
         f"and of {100 * NOTABLE_RATE:.0f} % of the speed on one machine if the instructions changed, too. bench/compare "
         f"finds changes of the speed alone. docs/performance.md describes the workloads.</p>",

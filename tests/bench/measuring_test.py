@@ -351,8 +351,14 @@ class Drawing(unittest.TestCase):
     def test_the_drawing_is_xml_with_a_curve_for_counts_and_for_speeds_on_each_machine(self):
         root = xml.etree.ElementTree.fromstring(self.draw()[0])
         lines = root.findall(".//{http://www.w3.org/2000/svg}polyline")
-        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 2, 3])
+        self.assertEqual([len(line.get("points").split()) for line in lines], [3, 3, 2, 3, 3])
         self.assertNotEqual(lines[1].get("stroke"), lines[2].get("stroke"))
+
+    def test_the_speedup_is_the_speed_on_two_threads_divided_by_that_of_the_same_commit_on_one(self):
+        self.assertIn("<title>&lt;c&gt;: 0.12</title>", self.draw()[0])  # 50 / 0.4 s, divided by 50 / 0.05 s
+        alone = [(0, 10.0, row("a")), (1, 10.0, row("b"))]
+        together = [(1, 15.0, row("b")), (2, 30.0, row("c"))]
+        self.assertEqual([(place, ratio) for place, ratio, _ in drawing.speedups(alone, together)], [(1, 1.5)])
 
     def test_machines_are_not_compared_with_each_other(self):
         page = self.draw()[1]
