@@ -97,8 +97,7 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
       ->group(group);
   app.add_flag("--regions", options.regions, "Apply the area caps of the regions in IN.poly")->group(group);
   app.add_option("--sizes", options.sizes,
-                 "Edge lengths: one per input point (their number, then lines 'i length'), a raster (.asc, .npy) or a "
-                 "mesh (.vtu, .msh, .node)")
+                 "Edge lengths: of points ('n', then 'i length'), a raster (.asc, .npy) or a mesh (.vtu, .msh, .node)")
       ->type_name("FILE")
       ->group(group);
   app.add_option("--feature-size", options.feature_size,

@@ -92,7 +92,7 @@ void parse_text(std::span<const std::uint8_t> bytes) {
 
 /// Chooses one switch, appends it to `text` and sets what it means.
 void choose(Supply& bytes, std::string& text, TriangleSwitches& expected) {
-  const auto kind = static_cast<std::size_t>(bytes.below(static_cast<int>(std::size(flags)) + 8));
+  const auto kind = static_cast<std::size_t>(bytes.below(static_cast<int>(std::size(flags)) + 11));
   if (kind < std::size(flags)) {
     const auto& [letter, flag] = flags[kind];
     text += letter;
@@ -132,10 +132,32 @@ void choose(Supply& bytes, std::string& text, TriangleSwitches& expected) {
       text += "Y";
       ++expected.no_splits;
       break;
+    case 7:
+      text += "V";
+      ++expected.verbose;
+      break;
+    case 8:
+      expected.without_effect += "iFlsX"[bytes.below(5)];
+      text += expected.without_effect.back();
+      break;
+    case 9:
+      text += "S";
+      expected.max_steiner_points = 0;
+      break;
     default:
       text += "S" + std::to_string(static_cast<int>(number));
       expected.max_steiner_points = static_cast<unsigned>(number);
   }
+}
+
+/// Chooses a suffix of FILE, and sets the switch that it implies.
+std::string choose_suffix(Supply& bytes, TriangleSwitches& expected) {
+  const std::string suffix = bytes.one_of<std::string>({"", ".node", ".poly", ".ele", ".area"});
+  expected.poly |= suffix == ".poly";
+  expected.refine |= suffix == ".ele" || suffix == ".area";
+  expected.quality |= suffix == ".area";
+  expected.area_caps |= suffix == ".area";
+  return suffix;
 }
 
 void parse_chosen(Supply& bytes) {
@@ -148,7 +170,7 @@ void parse_chosen(Supply& bytes) {
     if (arguments.empty() || bytes.flag(64)) arguments.emplace_back("-");
     arguments.back() += text;
   }
-  arguments.push_back(expected.name);
+  arguments.push_back(expected.name + choose_suffix(bytes, expected));
   const auto parsed = cli::parse_triangle_switches(arguments);
   std::string line;
   for (const std::string& argument : arguments) line += " " + argument;
