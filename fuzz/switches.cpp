@@ -43,7 +43,7 @@ std::string decimal(double x) {
 }
 
 /// All members except for the command line itself.
-bool same(TriangleSwitches a, const TriangleSwitches& b) {
+bool same(const TriangleSwitches& a, const TriangleSwitches& b) {
   bool is_same = a.quality == b.quality && a.min_angle_deg == b.min_angle_deg && a.max_area == b.max_area &&
                  a.area_caps == b.area_caps && a.conforming == b.conforming && a.second_order == b.second_order &&
                  a.no_splits == b.no_splits && a.max_steiner_points == b.max_steiner_points && a.verbose == b.verbose &&
@@ -152,7 +152,7 @@ void choose(Supply& bytes, std::string& text, TriangleSwitches& expected) {
 
 /// Chooses a suffix of FILE, and sets the switch that it implies.
 std::string choose_suffix(Supply& bytes, TriangleSwitches& expected) {
-  const std::string suffix = bytes.one_of<std::string>({"", ".node", ".poly", ".ele", ".area"});
+  std::string suffix = bytes.one_of<std::string>({"", ".node", ".poly", ".ele", ".area"});
   expected.poly |= suffix == ".poly";
   expected.refine |= suffix == ".ele" || suffix == ".area";
   expected.quality |= suffix == ".area";

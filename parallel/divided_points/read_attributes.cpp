@@ -9,9 +9,9 @@
 namespace pardel::engine {
 
 ReadAttributes::ReadAttributes(PartOfPoints& read, Ranks& ranks)
-    : per_point_(std::exchange(read.attributes_per_point, 0)), values_(std::exchange(read.point_attributes, {})) {
-  first_ = concatenated(lists_of_all(std::vector{share_of_rank(read.points.size(), ranks).before}, ranks));
-}
+    : per_point_(std::exchange(read.attributes_per_point, 0)),
+      values_(std::exchange(read.point_attributes, {})),
+      first_(concatenated(lists_of_all(std::vector{share_of_rank(read.points.size(), ranks).before}, ranks))) {}
 
 std::vector<double> ReadAttributes::of(const std::vector<std::uint64_t>& numbers, Ranks& ranks) const {
   const auto reader = [&](std::size_t i) {

@@ -23,15 +23,14 @@ InputVertices InputVertices::by_coordinates(std::span<const Point> inputs, std::
                                             std::span<const Point> vertices, const Adjacency& adjacency,
                                             StopSignal* stop) {
   Array<Index> vertex(inputs.size(), no_index);
-  std::vector<Index>& sorted = wanted;
   const auto less = [&](Index a, Index b) { return lexicographically_less(inputs[a], inputs[b]); };
-  stoppable_sort(sorted.begin(), sorted.end(), less, stop);
+  stoppable_sort(wanted.begin(), wanted.end(), less, stop);
   SparseAsk ask(stop);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     ask();
-    const auto at = std::lower_bound(sorted.begin(), sorted.end(), vertices[v],
+    const auto at = std::lower_bound(wanted.begin(), wanted.end(), vertices[v],
                                      [&](Index i, Point p) { return lexicographically_less(inputs[i], p); });
-    if (at == sorted.end() || !(inputs[*at] == vertices[v])) continue;
+    if (at == wanted.end() || !(inputs[*at] == vertices[v])) continue;
     Index& match = vertex[*at];
     if (match != no_index && (adjacency.has_triangle(match) || !adjacency.has_triangle(static_cast<Index>(v))))
       continue;
