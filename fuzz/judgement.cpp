@@ -10,6 +10,7 @@
 #include "../cli/centroid.hpp"
 #include "../cli/domain_of_mesh.hpp"
 #include "../properties/checker/check.hpp"
+#include "distances.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -18,8 +19,6 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 /// The mesher's bounds are stricter than the goal by a small factor, so it may list triangles that just keep a bound.
 constexpr double nearly = 1 - 1e-9;
-
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 double area_of(const Mesh& mesh, const Triangle& triangle) {
   const Point a = mesh.points[triangle.v[0]], b = mesh.points[triangle.v[1]], c = mesh.points[triangle.v[2]];

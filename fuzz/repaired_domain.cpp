@@ -29,8 +29,7 @@ class Comparison {
     for (Index s = 0; s < before_.segments.size(); ++s) check_that_it_is_covered(s);
     check_gaps();
     check_values_of_points();
-    check_holes();
-    check_regions();
+    check_holes_and_regions();
   }
 
  private:
@@ -162,34 +161,28 @@ class Comparison {
     fail("point " + std::to_string(p) + " has the marker of no segment at it");
   }
 
-  /// The holes are old ones, in their order. With one of the others, the domain would not be valid, or something was
-  /// snapped and the hole is near a segment.
-  void check_holes() const {
-    std::size_t kept = 0;
-    for (const Point hole : before_.holes) {
-      if (kept < after_.holes.size() && after_.holes[kept] == hole) {
-        ++kept;
-        continue;
-      }
-      Pslg with = after_;
-      with.holes.push_back(hole);
-      if (is_valid(with) && !is_near_a_segment(hole)) fail("a hole was dropped without a reason");
-    }
-    if (kept != after_.holes.size()) fail("the repaired domain has another hole");
+  void check_holes_and_regions() const {
+    check_seeds(
+        &Pslg::holes, [](Point hole) { return hole; }, "hole");
+    check_seeds(
+        &Pslg::regions, [](const Region& region) { return region.seed; }, "region");
   }
 
-  void check_regions() const {
+  /// The holes, or the regions, are old ones, in their order. With one of the others, the domain would not be valid, or
+  /// something was snapped and the seed is near a segment.
+  template <class Seed, class PlaceOf>
+  void check_seeds(std::vector<Seed> Pslg::*seeds, const PlaceOf& place_of, const std::string& what) const {
     std::size_t kept = 0;
-    for (const Region& region : before_.regions) {
-      if (kept < after_.regions.size() && after_.regions[kept] == region) {
+    for (const Seed& seed : before_.*seeds) {
+      if (kept < (after_.*seeds).size() && (after_.*seeds)[kept] == seed) {
         ++kept;
         continue;
       }
       Pslg with = after_;
-      with.regions.push_back(region);
-      if (is_valid(with) && !is_near_a_segment(region.seed)) fail("a region was dropped without a reason");
+      (with.*seeds).push_back(seed);
+      if (is_valid(with) && !is_near_a_segment(place_of(seed))) fail("a " + what + " was dropped without a reason");
     }
-    if (kept != after_.regions.size()) fail("the repaired domain has another region");
+    if (kept != (after_.*seeds).size()) fail("the repaired domain has another " + what);
   }
 
   [[nodiscard]] bool is_valid(const Pslg& pslg) const {

@@ -30,6 +30,11 @@ Error tangled() {
           "snapping distance may help."};
 }
 
+Result<Repaired> result_of(Result<RepairStage> stage) {
+  if (!stage) return stage.error();
+  return std::move(stage->repaired);
+}
+
 /// A repair that chooses its snapping distances itself. Each of its steps continues an earlier one if there is one.
 class AutomaticRepair {
  public:
@@ -45,8 +50,7 @@ class AutomaticRepair {
       if (!next || next->repaired.domain.pslg() == stage->repaired.domain.pslg()) break;
       stage = std::move(next);
     }
-    if (!stage) return stage.error();
-    return std::move(stage->repaired);
+    return result_of(std::move(stage));
   }
 
  private:
@@ -133,9 +137,7 @@ Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
   if (const std::vector<Problem> unusable = find_unusable_values(pslg, stop); !unusable.empty())
     return Error{ErrorKind::invalid_input, messages(unusable, pslg.first_id.value)};
   if (!options.snap) return AutomaticRepair(pslg, options.convex_hull, stop).repair();
-  Result<RepairStage> stage = repair_once(pslg, *options.snap, options.convex_hull, stop).value_or(tangled());
-  if (!stage) return stage.error();
-  return std::move(stage->repaired);
+  return result_of(repair_once(pslg, *options.snap, options.convex_hull, stop).value_or(tangled()));
 } catch (const Stopped& stopped) {
   return stopped.error;
 }

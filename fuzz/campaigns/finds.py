@@ -103,9 +103,9 @@ def with_less_at(i, data, fails, is_over):
     holds."""
     step = data[i] // 2
     while step > 0 and not is_over():
-        less = data[:i] + bytes([max(0, data[i] - step)]) + data[i + 1:]
-        if data[i] > step and fails(less):
-            data = less
+        less = data[i] - step
+        if less > 0 and fails(candidate := data[:i] + bytes([less]) + data[i + 1:]):
+            data = candidate
         else:
             step //= 2
     return data

@@ -36,14 +36,13 @@ def built_program(build):
 class Rounds:
     def __init__(self, folder, options):
         self.folder, self.options, self.children = folder, options, Children()
-        self.program = options.harness_program or built_program(not options.no_build)
         state = folder / "state.json"
         self.state = json.loads(state.read_text()) if state.exists() else {
             "mesher": options.harness, "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
             "families": {}, "finds": [], "history": []}
 
-    def command(self, work):
-        return [str(self.program), "--mesher", self.state["mesher"],
+    def command(self, program, work):
+        return [str(program), "--mesher", self.state["mesher"],
                 "--cases", str(self.options.cases), "--seed", str(self.state["seed"]),
                 "--jobs", str(self.options.jobs), "--json", str(work / "report.json"),
                 "--report", str(work / "report.md"), "--failures", str(work / "failures"),
@@ -101,19 +100,19 @@ class Rounds:
             {"cases": [(s / 3600, c) for s, c, _ in self.state["history"]],
              "kinds of failures": [(s / 3600, f) for s, _, f in self.state["history"]]}, "hours", ""))
 
-    def run(self):
+    def run(self, program):
         end = time.time() + 3600 * self.options.hours
         while not self.children.stopping and time.time() < end:
             work = self.folder / "work"
             shutil.rmtree(work, ignore_errors=True)
             work.mkdir()
             began = time.time()
-            child = self.children.start(self.command(work), stdout=subprocess.DEVNULL)
+            child = self.children.start(self.command(program, work), stdout=subprocess.DEVNULL)
             child.wait()
             if child.returncode == INTERRUPTED or self.children.stopping:
                 break
             if child.returncode not in (0, 1):
-                raise Stop(f"{self.program} ended with exit code {child.returncode}")
+                raise Stop(f"{program} ended with exit code {child.returncode}")
             self.account(work, time.time() - began)
             self.save()
         shutil.rmtree(self.folder / "work", ignore_errors=True)
@@ -129,8 +128,9 @@ def run(folder, options):
     rounds = Rounds(folder, options)
     if options.harness and options.harness != rounds.state["mesher"]:
         raise Stop(f"{folder}: this campaign is of the mesher '{rounds.state['mesher']}'")
+    program = options.harness_program or built_program(not options.no_build)
     rounds.children.stop_on_signals()
-    rounds.run()
+    rounds.run(program)
     if rounds.state["rounds"] > 0:
         print(folder / "summary.md")
     return 1 if rounds.state["finds"] else 0

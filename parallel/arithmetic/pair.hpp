@@ -42,8 +42,20 @@ using PairBits __attribute__((vector_size(2 * sizeof(std::int64_t)))) = std::int
   return std::bit_cast<Pair>(std::bit_cast<PairBits>(a) & std::int64_t{0x7fff'ffff'ffff'ffff});
 }
 [[nodiscard]] inline double least(double a, double b) { return std::min(a, b); }
-[[nodiscard]] inline Pair least(Pair a, Pair b) { return b < a ? b : a; }
+[[nodiscard]] inline Pair least(Pair a, Pair b) {
+#ifdef __SSE2__
+  return std::bit_cast<Pair>(_mm_min_pd(b, a));
+#else
+  return b < a ? b : a;
+#endif
+}
 [[nodiscard]] inline double greatest(double a, double b) { return std::max(a, b); }
-[[nodiscard]] inline Pair greatest(Pair a, Pair b) { return a < b ? b : a; }
+[[nodiscard]] inline Pair greatest(Pair a, Pair b) {
+#ifdef __SSE2__
+  return std::bit_cast<Pair>(_mm_max_pd(b, a));
+#else
+  return a < b ? b : a;
+#endif
+}
 
 }  // namespace pardel::engine

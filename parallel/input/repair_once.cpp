@@ -118,12 +118,7 @@ void erase_at(std::vector<T>& values, const std::vector<Index>& ids) {
 /// Drops holes and regions.
 class Seeds {
  public:
-  Seeds(Work& work, SeedRecord& record, StopSignal& stop)
-      : work_(work),
-        log_(record.dropped),
-        stop_(stop),
-        hole_source_(record.hole_source),
-        region_source_(record.region_source) {}
+  Seeds(Work& work, SeedRecord& record, StopSignal& stop) : work_(work), record_(record), stop_(stop) {}
 
   /// Drops those closer than `snap` to a segment.
   void drop_near_segments(double snap) {
@@ -140,9 +135,9 @@ class Seeds {
       std::vector<Index>& ids = is_hole ? holes : regions;
       if (std::ranges::find(ids, id) != ids.end()) continue;
       ids.push_back(id);
-      log_.push_back("Dropped: " + std::string(is_hole ? "Hole " : "Region ") +
-                     number(pslg, (is_hole ? hole_source_ : region_source_)[id]) + " at " + shortest(seeds[seed]) +
-                     " is closer to a segment than the snapping distance.");
+      record_.dropped.push_back("Dropped: " + std::string(is_hole ? "Hole " : "Region ") +
+                                number(pslg, (is_hole ? record_.hole_source : record_.region_source)[id]) + " at " +
+                                shortest(seeds[seed]) + " is closer to a segment than the snapping distance.");
     }
     drop(holes, regions);
   }
@@ -172,9 +167,9 @@ class Seeds {
           rest.push_back(std::move(p));
           continue;
         }
-        p.ids[0] = (of_hole ? hole_source_ : region_source_)[p.ids[0]];
-        if (p.ids.size() > 1) p.ids[1] = (of_hole || of_region ? work_.source : region_source_)[p.ids[1]];
-        log_.push_back("Dropped: " + p.message(work_.pslg.first_id.value));
+        p.ids[0] = (of_hole ? record_.hole_source : record_.region_source)[p.ids[0]];
+        if (p.ids.size() > 1) p.ids[1] = (of_hole || of_region ? work_.source : record_.region_source)[p.ids[1]];
+        record_.dropped.push_back("Dropped: " + p.message(work_.pslg.first_id.value));
       }
       if (!rest.empty()) return rest;
       drop(holes, regions);
@@ -184,18 +179,18 @@ class Seeds {
  private:
   void drop(const std::vector<Index>& holes, const std::vector<Index>& regions) {
     erase_at(work_.pslg.holes, holes);
-    erase_at(hole_source_, holes);
+    erase_at(record_.hole_source, holes);
     erase_at(work_.pslg.regions, regions);
-    erase_at(region_source_, regions);
+    erase_at(record_.region_source, regions);
   }
 
   Work& work_;
-  std::vector<std::string>& log_;
+  SeedRecord& record_;
   StopSignal& stop_;
-  std::vector<Index>&hole_source_, &region_source_;  ///< new -> old
 };
 
-std::vector<Index> numbers(std::size_t n) {
+/// 0, 1, ..., n - 1.
+std::vector<Index> identity_map(std::size_t n) {
   std::vector<Index> all(n);
   std::iota(all.begin(), all.end(), Index{0});
   return all;
@@ -213,10 +208,11 @@ std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
 std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop,
                                                const RepairStage* from) {
   Work work = from == nullptr
-                  ? Work{pslg, numbers(pslg.points.size()), numbers(pslg.segments.size())}
+                  ? Work{pslg, identity_map(pslg.points.size()), identity_map(pslg.segments.size())}
                   : Work{from->repaired.domain.pslg(), from->repaired.point_map, from->repaired.segment_map};
-  SeedRecord record =
-      from == nullptr ? SeedRecord{numbers(pslg.holes.size()), numbers(pslg.regions.size()), {}} : from->seeds;
+  SeedRecord record = from == nullptr
+                          ? SeedRecord{identity_map(pslg.holes.size()), identity_map(pslg.regions.size()), {}}
+                          : from->seeds;
   if (!untangle(work, snap, stop)) return std::nullopt;
 
   const std::vector<bool> is_old = images_of_points(work);
