@@ -46,16 +46,18 @@ def artifacts(work):
     return [file for file in sorted(Path(work).iterdir()) if re.match(r"(crash|timeout|oom|leak)-", file.name)]
 
 
-def minimise(target, corpus, seconds, children):
+def minimise(target, corpus, work, seconds, children):
     """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one. One of the
-    children does it."""
+    children does it. Its log is WORK/merge, and inputs that fail are left in WORK; the subset does not have them."""
     merged, old, control = (corpus.with_suffix(suffix) for suffix in (".merged", ".old", ".control"))
     for leftover in (merged, old):
         remove(leftover)
     merged.mkdir(parents=True)
-    command = target.command("-merge=1", f"-merge_control_file={control}", merged, *folders_of(target, corpus))
+    command = target.command("-merge=1", f"-merge_control_file={control}", f"-artifact_prefix={work}/", merged,
+                             *folders_of(target, corpus))
     control.unlink(missing_ok=True)
-    child = children.start(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=programs.environment())
+    with open(work / "merge", "wb") as log:
+        child = children.start(command, stdout=log, stderr=subprocess.STDOUT, env=programs.environment())
     child.wait(seconds)
     control.unlink(missing_ok=True)
     if child.returncode != 0 or not any(merged.iterdir()):

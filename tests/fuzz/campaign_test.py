@@ -27,7 +27,8 @@ fi
 """
 
 # Speaks as libFuzzer does. The first argument that is a folder is the corpus. A run ends after LASTS seconds, or by
-# SIGTERM. A merge fails; that of the target `fake` waits for a process of its own that takes MERGES seconds.
+# SIGTERM. A merge fails; that of the target `fake` waits for a process of its own that takes MERGES seconds. With
+# MERGE_FINDS, the merge leaves a failing input, and the run after it does not.
 FUZZER = r"""#!/usr/bin/env python3
 import os, re, signal, subprocess, sys, time
 from pathlib import Path
@@ -39,6 +40,9 @@ if "merge" in options:
         waits = subprocess.Popen(["sleep", os.environ["MERGES"]])
         Path(folders[0].parent / "merging").write_text(str(waits.pid))
         waits.wait()
+    if "MERGE_FINDS" in os.environ:
+        print("fuzz: the property failed: vertex 99 at (1, 2) is missing", flush=True)
+        Path(options["artifact_prefix"] + "crash-2").write_bytes(b"a bug with a 7")
     sys.exit(1)
 end = time.time() + float(os.environ.get("LASTS", "1"))
 signal.signal(signal.SIGTERM, lambda *_: globals().__setitem__("end", 0))
@@ -46,7 +50,8 @@ print("#10 INITED cov: 100 ft: 200 corp: 5/50b exec/s: 0", flush=True)
 while time.time() < end:
     time.sleep(0.05)
 (folders[0] / "new").write_text("input")
-Path(options["artifact_prefix"] + "crash-1").write_bytes(b"some text\nbug number 7 in the middle\nmore\n")
+if "MERGE_FINDS" not in os.environ:
+    Path(options["artifact_prefix"] + "crash-1").write_bytes(b"some text\nbug number 7 in the middle\nmore\n")
 print("fuzz: the property failed: vertex 99 at (1, 2) is missing", flush=True)
 print("stat::number_of_executed_units: 110\n#110 DONE cov: 120 ft: 260 corp: 6/60b exec/s: 100", flush=True)
 sys.exit(1)
@@ -218,7 +223,9 @@ class Slices(FakeBuild):
         corpus = self.folder / "corpus" / "fake"
         corpus.mkdir(parents=True)
         (corpus / "input").write_text("kept")
-        self.assertFalse(slices.minimise(self.target, corpus, 10, Children()))
+        work = self.folder / "work"
+        work.mkdir()
+        self.assertFalse(slices.minimise(self.target, corpus, work, 10, Children()))
         self.assertEqual([f.name for f in corpus.parent.iterdir()], ["fake"])
         self.assertEqual((corpus / "input").read_text(), "kept")
 
@@ -266,7 +273,7 @@ class Campaigns(FakeBuild):
         with open(self.folder / "build/fuzz/targets", "a") as targets:
             targets.write(f"{name}\n")
         self.write(f"build/fuzz/replay_{name}", REPLAY)
-        without_finds = re.sub(r'^Path\(options\["artifact_prefix"\].*\n', "", FUZZER, flags=re.MULTILINE)
+        without_finds = re.sub(r'^if "MERGE_FINDS" not in.*\n.*\n', "", FUZZER, flags=re.MULTILINE)
         self.write(f"build/fuzz/fuzz_{name}", without_finds)
 
     def write_state(self, **slices_made):
@@ -359,6 +366,14 @@ class Campaigns(FakeBuild):
         self.assertEqual(campaign.returncode, 1, said)
         self.assertEqual(self.slices_made()["fake"], 1)
         self.assertGreaterEqual(self.slices_made()["other"], 2)
+
+    def test_an_input_that_fails_while_a_corpus_is_minimised_is_a_find(self):
+        self.write_state(fake=3)
+        campaign = self.begin("--resume", self.folder / "run", "--hours", str(5.9 / 3600), MERGE_FINDS="1")
+        said = campaign.communicate()[0]
+        self.assertEqual(campaign.returncode, 1, said)
+        self.assertEqual([f["message"] for f in self.read()["finds"]],
+                         ["vertex 12 at (0.5, 3) is missing"], said)
 
     def test_a_program_that_is_missing_is_named(self):
         (self.folder / "build/fuzz/fuzz_fake").unlink()
