@@ -97,8 +97,28 @@ class Judgement {
                std::to_string(options.max_vertices) + " vertices: " + listed;
       if (e.reason == ExemptReason::kept_segment && !options.no_boundary_splits && !options.no_segment_splits)
         return "every segment may be split: " + listed;
+      if ((e.reason == ExemptReason::min_edge || e.reason == ExemptReason::precision) && least_height() > 3 * floor())
+        return "no triangle is so narrow that lengths are a reason: " + listed;
     }
     return {};
+  }
+
+  /// The shortest allowed edge (Options::min_edge).
+  [[nodiscard]] double floor() const {
+    double largest = 0;
+    for (const Point p : expected_.pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    return std::max({expected_.options.min_edge, largest * 0x1p-42, 0x1p-129});
+  }
+
+  /// The least distance from a corner of a triangle to its opposite side, in the whole mesh.
+  [[nodiscard]] double least_height() {
+    if (least_height_ == no_bound)
+      for (const Triangle& triangle : mesh_.triangles) {
+        const Point a = mesh_.points[triangle.v[0]], b = mesh_.points[triangle.v[1]], c = mesh_.points[triangle.v[2]];
+        const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+        least_height_ = std::min(least_height_, 2 * area_of(mesh_, triangle) / longest);
+      }
+    return least_height_;
   }
 
   [[nodiscard]] std::string fault_of_limits() {
@@ -182,6 +202,7 @@ class Judgement {
   Certificate certificate_;
   std::vector<int> reason_of_;  ///< per triangle: why the report lists it
   std::vector<bool> misses_;    ///< per triangle: the checker finds that it misses a bound
+  double least_height_ = no_bound;
 };
 
 /// What a file does not say about a mesh: from which part of the input its vertices and edges come.

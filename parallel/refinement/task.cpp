@@ -168,13 +168,12 @@ EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {
 
 void Task::split_blocker(QueuedTriangle triangle) {
   const EdgeRef blocker = insertion_.blocker();
-  if (assessor_.forbidden(blocker) || assessor_.below_floor(blocker)) {
-    result_.left_alone = true;
-    return;
-  }
-  const Outcome outcome = split_edge(blocker);
-  if (outcome == Outcome::inserted) consider(triangle.id());
-  if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(blocker));
+  const bool may_be_split = !assessor_.forbidden(blocker) && !assessor_.below_floor(blocker);
+  const Outcome outcome = may_be_split ? split_edge(blocker) : Outcome::refused;
+  if (outcome == Outcome::inserted) return consider(triangle.id());
+  if (outcome == Outcome::leaves_box) return hand_on(triangle, assessor_.point_on(blocker));
+  result_.blocked.push_back(triangle);
+  result_.left_alone = true;
 }
 
 Outcome Task::split_edge(EdgeRef e) {

@@ -154,8 +154,7 @@ class Refinement {
       refine_due(present, short_enough_for(*present.quadtree(), finer));
       levels.emplace_back(std::move(finer));
     }
-    record_.set_finest(levels.back(), bounds, largest_radii(t_, runner_.triangles(), threads_),
-                       counts_.inserted + counts_.segment_splits);
+    record_.set_finest(levels.back(), bounds, largest_radii(t_, runner_.triangles(), threads_), made());
     std::vector<Deferral> shorter_half;
     for (const unsigned key : pending_.median_keys(levels.back())) shorter_half.push_back({.last_key = key});
     if (partners_ != nullptr) divide(levels.back());
@@ -279,7 +278,7 @@ class Refinement {
     if (options_.decomposition == Decomposition::paper)
       levels.back() =
           Tiles(with_cells_at_least(Lattice::radii_per_side * largest.radius, bounds, *levels.back().lattice()));
-    record_.set_finest(levels.back(), bounds, largest, counts_.inserted + counts_.segment_splits);
+    record_.set_finest(levels.back(), bounds, largest, made());
   }
 
   /// Splits the shorter half of the triangles first, in all cells, then the longer half. The points that split short
@@ -314,12 +313,25 @@ class Refinement {
     is_divided_ = true;
   }
 
-  /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels.
+  /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels. Then tries
+  /// the triangles that still wait on all levels again, as long as this inserts vertices: a vertex may lie between the
+  /// split point of a triangle and the segment that blocked it, and the triangle stays the same.
   void go_up(const Levels& levels) {
     if (partners_ != nullptr) return go_up_in_excerpt(levels);
-    for (std::size_t level = levels.size() - 1; level-- > 0;)
+    refine_waiting(levels, levels.size() - 1);
+    for (std::uint64_t before = UINT64_MAX; pending_.any_needs_larger_box() && made() != before;) {
+      before = made();
+      refine_waiting(levels, levels.size());
+    }
+  }
+
+  /// On so many levels, from the finest of these to the coarsest.
+  void refine_waiting(const Levels& levels, std::size_t count) {
+    for (std::size_t level = count; level-- > 0;)
       sweep_to_fixpoint(levels[level], pending_.take_needing_larger_box_by_cell(levels[level]), {});
   }
+
+  [[nodiscard]] std::uint64_t made() const { return counts_.inserted + counts_.segment_splits; }
 
   void go_up_in_excerpt(const Levels& levels) {
     const std::vector<QueuedTriangle> rest = pending_.take_needing_larger_box();
@@ -426,6 +438,7 @@ class Refinement {
       needs_more_at_->insert(needs_more_at_->end(), r.needs_more_at.begin(), r.needs_more_at.end());
     pending_.add_needing_larger_box(task.outside_box);
     pending_.add_needing_larger_box(r.needs_larger_box);
+    pending_.add_needing_larger_box(r.blocked);
     counts_.inserted += r.inserted;
     counts_.segment_splits += r.segment_splits;
     counts_.refused += r.refused;

@@ -81,6 +81,16 @@ TEST_F(Judgement, sees_that_a_reason_cannot_be_true) {
   EXPECT_TRUE(fault().starts_with("there is no limit: ")) << fault();
 }
 
+TEST_F(Judgement, sees_that_no_length_is_short_enough_to_be_a_reason) {
+  for (const ExemptReason reason : {ExemptReason::min_edge, ExemptReason::precision}) {
+    for (Exemption& e : meshed_.report.exempt) e.reason = reason;
+    options_.min_edge = 0;
+    EXPECT_TRUE(fault(true).starts_with("no triangle is so narrow that lengths are a reason: ")) << fault(true);
+    options_.min_edge = 0.1;
+    EXPECT_TRUE(fault(true).starts_with("an edge is shorter than allowed: ")) << fault(true);
+  }
+}
+
 TEST_F(Judgement, does_not_believe_that_a_small_angle_of_the_domain_is_the_reason) {
   goal_ = {.min_angle_deg = 30};
   options_ = {.threads = 1, .max_vertices = 5};
@@ -93,7 +103,8 @@ TEST_F(Judgement, does_not_believe_that_a_small_angle_of_the_domain_is_the_reaso
 }
 
 TEST_F(Judgement, accepts_a_missed_bound_only_where_the_case_allows_it) {
-  for (Exemption& e : meshed_.report.exempt) e.reason = ExemptReason::precision;
+  options_.no_boundary_splits = true;
+  for (Exemption& e : meshed_.report.exempt) e.reason = ExemptReason::kept_segment;
   EXPECT_EQ(fault(true), "");
   EXPECT_NE(fault(false), "");
 }

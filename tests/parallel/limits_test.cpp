@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
@@ -227,6 +229,31 @@ TEST(KeptSegments, that_are_not_delaunay_break_a_conforming_goal) {
   EXPECT_FALSE(check(pslg, kept->mesh, goal).valid);
   EXPECT_TRUE(split->report.goal_met());
   EXPECT_TRUE(check(pslg, split->mesh, goal).valid);
+}
+
+/// A segment blocks a triangle. Later, a vertex comes between the triangle's split point and the segment. The triangle
+/// was not tried again, and the reason in the report was `precision`.
+TEST(KeptSegments, do_not_excuse_a_triangle_after_a_vertex_has_come_between) {
+  const auto in_square = [](const std::vector<Point>& points, const std::vector<Segment>& segments) {
+    Pslg pslg = domains::square();
+    for (Point& p : pslg.points) p = {32 * p.x, 32 * p.y};
+    pslg.points.insert(pslg.points.end(), points.begin(), points.end());
+    pslg.segments.insert(pslg.segments.end(), segments.begin(), segments.end());
+    return pslg;
+  };
+  const std::vector<std::pair<Pslg, Goal>> cases{
+      {in_square({{3, 19}, {25, 24}, {29, 12}}, {{4, 5}}),
+       {.min_angle_deg = 0, .max_area = 28, .feature_edges = 1, .conforming = true}},
+      {in_square({{31, 9}, {25, 12}, {26, 27}, {5, 27}, {31, 26}}, {{4, 5}, {6, 7}}),
+       {.min_angle_deg = 25, .max_area = 10}},
+      {in_square({{27, 2}, {21, 31}, {13, 2}, {21, 26}}, {{4, 5}, {6, 7}}),
+       {.min_angle_deg = 25, .max_area = 3, .feature_edges = 1, .conforming = true}}};
+  for (const auto& [pslg, goal] : cases) {
+    const Result<Meshed> meshed = mesh(pslg, goal, {.no_boundary_splits = true});
+    ASSERT_TRUE(meshed) << meshed.error().message;
+    ASSERT_FALSE(meshed->report.exempt.empty());
+    EXPECT_EQ(meshed->report.count(ExemptReason::kept_segment), meshed->report.exempt.size());
+  }
 }
 
 TEST(Cancellation, ends_the_run_with_an_error_of_its_kind) {
