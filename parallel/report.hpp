@@ -73,7 +73,8 @@ struct Report {
   std::uint32_t restarts = 0;
   std::uint64_t inserted = 0;        ///< number of vertices added inside faces
   std::uint64_t segment_splits = 0;  ///< number of vertices added on segments
-  /// Number of split points not inserted: they would have made an edge too short, or a triangle without positive area.
+  /// How often a split point was not inserted, because it would have made an edge too short, or a triangle without
+  /// positive area. A point may be tried more than once.
   std::uint64_t refused = 0;
   std::vector<Exemption> exempt;  ///< the triangles that do not satisfy the goal, in ascending order
   std::vector<Gap> gaps;          ///< the gaps of the domain, as find_gaps() finds them; only after mesh()

@@ -111,6 +111,12 @@ def with_less_at(i, data, fails, is_over):
     return data
 
 
+def timed_out(artifact, output):
+    """libFuzzer's names of failing inputs begin with the kind of failure. Other inputs are judged by the output."""
+    kind = re.match(r"(crash|timeout|oom|leak)-", Path(artifact).name)
+    return kind.group(1) == "timeout" if kind else "timeout" in signature(output)["verdict"]
+
+
 def record(target, artifact, output, folder, seconds, stopping=lambda: False):
     """Files a find below `folder`. Returns its entry, or None if one with the same verdict and stack is there. A find
     gets its name when it is complete; what an interruption leaves is made again. It is shrunk for so many seconds, or
@@ -120,7 +126,7 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
     a time-out of the fuzzer is then no find: it counts elapsed time, of which other work may have taken most.
     """
     again = replay(target, artifact)
-    if again is None and "timeout" in signature(output)["verdict"]:
+    if again is None and timed_out(artifact, output):
         return None
     found = signature(again if again is not None else output)
     name = key(target.name, found)

@@ -23,7 +23,7 @@ struct HandedOn {
 struct TaskResult {
   std::vector<HandedOn> handed_on;               ///< to other cells, or to its own if its indices were used up
   std::vector<QueuedTriangle> needs_larger_box;  ///< the point lies in the cell, but the cavity leaves the cell's box
-  std::vector<QueuedTriangle> blocked;           ///< the point encroaches on a segment that cannot be split
+  std::vector<QueuedTriangle> blocked;           ///< their points encroach on an edge that cannot be split
   std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
   std::vector<TriangleId> changed;               ///< if asked for: the triangles that it made, and that still exist
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
@@ -87,7 +87,7 @@ class Task {
   /// Splits an encroached side of the triangle. If no such side can be split, and the triangle itself has to be split,
   /// returns the triangle's shortest side. Otherwise returns none().
   [[nodiscard]] EdgeRef split_encroached_side(QueuedTriangle triangle);
-  /// Splits the edge on which the triangle's split point encroaches.
+  /// Splits the edge on which the triangle's split point encroaches. If it cannot be split, the triangle is blocked.
   void split_blocker(QueuedTriangle triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && tiles_->cell_of(p) != cell_; }
   void hand_on_to_own_cell(QueuedTriangle triangle);

@@ -66,9 +66,10 @@ class Partners {
   /// Refines an excerpt. Returns the changed triangles. Throws NotHeld if the excerpt is too small at a place that
   /// is not known.
   using RefineExcerpt = std::function<std::vector<TriangleId>(const Excerpt& excerpt)>;
-  /// Splits the triangles whose cavities fit no box of the finest tiles, and those that a segment has blocked. They are
-  /// few. One rank gets the triangles near them, and calls `refine`; if the excerpt is too small, it gets more and
-  /// starts again. All ranks then take over the changes. `rest`: the triangles of this rank.
+  /// Splits the triangles whose cavities fit no box of the finest tiles, and tries those again that were blocked
+  /// (TaskResult::blocked). They are few, unless many segments may not be split. One rank gets the triangles near them,
+  /// and calls `refine`; if the excerpt is too small, it gets more and starts again. All ranks then take over the
+  /// changes. `rest`: the triangles of this rank.
   virtual void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) = 0;
 
   /// Called at the end, before the runner is destroyed.

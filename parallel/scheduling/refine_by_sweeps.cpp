@@ -89,7 +89,8 @@ class Refinement {
       add_up_counts();
       partners_->finish();
     }
-    // A triangle is left over if its split point lies in no triangle, or if the refinement ended early.
+    // A triangle is left over if its split point lies in no triangle, if it is blocked, or if the refinement ended
+    // early.
     counts_.left_alone = counts_.left_alone || pending_.any_needs_larger_box();
     counts_.tiling = std::move(record_).take();
     return Done{};
@@ -313,13 +314,15 @@ class Refinement {
     is_divided_ = true;
   }
 
-  /// Splits the triangles whose cavities fit no box of a level. Uses the larger boxes of the coarser levels. Then tries
-  /// the triangles that still wait on all levels again, as long as this inserts vertices: a vertex may lie between the
-  /// split point of a triangle and the segment that blocked it, and the triangle stays the same.
+  /// Splits the triangles whose cavities fit no box of a level, on the coarser levels, which have larger boxes. Also
+  /// tries the blocked triangles again: a vertex may now lie between the split point of a triangle and the segment that
+  /// blocked it. As long as a pass over the levels inserts vertices, another one tries the triangles that still wait.
   void go_up(const Levels& levels) {
     if (partners_ != nullptr) return go_up_in_excerpt(levels);
+    const bool has_coarser = levels.size() > 1;  // otherwise the first pass does nothing
+    std::uint64_t before = has_coarser ? made() : UINT64_MAX;
     refine_waiting(levels, levels.size() - 1);
-    for (std::uint64_t before = UINT64_MAX; pending_.any_needs_larger_box() && made() != before;) {
+    while (pending_.any_needs_larger_box() && made() != before) {
       before = made();
       refine_waiting(levels, levels.size());
     }

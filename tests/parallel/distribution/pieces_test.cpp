@@ -36,6 +36,15 @@ Pslg touching_triangles() {
   return pslg;
 }
 
+/// A domain in which, if its boundary may not be split, a triangle is blocked until a vertex comes in between.
+Pslg square_with_a_crack() {
+  Pslg pslg = domains::square();
+  for (Point& p : pslg.points) p = {32 * p.x, 32 * p.y};
+  pslg.points.insert(pslg.points.end(), {{9, 4}, {18, 4}, {10, 10}, {9, 24}, {6, 12}});
+  pslg.segments.push_back({4, 5});
+  return pslg;
+}
+
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> list;
@@ -60,6 +69,8 @@ const std::vector<Case>& cases() {
     add("filled_pipe", domains::pipe(), {.min_angle_deg = 28, .max_area = 5e-4}, {.interior = Interior::fill});
     add("filled_regions_with_data", square_with_data(), {.max_area = 0.001, .region_caps = true},
         {.interior = Interior::fill});
+    add("kept_boundary", square_with_a_crack(), {.min_angle_deg = 25, .max_area = 2},
+        {.cells = {4, 4}, .no_boundary_splits = true});
     add("papers_lattice", domains::pipe(), {.max_area = 1e-3}, {.decomposition = Decomposition::paper});
     return list;
   }();
