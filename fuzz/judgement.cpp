@@ -113,11 +113,8 @@ class Judgement {
   /// The least distance from a corner of a triangle to its opposite side, in the whole mesh.
   [[nodiscard]] double least_height() {
     if (least_height_ == no_bound)
-      for (const Triangle& triangle : mesh_.triangles) {
-        const Point a = mesh_.points[triangle.v[0]], b = mesh_.points[triangle.v[1]], c = mesh_.points[triangle.v[2]];
-        const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-        least_height_ = std::min(least_height_, 2 * area_of(mesh_, triangle) / longest);
-      }
+      for (const Triangle& triangle : mesh_.triangles)
+        least_height_ = std::min(least_height_, 2 * area_of(mesh_, triangle) / sides_of(triangle).back());
     return least_height_;
   }
 
@@ -160,14 +157,19 @@ class Judgement {
     return {t};
   }
 
+  /// The lengths of the sides, ascending.
+  [[nodiscard]] std::array<double, 3> sides_of(const Triangle& triangle) const {
+    const Point a = mesh_.points[triangle.v[0]], b = mesh_.points[triangle.v[1]], c = mesh_.points[triangle.v[2]];
+    std::array<double, 3> sides{distance(a, b), distance(b, c), distance(c, a)};
+    std::ranges::sort(sides);
+    return sides;
+  }
+
   /// True if the triangle misses a bound, or keeps one by less than rounding.
   [[nodiscard]] bool nearly_misses(Index t) const {
     if (expected_.has_other_caps) return true;
     const Goal& goal = expected_.goal;
-    const auto& v = mesh_.triangles[t].v;
-    const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
-    std::array<double, 3> sides{distance(a, b), distance(b, c), distance(c, a)};
-    std::ranges::sort(sides);
+    const std::array<double, 3> sides = sides_of(mesh_.triangles[t]);
     const double area = area_of(mesh_, mesh_.triangles[t]);
     if (2 * area * nearly < std::sin(goal.min_angle_deg * std::numbers::pi / 180) * sides[1] * sides[2]) return true;
     if (area > goal.max_area * nearly || sides[2] > goal.max_edge * nearly) return true;

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import safe_files
 
-from . import programs
+from . import programs, slices
 
 FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
 OF_OTHERS = ("LLVMFuzzer", "fuzzer::", "__", "std::", "operator")  # beginnings of names
@@ -112,9 +112,9 @@ def with_less_at(i, data, fails, is_over):
 
 
 def timed_out(artifact, output):
-    """libFuzzer's names of failing inputs begin with the kind of failure. Other inputs are judged by the output."""
-    kind = re.match(r"(crash|timeout|oom|leak)-", Path(artifact).name)
-    return kind.group(1) == "timeout" if kind else "timeout" in signature(output)["verdict"]
+    """libFuzzer tells it in the name of a failing input, AFL++ in the output."""
+    kind = slices.kind_of(artifact)
+    return kind == "timeout" if kind else "timeout" in signature(output)["verdict"]
 
 
 def record(target, artifact, output, folder, seconds, stopping=lambda: False):

@@ -42,8 +42,20 @@ def folders_of(target, corpus):
     return [corpus] + ([target.committed] if target.committed.is_dir() else [])
 
 
+def kind_of(file):
+    """The kind of failure with which libFuzzer begins the name of a failing input; None for other files."""
+    found = re.match(r"(crash|timeout|oom|leak)-", Path(file).name)
+    return found and found.group(1)
+
+
 def artifacts(work):
-    return [file for file in sorted(Path(work).iterdir()) if re.match(r"(crash|timeout|oom|leak)-", file.name)]
+    return [file for file in sorted(Path(work).iterdir()) if kind_of(file)]
+
+
+def log_of(work, name="log"):
+    """The text of a log in WORK; empty if there is none."""
+    log = work / name
+    return log.read_text(errors="replace") if log.exists() else ""
 
 
 def minimise(target, corpus, work, seconds, children):

@@ -319,19 +319,16 @@ class Refinement {
   /// blocked it. As long as a pass over the levels inserts vertices, another one tries the triangles that still wait.
   void go_up(const Levels& levels) {
     if (partners_ != nullptr) return go_up_in_excerpt(levels);
-    const bool has_coarser = levels.size() > 1;  // otherwise the first pass does nothing
-    std::uint64_t before = has_coarser ? made() : UINT64_MAX;
-    refine_waiting(levels, levels.size() - 1);
-    while (pending_.any_needs_larger_box() && made() != before) {
-      before = made();
-      refine_waiting(levels, levels.size());
-    }
+    bool goes_on = refine_waiting(levels, levels.size() - 1) || levels.size() == 1;
+    while (goes_on && pending_.any_needs_larger_box()) goes_on = refine_waiting(levels, levels.size());
   }
 
-  /// On so many levels, from the finest of these to the coarsest.
-  void refine_waiting(const Levels& levels, std::size_t count) {
+  /// A pass over so many of the coarsest levels, from fine to coarse. Returns true if it has inserted vertices.
+  bool refine_waiting(const Levels& levels, std::size_t count) {
+    const std::uint64_t before = made();
     for (std::size_t level = count; level-- > 0;)
       sweep_to_fixpoint(levels[level], pending_.take_needing_larger_box_by_cell(levels[level]), {});
+    return made() > before;
   }
 
   [[nodiscard]] std::uint64_t made() const { return counts_.inserted + counts_.segment_splits; }

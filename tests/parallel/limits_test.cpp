@@ -235,8 +235,7 @@ TEST(KeptSegments, that_are_not_delaunay_break_a_conforming_goal) {
 /// was not tried again, and the reason in the report was `precision`.
 TEST(KeptSegments, do_not_excuse_a_triangle_after_a_vertex_has_come_between) {
   const auto in_square = [](const std::vector<Point>& points, const std::vector<Segment>& segments) {
-    Pslg pslg = domains::square();
-    for (Point& p : pslg.points) p = {32 * p.x, 32 * p.y};
+    Pslg pslg = domains::moved(domains::square(), 0, 0, 32);
     pslg.points.insert(pslg.points.end(), points.begin(), points.end());
     pslg.segments.insert(pslg.segments.end(), segments.begin(), segments.end());
     return pslg;

@@ -38,8 +38,7 @@ Pslg touching_triangles() {
 
 /// A domain in which, if its boundary may not be split, a triangle is blocked until a vertex comes in between.
 Pslg square_with_a_crack() {
-  Pslg pslg = domains::square();
-  for (Point& p : pslg.points) p = {32 * p.x, 32 * p.y};
+  Pslg pslg = domains::moved(domains::square(), 0, 0, 32);
   pslg.points.insert(pslg.points.end(), {{9, 4}, {18, 4}, {10, 10}, {9, 24}, {6, 12}});
   pslg.segments.push_back({4, 5});
   return pslg;
