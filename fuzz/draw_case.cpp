@@ -1,5 +1,5 @@
-// draw_case INPUT STEM: writes the domain that an input of a fuzz target draws, before its repair, as STEM.poly and
-// STEM.svg, and prints the goal and the options.
+// draw_case TARGET INPUT STEM: writes the domain that an input of a fuzz target draws, before its repair, as STEM.poly
+// and STEM.svg, and prints the goal and the options.
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -8,33 +8,55 @@
 
 #include "../core/formats.hpp"
 #include "mesh_case.hpp"
+#include "reference_case.hpp"
 
-int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: draw_case INPUT STEM\n");
-    return 2;
-  }
-  std::ifstream in(argv[1], std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  const pardel::fuzz::MeshCase drawn = pardel::fuzz::decode_mesh_case(bytes);
-  const auto& [pslg, goal, options, nudged, again, threads, ranks, seed] = drawn;
-  const std::string stem = argv[2];
-  for (const pardel::Status& written :
-       {pardel::write_poly(pslg, stem + ".poly"), pardel::write_svg(pslg, stem + ".svg")})
-    if (!written) {
-      std::fprintf(stderr, "%s\n", written.error().message.c_str());
-      return 5;
-    }
+namespace {
+
+using namespace pardel;
+
+void print(const Pslg& pslg, const Goal& goal) {
   std::printf("%zu points, %zu segments, %zu holes, %zu regions\n", pslg.points.size(), pslg.segments.size(),
               pslg.holes.size(), pslg.regions.size());
   std::printf("angle %g, area %g, edge %g, conforming %d, hull %d, field %d, grading %g, feature edges %g\n",
               goal.min_angle_deg, goal.max_area, goal.max_edge, goal.conforming, goal.convex_hull,
               static_cast<bool>(goal.size), goal.grading, goal.feature_edges);
+}
+
+void print(const fuzz::MeshCase& drawn) {
+  const auto& [pslg, goal, options, nudged, again, threads, ranks, seed] = drawn;
+  print(pslg, goal);
   std::printf("placement %d, decomposition %d, triangles per tile %u, vertices %llu, least edge %g, no splits %d %d\n",
               static_cast<int>(options.placement), static_cast<int>(options.decomposition), options.triangles_per_tile,
               static_cast<unsigned long long>(options.max_vertices), options.min_edge, options.no_boundary_splits,
               options.no_segment_splits);
   std::printf("nudged %d, refined again %d, threads %d, ranks %d, seed %llu\n", nudged, again, threads, ranks,
               static_cast<unsigned long long>(seed));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: draw_case TARGET INPUT STEM\n");
+    return 2;
+  }
+  const std::string target = argv[1], stem = argv[3];
+  std::ifstream in(argv[2], std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  Pslg pslg;
+  if (target == "reference") {
+    const fuzz::ReferenceCase drawn = fuzz::decode_reference_case(bytes);
+    print(drawn.pslg, drawn.goal);
+    pslg = drawn.pslg;
+  } else {
+    const fuzz::MeshCase drawn = fuzz::decode_mesh_case(bytes);
+    print(drawn);
+    pslg = drawn.pslg;
+  }
+  for (const Status& written : {write_poly(pslg, stem + ".poly"), write_svg(pslg, stem + ".svg")})
+    if (!written) {
+      std::fprintf(stderr, "%s\n", written.error().message.c_str());
+      return 5;
+    }
   return 0;
 }

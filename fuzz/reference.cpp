@@ -2,40 +2,17 @@
 // meshed by both. Both must reach the goal, and both meshes must be conformal and (constrained) Delaunay by definition;
 // the checker must certify both.
 #include <map>
-#include <set>
 #include <string>
 
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check.hpp"
-#include "../properties/domains/paths.hpp"
 #include "../ref/faces.hpp"
 #include "../ref/ruppert.hpp"
 #include "fuzz_one.hpp"
-#include "supply.hpp"
+#include "reference_case.hpp"
 
 namespace pardel::fuzz {
 namespace {
-
-/// A square of side 16, possibly with a rectangular hole or island, or a wall from side to side, and isolated points.
-/// No two segments meet at less than 60 degrees.
-Pslg decode_domain(Supply& bytes) {
-  Pslg pslg;
-  const int kind = bytes.below(4), low = 3 + bytes.below(5), high = 8 + bytes.below(6), right = 8 + bytes.below(6);
-  domains::add_closed(pslg, domains::rectangle(0, 0, 16, 16));
-  if (kind == 1 || kind == 2) domains::add_closed(pslg, domains::rectangle(low, low, right, high));
-  if (kind == 1) pslg.holes.push_back({(low + right) / 2.0, (low + high) / 2.0});
-  if (kind == 3) domains::add_open(pslg, {{double(low), 2}, {double(right), double(high)}});
-  std::set<std::pair<int, int>> used;
-  while (!bytes.empty() && used.size() < 16) {
-    const int x = 1 + bytes.below(15), y = 1 + bytes.below(15);
-    const auto lies_between = [](int k, int a, int b) { return k >= a && k <= b; };
-    const bool in_box = lies_between(x, low, right) && lies_between(y, low, high);
-    const bool on_wall = kind == 3 && (right - low) * (y - 2) == (high - 2) * (x - low);
-    if ((kind == 1 || kind == 2) && in_box) continue;
-    if (!on_wall && used.insert({x, y}).second) pslg.points.push_back({double(x), double(y)});
-  }
-  return pslg;
-}
 
 /// Without the constraints that have triangles on both sides.
 ref::PlainMesh with_boundary_only(ref::PlainMesh mesh) {
@@ -64,12 +41,7 @@ void check_by_definition(const Mesh& mesh, const Goal& goal, const std::string& 
 }  // namespace
 
 int fuzz_one(std::span<const std::uint8_t> bytes) {
-  Supply supply(bytes);
-  Goal goal{.min_angle_deg = supply.one_of({20.7, 10.0, 15.0, 0.0})};
-  goal.conforming = supply.flag(128);
-  if (const int cap = supply.below(4); cap == 3) goal.max_area = 12;
-  const Pslg pslg = decode_domain(supply);
-
+  const auto [pslg, goal] = decode_reference_case(bytes);
   const Result<Mesh> reference = ref::ruppert(pslg, goal);
   const Result<Meshed> engine = mesh(pslg, goal);
   if (!engine) fail("the engine rejects the domain: " + engine.error().message);

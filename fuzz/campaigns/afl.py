@@ -20,9 +20,9 @@ def build_mutator(folder):
 def mutator(folder, target):
     """The library with the mutator of a target; None if it has none. Raises Stop if it has not been built."""
     library = folder / "mutate_strokes.so"
-    if target.draws and not library.exists():
+    if target.has_strokes and not library.exists():
         raise Stop(f"{library} is missing; without --no-build it is made")
-    return library if target.draws else None
+    return library if target.has_strokes else None
 
 
 def environment(library):

@@ -77,7 +77,7 @@ def smaller(data, target, fails, is_over):
 def one_round(data, target, fails, is_over):
     """Removes parts, and sets bytes to zero, as long as fails() holds: strokes of a domain, else lines and bytes. In
     strokes, bytes are numbers, for example the size of a domain of a family. They are also made smaller."""
-    head, sizes = (32, [64, 16, 8]) if target.draws else (0, [256, 64, 16, 4, 1])
+    head, sizes = (32, [64, 16, 8]) if target.has_strokes else (0, [256, 64, 16, 4, 1])
     for size in sizes:
         at = len(data) - (len(data) - head) % size
         while at > head and not is_over():
@@ -91,7 +91,7 @@ def one_round(data, target, fails, is_over):
         zeroed = data[:i] + b"\0" + data[i + 1:]
         if zeroed != data and fails(zeroed):
             data = zeroed
-        elif target.draws:
+        elif target.has_strokes:
             data = with_less_at(i, data, fails, is_over)
     while data.endswith(b"\0") and fails(data[:-1]) and not is_over():
         data = data[:-1]
@@ -156,8 +156,8 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
         trial.unlink(missing_ok=True)
     (fresh / "input").write_bytes(data)
     if target.draws:
-        drawn = subprocess.run([str(target.folder / "draw_case"), str(fresh / "input"), str(fresh / "domain")],
-                               capture_output=True, text=True, check=False)
+        drawn = subprocess.run([str(target.folder / "draw_case"), target.name, str(fresh / "input"),
+                                str(fresh / "domain")], capture_output=True, text=True, check=False)
         (fresh / "case.txt").write_text(drawn.stdout)
     entry = {"target": target.name, "key": name, "times": 1, "bytes": len(data), "repeats": again is not None,
              "replay": f"{target.replay} {place / 'input'}", "picture": target.draws, **found}

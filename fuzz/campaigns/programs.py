@@ -23,9 +23,14 @@ class Target:
         self.folder = folder
 
     @property
+    def has_strokes(self):
+        """Does the input consist of a header and strokes of a domain (mesh_case.hpp)?"""
+        return self.mutator == "mutate_strokes.cpp"
+
+    @property
     def draws(self):
         """Is the input a domain that draw_case can draw?"""
-        return self.mutator == "mutate_strokes.cpp"
+        return self.has_strokes or self.name == "reference"
 
     @property
     def longest(self):
@@ -51,7 +56,7 @@ class Target:
         """The libFuzzer program with the options of this target."""
         command = [str(self.program(mutated)), f"-max_len={self.longest}", "-timeout=30",
                    "-rss_limit_mb=3000", "-malloc_limit_mb=1000", "-len_control=0", "-print_final_stats=1"]
-        if not self.draws:
+        if not self.has_strokes:
             # The values that are compared guide the search in files. In a mesh nearly every value is new.
             command.append("-use_value_profile=1")
         if self.dictionary.exists():

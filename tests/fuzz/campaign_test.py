@@ -578,6 +578,25 @@ class Afl(FakeBuild):
             self.assertIn(message, said)
 
 
+class Pictures(unittest.TestCase):
+    """TARGETS: the list of targets of a build, which also has draw_case."""
+
+    def test_of_every_target_whose_input_is_a_domain_can_be_drawn(self):
+        drawing = [t for t in programs.targets(Path(os.environ["TARGETS"]).parents[1]) if t.draws]
+        self.assertGreater(len(drawing), 5)
+        for target in drawing:
+            with self.subTest(target.name), tempfile.TemporaryDirectory() as folder:
+                stem = Path(folder) / "domain"
+                input_of_corpus = min(target.committed.iterdir())
+                said = subprocess.run([target.folder / "draw_case", target.name, input_of_corpus, stem], check=True,
+                                      capture_output=True, text=True).stdout
+                self.assertRegex(said, r"^[1-9]\d* points, [1-9]\d* segments")
+                self.assertIn("<svg", stem.with_suffix(".svg").read_text())
+                header, _, points = stem.with_suffix(".poly").read_text().partition("\n")
+                self.assertEqual(header.split()[0], said.split()[0])
+                self.assertIn("\n", points)
+
+
 class Canaries(unittest.TestCase):
     """TARGETS: the list of targets of a build."""
 
