@@ -4,6 +4,8 @@ import signal
 import subprocess
 import sys
 
+import process_groups
+
 LONGEST = 3600  # seconds that a command may take
 
 
@@ -16,8 +18,8 @@ def output(*command, cwd=None, threads=1, **environment):
     words = [str(word) for word in command]
     variables = {**os.environ, "OMP_NUM_THREADS": str(threads), **environment}  # waiting threads would be counted, too
     try:
-        result = subprocess.run(words, cwd=cwd, env=variables, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, text=True, timeout=LONGEST)
+        result = process_groups.run(words, LONGEST, cwd=cwd, env=variables, stdout=subprocess.PIPE,
+                                    stderr=subprocess.PIPE)
     except OSError as error:
         raise Failed(f"{words[0]} cannot be started: {error.strerror}") from None
     except subprocess.TimeoutExpired:
@@ -29,11 +31,11 @@ def output(*command, cwd=None, threads=1, **environment):
 
 def run(name, main):
     """Calls the main function of a script, and ends the process with its result. Exit code 1: something failed; 130 and
-    143: SIGINT and SIGTERM. The command that runs then is killed."""
+    143: SIGINT and SIGTERM. The command that runs then is killed, with the processes that it has started."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     try:
         sys.exit(main())
-    except Failed as error:
+    except (Failed, OSError) as error:
         sys.exit(f"{name}: {error}")
     except KeyboardInterrupt:
         sys.exit(130)

@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 
+import process_groups
 import safe_files
 
 from . import command
@@ -22,6 +23,7 @@ def git(*arguments, cwd=None):
 
 def resolve(name):
     """The full hash of a commit."""
+    git("rev-parse", "--git-dir")  # without git, or outside a repository, this tells why
     try:
         return git("rev-parse", "--verify", "--quiet", name + "^{commit}")
     except Failed:
@@ -132,7 +134,7 @@ class NotBuilt(Failed):
 def build(tree, *targets, preset="bench"):
     for words in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "--target", *targets]):
         try:
-            result = subprocess.run(words, cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            result = process_groups.run(words, cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         except OSError as error:
             raise Failed(f"{words[0]} cannot be started: {error.strerror}") from None
         if result.returncode != 0:

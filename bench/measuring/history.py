@@ -38,7 +38,7 @@ def read(file=None):
     file = file or FILE
     if not os.path.exists(file):
         return []
-    with open(file, newline="") as text:
+    with open(file, newline="", errors="replace") as text:
         lines = list(csv.reader(text))
     for number, fields in enumerate(lines or [[]], 1):
         if fields != COLUMNS if number == 1 else len(fields) != len(COLUMNS) or not are_numbers(fields):
@@ -47,14 +47,12 @@ def read(file=None):
 
 
 def are_numbers(fields):
-    """Is every field of a row that has to be a number one, or empty?"""
+    """Is every field of a row that has to be a number above 0 one, or empty?"""
     try:
-        for name, text in zip(COLUMNS, fields):
-            if name in NUMBERS and text:
-                NUMBERS[name](text)
+        return all(0 < NUMBERS[name](text) < float("inf")
+                   for name, text in zip(COLUMNS, fields) if name in NUMBERS and text)
     except ValueError:
         return False
-    return True
 
 
 def merged(old, new):

@@ -2,4 +2,4 @@
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "scripts"))  # for safe_files
+sys.path.append(str(Path(__file__).resolve().parents[2] / "scripts"))  # for safe_files, process_groups

@@ -11,9 +11,11 @@ from pathlib import Path
 import safe_files
 
 from . import programs, slices
+from .script import read_json
 
 FRAME = re.compile(r"#\d+ 0x[0-9a-f]+ in (.+?) (?:/\S+|\()")
 OF_OTHERS = ("LLVMFuzzer", "fuzzer::", "__", "std::", "operator")  # beginnings of names
+ENTRY = ("target", "key", "times", "bytes", "replay", "verdict", "stack", "message")  # keys of a find.json
 NOT_TELLING = ("pardel::fuzz::fail", "pardel::fuzz::fuzz_one", "abort", "raise", "gsignal", "main", "_start")
 
 
@@ -132,7 +134,7 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
     name = key(target.name, found)
     place = Path(folder) / target.name / name
     if (place / "find.json").exists():
-        count = json.loads((place / "find.json").read_text())
+        count = read_json(place / "find.json", ENTRY)
         count["times"] += 1
         safe_files.replace(place / "find.json", json.dumps(count, indent=1))
         return None
@@ -169,5 +171,5 @@ def record(target, artifact, output, folder, seconds, stopping=lambda: False):
 def all_in(folder):
     """The finds below a folder, sorted by verdict, then by stack."""
     files = Path(folder).glob("*/*/find.json")
-    found = [json.loads(file.read_text()) for file in files if file.parent.suffix != ".new"]
+    found = [read_json(file, ENTRY) for file in files if file.parent.suffix != ".new"]
     return sorted(found, key=lambda find: (find["verdict"], find["stack"], find["target"], find["key"]))

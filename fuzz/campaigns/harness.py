@@ -11,7 +11,7 @@ import safe_files
 
 from . import programs, summary
 from .child import Children
-from .script import Stop
+from .script import Stop, read_json
 
 INTERRUPTED = 130  # the exit code of the harness after SIGINT
 
@@ -36,10 +36,14 @@ def built_program(build):
 class Rounds:
     def __init__(self, folder, options):
         self.folder, self.options, self.children = folder, options, Children()
-        state = folder / "state.json"
-        self.state = json.loads(state.read_text()) if state.exists() else {
+        self.state = {
             "mesher": options.harness, "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
             "families": {}, "finds": [], "history": []}
+        state = folder / "state.json"
+        if state.exists():
+            if not has_begun(folder):
+                raise Stop(f"{folder}: this campaign is of the fuzz targets, not of a mesher")
+            self.state = read_json(state, self.state)
 
     def command(self, program, work):
         return [str(program), "--mesher", self.state["mesher"],
@@ -49,7 +53,7 @@ class Rounds:
                 *self.options.harness_options.split()]
 
     def account(self, work, seconds):
-        report = json.loads((work / "report.json").read_text())
+        report = read_json(work / "report.json", ("families", "failures", "kinds"))
         state = self.state
         state["rounds"] += 1
         state["seed"] += 1
@@ -121,7 +125,7 @@ class Rounds:
 def has_begun(folder):
     """Is the campaign in this folder one of a mesher?"""
     state = folder / "state.json"
-    return state.exists() and "mesher" in json.loads(state.read_text())
+    return state.exists() and "mesher" in read_json(state, ())
 
 
 def run(folder, options):

@@ -1,7 +1,9 @@
 """The fuzz programs of a build: their names, how they are built, and how libFuzzer is called."""
 import os
-import subprocess
+import re
 from pathlib import Path
+
+import process_groups
 
 from .script import Stop
 
@@ -73,10 +75,17 @@ def environment(**more):
 
 
 def targets(build):
-    """The targets of a build folder, in the order of fuzz/CMakeLists.txt."""
-    folder = Path(build) / "fuzz"
-    lines = (folder / "targets").read_text().splitlines()
-    return [Target(line.split()[0], (line.split() + [""])[1], folder) for line in lines if line.strip()]
+    """The targets of a build folder, in the order of fuzz/CMakeLists.txt. Raises Stop if there are none."""
+    folder = (Path(build) / "fuzz").resolve()  # slices work in folders of their own
+    found = []
+    for line in (folder / "targets").read_text().splitlines():
+        name, _, mutator = line.strip().partition(" ")
+        if mutator not in LONGEST:
+            raise Stop(f"{folder / 'targets'}: the mutator '{mutator}' is unknown")
+        found += [Target(name, mutator, folder)] if name else []
+    if not found:
+        raise Stop(f"{folder / 'targets'}: there is no target")
+    return found
 
 
 def chosen(targets, names):
@@ -90,6 +99,13 @@ def chosen(targets, names):
     return [t for t in targets if not wanted or t.name in wanted]
 
 
+def check_path(path):
+    """Raises Stop for a path that libFuzzer cannot use when it minimises a corpus. It starts itself by a shell then,
+    without quotes."""
+    if wrong := re.search(r"[^\w@%+=:,./-]", str(path)):
+        raise Stop(f"{path}: libFuzzer cannot minimise corpora where a path contains '{wrong.group()}'")
+
+
 def needed(targets):
     """The programs that a campaign of these targets starts."""
     found = [program for target in targets for program in (target.program(), target.replay)]
@@ -99,5 +115,6 @@ def needed(targets):
 def build(folder, goal, jobs, preset="fuzz"):
     """Configures a preset if necessary and builds a CMake target of it."""
     if not (Path(folder) / "CMakeCache.txt").exists():
-        subprocess.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT, check=True)
-    subprocess.run(["cmake", "--build", str(folder), "--target", goal, "-j", str(jobs)], cwd=ROOT, check=True)
+        process_groups.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT).check_returncode()
+    process_groups.run(["cmake", "--build", str(folder), "--target", goal, "-j", str(jobs)],
+                       cwd=ROOT).check_returncode()

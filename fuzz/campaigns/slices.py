@@ -1,5 +1,7 @@
 """Slices: runs of libFuzzer of limited length, and what their logs say."""
+import hashlib
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -38,6 +40,11 @@ def start(target, corpus, work, seconds, seed, children):
                               env=programs.environment())
 
 
+def did_not_start(child, work):
+    """Did the program of a slice end with an exit code of its own, without a figure and without a failing input?"""
+    return child.returncode > 0 and not PULSE.search(log_of(work)) and not artifacts(work)
+
+
 def folders_of(target, corpus):
     return [corpus] + ([target.committed] if target.committed.is_dir() else [])
 
@@ -58,6 +65,13 @@ def log_of(work, name="log"):
     return log.read_text(errors="replace") if log.exists() else ""
 
 
+def is_complete(folder):
+    """Does a folder that libFuzzer has written have inputs, and all of them whole? Their names are their hashes.
+    libFuzzer does not notice that it cannot write, for example on a full disk."""
+    files = list(folder.iterdir())
+    return bool(files) and all(hashlib.sha1(file.read_bytes()).hexdigest() == file.name for file in files)
+
+
 def minimise(target, corpus, work, seconds, children):
     """Replaces the corpus by a subset with the same features. An interruption leaves the old or the new one. One of the
     children does it. Its log is WORK/merge, and inputs that fail are left in WORK; the subset does not have them."""
@@ -72,7 +86,7 @@ def minimise(target, corpus, work, seconds, children):
         child = children.start(command, stdout=log, stderr=subprocess.STDOUT, env=programs.environment())
     child.wait(seconds)
     control.unlink(missing_ok=True)
-    if child.returncode != 0 or not any(merged.iterdir()):
+    if child.returncode != 0 or not is_complete(merged):
         remove(merged)
         return False
     corpus.rename(old)
@@ -82,7 +96,8 @@ def minimise(target, corpus, work, seconds, children):
 
 
 def recover(corpus):
-    """Completes a replacement of the corpus that was interrupted between its two renames."""
+    """Completes a replacement of the corpus that was interrupted between its two renames, and removes what an
+    interrupted one has left."""
     old, merged = corpus.with_suffix(".old"), corpus.with_suffix(".merged")
     if not corpus.exists() and merged.exists():
         merged.rename(corpus)
@@ -90,10 +105,9 @@ def recover(corpus):
         old.rename(corpus)
     for leftover in (old, merged):
         remove(leftover)
+    corpus.with_suffix(".control").unlink(missing_ok=True)
 
 
 def remove(folder):
     if folder.is_dir():
-        for file in folder.iterdir():
-            file.unlink()
-        folder.rmdir()
+        shutil.rmtree(folder)

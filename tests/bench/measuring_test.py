@@ -203,6 +203,15 @@ class History(unittest.TestCase):
                 history.write([row("b")], file)
             self.assertEqual(history.read(file), [row("a")])
 
+    def test_a_number_that_is_none_or_not_above_0_is_told_with_its_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "workloads.csv")
+            for name, text in (("seconds", "0.00000"), ("seconds", "nan"), ("seconds", "inf"), ("instructions", "0"),
+                               ("items", "-1"), ("bytes", "x")):
+                history.write([row("a"), {**row("b"), name: text}], file)
+                with self.assertRaisesRegex(command.Failed, "workloads.csv:3: this is not a row"):
+                    history.read(file)
+
     def test_two_machines_have_one_point_for_the_instructions_of_a_commit(self):
         rows = [row("a", instructions="10"), row("a", machine="n", instructions="11"), row("b", instructions="12")]
         points = history.series(rows, ["a", "b"], history.instructions)["w"]

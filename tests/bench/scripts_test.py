@@ -5,6 +5,7 @@ import io
 import json
 import os
 import tempfile
+import time
 import unittest
 import unittest.mock
 from pathlib import Path
@@ -280,6 +281,14 @@ class Gate(SmallRepository):
         self.assertEqual(call(gate, "--update", "--self-test")[0], 2)
         self.assertEqual(call(gate, "--update", "--preset", "release")[0], 2)
 
+    def test_a_damaged_reference_is_told_before_anything_is_built(self):
+        self.builds.clear()
+        for text in ("", "[]", '{"workloads": {}}', "<<<<<<< HEAD"):
+            self.write("bench/gate.json", text)
+            code, printed = call(gate)
+            self.assertEqual((code, len(self.builds)), (1, 0))
+            self.assertIn("gate.json: this file is damaged; bench/gate --update records a new one", printed)
+
 
 class Compare(SmallRepository):
     def compare(self, *more):
@@ -317,6 +326,9 @@ class Compare(SmallRepository):
         self.assertEqual(code, 1)
         self.assertIn("the work failed", printed)
         self.assertEqual(call(compare, "HEAD")[0], 2)
+        self.builds.clear()
+        self.assertIn("nothing: there is no such commit", call(compare, "HEAD", "nothing")[1])
+        self.assertEqual(len(self.builds), 0)
         self.assertEqual(call(compare, "HEAD", ".", "--workloads", "three")[0], 2)
 
 
@@ -336,6 +348,17 @@ class Commands(unittest.TestCase):
     def test_a_command_that_takes_too_long_is_ended(self):
         with unittest.mock.patch.object(command, "LONGEST", 0.1), self.assertRaisesRegex(command.Failed, "took more than"):
             command.output("sleep", "20")
+
+    def test_a_command_is_ended_with_the_processes_that_it_has_started(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with unittest.mock.patch.object(command, "LONGEST", 1), self.assertRaises(command.Failed):
+                command.output("sh", "-c", f"(sleep 2; touch {folder}/went_on) & wait")
+            time.sleep(1.5)
+            self.assertFalse(os.path.exists(f"{folder}/went_on"))
+
+    def test_an_error_of_the_system_ends_a_script_with_a_message(self):
+        self.assertEqual(self.run_script(lambda: open("/no/such/file")),
+                         "name: [Errno 2] No such file or directory: '/no/such/file'")
 
     def test_an_interrupt_has_its_exit_code(self):
         def interrupted():

@@ -1,4 +1,5 @@
 """fuzz/campaign and fuzz/afl and their parts, with small scripts in place of the programs of libFuzzer and AFL++."""
+import hashlib
 import json
 import os
 import re
@@ -55,6 +56,11 @@ if "MERGE_FINDS" not in os.environ:
 print("fuzz: the property failed: vertex 99 at (1, 2) is missing", flush=True)
 print("stat::number_of_executed_units: 110\n#110 DONE cov: 120 ft: 260 corp: 6/60b exec/s: 100", flush=True)
 sys.exit(1)
+"""
+
+# A merge that writes one input. The first argument that is a folder is that of the result.
+MERGER = """#!/bin/sh
+for word; do case $word in -*) ;; *) printf '{text}' > "$word/{name}"; exit 0 ;; esac; done
 """
 
 
@@ -229,9 +235,23 @@ class Slices(FakeBuild):
         (corpus / "input").write_text("kept")
         work = self.folder / "work"
         work.mkdir()
-        self.assertFalse(slices.minimise(self.target, corpus, work, 10, Children()))
+        # On a full disk libFuzzer writes a part of an input, and its exit code is 0.
+        name = hashlib.sha1(b"kept").hexdigest()
+        for program in (FUZZER, "#!/bin/sh\n", MERGER.format(text="ke", name=name), MERGER.format(text="", name=name)):
+            self.write("build/fuzz/fuzz_fake", program)
+            self.assertFalse(slices.minimise(self.target, corpus, work, 10, Children()))
+            self.assertEqual([f.name for f in corpus.parent.iterdir()], ["fake"])
+            self.assertEqual((corpus / "input").read_text(), "kept")
+
+    def test_a_merge_replaces_the_corpus_with_its_folders(self):
+        corpus = self.folder / "corpus" / "fake"
+        (corpus / "folder").mkdir(parents=True)
+        (corpus / "folder/input").write_text("kept")
+        name = hashlib.sha1(b"kept").hexdigest()
+        self.write("build/fuzz/fuzz_fake", MERGER.format(text="kept", name=name))
+        self.assertTrue(slices.minimise(self.target, corpus, self.folder, 10, Children()))
         self.assertEqual([f.name for f in corpus.parent.iterdir()], ["fake"])
-        self.assertEqual((corpus / "input").read_text(), "kept")
+        self.assertEqual([(f.name, f.read_text()) for f in corpus.iterdir()], [(name, "kept")])
 
 
 class Summaries(unittest.TestCase):
@@ -393,11 +413,63 @@ class Campaigns(FakeBuild):
                                  (("--resume", self.folder / "nowhere"), "there is no campaign in this folder"),
                                  (("--resume", self.folder / "other"), "there is no campaign in this folder"),
                                  (("--out", self.folder / "run"), "--resume continues it"),
-                                 (("--jobs", "0"), "a number is out of range")):
+                                 (("--jobs", "0"), "--jobs has to be a number from 1 on"),
+                                 (("--hours", "nan"), "--hours has to be a number from 0 on"),
+                                 (("--slice", "3"), "--slice has to be a number from 4 on"),
+                                 (("--resume", self.folder / "run", "--out", self.folder / "new"),
+                                  "--resume and --out")):
             campaign = self.begin(*options)
             said = campaign.communicate()[0]
             self.assertNotEqual(campaign.returncode, 0)
             self.assertIn(message, said)
+
+    def test_a_program_that_does_not_start_ends_the_campaign(self):
+        self.write("build/fuzz/fuzz_fake", "#!/bin/sh\necho 'a shared library is missing'\nexit 127\n")
+        campaign = self.begin("--out", self.folder / "run")
+        said = campaign.communicate(timeout=30)[0]
+        self.assertEqual(campaign.returncode, 2)
+        self.assertIn("fuzz_fake ended with exit code 127\na shared library is missing", said)
+
+    def test_the_build_folder_may_be_relative(self):
+        campaign = subprocess.run(
+            [sys.executable, ROOT / "fuzz/campaign", "--no-build", "--build", "build", "--out", "run", "--hours",
+             str(5.9 / 3600), "--slice", "60"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True, check=False)
+        self.assertEqual(self.read()["executions"], 100, campaign.stdout)
+
+    def test_a_damaged_file_is_named_and_kept(self):
+        state = self.folder / "run/state.json"
+        for text in ("", '{"targets": {', "[]", '{"next": 3}'):
+            state.parent.mkdir(exist_ok=True)
+            state.write_text(text)
+            campaign = self.begin("--resume", self.folder / "run")
+            said = campaign.communicate()[0]
+            self.assertEqual(campaign.returncode, 2)
+            self.assertRegex(said, r"^campaign: \S+/run/state.json: this file is damaged: [^\n]+\n$")
+            self.assertEqual(state.read_text(), text)
+
+    def test_a_slice_whose_time_of_start_is_lost_does_not_stop_the_next_campaign(self):
+        self.write_state(fake=1)
+        work = self.folder / "run/work/fake-0"
+        work.mkdir(parents=True)
+        (work / "log").write_text("#9 DONE cov: 1 ft: 1 corp: 1/1b\n")
+        (work / "began").touch()
+        (self.folder / "run/work/notes").touch()
+        campaign = self.begin("--resume", self.folder / "run", "--hours", "0")
+        said = campaign.communicate()[0]
+        self.assertEqual(campaign.returncode, 0, said)
+        self.assertEqual(self.slices_made(), {"fake": 2})
+
+    def test_a_path_that_libfuzzer_cannot_use_is_an_error(self):
+        campaign = self.begin("--out", self.folder / "a run")
+        self.assertIn("where a path contains ' '", campaign.communicate()[0])
+        self.assertEqual(campaign.returncode, 2)
+
+    def test_of_fuzz_targets_cannot_be_continued_with_a_mesher(self):
+        self.write_state(fake=1)
+        campaign = self.begin("--resume", self.folder / "run", "--harness", "mesher {poly}")
+        self.assertIn("this campaign is of the fuzz targets, not of a mesher", campaign.communicate()[0])
+        self.assertEqual(campaign.returncode, 2)
 
     def test_two_processes_do_not_work_on_one_campaign(self):
         first = self.begin("--out", self.folder / "run", "--hours", "1", LASTS="60")
@@ -501,7 +573,8 @@ while time.time() < end:
 """
 
 
-OTHER_FIND = {"target": "other", "key": "0123456789", "verdict": "wrong", "stack": []}
+OTHER_FIND = {"target": "other", "key": "0123456789", "times": 1, "bytes": 3, "replay": "replay_other", "verdict": "wrong",
+              "stack": [], "message": "wrong"}
 
 
 class Afl(FakeBuild):
