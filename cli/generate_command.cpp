@@ -3,13 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 
 #include "../core/formats.hpp"
 #include "../properties/domains/domains.hpp"
@@ -17,6 +15,7 @@
 #include "distinct_files.hpp"
 #include "goal_options.hpp"
 #include "output.hpp"
+#include "whole_number.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -30,20 +29,6 @@ struct GenerateArguments {
 };
 
 constexpr double default_ratio = 0.02;
-
-/// CLI11 takes negative numbers modulo 2^64, 2^64 - 1 for larger numbers, and numbers that begin with 0 as octal ones.
-CLI::Validator whole_number() {
-  return {[](std::string& text) -> std::string {
-            std::uint64_t value = 0;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-            if (error == std::errc() && end == text.data() + text.size()) {
-              text = std::to_string(value);
-              return {};
-            }
-            return fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
-          },
-          ""};
-}
 
 Error usage(const char* message) { return {ErrorKind::usage, message}; }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "../help.hpp"
+#include "../whole_number.hpp"
 #include "mesher.hpp"
 
 namespace pardel::harness {
@@ -69,6 +70,7 @@ void add_case_options(CLI::App& app, Options& options) {
       ->type_name("N")
       ->group(group);
   app.add_option("--seed", options.seed, "Seed of the cases (default 1); equal seeds give equal reports")
+      ->check(cli::whole_number())
       ->type_name("S")
       ->group(group);
   app.add_option("--families", into<Family>(options.families, family_named),

@@ -4,20 +4,30 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <fstream>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iterator>
+#include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "../../cli/whole_number.hpp"
+#include "../../core/support/output_file.hpp"
 #include "generated_case.hpp"
 #include "judge_case.hpp"
+#include "log.hpp"
 #include "record.hpp"
 #include "watched_cases.hpp"
 
 namespace pardel::fuzz {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Arguments {
   std::uint64_t seed = 1, first = 0, cases = 1'000;
@@ -47,33 +57,33 @@ Record run_case(std::uint64_t seed, std::uint64_t number, const std::function<vo
   return record;
 }
 
-/// The records of the log with numbers in the range. The first line of a log is the seed.
-std::vector<Record> records_of(const Arguments& arguments) {
+/// The records of the log with numbers in the range.
+std::vector<Record> records_of(const Log& log, const Arguments& arguments) {
   std::vector<Record> records;
-  std::ifstream in(arguments.log);
-  std::string line;
-  if (!std::getline(in, line)) return records;
-  if (line != fmt::format("seed {}", arguments.seed))
-    throw CLI::ValidationError(arguments.log, "the log is of another seed");
-  while (std::getline(in, line))
-    if (const auto record = to_record(line); record && record->number - arguments.first < arguments.cases)
-      records.push_back(*record);
+  std::ranges::copy_if(log.records(), std::back_inserter(records),
+                       [&](const Record& record) { return record.number - arguments.first < arguments.cases; });
   return records;
 }
 
+void throw_unless(const Status& fine) {
+  if (!fine) throw std::runtime_error(fine.error().message);
+}
+
+/// What CLI11 does not notice, and what a long run should not tell at its end only.
+void check(const Arguments& arguments) {
+  if (std::isnan(arguments.watch.seconds)) throw CLI::ValidationError("--seconds", "this is not a number");
+  if (arguments.json.empty()) return;
+  if (!arguments.log.empty() && fs::weakly_canonical(arguments.log) == fs::weakly_canonical(arguments.json))
+    throw CLI::ValidationError("--report", "this is the log");
+  OutputFile trial(arguments.json);
+  if (!trial.ok()) throw_unless(trial.close());
+}
+
 int run(const Arguments& arguments) {
-  std::vector<Record> records;
-  std::ofstream log;
-  if (!arguments.log.empty()) {
-    records = records_of(arguments);
-    std::ifstream before(arguments.log, std::ios::ate);
-    const bool is_new = !before || before.tellg() == 0;
-    const bool is_cut_off = !is_new && before.seekg(-1, std::ios::end).peek() != '\n';
-    log.open(arguments.log, std::ios::app);
-    if (is_cut_off) log << '\n';
-    if (is_new) log << "seed " << arguments.seed << '\n';
-    if (!log.flush()) throw CLI::FileError(arguments.log + " cannot be written");
-  }
+  check(arguments);
+  std::optional<Log> log;
+  if (!arguments.log.empty()) log.emplace(arguments.log, arguments.seed);
+  std::vector<Record> records = log ? records_of(*log, arguments) : std::vector<Record>{};
   std::set<std::uint64_t> known;
   for (const Record& record : records) known.insert(record.number);
   std::vector<std::uint64_t> numbers;
@@ -85,16 +95,16 @@ int run(const Arguments& arguments) {
   };
   run_watched(numbers, arguments.watch, run, [&](const Record& record) {
     records.push_back(record);
-    if (log.is_open() && !(log << to_line(record) << std::endl))
-      throw CLI::FileError(arguments.log + " cannot be written");
+    if (log) log->append(record);
   });
 
   const std::string replay = fmt::format("many_domains --seed {}", arguments.seed);
   fmt::print("{}", summary_text(records, arguments.slowest, replay));
+  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
   if (!arguments.json.empty()) {
-    std::ofstream out(arguments.json);
-    out << summary_json(records, arguments.slowest, replay);
-    if (!out.flush()) throw CLI::FileError(arguments.json + " cannot be written");
+    OutputFile report(arguments.json);
+    report.write(summary_json(records, arguments.slowest, replay));
+    throw_unless(report.commit());
   }
   return std::ranges::all_of(records, [](const Record& r) { return r.verdict == Record::Verdict::right; }) ? 0 : 1;
 }
@@ -106,12 +116,18 @@ int main(int argc, char** argv) {
   pardel::fuzz::Arguments arguments;
   CLI::App app{
       "Meshes generated domains with random goals and options, on several threads and ranks, and judges every mesh "
-      "with "
-      "the exact checker and by its report. A case is determined by the seed and its number. The exit status is 1 if a "
+      "with the exact checker and by its report. A case is determined by the seed and its number. The exit status is 1 "
+      "if a "
       "case has a fault, crashes or takes too long."};
-  app.add_option("--seed", arguments.seed, "The seed of all cases")->capture_default_str();
-  app.add_option("--first", arguments.first, "The number of the first case")->capture_default_str();
-  app.add_option("--cases", arguments.cases, "The number of cases")->capture_default_str();
+  app.add_option("--seed", arguments.seed, "The seed of all cases")
+      ->check(pardel::cli::whole_number())
+      ->capture_default_str();
+  app.add_option("--first", arguments.first, "The number of the first case")
+      ->check(pardel::cli::whole_number())
+      ->capture_default_str();
+  app.add_option("--cases", arguments.cases, "The number of cases")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->capture_default_str();
   app.add_option("--jobs", arguments.watch.jobs, "Processes at the same time")
       ->check(CLI::Range(1, 1'000))
       ->capture_default_str();
@@ -121,13 +137,15 @@ int main(int argc, char** argv) {
   app.add_option("--log", arguments.log,
                  "A line per case goes to this file. If it exists, its cases are not run again, and count");
   app.add_option("--report", arguments.json, "The summary goes to this file, as JSON");
-  app.add_option("--slowest", arguments.slowest, "How many of the slowest cases are listed")->capture_default_str();
+  app.add_option("--slowest", arguments.slowest, "How many of the slowest cases are listed")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
     return pardel::fuzz::run(arguments);
   } catch (const CLI::Error& error) {
     return app.exit(error);
-  } catch (const std::system_error& error) {
+  } catch (const std::exception& error) {
     fmt::print(stderr, "many_domains: {}\n", error.what());
     return 5;
   }

@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 
+#include "../../cli/whole_number.hpp"
 #include "../numbered_random.hpp"
 #include "compare.hpp"
 
@@ -54,9 +56,13 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Compares the predicates of the mesher and of the checker with exact signs. Random points get one call of each "
       "predicate; hard points, degenerate or nearly so, get all ways to ask. The exit status is 1 if a sign differs."};
-  app.add_option("--random", random, "How many times four random points")->capture_default_str();
-  app.add_option("--hard", hard, "How many times four hard points")->capture_default_str();
-  app.add_option("--seed", seed, "The seed of all points")->capture_default_str();
+  app.add_option("--random", random, "How many times four random points")
+      ->check(pardel::cli::whole_number())
+      ->capture_default_str();
+  app.add_option("--hard", hard, "How many times four hard points")
+      ->check(pardel::cli::whole_number())
+      ->capture_default_str();
+  app.add_option("--seed", seed, "The seed of all points")->check(pardel::cli::whole_number())->capture_default_str();
   app.add_option("--threads", threads, "The number of threads; the points do not depend on it")
       ->check(CLI::Range(1, 1'000))
       ->capture_default_str();
@@ -69,5 +75,9 @@ int main(int argc, char** argv) {
   const Comparison of_hard =
       compare_many(hard, ~seed, threads, [](Random& r, Comparison& c) { compare_all(hard_points(r), c); });
   print("hard", hard, of_hard);
+  if (std::fflush(stdout) != 0) {
+    fmt::print(stderr, "many_signs: standard output cannot be written\n");
+    return 5;
+  }
   return of_random.differences + of_hard.differences == 0 ? 0 : 1;
 }

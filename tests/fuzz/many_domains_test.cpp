@@ -1,15 +1,19 @@
 // The parts of many_domains: cases are drawn by number and have no fault, processes that crash or hang cost one case,
 // and the log contains all that the summary needs.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "../../fuzz/many_domains/generated_case.hpp"
 #include "../../fuzz/many_domains/judge_case.hpp"
+#include "../../fuzz/many_domains/log.hpp"
 #include "../../fuzz/many_domains/record.hpp"
 #include "../../fuzz/many_domains/watched_cases.hpp"
 #include "../../parallel/validate.hpp"
@@ -74,6 +78,50 @@ TEST(Records, come_back_from_their_lines) {
 TEST(Records, of_lines_that_were_cut_off_are_none) {
   const std::string line = to_line(some_record(17, Verdict::wrong));
   for (std::size_t length = 0; length < line.size(); ++length) EXPECT_FALSE(to_record(line.substr(0, length)));
+}
+
+class Logs : public testing::Test {
+ protected:
+  ~Logs() override { std::filesystem::remove(file_); }
+
+  const std::string file_ = testing::TempDir() + "many_domains_" + std::to_string(getpid()) + ".log";
+};
+
+TEST_F(Logs, have_the_first_record_of_each_case) {
+  Log(file_, 5).append(some_record(1, Verdict::right));
+  Log(file_, 5).append(some_record(2, Verdict::wrong));
+  Log(file_, 5).append(some_record(1, Verdict::crash));
+  EXPECT_EQ(Log(file_, 5).records(), (std::vector{some_record(1, Verdict::right), some_record(2, Verdict::wrong)}));
+}
+
+TEST_F(Logs, go_on_after_a_line_that_was_cut_off) {
+  Log(file_, 5).append(some_record(1, Verdict::right));
+  std::filesystem::resize_file(file_, std::filesystem::file_size(file_) - 3);
+  Log(file_, 5).append(some_record(2, Verdict::right));
+  EXPECT_EQ(Log(file_, 5).records(), std::vector{some_record(2, Verdict::right)});
+}
+
+TEST_F(Logs, of_another_seed_or_in_no_folder_are_errors) {
+  Log(file_, 5).append(some_record(1, Verdict::right));
+  EXPECT_THROW(Log(file_, 6), std::runtime_error);
+  EXPECT_EQ(Log(file_, 5).records().size(), 1U);
+  EXPECT_THROW(Log("/no/such/folder/log", 5), std::runtime_error);
+}
+
+TEST_F(Logs, belong_to_one_process_at_a_time) {
+  const Log log(file_, 5);
+  const pid_t other = fork();
+  if (other == 0) {
+    try {
+      const Log second(file_, 5);
+      _exit(1);
+    } catch (const std::runtime_error&) {
+      _exit(0);
+    }
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(other, &status, 0), other);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST(Summary, counts_verdicts_and_kinds_and_lists_the_slowest_and_the_faults) {
