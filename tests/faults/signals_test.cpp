@@ -1,6 +1,7 @@
 // A signal at any moment of a run leaves old files or complete new ones.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,8 @@ struct LongRun {
 class Signals : public Workshop, public ::testing::WithParamInterface<int> {
  protected:
   Signals() {
+    // A shell makes programs in the background ignore SIGINT. The programs that this one starts would do the same.
+    std::signal(SIGINT, SIG_DFL);
     write("square.poly", square_poly);
     pardel({"mesh", "square.poly", "-o", "fine.off", "--max-area", "5e-6"});
     inputs_ = files();
