@@ -26,6 +26,9 @@ struct GeneratedCase {
   /// True if points may lie almost on a segment or almost on an edge of the convex hull. Between such lines, refinement
   /// ends only at the resolution of doubles, so these cases have a limit on vertices.
   [[nodiscard]] bool has_gaps_of_rounding() const;
+  /// True if two segments meet at so small an angle, so far from the origin, that between their pieces refinement can
+  /// reach the shortest edge that the mesher makes at such coordinates (2^-42 of the largest one).
+  [[nodiscard]] bool has_angles_of_rounding() const;
   /// True if a bound may be missed although the limit on vertices was not reached.
   [[nodiscard]] bool may_miss() const;
 };

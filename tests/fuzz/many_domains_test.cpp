@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -53,6 +54,26 @@ TEST(GeneratedCases, are_valid_and_of_every_kind) {
                            "threads2",      "threads3", "ranks1",         "ranks2",   "ranks3",   "ranks4", "floor",
                            "kept_segments", "limit",    "refined_again",  "turned",   "far",      "nudged"})
     EXPECT_GT(of_kind[kind], cases / 200) << kind;
+}
+
+/// Two segments of length 1 that meet at this angle, at this distance from the origin.
+GeneratedCase corner_at(double x, double angle) {
+  GeneratedCase drawn;
+  drawn.pslg.points = {{x, 0}, {x + 1, 0}, {x + std::cos(angle), std::sin(angle)}};
+  drawn.pslg.segments = {{0, 1}, {2, 0}};
+  return drawn;
+}
+
+TEST(GeneratedCases, may_miss_bounds_at_small_angles_far_from_the_origin_only) {
+  EXPECT_TRUE(corner_at(0x1p30, 0.01).may_miss());
+  EXPECT_FALSE(corner_at(0x1p30, 0.5).may_miss());
+  EXPECT_FALSE(corner_at(0x1p20, 0.01).may_miss());
+}
+
+TEST(GeneratedCases, may_need_edges_that_are_shorter_than_the_mesher_makes_far_from_the_origin) {
+  const GeneratedCase drawn = generated_case(4, 858'010);
+  EXPECT_TRUE(drawn.has_angles_of_rounding());
+  EXPECT_EQ(judge(drawn).fault, "");
 }
 
 Record some_record(std::uint64_t number, Verdict verdict = Verdict::right, double seconds = 0.25) {
