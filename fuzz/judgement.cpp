@@ -105,9 +105,7 @@ class Judgement {
 
   /// The shortest allowed edge (Options::min_edge).
   [[nodiscard]] double floor() const {
-    double largest = 0;
-    for (const Point p : expected_.pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    return std::max({expected_.options.min_edge, largest * 0x1p-42, 0x1p-129});
+    return std::max({expected_.options.min_edge, resolution(expected_.pslg), 0x1p-129});
   }
 
   /// The least distance from a corner of a triangle to its opposite side, in the whole mesh.

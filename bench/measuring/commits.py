@@ -23,10 +23,10 @@ def git(*arguments, cwd=None):
 
 def resolve(name):
     """The full hash of a commit."""
-    git("rev-parse", "--git-dir")  # without git, or outside a repository, this tells why
     try:
         return git("rev-parse", "--verify", "--quiet", name + "^{commit}")
     except Failed:
+        git("rev-parse", "--git-dir")  # without git, or outside a repository, this tells why
         raise Failed(f"{name}: there is no such commit") from None
 
 

@@ -26,6 +26,13 @@ def read_json(file, keys):
     return value
 
 
+def check_numbers(parser, options, **least):
+    """Ends the script with a message if an option is not a number from `least` on."""
+    for name, bound in least.items():
+        if not bound <= getattr(options, name) < float("inf"):
+            parser.error(f"--{name} has to be a number from {bound} on")
+
+
 def run(main):
     """Calls main() and ends the script with its result, or with 2 and a message."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))

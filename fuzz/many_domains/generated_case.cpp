@@ -10,6 +10,7 @@
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
 #include "../../properties/domains/generators/goals.hpp"
+#include "../distances.hpp"
 #include "../doubles.hpp"
 #include "../numbered_random.hpp"
 
@@ -222,10 +223,10 @@ double gap_between(const Pslg& pslg, const Segment& s, const Segment& t) {
     for (const auto& [also_from, to_t] : {std::pair(t.a, t.b), std::pair(t.b, t.a)}) {
       if (from != also_from) continue;
       const Point p = pslg.points[from], q = pslg.points[to_s], r = pslg.points[to_t];
-      const double of_s = std::hypot(q.x - p.x, q.y - p.y), of_t = std::hypot(r.x - p.x, r.y - p.y);
-      const double sine = std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / (of_s * of_t);
-      const double cosine = ((q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y)) / (of_s * of_t);
-      if (cosine > 0.5) return std::min(of_s, of_t) * sine;
+      const double of_s = distance(p, q), of_t = distance(p, r);
+      const double cross = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+      const double dot = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
+      if (dot > 0.5 * of_s * of_t) return std::abs(cross) / std::max(of_s, of_t);
     }
   return std::numeric_limits<double>::infinity();
 }
@@ -238,11 +239,10 @@ bool GeneratedCase::has_gaps_of_rounding() const {
 
 bool GeneratedCase::has_angles_of_rounding() const {
   constexpr double share = 64;  // pieces of segments are rarely shorter than this part of the segments
-  double largest = 0, gap = std::numeric_limits<double>::infinity();
-  for (const Point p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  double gap = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pslg.segments.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) gap = std::min(gap, gap_between(pslg, pslg.segments[i], pslg.segments[j]));
-  return gap < share * largest * 0x1p-42;
+  return gap < share * resolution(pslg);
 }
 
 bool GeneratedCase::may_miss() const {
