@@ -1,14 +1,13 @@
 // draw_case TARGET INPUT STEM: writes the domain that an input of a fuzz target draws, before its repair, as STEM.poly
 // and STEM.svg, and prints the goal and the options.
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "../core/formats.hpp"
 #include "mesh_case.hpp"
 #include "reference_case.hpp"
+#include "stored_inputs.hpp"
 
 namespace {
 
@@ -41,8 +40,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string target = argv[1], stem = argv[3];
-  std::ifstream in(argv[2], std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::vector<std::uint8_t> bytes = fuzz::bytes_of(argv[2]);
   Pslg pslg;
   if (target == "reference") {
     const fuzz::ReferenceCase drawn = fuzz::decode_reference_case(bytes);

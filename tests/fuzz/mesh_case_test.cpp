@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "../../fuzz/stored_inputs.hpp"
 #include "../../parallel/validate.hpp"
 
 namespace pardel::fuzz {
@@ -18,10 +16,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 std::vector<Bytes> corpus() {
   std::vector<Bytes> inputs;
-  for (const auto& entry : std::filesystem::directory_iterator(PARDEL_CORPUS "/mesh")) {
-    std::ifstream in(entry.path(), std::ios::binary);
-    inputs.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  }
+  for (const auto& file : files_below(PARDEL_CORPUS "/mesh")) inputs.push_back(bytes_of(file));
   return inputs;
 }
 

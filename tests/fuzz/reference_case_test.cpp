@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
+#include "../../fuzz/stored_inputs.hpp"
 #include "../../parallel/validate.hpp"
 
 namespace pardel::fuzz {
@@ -16,11 +14,8 @@ namespace {
 
 std::vector<ReferenceCase> cases_of_the_corpus() {
   std::vector<ReferenceCase> cases;
-  for (const auto& entry : std::filesystem::directory_iterator(PARDEL_CORPUS "/reference")) {
-    std::ifstream in(entry.path(), std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    cases.push_back(decode_reference_case(bytes));
-  }
+  for (const auto& file : files_below(PARDEL_CORPUS "/reference"))
+    cases.push_back(decode_reference_case(bytes_of(file)));
   return cases;
 }
 
