@@ -1,6 +1,6 @@
 // Validation and repair. On a lattice, validate() must agree with the definition in exact integers. A repaired domain
 // must be valid and must have everything that the old one had (repaired_domain.hpp), and repairing it again must change
-// nothing.
+// nothing. Only a domain without an interior may be refused (refused_repair.hpp).
 #include "../parallel/repair.hpp"
 
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "../properties/domains/generators/lattice_domain.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
+#include "refused_repair.hpp"
 #include "repaired_domain.hpp"
 #include "supply.hpp"
 
@@ -82,8 +83,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   if (is_valid_before && options.snap == 0.0 && !(once && once->log.empty() && once->domain.pslg() == before))
     fail("the repair of a valid domain without snapping changes it");
   if (!once) {
-    if (once.error().kind == ErrorKind::internal || once.error().message.empty())
-      fail("repair ends with an internal error: " + once.error().message);
+    check_refusal(before, options, once.error());
     return 0;
   }
   const Pslg& repaired = once->domain.pslg();

@@ -1,4 +1,4 @@
-// The check of a mesh, and readers and writers of files. The mesh is that of the workload `refinement`.
+// The check of a mesh, and readers and writers of meshes. The mesh is that of the workload `refinement`.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,6 +37,10 @@ bool write_vtu_file(const Mesh& mesh, const TemporaryFolder& folder) { return wr
 bool write_msh_file(const Mesh& mesh, const TemporaryFolder& folder) {
   return write_msh(mesh, folder / "m.msh", MshEncoding::binary).ok();
 }
+bool write_msh_text(const Mesh& mesh, const TemporaryFolder& folder) {
+  return write_msh(mesh, folder / "m.msh", MshEncoding::ascii).ok();
+}
+bool write_off_file(const Mesh& mesh, const TemporaryFolder& folder) { return write_off(mesh, folder / "m.off").ok(); }
 
 using Write = bool (*)(const Mesh&, const TemporaryFolder&);
 
@@ -64,6 +68,8 @@ Job reading(const Setup& setup, Write write, const char* name) {
 Job read_node(const Setup& setup) { return reading(setup, write_node, "m.node"); }
 Job read_vtu(const Setup& setup) { return reading(setup, write_vtu_file, "m.vtu"); }
 Job read_msh(const Setup& setup) { return reading(setup, write_msh_file, "m.msh"); }
+Job read_msh_text(const Setup& setup) { return reading(setup, write_msh_text, "m.msh"); }
+Job read_off(const Setup& setup) { return reading(setup, write_off_file, "m.off"); }
 
 /// Writes a mesh as text and as VTU, and reads both.
 Job text_and_vtu(const Setup& setup) {
@@ -86,6 +92,10 @@ constexpr Workload list[] = {
     {"read_vtu", false, true, read_vtu},
     {"write_msh", false, true, writing<write_msh_file>},
     {"read_msh", false, true, read_msh},
+    {"write_msh_text", false, true, writing<write_msh_text>},
+    {"read_msh_text", false, true, read_msh_text},
+    {"write_off", false, true, writing<write_off_file>},
+    {"read_off", false, true, read_off},
 };
 
 }  // namespace

@@ -53,5 +53,6 @@ struct Workload {
 [[nodiscard]] std::span<const Workload> of_predicates();
 [[nodiscard]] std::span<const Workload> of_meshes();
 [[nodiscard]] std::span<const Workload> of_files();
+[[nodiscard]] std::span<const Workload> of_input_files();
 
 }  // namespace pardel::workloads

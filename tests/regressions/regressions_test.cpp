@@ -1,7 +1,7 @@
 // Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt
 // triangles occur only at small input angles. Without bounds, no point is inserted. Each file of repair/ is repaired;
 // new points lie on their segments up to rounding. Each file of written/ is meshed, and the mesh is written and read;
-// the checker's verdict stays the same. Each file of bounds/ has a test of its own.
+// the checker's verdict stays the same. Each file of bounds/ and of meshes/ has a test of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,6 +152,15 @@ TEST(ReasonRegression, the_smallest_angle_of_a_flat_triangle_is_found_exactly) {
         << name(e.reason) << " triangle " << e.triangle;
 }
 
+TEST(ReasonRegression, a_blocked_triangle_is_tried_again_after_a_vertex_has_come_between) {
+  const Pslg pslg = domain_for_bounds("vertex_between_a_blocked_triangle_and_a_side");
+  const Goal goal{.min_angle_deg = 0, .max_area = 28, .feature_edges = 1, .conforming = true};
+  const Result<Meshed> meshed = mesh(pslg, goal, {.no_boundary_splits = true});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  ASSERT_FALSE(meshed->report.exempt.empty());
+  EXPECT_EQ(meshed->report.count(ExemptReason::kept_segment), meshed->report.exempt.size());
+}
+
 TEST(RanksRegression, a_triangle_beside_a_segment_between_ranks_counts_as_in_one_process) {
   const Pslg pslg = domain_for_bounds("triangle_beside_a_segment_between_ranks");
   const Goal goal{.min_angle_deg = 0, .region_caps = true, .conforming = true};
@@ -165,6 +174,35 @@ TEST(RanksRegression, a_triangle_beside_a_segment_between_ranks_counts_as_in_one
       ASSERT_TRUE(piece) << piece.error().message;
       EXPECT_EQ(piece->missed, whole->report.exempt.size()) << count << " ranks";
     });
+}
+
+Mesh mesh_of(const std::string& name) {
+  return std::move(read_mesh(fs::path(PARDEL_REGRESSIONS "/meshes") / (name + ".off"))).value();
+}
+
+/// The triangles are neighbours in the order of the file, so they are one fan, which begins and ends at the edge.
+TEST(CheckerRegression, an_edge_with_two_triangles_on_one_side_is_not_manifold_if_a_fan_turns_round_it) {
+  Mesh mesh = mesh_of("fan_that_turns_by_more_than_360_degrees");
+  for (Index t = 0; t < 4; ++t) mesh.triangles[t].n = {no_index, t == 3 ? no_index : t + 1, t == 0 ? no_index : t - 1};
+  Pslg pslg;
+  for (const Point p : mesh.points) pslg.points.push_back(p);
+  pslg.segments = {{1, 2, 0}, {2, 3, 0}, {3, 1, 0}};
+  const Certificate certificate = check(pslg, mesh, {.min_angle_deg = 0});
+  EXPECT_GT(std::ranges::count(certificate.violations, ViolationKind::non_manifold_edge, &Violation::kind), 0)
+      << to_text(certificate);
+}
+
+/// UndefinedBehaviorSanitizer reported it.
+TEST(WriterRegression, a_mesh_without_vertices_is_written_in_every_format) {
+  const Mesh mesh = mesh_of("no_vertices");
+  for (const testing::WrittenAs& format : testing::formats_with_constrained_edges()) {
+    const TemporaryFolder folder;
+    const Status written = write_mesh(mesh, {}, folder / format.file, format.msh);
+    ASSERT_TRUE(written) << written.error().message;
+    const Result<Mesh> read = read_mesh(folder / format.file);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(*read, mesh) << format.file;
+  }
 }
 
 class RepairRegression : public ::testing::TestWithParam<fs::path> {};

@@ -1,0 +1,84 @@
+// Readers and writers of what a mesher is given: a domain, caps of areas, a raster.
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "../../core/formats.hpp"
+#include "../../properties/domains/domains.hpp"
+#include "temporary_folder.hpp"
+#include "workload.hpp"
+
+namespace pardel::workloads {
+namespace {
+
+/// A coast line with islands.
+Pslg coast(const Setup& setup) { return domains::coast(setup.pick<std::uint64_t>(8'000, 160'000), 1); }
+
+Job write_poly_file(const Setup& setup) {
+  const Pslg pslg = coast(setup);
+  const auto folder = std::make_shared<TemporaryFolder>();
+  return {.work = [=] { return write_poly(pslg, *folder / "d.poly").ok(); }, .items = pslg.points.size()};
+}
+
+Job read_poly_file(const Setup& setup) {
+  const Pslg pslg = coast(setup);
+  const auto folder = std::make_shared<TemporaryFolder>();
+  const bool written = write_poly(pslg, *folder / "d.poly").ok();
+  return {.work = [=] { return written && read_pslg(*folder / "d.poly").ok(); }, .items = pslg.points.size()};
+}
+
+/// Caps whose decimal numbers have all their digits.
+std::vector<double> caps(const Setup& setup) {
+  std::vector<double> all;
+  for (int i = 1; i <= setup.pick(20'000, 400'000); ++i) all.push_back(std::numbers::pi / i);
+  return all;
+}
+
+Job write_area_file(const Setup& setup) {
+  const std::vector<double> all = caps(setup);
+  const auto folder = std::make_shared<TemporaryFolder>();
+  return {.work = [=] { return write_area(*folder / "m.area", all).ok(); }, .items = all.size()};
+}
+
+Job read_area_file(const Setup& setup) {
+  const std::vector<double> all = caps(setup);
+  const auto folder = std::make_shared<TemporaryFolder>();
+  const bool written = write_area(*folder / "m.area", all).ok();
+  return {.work = [=] { return written && read_area(*folder / "m.area").ok(); }, .items = all.size()};
+}
+
+/// A hill, as heights with three digits after the point.
+bool write_raster(const std::filesystem::path& file, int side) {
+  std::ofstream out(file);
+  out << "NCOLS " << side << "\nNROWS " << side << "\nXLLCORNER 0\nYLLCORNER 0\nCELLSIZE 1\n";
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const double x = 2.0 * column / side - 1, y = 2.0 * row / side - 1;
+      out << std::round(1e6 * std::exp(-x * x - y * y)) / 1e3 << (column + 1 < side ? ' ' : '\n');
+    }
+  return static_cast<bool>(out.flush());
+}
+
+Job read_asc_file(const Setup& setup) {
+  const int side = setup.pick(200, 1000);
+  const auto folder = std::make_shared<TemporaryFolder>();
+  const bool written = write_raster(*folder / "r.asc", side);
+  return {.work = [=] { return written && read_raster(*folder / "r.asc").ok(); },
+          .items = static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side)};
+}
+
+constexpr Workload list[] = {
+    {"write_poly", false, false, write_poly_file}, {"read_poly", false, false, read_poly_file},
+    {"write_area", false, false, write_area_file}, {"read_area", false, false, read_area_file},
+    {"read_asc", false, false, read_asc_file},
+};
+
+}  // namespace
+
+std::span<const Workload> of_input_files() { return list; }
+
+}  // namespace pardel::workloads
