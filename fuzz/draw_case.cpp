@@ -2,6 +2,7 @@
 // and STEM.svg, and prints the goal and the options.
 #include <cstdio>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "../core/formats.hpp"
@@ -40,7 +41,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string target = argv[1], stem = argv[3];
-  const std::vector<std::uint8_t> bytes = fuzz::bytes_of(argv[2]);
+  std::vector<std::uint8_t> bytes;
+  try {
+    bytes = fuzz::bytes_of(argv[2]);
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "draw_case: %s\n", error.what());
+    return 2;
+  }
   Pslg pslg;
   if (target == "reference") {
     const fuzz::ReferenceCase drawn = fuzz::decode_reference_case(bytes);

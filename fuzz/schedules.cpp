@@ -3,6 +3,7 @@
 // interleaved tasks, and on several ranks.
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../core/digest.hpp"
@@ -128,6 +129,22 @@ void compare_with_ranks(Pslg pslg, const MeshCase& drawn, Options options) {
   if (can_divide_points(goal, options))
     compare_on_ranks(whole->mesh, drawn.ranks, 0,
                      [&](Ranks& ranks) { return mesh(domains::equal_part(pslg, ranks), goal, options, ranks); });
+  if (drawn.seed % 2 == 0) return;
+  options.interior = Interior::fill;
+  const Result<Meshed> filled = mesh(*domain, goal, options);
+  if (!filled) fail("a valid Pslg was rejected: " + filled.error().message);
+  compare_on_ranks(filled->mesh, drawn.ranks, 0, [&](Ranks& ranks) { return mesh(*domain, goal, options, ranks); });
+}
+
+/// Each rank has a part of the points of the domain. Together they make the triangulation of one process.
+void compare_triangulations(const Pslg& pslg, const MeshCase& drawn) {
+  Pslg points;
+  points.points = pslg.points;
+  const Result<Meshed> whole = triangulate(points);
+  if (!whole) return;  // all points are on one line
+  compare_on_ranks(whole->mesh, drawn.ranks, 0, [&](Ranks& ranks) {
+    return triangulate(std::move(domains::equal_part(points, ranks).points), {.threads = 1}, ranks);
+  });
 }
 
 }  // namespace
@@ -145,6 +162,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   options.interior = drawn.seed % 3 == 0 ? Interior::fill : Interior::refine;
   compare_with_threads(prepared.pslg, drawn, options);
   options.interior = Interior::refine;
+  if (drawn.seed % 2 == 0) compare_triangulations(prepared.pslg, drawn);
   if (!drawn.nudged) compare_with_ranks(prepared.pslg, drawn, options);
   return 0;
 }

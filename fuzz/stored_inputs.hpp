@@ -2,15 +2,18 @@
 #pragma once
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 #include <vector>
 
 namespace pardel::fuzz {
 
-/// The files of a folder and of those in it, sorted; of a file, this file.
+/// The files of a folder and of those in it, sorted; of a file, this file. Throws std::filesystem::filesystem_error if
+/// a folder cannot be read.
 [[nodiscard]] inline std::vector<std::filesystem::path> files_below(const std::filesystem::path& place) {
   namespace fs = std::filesystem;
   if (!fs::is_directory(place)) return {place};
@@ -21,9 +24,12 @@ namespace pardel::fuzz {
   return files;
 }
 
+/// The content of a file. Throws std::system_error, with the name of the file, if it cannot be read.
 [[nodiscard]] inline std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in.is_open() || in.bad()) throw std::system_error(errno, std::generic_category(), file.string());
+  return bytes;
 }
 
 }  // namespace pardel::fuzz

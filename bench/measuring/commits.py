@@ -3,6 +3,7 @@ import os
 import re
 import shutil
 import subprocess
+import textwrap
 
 import process_groups
 import safe_files
@@ -31,10 +32,12 @@ def resolve(name):
 
 
 def subject(commit):
+    """The commit and the beginning of its message."""
     try:
-        return f"{commit[:7]} {git('show', '-s', '--format=%s', commit)}"
+        message = git("show", "-s", "--format=%s", commit)
     except Failed:
         return commit[:7]
+    return f"{commit[:7]} {textwrap.shorten(message, 90, placeholder=' ...')}"
 
 
 def line_of(head="HEAD"):

@@ -159,14 +159,24 @@ def draw(rows, line, compiler, between, subject):
         "<style>body { font-family: sans-serif; max-width: 1220px; margin: 1em auto } td, th { text-align: left; "
         "padding: 0 1em 0 0 } object { max-width: 100% }</style>",
         "<h1>Fixed workloads over the commits</h1>",
-        f"<p>Written by bench/track: {len(line)} commits, from {first} to {last}. Instructions are counted by valgrind, "
-        f"on one thread, with {html.escape(compiler)}. Items are triangles; for predicates evaluations, for insertion "
-        f"points. The shortest of some runs counts: processor time on one thread, clock time on several. Each machine "
-        f"has its curve: {legend}. The last column is the speed on two threads divided by that on one. The machines "
-        f"also did other work, so seconds vary, often by a half. All axes "
-        f"begin at zero; the number is the last value. Red: changes of {100 * NOTABLE_COUNT:.0f} % of the instructions, "
-        f"and of {100 * NOTABLE_RATE:.0f} % of the speed on one machine if the instructions changed, too. bench/compare "
-        f"finds changes of the speed alone. docs/performance.md describes the workloads.</p>",
+        f"<p>Measured by bench/track: {len(line)} commits. The first one is <q>{first}</q>, the last one <q>{last}</q>. "
+        "docs/performance.md describes the workloads.</p>",
+        "<ul>",
+        f"<li>First column: the instructions that valgrind counts, on one thread, with {html.escape(compiler)}.</li>",
+        "<li>Second and third column: items per second, on one thread and on two. Items are triangles; for predicates "
+        "they are evaluations, for insertion points, for domains points, for caps and rasters numbers. The shortest of "
+        "some runs counts: processor time on one thread, clock time on several.</li>",
+        "<li>Last column: the speed on two threads divided by that on one.</li>",
+        f"<li>Each machine has a colour: {legend}. The machines also did other work, so seconds vary, often by a half."
+        "</li>",
+        "<li>All axes begin at zero. The number beside a curve is its last value.</li>",
+        f"<li>Red dots: the instructions changed by {100 * NOTABLE_COUNT:.0f} % or more; or the speed on one machine "
+        f"changed by {100 * NOTABLE_RATE:.0f} % or more, and the instructions changed, too. Changes of the speed alone "
+        "are found by bench/compare.</li>",
+        "<li>In the tables below, several commits may be named for a change: they lie between two measured ones, and any "
+        "of them may be the cause; bench/track --narrow measures more of them. The last column says if the workload made "
+        "the same mesh before and after; it is empty if the mesh before, or that after, is not known.</li>",
+        "</ul>",
         f'<object type="image/svg+xml" data="{PICTURE}">{PICTURE}</object>',
         table(f"Changes of instructions of {100 * NOTABLE_COUNT:.0f} % and more", steps_of_counts, between, subject),
         table(f"Changes of items per second of {100 * NOTABLE_RATE:.0f} % and more on one machine, where the instructions "

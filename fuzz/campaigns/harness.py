@@ -2,6 +2,7 @@
 shrinks; their replay lines are those of its report."""
 import json
 import os
+import shlex
 import shutil
 import subprocess
 import time
@@ -20,16 +21,15 @@ def add_options(parser):
     parser.add_argument("--harness", metavar="MESHER", help="run pardel-harness with this mesher, not the fuzz targets")
     parser.add_argument("--harness-program", type=Path,
                         help="the harness (default: that of the preset `release`, which is built)")
-    parser.add_argument("--harness-options", default="",
-                        help="further options of pardel-harness, such as '--format vtu'")
-    parser.add_argument("--cases", type=int, default=220, help="cases of a round of the harness (default 220)")
+    parser.add_argument("--harness-options", help="further options of pardel-harness, such as '--format vtu'")
+    parser.add_argument("--cases", type=int, help="cases of a round of the harness (default 220)")
 
 
 def built_program(build):
     """The harness of the preset `release`, which is built if `build` is true."""
     release = programs.ROOT / "build" / "release"
     if build:
-        programs.build(release, "pardel-harness", os.cpu_count() or 1, "release")
+        programs.build(release, ["pardel-harness"], os.cpu_count() or 1, "release")
     return release / "cli" / "pardel-harness"
 
 
@@ -37,20 +37,29 @@ class Rounds:
     def __init__(self, folder, options):
         self.folder, self.options, self.children = folder, options, Children()
         self.state = {
-            "mesher": options.harness, "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
+            "mesher": options.harness, "cases_of_a_round": options.cases or 220,
+            "options": options.harness_options or "", "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
             "families": {}, "finds": [], "history": []}
         state = folder / "state.json"
         if state.exists():
             if not has_begun(folder):
                 raise Stop(f"{folder}: this campaign is of the fuzz targets, not of a mesher")
-            self.state = read_json(state, self.state)
+            self.state = {**self.state, **read_json(state, self.state.keys() - {"cases_of_a_round", "options"})}
+            self.require_the_same("--harness", "mesher", options.harness)
+            self.require_the_same("--harness-options", "options", options.harness_options)
+            self.require_the_same("--cases", "cases_of_a_round", options.cases)
+
+    def require_the_same(self, option, key, wanted):
+        """One campaign has one mesher and one set of options: its figures are added up."""
+        if wanted is not None and wanted != self.state[key]:
+            raise Stop(f"{self.folder}: this campaign has {option} '{self.state[key]}'; it cannot be changed")
 
     def command(self, program, work):
         return [str(program), "--mesher", self.state["mesher"],
-                "--cases", str(self.options.cases), "--seed", str(self.state["seed"]),
+                "--cases", str(self.state["cases_of_a_round"]), "--seed", str(self.state["seed"]),
                 "--jobs", str(self.options.jobs), "--json", str(work / "report.json"),
                 "--report", str(work / "report.md"), "--failures", str(work / "failures"),
-                *self.options.harness_options.split()]
+                *shlex.split(self.state["options"])]
 
     def account(self, work, seconds):
         report = read_json(work / "report.json", ("families", "failures", "kinds"))
@@ -90,14 +99,17 @@ class Rounds:
         verdicts = sorted(self.state["verdicts"])
         text = [f"# Campaign: `{self.state['mesher']}`", "",
                 f"{self.state['cases']:,} cases in {self.state['rounds']} rounds, "
-                f"{self.state['seconds'] / 3600:.2f} hours, "
-                f"{len(self.state['finds'])} kinds of failures.", "",
+                f"{summary.duration(self.state['seconds'])}, "
+                f"{summary.counted(len(self.state['finds']), 'kind')} of failures.", "",
                 "| family | " + " | ".join(verdicts) + " |", "|---|" + "---:|" * len(verdicts)]
         for family, counts in self.state["families"].items():
             text.append(f"| {family} | " + " | ".join(str(counts.get(v, 0)) for v in verdicts) + " |")
         text += ["", "![kinds of failures over time](coverage.svg)", "", "## Failures", ""]
+        if not self.state["finds"]:
+            text.append("No failures.")
         for find in sorted(self.state["finds"], key=lambda find: (find["verdict"], find["kind"])):
-            text += [f"- **{find['verdict']}** {find['kind']}, {find['times']} times: {find['message']}",
+            text += [f"- **{find['verdict']}** {find['kind']}, {summary.counted(find['times'], 'time')}"
+                     + (f": {find['message']}" if find["message"] else ""),
                      f"  - smallest: finds/{find['poly']}", f"  - replay: `{find['replay']}`"]
         (self.folder / "summary.md").write_text("\n".join(text) + "\n")
         (self.folder / "coverage.svg").write_text(summary.plot(
@@ -105,6 +117,7 @@ class Rounds:
              "kinds of failures": [(s / 3600, f) for s, _, f in self.state["history"]]}, "hours", ""))
 
     def run(self, program):
+        self.save()  # so that an interruption of the first round leaves a campaign, too
         end = time.time() + 3600 * self.options.hours
         while not self.children.stopping and time.time() < end:
             work = self.folder / "work"
@@ -119,6 +132,8 @@ class Rounds:
                 raise Stop(f"{program} ended with exit code {child.returncode}")
             self.account(work, time.time() - began)
             self.save()
+            print(f"round {self.state['rounds']}: {self.state['cases']:,} cases so far, "
+                  f"{summary.counted(len(self.state['finds']), 'kind')} of failures", flush=True)
         shutil.rmtree(self.folder / "work", ignore_errors=True)
 
 
@@ -130,11 +145,8 @@ def has_begun(folder):
 
 def run(folder, options):
     rounds = Rounds(folder, options)
-    if options.harness and options.harness != rounds.state["mesher"]:
-        raise Stop(f"{folder}: this campaign is of the mesher '{rounds.state['mesher']}'")
     program = options.harness_program or built_program(not options.no_build)
     rounds.children.stop_on_signals()
     rounds.run(program)
-    if rounds.state["rounds"] > 0:
-        print(folder / "summary.md")
+    print(folder / "summary.md")
     return 1 if rounds.state["finds"] else 0

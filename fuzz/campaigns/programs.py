@@ -112,9 +112,14 @@ def needed(targets):
     return found + [target.folder / "draw_case" for target in targets if target.draws][:1]
 
 
-def build(folder, goal, jobs, preset="fuzz"):
-    """Configures a preset if necessary and builds a CMake target of it."""
+def configure(folder, preset="fuzz"):
+    """Configures a preset, if this was not done. Then the build folder has the list of the targets."""
     if not (Path(folder) / "CMakeCache.txt").exists():
         process_groups.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT).check_returncode()
-    process_groups.run(["cmake", "--build", str(folder), "--target", goal, "-j", str(jobs)],
+
+
+def build(folder, goals, jobs, preset="fuzz"):
+    """Configures a preset if necessary and builds CMake targets of it."""
+    configure(folder, preset)
+    process_groups.run(["cmake", "--build", str(folder), "-j", str(jobs), "--target", *goals],
                        cwd=ROOT).check_returncode()

@@ -4,6 +4,23 @@ import json
 COLOURS = ["#1b6ca8", "#c0392b", "#1e8449", "#8e44ad", "#d68910", "#117a65", "#7b241c", "#2e4053", "#ca6f1e", "#5b2c6f"]
 
 
+def counted(number, thing):
+    """A number and a noun: 1 find, 2 finds."""
+    return f"{number:,} {thing}{'' if number == 1 else 's'}"
+
+
+def duration(seconds):
+    """In hours; short times in minutes."""
+    return f"{seconds / 3600:.2f} hours" if seconds >= 360 else f"{seconds / 60:.1f} minutes"
+
+
+def headline(state, finds):
+    """What a campaign of the fuzz targets did, in one sentence."""
+    targets = state["targets"].values()
+    return (f"{duration(sum(t['cpu_seconds'] for t in targets))} of processor time, "
+            f"{counted(sum(t['executions'] for t in targets), 'execution')}, {counted(len(finds), 'find')}.")
+
+
 def plot(histories, across, up):
     """An SVG plot of lines, each a name with its list of (x, y). Values are relative to the last one of the line."""
     width, height, left, top = 900, 420, 60, 20
@@ -37,7 +54,7 @@ def list_of_finds(finds):
     for before, find in zip([None, *finds], finds):
         if before is None or before["verdict"] != find["verdict"]:
             lines += ["", f"### {find['verdict']}", ""]
-        lines += [f"- **{find['target']}** `{find['key']}`, {find['times']} times: {find['message']}",
+        lines += [f"- **{find['target']}** `{find['key']}`, {counted(find['times'], 'time')}: {find['message']}",
                   f"  - stack: {' < '.join(find['stack']) or 'none'}",
                   f"  - smallest input: {find['bytes']} bytes"
                   + ("" if find.get("repeats", True) else "; does not fail when it is replayed"),
@@ -55,8 +72,7 @@ def write(folder, state, finds):
     (folder / "summary.json").write_text(json.dumps(
         {"schema": "pardel.campaign/1", "cpu_hours": hours, "executions": executions,
          "targets": {name: {k: v for k, v in t.items()} for name, t in rows}, "finds": finds}, indent=1) + "\n")
-    text = ["# Fuzzing campaign", "",
-            f"{hours:.2f} hours of processor time, {executions:,} executions, {len(finds)} finds.", "",
+    text = ["# Fuzzing campaign", "", headline(state, finds), "",
             "| target | CPU hours | executions | per second | covered edges | features | inputs | finds |",
             "|---|---:|---:|---:|---:|---:|---:|---:|"]
     for name, t in rows:

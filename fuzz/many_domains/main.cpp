@@ -116,9 +116,8 @@ int main(int argc, char** argv) {
   pardel::fuzz::Arguments arguments;
   CLI::App app{
       "Meshes generated domains with random goals and options, on several threads and ranks, and judges every mesh "
-      "with the exact checker and by its report. A case is determined by the seed and its number. The exit status is 1 "
-      "if a "
-      "case has a fault, crashes or takes too long."};
+      "with the exact checker and by its report. A case is determined by the seed and its number. Exit code 1: a case "
+      "has a fault, crashes or takes too long; 2: the command line is wrong; 5: a file cannot be read or written."};
   app.add_option("--seed", arguments.seed, "The seed of all cases")
       ->check(pardel::cli::whole_number())
       ->capture_default_str();
@@ -144,7 +143,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return pardel::fuzz::run(arguments);
   } catch (const CLI::Error& error) {
-    return app.exit(error);
+    return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "many_domains: {}\n", error.what());
     return 5;

@@ -74,13 +74,14 @@ std::optional<Record> to_record(std::string_view line) {
 
 std::string summary_text(const std::vector<Record>& records, std::size_t slowest, const std::string& replay) {
   const Summary summary(records, slowest);
-  std::string text = fmt::format("{} cases, {} triangles in {:.0f} s of processor time; {} triangles listed\n",
-                                 records.size(), summary.triangles, summary.seconds, summary.listed);
+  std::string text =
+      fmt::format("{} cases, {} triangles in {:.1f} s of processor time; {} of them miss a bound, as the reports say\n",
+                  records.size(), summary.triangles, summary.seconds, summary.listed);
   text += fmt::format("violations {}, crashes {}, time-outs {}\n", summary.of_verdict[1], summary.of_verdict[2],
                       summary.of_verdict[3]);
-  text += "cases of a kind:";
-  for (const auto& [kind, count] : summary.of_kind) text += fmt::format(" {} {}", kind, count);
-  text += "\nslowest:\n";
+  text += "how many cases have a property (a case has several):\n";
+  for (const auto& [kind, count] : summary.of_kind) text += fmt::format("  {:<20}{:>10}\n", kind, count);
+  text += "slowest:\n";
   for (const Record* each : summary.slowest)
     text += fmt::format("  case {}: {:.3f} s, {} triangles, {}\n", each->number, each->seconds, each->triangles,
                         each->kinds);

@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
   int threads = 1;
   CLI::App app{
       "Compares the predicates of the mesher and of the checker with exact signs. Random points get one call of each "
-      "predicate; hard points, degenerate or nearly so, get all ways to ask. The exit status is 1 if a sign differs."};
+      "predicate; hard points, degenerate or nearly so, get all ways to ask. Exit code 1: a sign differs; 2: the "
+      "command line is wrong; 5: standard output cannot be written."};
   app.add_option("--random", random, "How many times four random points")
       ->check(pardel::cli::whole_number())
       ->capture_default_str();
@@ -66,7 +67,11 @@ int main(int argc, char** argv) {
   app.add_option("--threads", threads, "The number of threads; the points do not depend on it")
       ->check(CLI::Range(1, 1'000))
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Error& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
 
   using pardel::generators::Random;
   const Comparison of_random =

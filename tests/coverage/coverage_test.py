@@ -28,13 +28,18 @@ class Coverage(unittest.TestCase):
         instances = [[3, 7, 3, 9, 4, 0, 0, 0, 4], [3, 7, 3, 9, 0, 2, 0, 0, 4], [3, 13, 3, 15, 5, 0, 0, 0, 4]]
         self.assertEqual(coverage.branches_at_lines(instances), {3: [4, 3]})
 
+    def test_a_condition_that_the_compiler_decides_is_no_branch(self):
+        branches = [[1, 7, 1, 9, 4, 0, 0, 0, 4], [2, 17, 2, 19, 5, 0, 0, 0, 4]]
+        self.assertEqual(coverage.decided_when_run(branches, ["  if (a)", "  if constexpr (n == 1)"]), branches[:1])
+
     def test_a_file_with_two_names_counts_once(self):
         def file(name, count, when_false):
             return {"filename": name, "branches": [[2, 1, 2, 3, 1, when_false, 0, 0, 4]],
                     "segments": [[1, 1, count, True, True, False], [2, 9, 0, False, False, False]]}
         found = coverage.lines_of({"data": [{"files": [file(os.path.join(ROOT, "core", "a.cpp"), 0, 0),
                                                        file("build/coverage/../../core/a.cpp", 3, 0),
-                                                       file("/usr/include/core/b.hpp", 1, 1)]}]})
+                                                       file("/usr/include/core/b.hpp", 1, 1)]}]},
+                                  lambda name: ["", "  if (a)"])
         self.assertEqual(found, [("core/a.cpp", 1, True, 0, 0), ("core/a.cpp", 2, True, 2, 1)])
         self.assertEqual(coverage.undecided(found, lambda name: ["", "  if (a)"]), ["core/a.cpp:2: 1 of 2: if (a)"])
 
@@ -49,6 +54,8 @@ class Coverage(unittest.TestCase):
                          ["core: 94.12 % of the lines, at least 95 % are required"])
         self.assertEqual(coverage.below_floors(good + lines("core/b.cpp", 1, 0, 10, 8)),
                          ["core: 85.00 % of the branches, at least 90 % are required"])
+        self.assertEqual(coverage.below_floors(good + lines("parallel/arithmetic/q.hpp", 1, 0, 200, 199)),
+                         ["parallel/arithmetic: 99.50 % of the branches, at least 100 % are required"])
         self.assertEqual(coverage.below_floors(good + lines("parallel/arithmetic/q.hpp", 199, 1)),
                          ["parallel/arithmetic: 99.52 % of the lines, at least 100 % are required"])
 

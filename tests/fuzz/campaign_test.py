@@ -324,6 +324,8 @@ class Campaigns(FakeBuild):
         self.assertEqual([(f["bytes"], f["times"]) for f in found["finds"]], [(4, 1)])
         self.assertIn("vertex 12", (self.folder / "run/summary.md").read_text())
         self.assertIn("vertex 12", said)
+        self.assertIn("fake: 100 executions in ", said)
+        self.assertIn("100 executions, 1 find. ", said)
         self.assertTrue((self.folder / "run/corpus/fake/new").exists())
 
     def test_a_campaign_that_is_killed_and_resumed_loses_nothing(self):
@@ -423,6 +425,24 @@ class Campaigns(FakeBuild):
             self.assertNotEqual(campaign.returncode, 0)
             self.assertIn(message, said)
 
+    def test_a_campaign_that_cannot_run_leaves_no_folder(self):
+        for options in (("--targets", "none"), ("--hours", "0")):
+            campaign = self.begin(*options, "--out", self.folder / "new")
+            campaign.communicate()
+            self.assertEqual(campaign.returncode, 2)
+            self.assertFalse((self.folder / "new").exists())
+
+    def test_a_resumed_campaign_has_the_targets_and_the_slices_of_the_last_one(self):
+        self.add_target("other")
+        campaign = self.begin("--out", self.folder / "run", "--targets", "other", "--hours", str(5.9 / 3600))
+        campaign.communicate()
+        resumed = subprocess.run(
+            [sys.executable, ROOT / "fuzz/campaign", "--no-build", "--build", self.folder / "build", "--resume",
+             self.folder / "run", "--hours", str(5.9 / 3600)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True, check=False)
+        self.assertEqual(self.slices_made(), {"other": 2}, resumed.stdout)
+        self.assertEqual(json.loads((self.folder / "run/state.json").read_text())["slice"], 60)
+
     def test_a_program_that_does_not_start_ends_the_campaign(self):
         self.write("build/fuzz/fuzz_fake", "#!/bin/sh\necho 'a shared library is missing'\nexit 127\n")
         campaign = self.begin("--out", self.folder / "run")
@@ -504,6 +524,9 @@ if options["--mesher"] == "fails":
 seed, failing = int(options["--seed"]), int(options["--mesher"].split()[1])
 if seed >= int(os.environ["END"]):
     sys.exit(130)
+if "--name" in options:
+    with open(Path(sys.argv[0]).parent / "names", "a") as names:
+        names.write(options["--name"] + "\n")
 bad = seed < failing
 kinds = [{"verdict": "wrong", "kind": "overlap", "cases": 2, "first": 3, "message": "triangles 1 and 2 overlap",
           "smallest": {"poly": "failures/case_3.poly"}}] if bad else []
@@ -539,7 +562,29 @@ class HarnessCampaigns(FakeBuild):
         self.assertEqual(again.returncode, 1, again.stdout)
         self.assertEqual(json.loads((run / "state.json").read_text())["rounds"], 6)
         other = self.run_campaign("--harness", "seed 5", "--resume", run)
-        self.assertIn("this campaign is of the mesher 'seed 3'", other.stdout)
+        self.assertIn("this campaign has --harness 'seed 3'; it cannot be changed", other.stdout)
+
+    def test_the_options_of_a_campaign_are_those_of_its_beginning(self):
+        run = self.folder / "run"
+        ran = self.run_campaign("--harness", "seed 0", "--out", run, "--harness-options", "--name 'of two words'", end=3)
+        self.assertEqual(ran.returncode, 0, ran.stdout)
+        self.assertIn("round 2: 20 cases so far, 0 kinds of failures", ran.stdout)
+        again = self.run_campaign("--resume", run, end=5)
+        self.assertEqual(again.returncode, 0, again.stdout)
+        self.assertEqual((self.folder / "names").read_text(), 4 * "of two words\n")
+        for option, value in (("--harness-options", "--name other"), ("--cases", "7")):
+            other = self.run_campaign("--resume", run, option, value)
+            self.assertEqual(other.returncode, 2)
+            self.assertIn(f"this campaign has {option}", other.stdout)
+
+    def test_an_interruption_of_the_first_round_leaves_a_campaign(self):
+        run = self.folder / "run"
+        ran = self.run_campaign("--harness", "seed 0", "--out", run, end=1)
+        self.assertEqual(ran.returncode, 0, ran.stdout)
+        self.assertIn("0 cases in 0 rounds", (run / "summary.md").read_text())
+        self.assertIn("No failures.", (run / "summary.md").read_text())
+        again = self.run_campaign("--resume", run, end=2)
+        self.assertEqual(json.loads((run / "state.json").read_text())["cases"], 10, again.stdout)
 
     def test_a_harness_that_cannot_run_is_named(self):
         ran = self.run_campaign("--harness", "fails", "--out", self.folder / "run")
