@@ -35,19 +35,13 @@ void print(const fuzz::MeshCase& drawn) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc != 4) {
     std::fprintf(stderr, "usage: draw_case TARGET INPUT STEM\n");
     return 2;
   }
   const std::string target = argv[1], stem = argv[3];
-  std::vector<std::uint8_t> bytes;
-  try {
-    bytes = fuzz::bytes_of(argv[2]);
-  } catch (const std::system_error& error) {
-    std::fprintf(stderr, "draw_case: %s\n", error.what());
-    return 2;
-  }
+  const std::vector<std::uint8_t> bytes = fuzz::bytes_of(argv[2]);
   Pslg pslg;
   if (target == "reference") {
     const fuzz::ReferenceCase drawn = fuzz::decode_reference_case(bytes);
@@ -64,4 +58,7 @@ int main(int argc, char** argv) {
       return 5;
     }
   return 0;
+} catch (const std::system_error& error) {
+  std::fprintf(stderr, "draw_case: %s\n", error.what());
+  return 2;
 }

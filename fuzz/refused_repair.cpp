@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace pardel::fuzz {
 namespace {
 
+/// The range that validate.hpp promises, written a second time on purpose.
 bool is_usable(double x) { return x == 0 || (std::abs(x) >= 0x1p-140 && std::abs(x) <= 0x1p200); }
 
 bool has_unusable_values(const Pslg& pslg) {
@@ -89,12 +91,13 @@ void check_refusal(const Pslg& pslg, const RepairOptions& options, const Error& 
     fail("repair ends with an error of another kind: " + error.message);
   if (options.snap.value_or(0) > 0 || has_unusable_values(pslg) || !encloses_an_area(pslg, options.convex_hull)) return;
 
+  // The repair that chooses its distances itself ends with an error only if it fails without snapping.
   Pslg bare = pslg;
   bare.holes.clear();
-  const Result<Repaired> repaired = repair(bare, options);
+  const Result<Repaired> repaired = repair(bare, {.snap = 0, .convex_hull = options.convex_hull});
   if (!repaired) {
-    const RepairOptions automatic{.convex_hull = options.convex_hull};
-    if (!options.snap || !repair(bare, automatic))
+    const bool are_crossings_the_reason = repaired.error().message.find("ever more crossings") != std::string::npos;
+    if (!options.snap || !are_crossings_the_reason || !repair(bare, {.convex_hull = options.convex_hull}))
       fail("a domain that encloses an area cannot be repaired: " + repaired.error().message);
     return;
   }

@@ -1,6 +1,6 @@
 // Validation and repair. On a lattice, validate() must agree with the definition in exact integers. A repaired domain
 // must be valid and must have everything that the old one had (repaired_domain.hpp), and repairing it again must change
-// nothing. Only a domain without an interior may be refused (refused_repair.hpp).
+// nothing. A domain may be refused only for the reasons of refused_repair.hpp.
 #include "../parallel/repair.hpp"
 
 #include <cmath>

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// The content of a file, or of a folder its files; empty, after a message, if it cannot be read.
+/// What read(place) returns. If it throws std::system_error: prints the message, and returns nothing.
 template <class Read>
 auto read_or_complain(const Read& read, const std::filesystem::path& place) -> std::optional<decltype(read(place))> {
   try {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -24,12 +23,13 @@ namespace pardel::fuzz {
   return files;
 }
 
-/// The content of a file. Throws std::system_error, with the name of the file, if it cannot be read.
+/// The content of a regular file. Throws std::system_error, with the name of the file, if it cannot be read.
 [[nodiscard]] inline std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
+  std::vector<char> content(std::filesystem::file_size(file));
   std::ifstream in(file, std::ios::binary);
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.is_open() || in.bad()) throw std::system_error(errno, std::generic_category(), file.string());
-  return bytes;
+  if (!in.read(content.data(), static_cast<std::streamsize>(content.size())))
+    throw std::system_error(errno, std::generic_category(), file.string());
+  return {content.begin(), content.end()};
 }
 
 }  // namespace pardel::fuzz

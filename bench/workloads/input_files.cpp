@@ -5,6 +5,7 @@
 #include <fstream>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "../../core/formats.hpp"
@@ -14,6 +15,20 @@
 
 namespace pardel::workloads {
 namespace {
+
+/// Reads something, of which a right result has this number of items. The result is kept, so that the work does not
+/// contain its destruction.
+template <class Read, class Count>
+Job reading(bool written, const Read& read, const Count& count, std::uint64_t items) {
+  const auto result = std::make_shared<std::optional<decltype(read())>>();
+  return {.work =
+              [=] {
+                if (!written) return false;
+                result->emplace(read());
+                return (*result)->ok() && count(***result) == items;
+              },
+          .items = items};
+}
 
 /// A coast line with islands.
 Pslg coast(const Setup& setup) { return domains::coast(setup.pick<std::uint64_t>(8'000, 160'000), 1); }
@@ -28,7 +43,12 @@ Job read_poly_file(const Setup& setup) {
   const Pslg pslg = coast(setup);
   const auto folder = std::make_shared<TemporaryFolder>();
   const bool written = write_poly(pslg, *folder / "d.poly").ok();
-  return {.work = [=] { return written && read_pslg(*folder / "d.poly").ok(); }, .items = pslg.points.size()};
+  return reading(
+      written, [=] { return read_pslg(*folder / "d.poly"); },
+      [segments = pslg.segments.size()](const Pslg& found) {
+        return found.segments.size() == segments ? found.points.size() : 0;
+      },
+      pslg.points.size());
 }
 
 /// Caps whose decimal numbers have all their digits.
@@ -48,7 +68,9 @@ Job read_area_file(const Setup& setup) {
   const std::vector<double> all = caps(setup);
   const auto folder = std::make_shared<TemporaryFolder>();
   const bool written = write_area(*folder / "m.area", all).ok();
-  return {.work = [=] { return written && read_area(*folder / "m.area").ok(); }, .items = all.size()};
+  return reading(
+      written, [=] { return read_area(*folder / "m.area"); },
+      [](const std::vector<double>& found) { return found.size(); }, all.size());
 }
 
 /// A hill, as heights with three digits after the point.
@@ -67,8 +89,9 @@ Job read_asc_file(const Setup& setup) {
   const int side = setup.pick(200, 1000);
   const auto folder = std::make_shared<TemporaryFolder>();
   const bool written = write_raster(*folder / "r.asc", side);
-  return {.work = [=] { return written && read_raster(*folder / "r.asc").ok(); },
-          .items = static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side)};
+  return reading(
+      written, [=] { return read_raster(*folder / "r.asc"); }, [](const Raster& found) { return found.values.size(); },
+      static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side));
 }
 
 constexpr Workload list[] = {

@@ -25,6 +25,14 @@ def add_options(parser):
     parser.add_argument("--cases", type=int, help="cases of a round of the harness (default 220)")
 
 
+def check(parser, options):
+    """Ends the script with a message if the options of the harness cannot be divided into words."""
+    try:
+        shlex.split(options.harness_options or "")
+    except ValueError as error:
+        parser.error(f"--harness-options: {error}")
+
+
 def built_program(build):
     """The harness of the preset `release`, which is built if `build` is true."""
     release = programs.ROOT / "build" / "release"
@@ -38,21 +46,28 @@ class Rounds:
         self.folder, self.options, self.children = folder, options, Children()
         self.state = {
             "mesher": options.harness, "cases_of_a_round": options.cases or 220,
-            "options": options.harness_options or "", "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0, "verdicts": {},
+            "options": options.harness_options or "", "seed": options.seed, "rounds": 0, "cases": 0, "seconds": 0.0,
+            "verdicts": {},
             "families": {}, "finds": [], "history": []}
         state = folder / "state.json"
         if state.exists():
             if not has_begun(folder):
                 raise Stop(f"{folder}: this campaign is of the fuzz targets, not of a mesher")
-            self.state = {**self.state, **read_json(state, self.state.keys() - {"cases_of_a_round", "options"})}
-            self.require_the_same("--harness", "mesher", options.harness)
-            self.require_the_same("--harness-options", "options", options.harness_options)
-            self.require_the_same("--cases", "cases_of_a_round", options.cases)
+            self.state = read_json(state, self.state.keys() - {"cases_of_a_round", "options"})
+            self.keep("--harness", "mesher", options.harness)
+            self.keep("--harness-options", "options", options.harness_options)
+            self.keep("--cases", "cases_of_a_round", options.cases)
 
-    def require_the_same(self, option, key, wanted):
+    def keep(self, option, key, given):
         """One campaign has one mesher and one set of options: its figures are added up."""
-        if wanted is not None and wanted != self.state[key]:
-            raise Stop(f"{self.folder}: this campaign has {option} '{self.state[key]}'; it cannot be changed")
+        stored = self.state.get(key)
+        if stored is None and given is None:
+            raise Stop(f"{self.folder}: an earlier version began this campaign, and did not store {option}; "
+                       "give it again")
+        if stored is None or given is not None and self.state["rounds"] == 0:
+            self.state[key] = given
+        elif given not in (None, stored):
+            raise Stop(f"{self.folder}: this campaign has {option} '{stored}'; it cannot be changed")
 
     def command(self, program, work):
         return [str(program), "--mesher", self.state["mesher"],
@@ -117,7 +132,6 @@ class Rounds:
              "kinds of failures": [(s / 3600, f) for s, _, f in self.state["history"]]}, "hours", ""))
 
     def run(self, program):
-        self.save()  # so that an interruption of the first round leaves a campaign, too
         end = time.time() + 3600 * self.options.hours
         while not self.children.stopping and time.time() < end:
             work = self.folder / "work"
@@ -127,6 +141,7 @@ class Rounds:
             child = self.children.start(self.command(program, work), stdout=subprocess.DEVNULL)
             child.wait()
             if child.returncode == INTERRUPTED or self.children.stopping:
+                self.save()  # an interruption of the first round leaves a campaign, too
                 break
             if child.returncode not in (0, 1):
                 raise Stop(f"{program} ended with exit code {child.returncode}")

@@ -1,6 +1,7 @@
 """The fuzz programs of a build: their names, how they are built, and how libFuzzer is called."""
 import os
 import re
+import sys
 from pathlib import Path
 
 import process_groups
@@ -113,13 +114,14 @@ def needed(targets):
 
 
 def configure(folder, preset="fuzz"):
-    """Configures a preset, if this was not done. Then the build folder has the list of the targets."""
-    if not (Path(folder) / "CMakeCache.txt").exists():
-        process_groups.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT).check_returncode()
+    """Configures a preset. Then the build folder has the present list of the targets."""
+    process_groups.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT,
+                       stdout=sys.stderr).check_returncode()
 
 
 def build(folder, goals, jobs, preset="fuzz"):
     """Configures a preset if necessary and builds CMake targets of it."""
-    configure(folder, preset)
+    if not (Path(folder) / "CMakeCache.txt").exists():
+        configure(folder, preset)
     process_groups.run(["cmake", "--build", str(folder), "-j", str(jobs), "--target", *goals],
                        cwd=ROOT).check_returncode()

@@ -14,11 +14,16 @@ def duration(seconds):
     return f"{seconds / 3600:.2f} hours" if seconds >= 360 else f"{seconds / 60:.1f} minutes"
 
 
+def totals(state):
+    """The seconds of processor time and the executions of all targets."""
+    return tuple(sum(target[key] for target in state["targets"].values()) for key in ("cpu_seconds", "executions"))
+
+
 def headline(state, finds):
     """What a campaign of the fuzz targets did, in one sentence."""
-    targets = state["targets"].values()
-    return (f"{duration(sum(t['cpu_seconds'] for t in targets))} of processor time, "
-            f"{counted(sum(t['executions'] for t in targets), 'execution')}, {counted(len(finds), 'find')}.")
+    seconds, executions = totals(state)
+    return (f"{duration(seconds)} of processor time, {counted(executions, 'execution')}, "
+            f"{counted(len(finds), 'find')}.")
 
 
 def plot(histories, across, up):
@@ -67,10 +72,9 @@ def list_of_finds(finds):
 def write(folder, state, finds):
     """`state` is that of the campaign; `finds` are entries of finds.py."""
     rows = sorted(state["targets"].items())
-    hours = sum(t["cpu_seconds"] for _, t in rows) / 3600
-    executions = sum(t["executions"] for _, t in rows)
+    seconds, executions = totals(state)
     (folder / "summary.json").write_text(json.dumps(
-        {"schema": "pardel.campaign/1", "cpu_hours": hours, "executions": executions,
+        {"schema": "pardel.campaign/1", "cpu_hours": seconds / 3600, "executions": executions,
          "targets": {name: {k: v for k, v in t.items()} for name, t in rows}, "finds": finds}, indent=1) + "\n")
     text = ["# Fuzzing campaign", "", headline(state, finds), "",
             "| target | CPU hours | executions | per second | covered edges | features | inputs | finds |",

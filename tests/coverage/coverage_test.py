@@ -29,8 +29,10 @@ class Coverage(unittest.TestCase):
         self.assertEqual(coverage.branches_at_lines(instances), {3: [4, 3]})
 
     def test_a_condition_that_the_compiler_decides_is_no_branch(self):
-        branches = [[1, 7, 1, 9, 4, 0, 0, 0, 4], [2, 17, 2, 19, 5, 0, 0, 0, 4]]
-        self.assertEqual(coverage.decided_when_run(branches, ["  if (a)", "  if constexpr (n == 1)"]), branches[:1])
+        text = ["  if (a)", "  if constexpr (f(n) && m)", "  if constexpr (n) return b ? 1 : 2;"]
+        run = [[1, 7, 1, 8, 4, 0, 0, 0, 4], [3, 27, 3, 28, 4, 0, 0, 0, 4]]
+        decided = [[2, 17, 2, 21, 5, 0, 0, 0, 4], [2, 25, 2, 26, 5, 0, 0, 0, 4], [3, 17, 3, 18, 5, 0, 0, 0, 4]]
+        self.assertEqual(coverage.decided_when_run(run + decided, text), run)
 
     def test_a_file_with_two_names_counts_once(self):
         def file(name, count, when_false):

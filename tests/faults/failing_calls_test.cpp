@@ -141,7 +141,8 @@ TEST_P(FailingCalls, end_the_command_or_change_nothing) {
       }
   }
   EXPECT_GT(all_calls, 0U);
-  std::cout << GetParam() << ": " << all_calls << " calls, " << runs << " runs in which one of them failed, or all from it on\n";
+  std::cout << GetParam() << ": " << all_calls << " calls; " << runs
+            << " runs in which one call failed, or all from one on\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FailingCalls,

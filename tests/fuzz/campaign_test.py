@@ -432,7 +432,7 @@ class Campaigns(FakeBuild):
             self.assertEqual(campaign.returncode, 2)
             self.assertFalse((self.folder / "new").exists())
 
-    def test_a_resumed_campaign_has_the_targets_and_the_slices_of_the_last_one(self):
+    def test_a_resumed_campaign_has_the_targets_and_the_slices_of_its_beginning(self):
         self.add_target("other")
         campaign = self.begin("--out", self.folder / "run", "--targets", "other", "--hours", str(5.9 / 3600))
         campaign.communicate()
@@ -441,6 +441,8 @@ class Campaigns(FakeBuild):
              self.folder / "run", "--hours", str(5.9 / 3600)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             text=True, check=False)
         self.assertEqual(self.slices_made(), {"other": 2}, resumed.stdout)
+        self.begin("--resume", self.folder / "run", "--targets", "fake", "--hours", "0", "--slice", "70").communicate()
+        self.assertEqual(json.loads((self.folder / "run/state.json").read_text())["chosen"], "other")
         self.assertEqual(json.loads((self.folder / "run/state.json").read_text())["slice"], 60)
 
     def test_a_program_that_does_not_start_ends_the_campaign(self):
@@ -591,6 +593,21 @@ class HarnessCampaigns(FakeBuild):
         self.assertEqual(ran.returncode, 2)
         self.assertIn("harness ended with exit code 5", ran.stdout)
         self.assertNotIn("summary.md", ran.stdout)
+        again = self.run_campaign("--harness", "seed 0", "--out", self.folder / "run", end=2)
+        self.assertEqual(again.returncode, 0, again.stdout)
+
+    def test_options_that_are_no_words_and_those_that_were_not_stored_are_errors(self):
+        run = self.folder / "run"
+        ran = self.run_campaign("--harness", "seed 0", "--out", run, "--harness-options", "--name 'of")
+        self.assertEqual((ran.returncode, run.exists()), (2, False))
+        self.assertIn("--harness-options: No closing quotation", ran.stdout)
+        self.run_campaign("--harness", "seed 0", "--out", run, end=2)
+        state = json.loads((run / "state.json").read_text())
+        del state["options"]
+        (run / "state.json").write_text(json.dumps(state))
+        self.assertIn("did not store --harness-options", self.run_campaign("--resume", run).stdout)
+        ran = self.run_campaign("--resume", run, "--harness-options", "", end=3)
+        self.assertEqual(ran.returncode, 0, ran.stdout)
 
 
 # Leaves what afl-fuzz leaves: one old and one new input, a crash, and an input that took too long.
