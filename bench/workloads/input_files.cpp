@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "../../core/formats.hpp"
-#include "../../properties/domains/domains.hpp"
 #include "temporary_folder.hpp"
 #include "workload.hpp"
 
@@ -30,17 +29,26 @@ Job reading(bool written, const Read& read, const Count& count, std::uint64_t it
           .items = items};
 }
 
-/// A coast line with islands.
-Pslg coast(const Setup& setup) { return domains::coast(setup.pick<std::uint64_t>(8'000, 160'000), 1); }
+/// A closed outline with waves.
+Pslg outline(const Setup& setup) {
+  Pslg pslg;
+  const auto n = setup.pick<Index>(8'000, 160'000);
+  for (Index i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n, radius = 1 + 0.3 * std::sin(7 * angle);
+    pslg.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    pslg.segments.push_back({i, (i + 1) % n, 1});
+  }
+  return pslg;
+}
 
 Job write_poly_file(const Setup& setup) {
-  const Pslg pslg = coast(setup);
+  const Pslg pslg = outline(setup);
   const auto folder = std::make_shared<TemporaryFolder>();
   return {.work = [=] { return write_poly(pslg, *folder / "d.poly").ok(); }, .items = pslg.points.size()};
 }
 
 Job read_poly_file(const Setup& setup) {
-  const Pslg pslg = coast(setup);
+  const Pslg pslg = outline(setup);
   const auto folder = std::make_shared<TemporaryFolder>();
   const bool written = write_poly(pslg, *folder / "d.poly").ok();
   return reading(
