@@ -18,11 +18,14 @@ namespace pardel::fuzz {
   return distance(p, {a.x + at * x, a.y + at * y});
 }
 
-/// The shortest edge that the mesher makes at the coordinates of a domain (Options::min_edge).
-[[nodiscard]] inline double resolution(const Pslg& pslg) {
+/// The largest magnitude of a coordinate.
+[[nodiscard]] inline double largest_magnitude(const Pslg& pslg) {
   double largest = 0;
   for (const Point p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return largest * 0x1p-42;
+  return largest;
 }
+
+/// The shortest edge that the mesher makes at the coordinates of a domain (Options::min_edge).
+[[nodiscard]] inline double resolution(const Pslg& pslg) { return 0x1p-42 * largest_magnitude(pslg); }
 
 }  // namespace pardel::fuzz

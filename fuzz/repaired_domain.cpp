@@ -18,9 +18,11 @@ namespace {
 class Comparison {
  public:
   Comparison(const Pslg& before, const Repaired& repaired, bool convex_hull)
-      : before_(before), repaired_(repaired), after_(repaired.domain.pslg()), convex_hull_(convex_hull) {
-    for (const Point p : before.points) largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
-  }
+      : before_(before),
+        repaired_(repaired),
+        after_(repaired.domain.pslg()),
+        convex_hull_(convex_hull),
+        rounding_(0x1p-50 * largest_magnitude(before)) {}
 
   void judge() const {
     check_maps();
@@ -60,7 +62,7 @@ class Comparison {
   /// crossings.
   [[nodiscard]] double several_bends() const { return 8 * (repaired_.snap + rounding()); }
   /// Crossings are rounded.
-  [[nodiscard]] double rounding() const { return 0x1p-50 * largest_; }
+  [[nodiscard]] double rounding() const { return rounding_; }
 
   [[nodiscard]] double distance_to(Index old, Point p) const {
     const Segment& s = before_.segments[old];
@@ -199,7 +201,7 @@ class Comparison {
   const Repaired& repaired_;
   const Pslg& after_;
   bool convex_hull_;
-  double largest_ = 0;  ///< magnitude of a coordinate
+  double rounding_;  ///< of a computed coordinate
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 // interleaved tasks, and on several ranks.
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "../core/digest.hpp"
@@ -108,13 +107,16 @@ void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays
     if (!fault.empty()) fail("on " + std::to_string(count) + " ranks: " + fault);
 }
 
+/// The points get an attribute that is not linear.
+void add_curved_attribute(Pslg& pslg) {
+  pslg.attributes_per_point = 1;
+  for (const Point p : pslg.points) pslg.point_attributes.push_back(p.x * p.x + p.y);
+}
+
 /// The same for ranks, which have no limit on vertices: only where the mesh keeps it anyway. If possible, also for
 /// ranks of which none has all points. Half of the domains get an attribute that is not linear.
 void compare_with_ranks(Pslg pslg, const MeshCase& drawn, Options options) {
-  if (drawn.seed % 2 == 0 && pslg.attributes_per_point == 0) {
-    pslg.attributes_per_point = 1;
-    for (const Point p : pslg.points) pslg.point_attributes.push_back(p.x * p.x + p.y);
-  }
+  if (drawn.seed % 2 == 0 && pslg.attributes_per_point == 0) add_curved_attribute(pslg);
   Goal goal = drawn.goal;
   goal.min_angle_deg = std::min(goal.min_angle_deg, 28.0);
   options.threads = 1;
@@ -142,12 +144,11 @@ void compare_with_ranks(Pslg pslg, const MeshCase& drawn, Options options) {
 void compare_triangulations(const Pslg& pslg, const MeshCase& drawn) {
   Pslg points;
   points.points = pslg.points;
-  points.attributes_per_point = 1;
-  for (const Point p : pslg.points) points.point_attributes.push_back(p.x * p.x + p.y);
+  add_curved_attribute(points);
   const Result<Meshed> whole = triangulate(points);
   if (!whole) fail("the points of a valid Pslg were rejected: " + whole.error().message);
   compare_on_ranks(whole->mesh, drawn.ranks, 0, [&](Ranks& ranks) {
-    return triangulate(std::move(domains::equal_part(points, ranks).points), {.threads = 1}, ranks);
+    return triangulate(domains::equal_part(points, ranks).points, {.threads = 1}, ranks);
   });
 }
 

@@ -113,15 +113,18 @@ def needed(targets):
     return found + [target.folder / "draw_case" for target in targets if target.draws][:1]
 
 
+def cmake(*arguments):
+    """Runs CMake. What it prints goes to standard error: standard output is for the results of a script."""
+    process_groups.run(["cmake", *arguments], cwd=ROOT, stdout=sys.stderr).check_returncode()
+
+
 def configure(folder, preset="fuzz"):
     """Configures a preset. Then the build folder has the present list of the targets."""
-    process_groups.run(["cmake", "--preset", preset, "-B", str(folder)], cwd=ROOT,
-                       stdout=sys.stderr).check_returncode()
+    cmake("--preset", preset, "-B", str(folder))
 
 
 def build(folder, goals, jobs, preset="fuzz"):
     """Configures a preset if necessary and builds CMake targets of it."""
     if not (Path(folder) / "CMakeCache.txt").exists():
         configure(folder, preset)
-    process_groups.run(["cmake", "--build", str(folder), "-j", str(jobs), "--target", *goals],
-                       cwd=ROOT).check_returncode()
+    cmake("--build", str(folder), "-j", str(jobs), "--target", *goals)

@@ -27,9 +27,10 @@ def read_json(file, keys):
 
 
 def check_numbers(parser, options, **least):
-    """Ends the script with a message if an option is not a number from `least` on."""
+    """Ends the script with a message if an option that has a value is not a number from `least` on."""
     for name, bound in least.items():
-        if not bound <= getattr(options, name) < float("inf"):
+        number = getattr(options, name)
+        if number is not None and not bound <= number < float("inf"):
             parser.error(f"--{name} has to be a number from {bound} on")
 
 
