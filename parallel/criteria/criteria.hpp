@@ -30,6 +30,11 @@ class Criteria {
     // The smallest angle lies between the two longer sides. Its sine is twice the area divided by their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
+  /// True if the angle at this corner is below the bound.
+  [[nodiscard]] bool is_small(const Measure& m, unsigned corner) const {
+    return m.dot_at(corner) > 0 && m.twice_area * m.twice_area < squared_sine_ * (m.squared[next_corner[corner]] *
+                                                                                  m.squared[previous_corner[corner]]);
+  }
   /// True if the area exceeds the bound that holds everywhere.
   template <class T>
   [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {

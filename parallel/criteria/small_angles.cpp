@@ -126,40 +126,49 @@ double fraction_of_pieces(double count, Point a, Point b) {
   return lexicographically_less(a, b) ? first : 1 - first;
 }
 
-/// The exact square of a length.
-exact::Expansion<16> exact_square(Point a, Point b) {
-  const exact::Expansion<2> x(exact::two_difference(b.x, a.x)), y(exact::two_difference(b.y, a.y));
-  return x * x + y * y;
+/// Twice the signed area of o, p, q, with a relative error of a few roundings, however flat the triangle is.
+double accurate_cross(Point o, Point p, Point q) {
+  using namespace exact;
+  const Expansion<2> px(two_difference(p.x, o.x)), py(two_difference(p.y, o.y));
+  const Expansion<2> qx(two_difference(q.x, o.x)), qy(two_difference(q.y, o.y));
+  return (px * qy - py * qx).estimate();
 }
 
-/// The shortest side, given the side that is the shortest up to rounding. In a flat triangle two sides can differ by
-/// less than the rounding of their squares, and only one of them lies opposite the smallest angle.
-unsigned exactly_shortest_side(const Triangulation& t, const Slot& slot, const Measure& measure, unsigned shortest) {
-  constexpr double far_above_rounding = 1 + 0x1p-40;
-  const auto square_of = [&](unsigned side) {
-    return exact_square(t.points[slot.from(side)], t.points[slot.to(side)]);
-  };
-  unsigned result = shortest;
-  for (const unsigned other : {next_corner[shortest], previous_corner[shortest]})
-    if (measure.squared[other] <= measure.squared[shortest] * far_above_rounding &&
-        (square_of(other) - square_of(result)).estimate() < 0)
-      result = other;
-  return result;
+double dot(Point o, Point p, Point q) { return (p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y); }
+
+/// The tangent of the least angle across a shell: sin θ / (2 - cos θ), where the segments from the apex to `first` and
+/// `second` meet at the angle θ. It is the angle of a triangle with a corner on the next shell, twice as far away.
+double tangent_across_shell(Point apex, Point first, Point second) {
+  const double lengths = distance(apex, first) * distance(apex, second);
+  return std::abs(accurate_cross(apex, first, second)) / (2 * lengths - dot(apex, first, second));
 }
 
-/// The exemption of a triangle whose shortest edge joins u and v, each inside or at the end of the segment that is
+/// True if the angle at o between u and v has at least this tangent, up to the rounding of the shell on which u and v
+/// lie around the apex. Precondition: the angle is less than 90 degrees.
+bool has_tangent(Point o, Point u, Point v, Point apex, double tangent) {
+  constexpr double relative = 1e-9;
+  Box box = Box::around(o, apex);
+  box.cover(Box::around(u, v));
+  const double rounding = 0x1p-51 * box.largest_magnitude() * (distance(o, u) + distance(o, v));
+  return std::abs(accurate_cross(o, u, v)) + rounding >= (1 - relative) * tangent * dot(o, u, v);
+}
+
+/// The exemption of the angle at o opposite the edge from u to v, each inside or at the end of the segment that is
 /// given, if the two segments meet at an angle with a larger cosine than `least`.
-std::optional<SmallAngle> seditious(const Triangulation& t, const DomainSegments& segments, VertexId u, Index of_u,
-                                    VertexId v, Index of_v, double least) {
+std::optional<SmallAngle> seditious(const Triangulation& t, const DomainSegments& segments, VertexId o, VertexId u,
+                                    Index of_u, VertexId v, Index of_v, double least) {
   if (of_u == of_v) return {};
   const VertexId apex = segments.shared_end(of_u, of_v);
   if (apex == no_index || apex == u || apex == v) return {};
   const double cosine = segments.cosine_at(t.points, apex, of_u, of_v);
   if (cosine <= least || !same_shell(t.points[apex], t.points[u], t.points[v])) return {};
+  const double least_tangent = tangent_across_shell(t.points[apex], t.points[segments.other_end(of_u, apex)],
+                                                    t.points[segments.other_end(of_v, apex)]);
+  if (!has_tangent(t.points[o], t.points[u], t.points[v], t.points[apex], least_tangent)) return {};
   return SmallAngle{ExemptReason::seditious, apex, degrees(cosine)};
 }
 
-/// The exemption of a triangle whose smallest angle lies at this corner.
+/// The exemption of the angle at this corner.
 std::optional<SmallAngle> small_angle_at(unsigned corner, const Triangulation& t, const DomainSegments& segments,
                                          const Slot& slot) {
   const VertexId o = slot.v[corner], u = slot.from(corner), v = slot.to(corner);
@@ -171,13 +180,13 @@ std::optional<SmallAngle> small_angle_at(unsigned corner, const Triangulation& t
   const Index segment_u = segment_of_origin(t.origin[u]), segment_v = segment_of_origin(t.origin[v]);
   const bool inside_u = segment_u < segments.size(), inside_v = segment_v < segments.size();
   constexpr double at_60_degrees = 0.5 * (1 + 1e-9);
-  if (inside_u && inside_v) return seditious(t, segments, u, segment_u, v, segment_v, at_60_degrees);
+  if (inside_u && inside_v) return seditious(t, segments, o, u, segment_u, v, segment_v, at_60_degrees);
   // A point that was put beside the end of a segment (edge_split_point()).
   const VertexId end = inside_u ? v : u, beside = inside_u ? u : v;
   if (inside_u == inside_v || t.origin[end] != input_vertex) return {};
   for (const Index of_end : segments.segments_at(end))
     if (const auto found =
-            seditious(t, segments, end, of_end, beside, inside_u ? segment_u : segment_v, cosine_of_narrow_angle))
+            seditious(t, segments, o, end, of_end, beside, inside_u ? segment_u : segment_v, cosine_of_narrow_angle))
       return found;
   return {};
 }
@@ -208,13 +217,14 @@ Point edge_split_point(const Triangulation& t, const DomainSegments& segments, I
   return {snapped(on_line.x), snapped(on_line.y)};
 }
 
-std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Slot& slot,
-                                      const Measure& measure) {
-  const unsigned corner = measure.shortest_side();
-  const std::optional<SmallAngle> found = small_angle_at(corner, t, segments, slot);
-  if (!found) return found;
-  const unsigned exactly = exactly_shortest_side(t, slot, measure, corner);
-  return exactly == corner ? found : small_angle_at(exactly, t, segments, slot);
+std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
+                                      const Slot& slot, const Measure& measure) {
+  const unsigned smallest = measure.shortest_side();
+  const std::optional<SmallAngle> found = small_angle_at(smallest, t, segments, slot);
+  if (!found) return {};
+  for (const unsigned corner : {next_corner[smallest], previous_corner[smallest]})
+    if (criteria.is_small(measure, corner) && !small_angle_at(corner, t, segments, slot)) return {};
+  return found;
 }
 
 }  // namespace pardel::engine

@@ -40,10 +40,12 @@ struct SmallAngle {
 };
 
 /// The exemption of a triangle that breaks only the bound on angles, or nothing if it has to be split. A triangle is
-/// exempt if splitting it would never end. Which of its angles is the smallest is decided exactly. It is nestled (its
-/// smallest angle lies between two segments) or seditious (its shortest edge joins points of one shell on two segments
-/// that meet at less than 60 degrees; at less than one degree, one of the points can be the end of its segment).
+/// exempt if splitting it would never end. Each of its angles below the bound needs a cause of its own. It is nestled
+/// (it lies between two segments), or the edge opposite is seditious (it joins points inside two segments that meet at
+/// an angle θ of less than 60 degrees, on one shell around their common end; at less than one degree, one of the points
+/// can be the end of its segment) and the angle is at least arctan(sin θ / (2 - cos θ)). Returns the cause of the
+/// smallest angle. Precondition: this angle is below the bound.
 [[nodiscard]] std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments,
-                                                    const Slot& slot, const Measure& measure);
+                                                    const Criteria& criteria, const Slot& slot, const Measure& measure);
 
 }  // namespace pardel::engine

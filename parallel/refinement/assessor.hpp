@@ -59,7 +59,7 @@ class Assessor {
     const bool large = too_large(id, m, hints);
     if (!large && !criteria_.bad_shape(m)) return {};
     const double shortest = m.shortest_squared();
-    if (shortest < squared_floor_ || (!large && small_angle(t_, segments_, t_.slots[id], m)))
+    if (shortest < squared_floor_ || (!large && small_angle(t_, segments_, criteria_, t_.slots[id], m)))
       return {.left_alone = true};
     return {Assessment::Need::split_triangle, m.shortest_side(), BucketQueue::key(shortest), m.longest_squared(),
             false};

@@ -33,7 +33,7 @@ class Reasons {
     const Shape shape(t_, t_.slots[id]);
     const unsigned side = assessor_.non_delaunay_side(id);
     if (side == 3 && !assessor_.too_large(id, hints_))
-      if (const auto small = small_angle(t_, segments_, t_.slots[id], shape))
+      if (const auto small = small_angle(t_, segments_, criteria_, t_.slots[id], shape))
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached_) return {id, ExemptReason::budget};
     if (side < 3) return {id, of_edge(EdgeRef(id, side))};

@@ -65,6 +65,10 @@ class DomainSegments {
   [[nodiscard]] Index segment_of(const Triangulation& t, VertexId u, VertexId v) const;
   /// The common end of two different segments, or no_index.
   [[nodiscard]] VertexId shared_end(Index first, Index second) const;
+  /// The end of a segment that is not `end`.
+  [[nodiscard]] VertexId other_end(Index segment, VertexId end) const {
+    return segments_[segment].a == end ? segments_[segment].b : segments_[segment].a;
+  }
   /// The cosine of the angle between two segments at their common end `apex`.
   [[nodiscard]] double cosine_at(const Array<Point>& points, VertexId apex, Index first, Index second) const;
 
@@ -72,9 +76,6 @@ class DomainSegments {
   /// The segments that end at a vertex of ends_.
   [[nodiscard]] std::span<const Index> around(std::size_t end) const {
     return std::span(incident_).subspan(start_[end], start_[end + 1] - start_[end]);
-  }
-  [[nodiscard]] VertexId other_end(Index segment, VertexId end) const {
-    return segments_[segment].a == end ? segments_[segment].b : segments_[segment].a;
   }
   /// Calls visit(v, s, t) for the vertex v of ends_, and all segments s and t that are adjacent in the angular order
   /// around it.

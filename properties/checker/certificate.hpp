@@ -19,10 +19,11 @@ struct Extreme {
   Point where;                ///< the corner of an angle, the midpoint of an edge, else the centroid
 };
 
-/// A triangle that the checker accepts although it has an angle below the bound, because a small input angle makes such
-/// triangles unavoidable. The checker uses only coordinates for this decision (Miller, Pav,
-/// Walkington 2003). Such a triangle is nestled: its small angle lies between two segments; or seditious: its shortest
-/// edge joins two segments at equal distances from their common end.
+/// A triangle that the checker accepts although it has angles below the bound, because small input angles make each of
+/// them unavoidable. The checker uses only coordinates for this decision (Miller, Pav, Walkington 2003). Such an angle
+/// is nestled: it lies between two segments; or it is opposite a seditious edge, which joins the insides of two
+/// segments at equal distances from their common end, and is at least arctan(sin θ / (2 - cos θ)), where θ is their
+/// angle.
 struct Justified {
   Index triangle = no_index;
   Index apex = no_index;       ///< the input point at which two segments meet at the small angle

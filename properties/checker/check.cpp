@@ -25,7 +25,7 @@ void run_stages(const Subject& subject, Findings& found, Certificate& certificat
   const Domain domain(pslg, subject.goal.convex_hull, found.stop());
   const InputVertices inputs = check_input_vertices(subject, domain, adjacency, found);
   const Chains chains = check_segments(subject, domain, adjacency, inputs, scanned, found);
-  check_holes(subject, domain, check_coverage(subject, domain, adjacency, chains, found), found);
+  check_holes(subject, domain, chains, check_coverage(subject, domain, adjacency, chains, found), found);
   std::vector<Index> faces;
   if (!pslg.regions.empty()) faces = paint_faces(domain, adjacency, chains, found.stop());
   if (sanity.labels) {

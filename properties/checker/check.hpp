@@ -32,11 +32,13 @@ namespace pardel {
 /// - goal.size is evaluated at the rounded centroid ((a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3) of the corners in
 ///   the order of the triangle.
 /// The lengths that goal.grading and goal.feature_edges allow are computed from the Pslg with a tolerance
-/// (tolerances.hpp), at the same centroids. Three rules allow for the rounding of vertices by a tolerance
+/// (tolerances.hpp), at the same centroids. Some rules allow for the rounding of vertices by a tolerance
 /// (tolerances.hpp), which is compared exactly, too:
-/// - a vertex on a segment may lie off the segment by chain_ulps;
-/// - a hole's seed that lies within that distance of an edge of the triangle around it is not reported;
-/// - two vertices lie on one shell around a small input angle within shell_tolerance and shell_ulps.
+/// - a vertex on a segment may lie off the segment by chain_units;
+/// - a hole's seed that lies within that distance of a segment on which the triangle around it has an edge is not
+///   reported;
+/// - two vertices lie on one shell around a small input angle within shell_tolerance and shell_units, and an angle
+///   across a shell has its least value within across_tolerance and across_units.
 ///
 /// Most of the work is one scan of all triangles, in which floating-point filters with proven bounds on their errors
 /// decide nearly every test (arithmetic/filter.hpp). Exact arithmetic decides the others;

@@ -187,7 +187,7 @@ class PieceCheck {
       const Result<Piece*> piece = open_again(i, described_later);
       if (!piece) return piece.error();
       KeptPart& part = read_.pieces[i].part;
-      part = part_to_keep(**piece, input_->places, input_->free, read_.settled, numbers);
+      part = part_to_keep(**piece, input_->places, input_->free, input_->ranges, read_.settled, numbers);
       for (const KeptVertex& vertex : part.vertices)
         if (std::ranges::binary_search(numbers, vertex.number)) points.push_back({vertex.number, vertex.at});
     }
@@ -238,7 +238,7 @@ class PieceCheck {
     const SpecialVertices special(piece, whole.special);
     const Chains chains = chains_in_piece(piece, whole.judgement, special);
     const InputVertices inputs = input_vertices_in_piece(piece, whole.judgement, special);
-    check_holes(piece.subject, domain, whole.judgement.suspects, found_);
+    check_holes(piece.subject, domain, chains, whole.judgement.suspects, found_);
     std::vector<Index> faces_here;
     if (faces != nullptr) faces_here = faces->faces_of(i, joined_triangles(piece, domain, chains));
     if (labels) check_regions(piece.subject, domain, faces_here, found_);

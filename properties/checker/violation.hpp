@@ -28,12 +28,15 @@ enum class ViolationKind : std::uint8_t {
   missing_input_vertex,      ///< an input point of the domain is not a vertex, or was moved or renumbered
   unused_vertex,             ///< a vertex has no triangle and is not an input point outside the domain
   broken_segment,            ///< no chain of mesh edges joins the ends of an input segment
-  chain_off_segment,         ///< a vertex of a chain lies further than chain_ulps from its segment
+  chain_off_segment,         ///< a vertex of a chain lies further than chain_units from its segment
+  chains_meet,               ///< the chains of two segments share a vertex that is no input point
+  wrong_chain_order,         ///< around an input point, the chains are not in the order of their segments
+  wrong_face,                ///< chains separate or join other parts than the segments do, or a point changed sides
   wrong_constrained_edge,    ///< an edge is listed as constrained, but is no mesh edge or no part of its segment
   missing_constrained_edge,  ///< an edge is a part of a segment or of the hull, but is not listed as constrained
   wrong_edge_marker,
   wrong_vertex_marker,
-  wrong_region,
+  wrong_region,  ///< a triangle has not the region of its face, or one where its face has none
   wrong_origin,
   not_delaunay,    ///< an unconstrained edge is not locally Delaunay
   not_conforming,  ///< a constrained edge is not locally Delaunay, and the goal is conforming
@@ -43,7 +46,9 @@ enum class ViolationKind : std::uint8_t {
   long_edge,
   size_exceeded,  ///< an edge is longer than the sizing function allows at the triangle's centroid
   large_circumradius,
-  wrong_attribute,  ///< an input vertex does not carry its input attributes
+  /// An input vertex does not carry its input attributes, or the value of an inserted vertex is not between those that
+  /// it interpolates.
+  wrong_attribute,
 };
 
 /// The number of kinds. The enumerators have the values 0 to violation_kinds - 1.

@@ -4,6 +4,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "text.hpp"
@@ -131,10 +132,31 @@ bool circumradius_exceeds(Point a, Point b, Point c, double bound) {
   });
 }
 
-bool line_distance_exceeds(Point p, Point a, Point b, double bound) {
+bool line_offset_exceeds(Point p, Point a, Point b, Units units) {
   return decide([=](auto number) {
     const auto cross = doubled_area(a, b, p, number);
-    return cross * cross > number(bound) * number(bound) * squared_length(a, b, number);
+    const auto dx = number(b.x) - number(a.x), dy = number(b.y) - number(a.y);
+    return CGAL::abs(cross) > number(units.x) * CGAL::abs(dy) + number(units.y) * CGAL::abs(dx);
+  });
+}
+
+double tangent_across_shell(Point apex, Point p, Point q) {
+  const double cross = std::abs(CGAL::to_double(doubled_area(apex, p, q, rational)));
+  const double product = CGAL::to_double(dot(apex, p, apex, q, rational));
+  const double lengths = std::sqrt(CGAL::to_double(squared_length(apex, p, rational))) *
+                         std::sqrt(CGAL::to_double(squared_length(apex, q, rational)));
+  const double tangent = cross / (2 * lengths - product);
+  return std::isfinite(tangent) ? tangent : 0;  // squares of the largest coordinates overflow
+}
+
+bool tangent_is_below(Point corner, Point p, Point q, double bound, double error) {
+  return decide([=](auto number) {
+    const auto sum = [&](Point end) {
+      const auto dx = number(end.x) - number(corner.x), dy = number(end.y) - number(corner.y);
+      return decltype(dx + dy)(CGAL::abs(dx) + CGAL::abs(dy));
+    };
+    const auto cross = doubled_area(corner, p, q, number);
+    return CGAL::abs(cross) + number(error) * (sum(p) + sum(q)) < number(bound) * dot(corner, p, corner, q, number);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../../../core/pslg.hpp"
+#include "units.hpp"
 
 namespace pardel::checker::exactly {
 
@@ -34,8 +35,18 @@ namespace pardel::checker::exactly {
 /// True if the circumradius of the counter-clockwise triangle is greater than `bound` (0 <= bound).
 [[nodiscard]] bool circumradius_exceeds(Point a, Point b, Point c, double bound);
 
-/// True if p is further than `bound` (0 <= bound) from the line through a and b.
-[[nodiscard]] bool line_distance_exceeds(Point p, Point a, Point b, double bound);
+/// True if p is further from the line through a and b than an error of `units` in its coordinates can explain:
+/// |cross(b - a, p - a)| > units.x * |b.y - a.y| + units.y * |b.x - a.x|.
+[[nodiscard]] bool line_offset_exceeds(Point p, Point a, Point b, Units units);
+
+/// The tangent of the least angle across a shell, sin θ / (2 - cos θ), where θ is the angle at the apex between p and
+/// q. Its relative error is a few roundings.
+[[nodiscard]] double tangent_across_shell(Point apex, Point p, Point q);
+
+/// True if the tangent of the acute angle at `corner` between p and q is less than `bound` (0 <= bound), whatever the
+/// errors of p and q are, up to `error` in each coordinate: |cross| + error * (|p - corner| + |q - corner|) < bound *
+/// dot, where distances are sums of absolute coordinates.
+[[nodiscard]] bool tangent_is_below(Point corner, Point p, Point q, double bound, double error);
 
 /// The sign of (to - from) . (b - a): positive if a step from `from` to `to` goes forward along ab.
 [[nodiscard]] int progress(Point from, Point to, Point a, Point b);

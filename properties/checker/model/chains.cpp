@@ -16,14 +16,15 @@ namespace {
 class ChainSearch {
  public:
   ChainSearch(Index segment, const Domain& domain, const MeshEdges& mesh, const InputVertices& inputs,
-              Strictness strictness, StopSignal* stop)
+              Strictness strictness, StopSignal* stop, std::span<const Index> others)
       : segment_(segment),
         on_boundary_(domain.on_boundary(segment)),
-        tolerance_(domain.tolerance()),
+        tolerance_(domain.tolerance(segment)),
         mesh_(mesh),
         inputs_(inputs),
         strictness_(strictness),
         stop_(stop),
+        others_(others),
         first_(inputs.vertex(domain.segments()[segment].a)),
         last_(inputs.vertex(domain.segments()[segment].b)) {}
 
@@ -99,20 +100,28 @@ class ChainSearch {
 
   /// True if the chain may go from `at` to `to`.
   bool is_allowed(Index at, Index to) const {
-    if (to != last_ && inputs_.input(to) != no_index) return false;
+    if (to != last_ && (inputs_.input(to) != no_index || is_taken(to))) return false;
     const bool far = !is_near(mesh_.points[to]) || !is_near(mesh_.points[at]);
     if (far && (strictness_ == Strictness::exact || !mesh_.marked.contains(at, to))) return false;
     const Point p = mesh_.points[to];
     return exactly::progress(mesh_.points[at], p, a_, b_) > 0 && (to == last_ || exactly::progress(p, b_, a_, b_) > 0);
   }
 
+  /// True if the chain of another segment passes this vertex.
+  bool is_taken(Index vertex) const {
+    return !others_.empty() && others_[vertex] != no_index && others_[vertex] != segment_;
+  }
+
   bool is_near(Point p) const {
     if (p == a_ || p == b_) return true;
-    const double distance = std::abs((b_.x - a_.x) * (p.y - a_.y) - (b_.y - a_.y) * (p.x - a_.x)) / length_;
-    if (strictness_ == Strictness::loose) return distance <= meant_chain_share * length_;
-    // The rounding error of `distance` is a few units in the last place, and the tolerance is two such units. So a
-    // distance above 64 tolerances needs no exact comparison.
-    return !(distance > 64 * tolerance_) && !exactly::line_distance_exceeds(p, a_, b_, tolerance_);
+    const double dx = b_.x - a_.x, dy = b_.y - a_.y, left = dx * (p.y - a_.y), right = dy * (p.x - a_.x);
+    const double cross = std::abs(left - right);
+    if (strictness_ == Strictness::loose) return cross / length_ <= meant_chain_share * length_;
+    // The rounding error of `cross` is less than the second term. (Without an underflow: products of usable coordinates
+    // do not come near 1e-290.)
+    const double allowed = tolerance_.x * std::abs(dy) + tolerance_.y * std::abs(dx);
+    const bool is_certainly_off = cross > 2 * allowed + 0x1p-50 * (std::abs(left) + std::abs(right)) && cross > 1e-290;
+    return !is_certainly_off && !exactly::line_offset_exceeds(p, a_, b_, tolerance_);
   }
 
   ChainEdge edge(Index from, Index to) const {
@@ -127,11 +136,12 @@ class ChainSearch {
 
   Index segment_;
   bool on_boundary_;
-  double tolerance_;
+  Units tolerance_;
   const MeshEdges& mesh_;
   const InputVertices& inputs_;
   Strictness strictness_;
   StopSignal* stop_;
+  std::span<const Index> others_;
   Index first_, last_;
   Point a_, b_;
   double length_ = 0;
@@ -141,8 +151,9 @@ class ChainSearch {
 }  // namespace
 
 std::vector<ChainEdge> find_chain(Index segment, const Domain& domain, const MeshEdges& mesh,
-                                  const InputVertices& inputs, Strictness strictness, StopSignal* stop) {
-  return ChainSearch(segment, domain, mesh, inputs, strictness, stop).run();
+                                  const InputVertices& inputs, Strictness strictness, StopSignal* stop,
+                                  std::span<const Index> others) {
+  return ChainSearch(segment, domain, mesh, inputs, strictness, stop, others).run();
 }
 
 }  // namespace pardel::checker

@@ -39,7 +39,7 @@ struct MeshEdges {
 
 /// How far a vertex of a chain may lie from the segment.
 enum class Strictness : std::uint8_t {
-  exact,  ///< up to Domain::tolerance(), compared exactly
+  exact,  ///< up to Domain::tolerance() of the segment, compared exactly
   /// Up to a millionth of the segment's length; any distance along marked edges. Used to distinguish a chain
   /// that leaves its segment from a chain that does not exist.
   loose,
@@ -50,8 +50,9 @@ enum class Strictness : std::uint8_t {
 /// marked edges have no influence on which edges are allowed; they only select one of several allowed paths: between
 /// segments that nearly coincide, edges of one segment are allowed for the other, too. Time: O(k log k) for k edges
 /// within the tolerance, plus the triangles at their ends.
+/// `others`: if given, the chain passes no vertex for which this is neither no_index nor the segment.
 [[nodiscard]] std::vector<ChainEdge> find_chain(Index segment, const Domain& domain, const MeshEdges& mesh,
                                                 const InputVertices& inputs, Strictness strictness,
-                                                StopSignal* stop = nullptr);
+                                                StopSignal* stop = nullptr, std::span<const Index> others = {});
 
 }  // namespace pardel::checker

@@ -1,14 +1,11 @@
 #include "domain.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 #include "../../../core/support/point_order.hpp"
 #include "../arithmetic/exact.hpp"
-#include "../tolerances.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -76,11 +73,19 @@ Domain::Domain(const Pslg& pslg, bool convex_hull, StopSignal* stop)
     if (inside(face)) region_of_.emplace_back(face, static_cast<Index>(r));
   }
   std::sort(region_of_.begin(), region_of_.end());
+}
 
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  ulp_ = std::max(std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest, least_unit);
-  tolerance_ = chain_ulps * ulp_;
+std::vector<Index> Domain::places_of_faces() const {
+  std::vector<Index> place(faces_.count());
+  std::iota(place.begin(), place.end(), Index{0});
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto s = static_cast<Index>(i);
+    if (has(s)) continue;
+    const Index left = root(place, faces_.face(s, Side::left)), right = root(place, faces_.face(s, Side::right));
+    place[std::max(left, right)] = std::min(left, right);
+  }
+  for (Index face = 0; face < place.size(); ++face) place[face] = root(place, face);
+  return place;
 }
 
 bool Domain::has_point(Index point) const {

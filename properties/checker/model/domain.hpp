@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "../../../core/pslg.hpp"
+#include "../arithmetic/units.hpp"
+#include "../tolerances.hpp"
 #include "planar_faces.hpp"
 
 namespace pardel::checker {
@@ -40,11 +42,15 @@ class Domain {
   /// The regions whose seeds lie in this face, as pairs (face, region). There is more than one only in an invalid Pslg.
   [[nodiscard]] std::span<const std::pair<Index, Index>> regions_in(Index face) const;
 
-  /// The largest allowed distance of a vertex from its segment: chain_ulps units in the last place of the largest
-  /// absolute coordinate of the Pslg.
-  [[nodiscard]] double tolerance() const { return tolerance_; }
-  /// One unit in the last place of the largest absolute coordinate of the Pslg; at least least_unit.
-  [[nodiscard]] double ulp() const { return ulp_; }
+  /// Per face of faces(): a face of the graph of those segments that have the domain on a side, by the least number of
+  /// the faces that it consists of. The mesh has no other segments, so it cannot tell apart what they separate.
+  [[nodiscard]] std::vector<Index> places_of_faces() const;
+
+  /// How far a vertex may lie off a segment, per axis (chain_units).
+  [[nodiscard]] Units tolerance(Index segment) const {
+    const Units units = units_of_segment(pslg_.points[segments_[segment].a], pslg_.points[segments_[segment].b]);
+    return {chain_units * units.x, chain_units * units.y};
+  }
 
  private:
   const Pslg& pslg_;
@@ -52,8 +58,6 @@ class Domain {
   PlanarFaces faces_;
   std::vector<char> inside_;                        ///< per face
   std::vector<std::pair<Index, Index>> region_of_;  ///< (face, region), sorted
-  double ulp_ = 0;
-  double tolerance_ = 0;
 };
 
 }  // namespace pardel::checker

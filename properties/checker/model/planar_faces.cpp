@@ -15,6 +15,8 @@ using HalfEdge = std::size_t;
 /// Directions from 0 (included) to 180 degrees (excluded) come first.
 bool in_lower_half(Point centre, Point p) { return p.y < centre.y || (p.y == centre.y && p.x < centre.x); }
 
+}  // namespace
+
 bool counter_clockwise_before(Point centre, Point a, Point b) {
   const bool a_low = in_lower_half(centre, a);
   const bool b_low = in_lower_half(centre, b);
@@ -26,8 +28,6 @@ Index root(std::vector<Index>& parent, Index i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
-
-}  // namespace
 
 PlanarFaces::PlanarFaces(std::span<const Point> points, std::span<const Segment> segments, StopSignal* stop)
     : points_(points), segments_(segments), below_(points, segments, stop) {

@@ -14,6 +14,12 @@ namespace pardel::checker {
 
 enum class Side : std::uint8_t { left, right };
 
+/// True if the direction from `centre` to a comes before that to b, counter-clockwise from 0 degrees. Exact.
+[[nodiscard]] bool counter_clockwise_before(Point centre, Point a, Point b);
+
+/// The representative of i, the root of its tree. Shortens the path to it.
+[[nodiscard]] Index root(std::vector<Index>& parent, Index i);
+
 /// Segments should meet at common end points only. If they do not, the faces are meaningless, but every function is
 /// still safe to call.
 class PlanarFaces {

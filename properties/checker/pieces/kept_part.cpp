@@ -22,9 +22,10 @@ bool has_open_test(const Scan& scan, Index t) {
 
 class PartMaker {
  public:
-  PartMaker(const Piece& piece, const InputPlaces& inputs, const FreePoints& free, std::span<const std::uint64_t> also)
+  PartMaker(const Piece& piece, const InputPlaces& inputs, const FreePoints& free, const AttributeRanges& ranges,
+            std::span<const std::uint64_t> also)
       : piece_(piece), mesh_(piece.mesh()), why_(mesh_.points.size(), 0) {
-    mark(inputs, free, also);
+    mark(inputs, free, ranges, also);
   }
 
   KeptPart make(NumberSet& all_settled) {
@@ -53,7 +54,8 @@ class PartMaker {
   [[nodiscard]] bool has_markers() const { return mesh_.point_markers.size() == mesh_.points.size(); }
   [[nodiscard]] bool has_origins() const { return mesh_.origin.size() == mesh_.points.size(); }
 
-  void mark(const InputPlaces& inputs, const FreePoints& free, std::span<const std::uint64_t> also) {
+  void mark(const InputPlaces& inputs, const FreePoints& free, const AttributeRanges& ranges,
+            std::span<const std::uint64_t> also) {
     const Adjacency& adjacency = *piece_.adjacency;
     for_each_index(mesh_.points.size(), nullptr, [&](std::size_t i, std::size_t) {
       const auto v = static_cast<Index>(i);
@@ -64,7 +66,8 @@ class PartMaker {
       if ((why & also_kept) == 0 && free.is_settled(piece_, v))
         why |= settled;
       else if (!adjacency.has_triangle(v) || number < inputs.count() || inputs.contains(mesh_.points[v]) ||
-               (has_markers() && mesh_.point_markers[v] != 0) || (has_origins() && mesh_.origin[v] != interior_vertex))
+               (has_markers() && mesh_.point_markers[v] != 0) ||
+               (has_origins() && mesh_.origin[v] != interior_vertex) || ranges.first_outside(mesh_, v))
         why |= special;
       why_[v] = static_cast<char>(why);
     });
@@ -117,9 +120,9 @@ class PartMaker {
 
 }  // namespace
 
-KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free, NumberSet& settled,
-                      std::span<const std::uint64_t> also) {
-  return PartMaker(piece, inputs, free, also).make(settled);
+KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free,
+                      const AttributeRanges& ranges, NumberSet& settled, std::span<const std::uint64_t> also) {
+  return PartMaker(piece, inputs, free, ranges, also).make(settled);
 }
 
 }  // namespace pardel::checker

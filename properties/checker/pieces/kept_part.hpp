@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "../model/attribute_ranges.hpp"
 #include "../model/number_set.hpp"
 #include "free_points.hpp"
 #include "piece.hpp"
@@ -68,10 +69,12 @@ class InputPlaces {
 };
 
 /// Special are, in one piece: the points of the input, the ends of listed edges, vertices with a marker or an origin,
-/// and vertices without triangles. But input points are settled, and not special, if FreePoints::is_settled() holds and
-/// no listed edge ends there; their numbers are added to `settled`. `also`: the numbers of vertices that are kept as if
-/// they were at the border, sorted. These are not settled. Precondition: the piece has an adjacency.
+/// vertices without triangles, and vertices with an attribute outside of the range of the input. But input points are
+/// settled, and not special, if FreePoints::is_settled() holds and no listed edge ends there; their numbers are added
+/// to `settled`. `also`: the numbers of vertices that are kept as if they were at the border, sorted. These are not
+/// settled. Precondition: the piece has an adjacency.
 [[nodiscard]] KeptPart part_to_keep(const Piece& piece, const InputPlaces& inputs, const FreePoints& free,
-                                    NumberSet& settled, std::span<const std::uint64_t> also = {});
+                                    const AttributeRanges& ranges, NumberSet& settled,
+                                    std::span<const std::uint64_t> also = {});
 
 }  // namespace pardel::checker

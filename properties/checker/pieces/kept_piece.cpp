@@ -36,7 +36,7 @@ KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input, NumberSet& 
   kept.open = piece.scanned.open.size();
   kept.measures = piece.scanned.measures;
   if (piece.sanity.labels) kept.digest = digest(mesh);
-  kept.part = part_to_keep(piece, input->places, input->free, settled);
+  kept.part = part_to_keep(piece, input->places, input->free, input->ranges, settled);
   return kept;
 }
 

@@ -24,12 +24,13 @@ struct KeptPiece {
 /// What a piece is judged by before the other pieces are known.
 struct InputOfPieces {
   InputOfPieces(const Pslg& pslg, const Goal& goal)
-      : domain(pslg, goal.convex_hull), wanted(pslg, goal), places(pslg.points), free(pslg, domain) {}
+      : domain(pslg, goal.convex_hull), wanted(pslg, goal), places(pslg.points), free(pslg, domain), ranges(pslg) {}
 
   Domain domain;
   WantedSize wanted;
   InputPlaces places;
   FreePoints free;
+  AttributeRanges ranges;
 };
 
 /// `input`: nothing if it is not usable.

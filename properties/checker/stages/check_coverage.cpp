@@ -6,7 +6,7 @@
 // domain and the rest, with the domain on their left. Take a point that is further from the segments than the chains
 // are. The chains can be moved onto the segments without passing over this point, so it is covered once if it lies in
 // the domain, and never otherwise. For the points between chains and segments the winding number of every face of the
-// boundary is computed; it must be 0 or 1.
+// boundary is computed; it must be 0 or 1. What the faces between chains correspond to is examined by check_faces().
 #include <algorithm>
 #include <functional>
 
@@ -46,7 +46,7 @@ void check_sides(const Subject& subject, const Domain& domain, const Chains& cha
 }
 
 /// Each face of the domain must have a triangle at one of its segments.
-void check_faces(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
+void check_presence(const Subject& subject, const Domain& domain, const Chains& chains, Findings& found) {
   std::vector<char> has_triangle(domain.faces().count(), 0);
   SparseAsk ask(found.stop());
   for (const ChainEdge& edge : chains.edges) {
@@ -111,19 +111,21 @@ void check_simple(std::span<const Point> points, std::span<const Segment> edges,
   });
 }
 
-/// The winding number of the boundary in each of its faces. It is 0 in the exterior, and on the left of an edge it is
-/// one larger than on the right.
-std::vector<int> winding_numbers(const PlanarFaces& faces, std::size_t edges, StopSignal* stop) {
+/// The winding number of the boundary in each face of the graph. It is 0 in the exterior, and on the left of a boundary
+/// edge it is one larger than on the right.
+std::vector<int> winding_numbers(const ChainGraph& graph, StopSignal* stop) {
   struct Step {
     Index from, to;
     int change;
   };
+  const PlanarFaces& faces = graph.faces();
   std::vector<Step> steps;
-  for (std::size_t i = 0; i < edges; ++i) {
+  for (std::size_t i = 0; i < graph.edges().size(); ++i) {
     const auto e = static_cast<Index>(i);
     const Index left = faces.face(e, Side::left), right = faces.face(e, Side::right);
-    steps.push_back({left, right, -1});
-    steps.push_back({right, left, +1});
+    const int change = i < graph.boundary().size() ? 1 : 0;
+    steps.push_back({left, right, -change});
+    steps.push_back({right, left, change});
   }
   stoppable_sort(
       steps.begin(), steps.end(), [](const Step& x, const Step& y) { return x.from < y.from; }, stop);
@@ -163,39 +165,19 @@ std::vector<Index> holes_not_excluded(const Subject& subject, const PlanarFaces&
 /// Reports boundary edges that are not part of a chain, and faces that are covered more than once. Returns the holes
 /// with seeds that triangles may contain.
 std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
-                                  const Chains& chains, Findings& found) {
+                                  const Chains& chains, const ChainGraph& graph, Findings& found) {
   const Numbering& names = subject.names;
-  // Build a planar graph of the boundary edges and their vertices.
   const auto boundary = adjacency.boundary();
-  std::vector<Point> points;
-  std::vector<Index> vertex;  // vertices of the mesh, ascending
-  for (const BoundaryEdge& edge : boundary) {
-    vertex.push_back(edge.from);
-    vertex.push_back(edge.to);
-  }
-  stoppable_sort(vertex.begin(), vertex.end(), std::less<>(), found.stop());
-  vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
-  points.reserve(vertex.size());
-  for (const Index v : vertex) points.push_back(subject.mesh.points[v]);
-  const auto local = [&](Index v) {
-    return static_cast<Index>(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
-  };
-  std::vector<Segment> edges;
-  SparseAsk ask(found.stop());
-  for (const BoundaryEdge& edge : boundary) {
-    ask();
-    edges.push_back({local(edge.from), local(edge.to), 0});
-  }
-
   std::vector<Index> name_of_vertex;
-  name_of_vertex.reserve(vertex.size());
-  for (const Index v : vertex) name_of_vertex.push_back(names.vertex(v));
-  check_simple(points, edges, name_of_vertex, found);
+  name_of_vertex.reserve(graph.vertices().size());
+  for (const Index v : graph.vertices()) name_of_vertex.push_back(names.vertex(v));
+  check_simple(graph.points(), graph.boundary(), name_of_vertex, found);
   const bool simple = found.count(ViolationKind::overlap) == 0;
 
-  const PlanarFaces faces(points, edges, found.stop());
-  const std::vector<int> winding = winding_numbers(faces, edges.size(), found.stop());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  const PlanarFaces& faces = graph.faces();
+  const std::vector<int> winding = winding_numbers(graph, found.stop());
+  SparseAsk ask(found.stop());
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
     ask();
     const auto e = static_cast<Index>(i);
     const BoundaryEdge& edge = boundary[i];
@@ -223,41 +205,6 @@ std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, 
   }
   return holes_not_excluded(subject, faces, winding, simple && found.count(ViolationKind::degenerate_triangle) == 0);
 }
-
-/// True if p is so near to an edge of the triangle that the rounding of a chain may have moved the edge across p.
-bool within_rounding(Point p, Point a, Point b, Point c, double tolerance) {
-  return !exactly::line_distance_exceeds(p, a, b, tolerance) || !exactly::line_distance_exceeds(p, b, c, tolerance) ||
-         !exactly::line_distance_exceeds(p, c, a, tolerance);
-}
-
-}  // namespace
-
-void check_holes(const Subject& subject, const Domain& domain, std::span<const Index> suspects, Findings& found) {
-  const auto& holes = subject.pslg.holes;
-  std::vector<Index> by_x;
-  for (const Index h : suspects)
-    if (domain.faces().face_at(holes[h]) != no_index) by_x.push_back(h);
-  if (by_x.empty()) return;
-  std::sort(by_x.begin(), by_x.end(), [&](Index g, Index h) { return holes[g].x < holes[h].x; });
-  check_each(subject.mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
-    const Triangle& triangle = subject.mesh.triangles[t];
-    const Point a = subject.corner(triangle, 0), b = subject.corner(triangle, 1), c = subject.corner(triangle, 2);
-    auto hole = std::lower_bound(by_x.begin(), by_x.end(), std::min({a.x, b.x, c.x}),
-                                 [&](Index h, double x) { return holes[h].x < x; });
-    for (; hole != by_x.end() && holes[*hole].x <= std::max({a.x, b.x, c.x}); ++hole) {
-      const Point p = holes[*hole];
-      if (p.y < std::min({a.y, b.y, c.y}) || p.y > std::max({a.y, b.y, c.y})) continue;
-      if (exactly::orientation(a, b, p) < 0 || exactly::orientation(b, c, p) < 0 || exactly::orientation(c, a, p) < 0)
-        continue;
-      if (within_rounding(p, a, b, c, domain.tolerance())) continue;
-      const Index name = subject.names.triangle(static_cast<Index>(t));
-      mine.add(ViolationKind::covered_exterior, {name, *hole}, {p},
-               "triangle " + to_text(name) + " contains the seed of hole " + to_text(*hole));
-    }
-  });
-}
-
-namespace {
 
 /// The exact sum of the triangles' areas must be the exact area within the chains that bound the domain.
 void check_area(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
@@ -289,8 +236,10 @@ void check_area(const Subject& subject, const Domain& domain, const Adjacency& a
 std::vector<Index> check_coverage(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                   const Chains& chains, Findings& found) {
   check_sides(subject, domain, chains, found);
-  check_faces(subject, domain, chains, found);
-  std::vector<Index> suspects = check_boundary(subject, domain, adjacency, chains, found);
+  check_presence(subject, domain, chains, found);
+  const ChainGraph graph(subject.mesh.points.span(), adjacency, chains, found.stop());
+  std::vector<Index> suspects = check_boundary(subject, domain, adjacency, chains, graph, found);
+  check_faces(subject, domain, chains, graph, found);
   if (chains.broken.empty()) check_area(subject, domain, adjacency, chains, found);
   return suspects;
 }

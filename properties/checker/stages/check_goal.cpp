@@ -34,7 +34,6 @@ class GoalCheck {
         inputs_(inputs),
         faces_(faces),
         wanted_(wanted),
-        ulp_(domain.ulp()),
         trust_orientation_(trust_orientation),
         cosine_bound_(angle_cosine_bound(subject.goal.min_angle_deg)) {}
 
@@ -73,18 +72,13 @@ class GoalCheck {
 
   void check_angles(Index t, const std::array<Point, 3>& p, Findings& found, std::vector<Justified>& justified) const {
     if (cosine_bound_ >= 1) return;
-    int sharp = -1;
-    for (int k = 0; k < 3; ++k)
-      if (exactly::cosine_exceeds(p[k], p[next(k)], p[previous(k)], cosine_bound_) &&
-          (sharp < 0 || exactly::compare_lengths(p[next(k)], p[previous(k)], p[next(sharp)], p[previous(sharp)]) < 0))
-        sharp = k;
-    if (sharp < 0) return;
-    if (const auto reason = justification(t, subject_, domain_, adjacency_, chains_, inputs_)) {
-      justified.push_back(*reason);
+    const AngleVerdict verdict = judge_angles(t, cosine_bound_, subject_, domain_, adjacency_, chains_, inputs_);
+    if (verdict.cause) {
+      justified.push_back(*verdict.cause);
       justified.back().triangle = names().triangle(t);
-      return;
     }
-    if (!found.admit(ViolationKind::small_angle)) return;
+    const int sharp = verdict.unjustified;
+    if (sharp < 0 || !found.admit(ViolationKind::small_angle)) return;
     const Point a = p[next(sharp)], b = p[previous(sharp)];
     found.keep({ViolationKind::small_angle,
                 ids(t),
@@ -142,7 +136,7 @@ class GoalCheck {
     std::optional<double> size = std::numeric_limits<double>::infinity();
     if (subject_.goal.size) size = size_at(centroid);
     if (size && !wanted_.empty())
-      size = std::min(*size, (1 + size_tolerance) * wanted_.at(centroid) + size_ulps * ulp_);
+      size = std::min(*size, (1 + size_tolerance) * wanted_.at(centroid) + size_units * unit_at(p[0], p[1], p[2]));
     if (size && allows_edges(*size, p, shape)) return;
     const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
     if (found.admit(ViolationKind::size_exceeded))
@@ -196,7 +190,6 @@ class GoalCheck {
   const InputVertices& inputs_;
   std::span<const Index> faces_;
   const WantedSize& wanted_;
-  double ulp_;
   bool trust_orientation_;
   double cosine_bound_;
 };

@@ -4,6 +4,7 @@
 
 #include "../../../core/support/same_attribute.hpp"
 #include "../arithmetic/text.hpp"
+#include "../model/attribute_ranges.hpp"
 #include "stages.hpp"
 
 namespace pardel::checker {
@@ -194,12 +195,12 @@ void check_origins(const Subject& subject, const Domain& domain, const Chains& c
 void check_regions(const Subject& subject, const Domain& domain, std::span<const Index> faces, Findings& found) {
   const Mesh& mesh = subject.mesh;
   const auto& regions = subject.pslg.regions;
-  if (mesh.region.empty()) return;
   const bool foreign = subject.options.foreign;
+  if (mesh.region.empty() || (foreign && regions.empty())) return;
   check_each(mesh.region.size(), found, [&](std::size_t t, Findings& mine) {
     const Index given = mesh.region[t];
     const auto seeded = faces.empty() ? decltype(domain.regions_in(0)){} : domain.regions_in(faces[t]);
-    if (seeded.empty() && (foreign || given == no_index)) return;
+    if (seeded.empty() && (given == no_index || (foreign && mesh.region_attributes[given] == 0))) return;
     const bool right =
         given != no_index && std::any_of(seeded.begin(), seeded.end(), [&](const auto& entry) {
           const Index region = entry.second;
@@ -222,6 +223,23 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
 
 namespace {
 
+/// The attributes of vertices that are no input points.
+void check_interpolated_attributes(const Subject& subject, const InputVertices& inputs, Findings& found) {
+  const Mesh& mesh = subject.mesh;
+  const AttributeRanges ranges(subject.pslg);
+  check_each(mesh.points.size(), found, [&](std::size_t i, Findings& mine) {
+    const auto v = static_cast<Index>(i);
+    const auto outside = ranges.first_outside(mesh, v);
+    if (!outside || inputs.input(v) != no_index) return;
+    const Index name = subject.names.vertex(v);
+    mine.add(ViolationKind::wrong_attribute, {name}, {mesh.points[v]},
+             "attribute " + to_text(*outside) + " of vertex " + to_text(name) + " is " +
+                 to_text(mesh.point_attributes[i * mesh.attributes_per_point + *outside]) +
+                 ", but those of the input points are between " + to_text(ranges[*outside].least) + " and " +
+                 to_text(ranges[*outside].greatest));
+  });
+}
+
 void check_attributes(const Subject& subject, const InputVertices& inputs, Findings& found) {
   const Mesh& mesh = subject.mesh;
   const std::size_t n = mesh.attributes_per_point;
@@ -240,6 +258,7 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
                     " instead of " + to_text(belongs));
     }
   }
+  check_interpolated_attributes(subject, inputs, found);
 }
 
 }  // namespace

@@ -1,4 +1,8 @@
-// Checks that input points are vertices, and that input segments and hull pieces are chains of edges.
+// Checks that input points are vertices, and that input segments and hull pieces are chains of edges that meet in
+// common input points only.
+#include <algorithm>
+#include <cmath>
+
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/text.hpp"
 #include "stages.hpp"
@@ -109,18 +113,45 @@ void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subj
                         Findings& found) {
   const Point a = subject.mesh.points[chain.front().from];
   const Point b = subject.mesh.points[chain.back().to];
+  const Units tolerance = domain.tolerance(chain.front().segment);
+  const double allowed =
+      (tolerance.x * std::abs(b.y - a.y) + tolerance.y * std::abs(b.x - a.x)) / std::hypot(b.x - a.x, b.y - a.y);
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Point p = subject.mesh.points[chain[i].from];
     const Index vertex = subject.names.vertex(chain[i].from);
-    if (!exactly::line_distance_exceeds(p, a, b, domain.tolerance())) continue;
+    if (!exactly::line_offset_exceeds(p, a, b, tolerance)) continue;
     found.add(ViolationKind::chain_off_segment, {vertex, chain[i].segment}, {p},
               "vertex " + to_text(vertex) + " on segment " + to_text(chain[i].segment) +
                   ": its squared distance from the segment is " + exactly::squared_line_distance_text(p, a, b) +
-                  ", more than the square of " + to_text(domain.tolerance()));
+                  ", more than the square of " + to_text(allowed));
   }
 }
 
+/// Reports the vertices of a chain, other than input points, that the chain of another segment passes.
+void report_shared(const std::vector<ChainEdge>& chain, const Subject& subject, const Domain& domain,
+                   const Chains& chains, const InputVertices& inputs, Findings& found) {
+  for (const ChainEdge& edge : chain) {
+    const Index other = chains.segment_of[edge.from];
+    if (inputs.input(edge.from) != no_index || other == no_index) continue;
+    const Index vertex = subject.names.vertex(edge.from);
+    found.add(ViolationKind::chains_meet, {vertex, other, edge.segment}, {subject.mesh.points[edge.from]},
+              "vertex " + to_text(vertex) + " is no input point, but the edges on " + segment_text(domain, other) +
+                  " and those on " + segment_text(domain, edge.segment) + " meet there");
+  }
+}
+
+/// True if the chain passes a vertex of another chain that is no input point.
+bool meets_another(const std::vector<ChainEdge>& chain, const Chains& chains, const InputVertices& inputs) {
+  return std::ranges::any_of(chain, [&](const ChainEdge& edge) {
+    return inputs.input(edge.from) == no_index && chains.segment_of[edge.from] != no_index;
+  });
+}
+
 }  // namespace
+
+std::string segment_text(const Domain& domain, Index segment) {
+  return domain.is_hull_piece(segment) ? "the hull" : "segment " + to_text(segment);
+}
 
 Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                       const InputVertices& inputs, const Scan& scan, Findings& found) {
@@ -151,6 +182,14 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
     for (std::size_t i = 0; i < size; ++i) {
       const auto s = static_cast<Index>(first + i);
       if (walked[i].empty() && domain.has(s)) chains.broken.push_back(s);
+      if (meets_another(walked[i], chains, inputs)) {
+        // Without a list of constrained edges, a chain can take edges of a segment that nearly coincides with its own.
+        auto apart = find_chain(s, domain, mesh, inputs, Strictness::exact, found.stop(), chains.segment_of.span());
+        if (!apart.empty())
+          walked[i] = std::move(apart);
+        else
+          report_shared(walked[i], subject, domain, chains, inputs, found);
+      }
       for (const ChainEdge& edge : walked[i]) {
         ask();
         chains.edges.push_back(edge);
@@ -161,6 +200,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
       }
     }
   }
+  check_chain_order(subject, domain, chains, inputs, found);
   return chains;
 }
 

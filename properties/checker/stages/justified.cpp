@@ -23,64 +23,65 @@ class Justification {
         chains_(chains),
         inputs_(inputs) {}
 
-  /// The justification if corner k is an input vertex and both edges at this corner are pieces of segments.
-  [[nodiscard]] std::optional<Justified> nestled(int k) const {
-    const Index apex = inputs_.input(triangle_.v[k]);
-    const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
-    if (apex == no_index || !between_segments) return std::nullopt;
-    // The edges at corner k: edge previous(k) runs to v[next(k)], edge next(k) to v[previous(k)].
-    return justified(apex, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
-  }
-
-  /// The justification if edge k joins two vertices of one shell.
-  [[nodiscard]] std::optional<Justified> seditious(int k) const {
-    const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
-    for (const Index s : segments_at(p)) {
-      for (const Index r : segments_at(q)) {
-        if (s == r) continue;
-        const auto found = shell(p, s, q, r);
-        if (found) return found;
-      }
-    }
-    return std::nullopt;
+  /// The cause of the angle at corner k.
+  [[nodiscard]] std::optional<Justified> of_angle(int k) const {
+    auto cause = nestled(k);
+    return cause ? cause : across(k);
   }
 
   [[nodiscard]] Point corner(int k) const { return subject_.corner(triangle_, k); }
 
  private:
-  [[nodiscard]] std::span<const Index> segments_at(Index vertex) const {
-    const Index input = inputs_.input(vertex);
-    if (input != no_index) return domain_.faces().incident(input);
-    const Index& segment = chains_.segment_of[vertex];
-    return segment == no_index ? std::span<const Index>{} : std::span<const Index>(&segment, 1);
+  /// The cause if corner k is an input vertex and both edges at this corner are pieces of segments.
+  [[nodiscard]] std::optional<Justified> nestled(int k) const {
+    const Index apex = inputs_.input(triangle_.v[k]);
+    const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
+    if (apex == no_index || !between_segments) return std::nullopt;
+    return justified(apex, angle_at(k));
   }
 
-  /// The justification if segment s of vertex p and segment r of vertex q share an apex that has the same distance from
-  /// p and from q.
-  [[nodiscard]] std::optional<Justified> shell(Index p, Index s, Index q, Index r) const {
+  /// The cause if the edge opposite corner k joins two vertices of one shell, and the angle is large enough.
+  [[nodiscard]] std::optional<Justified> across(int k) const {
+    const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
+    const Index of_p = chains_.segment_of[p], of_q = chains_.segment_of[q];
+    if (of_p != no_index && of_q != no_index) return shell(k, p, of_p, q, of_q, shell_cosine);
+    // One of them can be the end of a segment in a narrow wedge.
+    const Index end = of_p == no_index ? p : q, inside = of_p == no_index ? of_q : of_p;
+    const Index input = inputs_.input(end);
+    if (inside == no_index || input == no_index) return std::nullopt;
+    for (const Index s : domain_.faces().incident(input))
+      if (auto cause = shell(k, end, s, of_p == no_index ? q : p, inside, narrow_cosine)) return cause;
+    return std::nullopt;
+  }
+
+  /// The cause of the angle at corner k if the segments s of vertex p and r of vertex q meet at an angle with a larger
+  /// cosine than `least`, if p and q have the same distance from their common end, and if the angle is large enough.
+  [[nodiscard]] std::optional<Justified> shell(int k, Index p, Index s, Index q, Index r, double least) const {
     const Segment& first = domain_.segments()[s];
     const Segment& second = domain_.segments()[r];
+    if (s == r || !domain_.has(s) || !domain_.has(r)) return std::nullopt;
     for (const Index apex : {first.a, first.b}) {
       if (apex != second.a && apex != second.b) continue;
-      if (!domain_.has(s) || !domain_.has(r)) continue;
       if (inputs_.vertex(apex) == p || inputs_.vertex(apex) == q) continue;
       const Point centre = subject_.pslg.points[apex];
       const Point far_s = subject_.pslg.points[other_end(first, apex)];
       const Point far_r = subject_.pslg.points[other_end(second, apex)];
-      if (!exactly::cosine_exceeds(centre, far_s, far_r, shell_cosine)) continue;
-      if (exactly::distances_differ(centre, subject_.mesh.points[p], subject_.mesh.points[q], shell_tolerance,
-                                    shell_ulps * domain_.ulp()))
+      if (!exactly::cosine_exceeds(centre, far_s, far_r, least)) continue;
+      const Point at_p = subject_.mesh.points[p], at_q = subject_.mesh.points[q];
+      if (exactly::distances_differ(centre, at_p, at_q, shell_tolerance, shell_units * unit_at(centre, at_p, at_q)))
         continue;
+      const double tangent = (1 - across_tolerance) * exactly::tangent_across_shell(centre, far_s, far_r);
+      const double error = across_units * unit_at(centre, at_p, at_q, corner(k));
+      if (exactly::tangent_is_below(corner(k), at_p, at_q, tangent, error)) continue;
       return justified(apex, angle_deg(centre, far_s, far_r));
     }
     return std::nullopt;
   }
 
+  [[nodiscard]] double angle_at(int k) const { return angle_deg(corner(k), corner(next(k)), corner(previous(k))); }
+
   [[nodiscard]] Justified justified(Index apex, double input_angle) const {
-    double smallest = 180;
-    for (int k = 0; k < 3; ++k)
-      smallest = std::min(smallest, angle_deg(corner(k), corner(next(k)), corner(previous(k))));
-    return {t_, apex, input_angle, smallest};
+    return {t_, apex, input_angle, std::min({angle_at(0), angle_at(1), angle_at(2)})};
   }
 
   Index t_;
@@ -93,19 +94,30 @@ class Justification {
 
 }  // namespace
 
-std::optional<Justified> justification(Index t, const Subject& subject, const Domain& domain,
-                                       const Adjacency& adjacency, const Chains& chains, const InputVertices& inputs) {
-  const Justification candidate(t, subject, domain, adjacency, chains, inputs);
-  // Edge k is opposite corner k, and the smallest angle is opposite the shortest edge. If several edges are equally
-  // short, a justification by one of them is enough.
+AngleVerdict judge_angles(Index t, double cosine_bound, const Subject& subject, const Domain& domain,
+                          const Adjacency& adjacency, const Chains& chains, const InputVertices& inputs) {
+  const Justification triangle(t, subject, domain, adjacency, chains, inputs);
+  // The edge opposite corner k. The smallest angle is opposite the shortest edge.
+  const auto is_shorter = [&](int k, int other) {
+    return exactly::compare_lengths(triangle.corner(next(k)), triangle.corner(previous(k)),
+                                    triangle.corner(next(other)), triangle.corner(previous(other))) < 0;
+  };
+  AngleVerdict verdict;
+  int smallest = -1;
   for (int k = 0; k < 3; ++k) {
-    const Point from = candidate.corner(next(k)), to = candidate.corner(previous(k)), apex = candidate.corner(k);
-    if (exactly::compare_lengths(from, to, to, apex) > 0 || exactly::compare_lengths(from, to, apex, from) > 0)
+    if (!exactly::cosine_exceeds(triangle.corner(k), triangle.corner(next(k)), triangle.corner(previous(k)),
+                                 cosine_bound))
       continue;
-    if (auto found = candidate.nestled(k)) return found;
-    if (auto found = candidate.seditious(k)) return found;
+    auto cause = triangle.of_angle(k);
+    if (!cause) {
+      if (verdict.unjustified < 0 || is_shorter(k, verdict.unjustified)) verdict.unjustified = k;
+    } else if (smallest < 0 || is_shorter(k, smallest)) {
+      smallest = k;
+      verdict.cause = std::move(cause);
+    }
   }
-  return std::nullopt;
+  if (verdict.unjustified >= 0) verdict.cause.reset();
+  return verdict;
 }
 
 }  // namespace pardel::checker

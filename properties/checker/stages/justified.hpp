@@ -1,11 +1,14 @@
-// Decides, from coordinates and chains only, whether a small input angle justifies an angle below the bound.
+// Decides, from coordinates and chains only, which angles below the bound small input angles justify.
 //
 // The smallest angle of a mesh is at most the smallest angle of its input. Near a small input angle, refinement by
 // shells has to leave some triangles with angles below the bound (Miller, Pav, Walkington, "When and why Ruppert's
-// algorithm works", 2003). A triangle is justified if it is
-// - nestled: its smallest angle lies at an input vertex, between pieces of two segments that meet there; or
-// - seditious: its shortest edge joins vertices of two segments that share an end point, the apex, at less than
-//   60 degrees, and both vertices have the same distance from the apex ("lie on one shell").
+// algorithm works", 2003). Every angle below the bound needs a cause of its own. It is justified if
+// - it is nestled: it lies at an input vertex, between pieces of two segments that meet there; or
+// - the edge opposite is seditious, and the angle is large enough. Seditious edges join vertices strictly inside two
+//   segments that share an end, the apex, at an angle θ of less than 60 degrees; both vertices have the same distance
+//   from the apex ("lie on one shell"). Below about one degree, one of the two can be the end of its segment: the
+//   longer segment is split beside the end of the shorter one. The least angle is arctan(sin θ / (2 - cos θ)), that of
+//   a triangle with its third corner on the next shell, twice as far away.
 // Rounded vertices count as equally distant within a tolerance, see tolerances.hpp.
 #pragma once
 
@@ -15,9 +18,16 @@
 
 namespace pardel::checker {
 
-/// The apex and the input angle that justify triangle t, or nothing.
-[[nodiscard]] std::optional<Justified> justification(Index t, const Subject& subject, const Domain& domain,
-                                                     const Adjacency& adjacency, const Chains& chains,
-                                                     const InputVertices& inputs);
+/// Whether small input angles justify the angles of a triangle.
+struct AngleVerdict {
+  /// A corner with an angle below the bound that nothing justifies; -1 if there is none.
+  int unjustified = -1;
+  /// The cause of the smallest of the angles below the bound, if all are justified and there is one.
+  std::optional<Justified> cause;
+};
+
+/// `cosine_bound`: angles with a larger cosine are below the bound.
+[[nodiscard]] AngleVerdict judge_angles(Index t, double cosine_bound, const Subject& subject, const Domain& domain,
+                                        const Adjacency& adjacency, const Chains& chains, const InputVertices& inputs);
 
 }  // namespace pardel::checker

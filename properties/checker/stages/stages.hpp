@@ -9,6 +9,7 @@
 #include "../certificate.hpp"
 #include "../check_options.hpp"
 #include "../model/adjacency.hpp"
+#include "../model/chain_graph.hpp"
 #include "../model/chains.hpp"
 #include "../model/domain.hpp"
 #include "../model/input_vertices.hpp"
@@ -72,25 +73,39 @@ void check_boundary_vertices(const Subject& subject, Adjacency& adjacency, Findi
                                                  const Adjacency& adjacency, Findings& found,
                                                  const NumberSet& settled = {});
 
-/// Checks that every segment of the domain is a chain of mesh edges.
+/// Checks that every segment of the domain is a chain of mesh edges, and that chains meet in input points only, around
+/// which they are in the order of their segments.
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                     const InputVertices& inputs, const Scan& scan, Findings& found);
+/// "segment 7", or "the hull" for a piece of the hull.
+[[nodiscard]] std::string segment_text(const Domain& domain, Index segment);
+/// The part of check_segments() on the order around input points.
+void check_chain_order(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
+                       Findings& found);
 
-/// Checks that the triangles cover the domain exactly once, and cover nothing else, except for check_holes(). Returns
-/// the holes with seeds that triangles may contain.
+/// Checks that the triangles cover the domain exactly once, and cover nothing else, except for check_holes(); and that
+/// the chains divide the plane as the segments do. Returns the holes with seeds that triangles may contain.
 [[nodiscard]] std::vector<Index> check_coverage(const Subject& subject, const Domain& domain,
                                                 const Adjacency& adjacency, const Chains& chains, Findings& found);
 
-/// Reports triangles that contain the seed of one of these holes, unless the seed is so near to an edge of the
-/// triangle that rounding may have moved the edge across it.
-void check_holes(const Subject& subject, const Domain& domain, std::span<const Index> suspects, Findings& found);
+/// The part of check_coverage() on the correspondence of faces. Examines nothing if earlier stages have found that the
+/// chains are incomplete, meet or cross, or that a side of them is covered wrongly.
+void check_faces(const Subject& subject, const Domain& domain, const Chains& chains, const ChainGraph& graph,
+                 Findings& found);
+
+/// Reports triangles that contain the seed of one of these holes, unless the seed is so near to a segment on which the
+/// triangle has an edge that rounding may have moved the edge across it.
+void check_holes(const Subject& subject, const Domain& domain, const Chains& chains, std::span<const Index> suspects,
+                 Findings& found);
 
 /// Checks the data that the mesh lists, except for regions: constrained edges, markers, origins, attributes.
 void check_labels(const Subject& subject, const Domain& domain, const Adjacency& adjacency, const Chains& chains,
                   const InputVertices& inputs, Findings& found);
 
-/// A triangle must have the attribute of its region. A mesh that is not foreign must have the region's number, too.
-/// `faces`: per triangle, or empty if the input has no regions.
+/// A triangle must have the attribute of the region of its face; where the face has no region, it must have none. In a
+/// foreign mesh the attribute 0 counts as none, and if the input has no regions, attributes have no meaning and are not
+/// compared. A mesh that is not foreign must have the region's number, too. `faces`: per triangle, or empty if the
+/// input has no regions.
 void check_regions(const Subject& subject, const Domain& domain, std::span<const Index> faces, Findings& found);
 
 /// Checks that every unconstrained edge (for a conforming goal: every edge) is locally Delaunay.

@@ -1,0 +1,35 @@
+// AttributeRanges: between which values the attributes of inserted vertices have to lie.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "../../../core/mesh.hpp"
+#include "../../../core/pslg.hpp"
+
+namespace pardel::checker {
+
+/// From `least` to `greatest`, with attribute_tolerance on both sides.
+struct AttributeRange {
+  double least, greatest;
+  [[nodiscard]] bool contains(double value) const;
+};
+
+/// Every mesher interpolates an attribute between values of the input, so none may leave the range of the input. An
+/// attribute that is not finite at some input point has no range: what is interpolated there may be no number.
+class AttributeRanges {
+ public:
+  /// Linear time.
+  explicit AttributeRanges(const Pslg& pslg);
+
+  /// The first attribute of vertex v that leaves its range, or nothing. Also nothing if the mesh has another number of
+  /// attributes than the input, or an array of another length.
+  [[nodiscard]] std::optional<std::size_t> first_outside(const Mesh& mesh, Index v) const;
+  [[nodiscard]] const AttributeRange& operator[](std::size_t attribute) const { return ranges_[attribute]; }
+
+ private:
+  std::vector<AttributeRange> ranges_;  ///< per attribute
+};
+
+}  // namespace pardel::checker
