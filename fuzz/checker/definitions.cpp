@@ -185,20 +185,20 @@ bool lies_inside(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b) 
   return CGAL::collinear(a, p, b) && CGAL::collinear_are_strictly_ordered_along_line(a, p, b);
 }
 
-/// How far the checker allows a vertex to be from its segment, if no coordinate is greater.
-double checker_tolerance(double greatest) {
-  return chain_ulps * std::max(greatest * std::numeric_limits<double>::epsilon(), least_unit);
+/// More than two units of a segment with these ends: twice the spacing of doubles at its largest coordinate, in both
+/// axes.
+double two_units(Point a, Point b) {
+  const double greatest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  return 3 * greatest * std::numeric_limits<double>::epsilon();
 }
 
 }  // namespace
 
 bool is_far_or_on_walls(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces) {
-  double greatest = 0;
-  for (const Point p : pslg.points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
   for (const Wall& wall : faces.walls()) {
     const Point a = pslg.points[wall.a], b = pslg.points[wall.b];
     // Farther than the checker allows, and farther than it looks for the chain that was meant.
-    const double near = std::max(100 * checker_tolerance(greatest), 10 * meant_chain_share * distance(a, b));
+    const double near = std::max(100 * two_units(a, b), 10 * meant_chain_share * distance(a, b));
     for (Index v = 0; v < mesh.given.points.size(); ++v) {
       if (!mesh.has_triangle[v] || v == wall.a || v == wall.b) continue;
       const ExactPoint& p = mesh.plain.points[v];

@@ -9,8 +9,9 @@
 
 namespace pardel::checker {
 
-/// The distance from |x| to the next larger double.
+/// The distance from |x| to the next larger double; 0 at 0, which every mesher computes exactly.
 [[nodiscard]] inline double unit_at(double x) {
+  if (x == 0) return 0;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double magnitude = std::abs(x), next = std::nextafter(magnitude, infinity);
   return next < infinity ? next - magnitude : magnitude - std::nextafter(magnitude, 0);

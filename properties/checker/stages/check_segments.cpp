@@ -127,24 +127,20 @@ void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subj
   }
 }
 
-/// Reports the vertices of a chain, other than input points, that the chain of another segment passes.
-void report_shared(const std::vector<ChainEdge>& chain, const Subject& subject, const Domain& domain,
-                   const Chains& chains, const InputVertices& inputs, Findings& found) {
-  for (const ChainEdge& edge : chain) {
-    const Index other = chains.segment_of[edge.from];
-    if (inputs.input(edge.from) != no_index || other == no_index) continue;
-    const Index vertex = subject.names.vertex(edge.from);
-    found.add(ViolationKind::chains_meet, {vertex, other, edge.segment}, {subject.mesh.points[edge.from]},
-              "vertex " + to_text(vertex) + " is no input point, but the edges on " + segment_text(domain, other) +
-                  " and those on " + segment_text(domain, edge.segment) + " meet there");
-  }
+/// The segment other than that of the chain whose chain passes the vertex where this edge of the chain begins; no_index
+/// if there is none, or if the vertex is an input point. `is_near`: per segment, whether it has a chain within the
+/// tolerance. Others are reported anyway.
+Index met_by(const ChainEdge& edge, const Chains& chains, const InputVertices& inputs,
+             const std::vector<char>& is_near) {
+  const Index other = inputs.input(edge.from) == no_index ? chains.segment_of[edge.from] : no_index;
+  return other == no_index || is_near[other] == 0 ? no_index : other;
 }
 
-/// True if the chain passes a vertex of another chain that is no input point.
-bool meets_another(const std::vector<ChainEdge>& chain, const Chains& chains, const InputVertices& inputs) {
-  return std::ranges::any_of(chain, [&](const ChainEdge& edge) {
-    return inputs.input(edge.from) == no_index && chains.segment_of[edge.from] != no_index;
-  });
+void report_meeting(const ChainEdge& edge, Index other, const Subject& subject, const Domain& domain, Findings& found) {
+  const Index vertex = subject.names.vertex(edge.from);
+  found.add(ViolationKind::chains_meet, {vertex, other, edge.segment}, {subject.mesh.points[edge.from]},
+            "vertex " + to_text(vertex) + " is no input point, but the edges on " + segment_text(domain, other) +
+                " and those on " + segment_text(domain, edge.segment) + " meet there");
 }
 
 }  // namespace
@@ -164,6 +160,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
   // Chains are found in blocks of segments, each block on all threads. Only the chains of one block are stored twice.
   constexpr std::size_t block = 4096;
   std::vector<std::vector<ChainEdge>> walked(std::min(block, segments));
+  std::vector<char> is_near(segments, 0);
   for (std::size_t first = 0; first < segments; first += block) {
     const std::size_t size = std::min(block, segments - first);
     check_each(size, found, [&](std::size_t i, Findings& mine) {
@@ -171,6 +168,7 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
       walked[i].clear();
       if (!domain.has(s)) return;
       walked[i] = find_chain(s, domain, mesh, inputs, Strictness::exact, found.stop());
+      is_near[s] = walked[i].empty() ? 0 : 1;
       if (!walked[i].empty()) return;
       walked[i] = find_chain(s, domain, mesh, inputs, Strictness::loose, found.stop());
       if (walked[i].empty())
@@ -182,13 +180,13 @@ Chains check_segments(const Subject& subject, const Domain& domain, const Adjace
     for (std::size_t i = 0; i < size; ++i) {
       const auto s = static_cast<Index>(first + i);
       if (walked[i].empty() && domain.has(s)) chains.broken.push_back(s);
-      if (meets_another(walked[i], chains, inputs)) {
+      const auto meets = [&](const ChainEdge& edge) { return met_by(edge, chains, inputs, is_near) != no_index; };
+      if (is_near[s] != 0 && std::ranges::any_of(walked[i], meets)) {
         // Without a list of constrained edges, a chain can take edges of a segment that nearly coincides with its own.
         auto apart = find_chain(s, domain, mesh, inputs, Strictness::exact, found.stop(), chains.segment_of.span());
-        if (!apart.empty())
-          walked[i] = std::move(apart);
-        else
-          report_shared(walked[i], subject, domain, chains, inputs, found);
+        if (!apart.empty()) walked[i] = std::move(apart);
+        for (const ChainEdge& edge : walked[i])
+          if (meets(edge)) report_meeting(edge, met_by(edge, chains, inputs, is_near), subject, domain, found);
       }
       for (const ChainEdge& edge : walked[i]) {
         ask();

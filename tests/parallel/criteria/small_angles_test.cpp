@@ -195,15 +195,12 @@ TEST(EdgeSplitPoint, puts_the_pieces_at_one_apex_on_shared_shells) {
   }
 }
 
-/// The tolerance is that of the checker: units in the last place of the largest coordinate of the segment's ends.
+/// The tolerance is that of the checker: units of the segment.
 void expect_on_line(const Corner& corner, const std::string& what) {
-  double largest = 0;
-  for (VertexId v = 0; v < 2; ++v)
-    largest = std::max({largest, std::abs(corner.t.points[v].x), std::abs(corner.t.points[v].y)});
-  const double ulp = std::nextafter(largest, 2 * largest) - largest;
+  const Point a = corner.t.points[0], b = corner.t.points[1];
+  const auto [x, y] = checker::units_of_segment(a, b);
   for (std::size_t v = 4; v < corner.t.points.size(); ++v)
-    EXPECT_FALSE(checker::exactly::line_distance_exceeds(corner.t.points[v], corner.t.points[0], corner.t.points[1],
-                                                         chain_ulps * ulp))
+    EXPECT_FALSE(checker::exactly::line_offset_exceeds(corner.t.points[v], a, b, {chain_units * x, chain_units * y}))
         << what << ", after split " << v - 3;
 }
 
@@ -249,7 +246,7 @@ struct OneTriangle {
     for (unsigned side = 0; side < 3; ++side) slot.n[side] = constrained[side] ? EdgeRef() : EdgeRef(0, 0);
   }
   [[nodiscard]] std::optional<SmallAngle> exemption(const DomainSegments& segments) const {
-    return small_angle(t, segments, slot, Shape(t, slot));
+    return small_angle(t, segments, Criteria({.min_angle_deg = 33}, Placement::off_centre, {}), slot, Shape(t, slot));
   }
 };
 

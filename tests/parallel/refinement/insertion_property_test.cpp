@@ -8,6 +8,7 @@
 #include "../../../parallel/refinement/insertion.hpp"
 #include "../../../parallel/triangulation/locate.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
+#include "../../../properties/checker/tolerances.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "../../../properties/theorems/framework/rapidcheck_generators.hpp"
 #include "../../../properties/theorems/framework/shares.hpp"
@@ -96,7 +97,7 @@ PARDEL_PROPERTY(EngineInsertion, makes_no_edge_shorter_than_the_floor,
 
 PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
                 {.statement = "however often the pieces of a segment are split, the points lie on it to within the "
-                              "rounding of coordinates: 2 units in the last place of the largest",
+                              "rounding of coordinates: 2 units of the segment",
                  .source = "parallel/criteria/small_angles.hpp",
                  .families = "segments in all directions, near and far, with other segments at their ends"}) {
   const auto coordinate = [] { return 1e-3 * *rc::gen::inRange(-1000000, 1000000) + *rc::gen::element(0., 654321.1); };
@@ -105,24 +106,23 @@ PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
   t.points.push_back({coordinate(), coordinate()});
   const Point a = t.points[0], b = t.points[1];
   RC_PRE(length(a, b) > 1);
-  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-  const double tolerance = 2 * (std::nextafter(largest, INFINITY) - largest);
+  const auto [x, y] = checker::units_of_segment(a, b);
   std::vector<Constraint> constraints{{0, 1}};
   for (const VertexId end : {0U, 1U}) {
     if (*rc::gen::inRange(0, 4) == 0) continue;  // no other segment
     const double cosine = *rc::gen::element(0.3, 0.6, 0.9, 1 - 0x1p-40), sine = std::sqrt(1 - cosine * cosine);
     const double scale = *rc::gen::element(0.37, 0.8, 1.5);
     const Point o = t.points[end], far = t.points[1 - end];
-    const double x = scale * (far.x - o.x), y = scale * (far.y - o.y);
+    const double dx = scale * (far.x - o.x), dy = scale * (far.y - o.y);
     constraints.push_back({end, static_cast<VertexId>(t.points.size())});
-    t.points.push_back({o.x + cosine * x - sine * y, o.y + sine * x + cosine * y});
+    t.points.push_back({o.x + cosine * dx - sine * dy, o.y + sine * dx + cosine * dy});
   }
   const DomainSegments segments(t.points, constraints);
   VertexId from = 0, to = 1;
   for (int i = 0; i < 20; ++i) {
     const auto middle = static_cast<VertexId>(t.points.size());
     t.points.push_back(edge_split_point(t, segments, 0, from, to));
-    RC_ASSERT(!checker::exactly::line_distance_exceeds(t.points[middle], a, b, tolerance));
+    RC_ASSERT(!checker::exactly::line_offset_exceeds(t.points[middle], a, b, {chain_units * x, chain_units * y}));
     (*rc::gen::arbitrary<bool>() ? from : to) = middle;
   }
 }

@@ -146,7 +146,7 @@ TEST(Check, requires_all_arrays_of_a_mesh_of_the_mesher_and_none_of_a_foreign_me
   Case whole = testing::square_in_eight();
   whole.pslg.attributes_per_point = whole.mesh.attributes_per_point = 1;
   whole.pslg.point_attributes = {1, 2, 3, 4, 5, 6};
-  whole.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  whole.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4, 5, 6, 1, 6, 3.5});
   EXPECT_TRUE(is_valid(check(whole, no_angle_bound(), own)));
   EXPECT_TRUE(is_valid(check(whole, no_angle_bound(), foreign)));
   Case c = whole;
@@ -406,8 +406,8 @@ TEST(Check, reports_a_segment_that_is_not_a_chain_of_edges) {
 }
 
 TEST(Check, accepts_a_chain_within_the_rounding_distance_and_no_further) {
-  const double ulp = 0x1p-50;  // the spacing of doubles at 4
-  for (const auto& [distance, right] : {std::pair(2 * ulp, true), std::pair(2.5 * ulp, false)}) {
+  const double unit = 0x1p-51;  // the spacing of doubles at 2
+  for (const auto& [distance, right] : {std::pair(2 * unit, true), std::pair(3 * unit, false)}) {
     Case c = testing::square_in_eight();
     c.mesh.points[6].x = 2 + distance;
     const Certificate certificate = check(c);

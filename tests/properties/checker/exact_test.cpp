@@ -79,9 +79,51 @@ TEST(Lengths, that_are_equal_are_equal_also_where_doubles_do_not_show_it) {
   EXPECT_EQ(checker::exactly::compare_lengths(a, {0.4, up(0.7)}, a, b), 1);
 }
 
-TEST(LineDistance, is_exact) {
-  EXPECT_FALSE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, 5));
-  EXPECT_TRUE(checker::exactly::line_distance_exceeds({-3, 4}, {0, 0}, {4, 3}, down(5)));
+TEST(LineOffset, is_exact) {
+  // The line through (0, 0) and (4, 3) passes (-3, 4) at (-3 - x, 4 - y) with 3 x + 4 y = 25.
+  using checker::exactly::line_offset_exceeds;
+  EXPECT_FALSE(line_offset_exceeds({-3, 4}, {0, 0}, {4, 3}, {3, 4}));
+  EXPECT_TRUE(line_offset_exceeds({-3, 4}, {0, 0}, {4, 3}, {down(3), 4}));
+  EXPECT_TRUE(line_offset_exceeds({-3, 4}, {0, 0}, {4, 3}, {3, down(4)}));
+  EXPECT_FALSE(line_offset_exceeds({3, -4}, {4, 3}, {0, 0}, {3, 4}));
+}
+
+TEST(LineOffset, of_a_line_along_an_axis_counts_the_other_axis_only) {
+  using checker::exactly::line_offset_exceeds;
+  EXPECT_FALSE(line_offset_exceeds({7, 2}, {0, 0}, {4, 0}, {0, 2}));
+  EXPECT_TRUE(line_offset_exceeds({7, 2}, {0, 0}, {4, 0}, {1000, down(2)}));
+}
+
+TEST(TangentAcrossShell, is_that_of_the_angle_at_twice_the_distance) {
+  using checker::exactly::tangent_across_shell;
+  EXPECT_DOUBLE_EQ(tangent_across_shell({0, 0}, {1, 0}, {3, 4}), 0.8 / (2 - 0.6));
+  EXPECT_DOUBLE_EQ(tangent_across_shell({0, 0}, {3, 4}, {1, 0}), 0.8 / (2 - 0.6));
+  EXPECT_DOUBLE_EQ(tangent_across_shell({0x1p40, 0}, {0x1p40 + 1, 0}, {0x1p40 + 1, 0x1p-60}), 0x1p-60);
+}
+
+TEST(TangentIsBelow, is_exact) {
+  using checker::exactly::tangent_is_below;
+  EXPECT_FALSE(tangent_is_below({0, 0}, {4, 0}, {4, 3}, 0.75, 0));
+  EXPECT_TRUE(tangent_is_below({0, 0}, {4, 0}, {4, 3}, std::nextafter(0.75, 1), 0));
+  // 12 + error * (4 + 7) < 16 bound
+  EXPECT_FALSE(tangent_is_below({0, 0}, {4, 0}, {4, 3}, 1.4375, 1));
+  EXPECT_TRUE(tangent_is_below({0, 0}, {4, 0}, {4, 3}, std::nextafter(1.4375, 2), 1));
+}
+
+TEST(UnitAt, is_the_distance_to_the_next_larger_double_except_at_zero) {
+  EXPECT_EQ(checker::unit_at(1.0), 0x1p-52);
+  EXPECT_EQ(checker::unit_at(-1.5), 0x1p-52);
+  EXPECT_EQ(checker::unit_at(down(1)), 0x1p-53);
+  EXPECT_EQ(checker::unit_at(0x1p-138), 0x1p-190);
+  EXPECT_EQ(checker::unit_at(0.0), 0);
+  EXPECT_EQ(checker::unit_at(std::numeric_limits<double>::max()), 0x1p971);
+  EXPECT_EQ(checker::unit_at(Point{1, -4}, Point{0.5, 3}), 0x1p-50);
+}
+
+TEST(UnitsOfASegment, come_from_its_own_ends_for_each_axis) {
+  const auto [x, y] = checker::units_of_segment({1, -0x1p30}, {-2, 0});
+  EXPECT_EQ(x, 0x1p-51);
+  EXPECT_EQ(y, 0x1p-22);
 }
 
 TEST(Witnesses, are_fractions_where_these_are_short) {

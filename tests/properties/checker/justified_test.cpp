@@ -11,6 +11,7 @@ namespace {
 
 using Kind = ViolationKind;
 using testing::Case;
+using testing::count;
 using testing::is_valid;
 using testing::reports;
 using testing::reports_only;
@@ -62,8 +63,9 @@ TEST(Check, justifies_no_small_angle_by_a_larger_angle_of_the_domain_in_the_same
   }
 }
 
-TEST(Check, justifies_a_triangle_at_either_of_two_equally_small_angles) {
-  // Triangle 0-1-2 has angles of 14 degrees at vertices 0 and 2. Only the angle at vertex 0 is one of the domain.
+TEST(Check, justifies_each_of_two_small_angles_by_a_cause_of_its_own) {
+  // Triangle 0-1-2 has angles of 14 degrees at vertices 0 and 2. Only the angle at vertex 0 is one of the domain, until
+  // the edge 1-2 is a segment.
   for (const double side : {1.0, -1.0}) {
     Case c;
     c.pslg.points = {{0, 0}, {4, side}, {8, 0}, {8, 4 * side}};
@@ -73,11 +75,43 @@ TEST(Check, justifies_a_triangle_at_either_of_two_equally_small_angles) {
     c.mesh.constrained_edges = {{0, 1, 0, 1}, {1, 3, 1, 1}, {3, 2, 2, 1}, {2, 0, 3, 1}};
     Goal goal;
     goal.min_angle_deg = 20;
+    const Certificate unjustified = check(c, goal);
+    EXPECT_TRUE(reports_only(unjustified, Kind::small_angle));
+    EXPECT_TRUE(unjustified.justified.empty());
+    ASSERT_EQ(unjustified.violations.size(), 1U);
+    EXPECT_EQ(unjustified.violations[0].where[0], c.pslg.points[2]);
+    c.pslg.segments.push_back({1, 2});
+    c.mesh.constrained_edges.push_back({1, 2, 4, 0});
     const Certificate certificate = check(c, goal);
     EXPECT_TRUE(is_valid(certificate));
-    ASSERT_EQ(certificate.justified.size(), 1u);
-    EXPECT_EQ(certificate.justified[0].apex, 0u);
+    ASSERT_EQ(certificate.justified.size(), 1U);
   }
+}
+
+TEST(Check, justifies_no_angle_across_a_shell_that_is_smaller_than_the_next_shell_explains) {
+  Goal goal;
+  goal.min_angle_deg = 15;
+  EXPECT_EQ(count(check(wedge_with_shell(10, 2), goal), Kind::small_angle), 0U);
+  for (const double leg : {2.1, 4.0, 1000.0, 1e6})
+    EXPECT_GE(count(check(wedge_with_shell(10, leg), goal), Kind::small_angle), 1U) << leg;
+}
+
+TEST(Check, justifies_nothing_by_input_points_at_equal_distances) {
+  // The ends of the two legs have the distance 65 from the apex, and 1-2-3 an angle of 1 degree at vertex 3.
+  Case c;
+  c.pslg.points = {{0, 0}, {63, 16}, {60, 25}, {585, 200}};
+  c.pslg.segments = {{0, 1}, {0, 2}, {1, 3}, {3, 2}};
+  c.mesh = testing::mesh_of(c.pslg.points, {{0, 1, 2}, {1, 3, 2}});
+  c.mesh.constrained_edges = {{0, 1, 0, 1}, {0, 2, 1, 1}, {1, 3, 2, 1}, {3, 2, 3, 1}};
+  Goal goal;
+  goal.min_angle_deg = 20;
+  EXPECT_TRUE(is_valid(check(c, goal))) << "the angle at vertex 3 lies between two segments";
+  c.pslg.segments[2] = {1, 4};
+  c.pslg.segments.push_back({4, 3});
+  c.pslg.points.push_back({600, 100});
+  c.mesh = testing::mesh_of(c.pslg.points, {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}});
+  c.mesh.constrained_edges = {{0, 1, 0, 1}, {0, 2, 1, 1}, {1, 4, 2, 1}, {3, 2, 3, 1}, {4, 3, 4, 1}};
+  EXPECT_TRUE(reports(check(c, goal), Kind::small_angle));
 }
 
 PARDEL_FACT(

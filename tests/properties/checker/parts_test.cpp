@@ -276,16 +276,36 @@ TEST(MarkedEdges, that_are_inferred_separate_triangles_that_turn_left) {
   EXPECT_FALSE(is_marked(1)) << "inside the circle, but the second triangle turns right";
 }
 
-TEST(Domain, has_the_unit_of_its_largest_coordinate) {
+TEST(Domain, allows_each_segment_two_units_of_its_own_ends) {
   Pslg pslg;
-  pslg.points = {{0, 0}, {0.25, 0}, {0, -0.375}};
-  EXPECT_EQ(Domain(pslg, false).ulp(), 0x1p-54);
-  pslg.points[1].x = 1;
-  EXPECT_EQ(Domain(pslg, false).ulp(), 0x1p-52);
-  for (Point& p : pslg.points) p = {p.x * 0x1p-87, p.y * 0x1p-87};
-  EXPECT_EQ(Domain(pslg, false).ulp(), 0x1p-139);
-  for (Point& p : pslg.points) p = {p.x * 0x1p-40, p.y * 0x1p-40};
-  EXPECT_EQ(Domain(pslg, false).ulp(), least_unit);
+  pslg.points = {{0.25, 3}, {-1, 0.5}, {1e20, 1e20}, {0x1p-138, 0x1p-139}};
+  pslg.segments = {{0, 1}, {1, 2}, {3, 0}};
+  const Domain domain(pslg, false);
+  const auto expect = [&](Index segment, double x, double y) {
+    EXPECT_EQ(domain.tolerance(segment).x, x);
+    EXPECT_EQ(domain.tolerance(segment).y, y);
+  };
+  expect(0, 0x1p-51, 0x1p-50);
+  expect(1, 0x1p15, 0x1p15);
+  expect(2, 0x1p-53, 0x1p-50);
+  pslg.points[0] = {0, 0};
+  expect(2, 0x1p-189, 0x1p-190);
+}
+
+TEST(Domain, joins_faces_that_only_segments_outside_of_it_separate) {
+  // A square with a square hole, which a segment and a smaller square in it divide.
+  Pslg pslg;
+  pslg.points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {2, 2}, {6, 2}, {6, 6}, {2, 6}, {3, 3}, {4, 3}, {4, 4}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {5, 7}, {8, 9}, {9, 10}, {10, 8}};
+  pslg.holes = {{2.5, 2.25}, {5.5, 5.5}, {3.75, 3.5}};
+  const Domain domain(pslg, false);
+  const std::vector<Index> place = domain.places_of_faces();
+  const auto of = [&](Point p) { return place[domain.faces().face_at(p)]; };
+  EXPECT_EQ(of({2.5, 2.25}), of({5.5, 5.5}));
+  EXPECT_EQ(of({2.5, 2.25}), of({3.75, 3.5}));
+  EXPECT_NE(of({2.5, 2.25}), of({1, 1}));
+  EXPECT_NE(of({2.5, 2.25}), of({9, 9}));
+  EXPECT_EQ(of({9, 9}), PlanarFaces::exterior());
 }
 
 TEST(Domain, has_edges_of_the_hull_without_markers) {

@@ -44,17 +44,24 @@ Case wedge(Point far_p, Point far_q, Point p, Point q) {
 }
 
 /// True if the checker finds that p and q justify the triangle of p, q and the end of p's leg.
-bool on_one_shell(const Case& c) {
-  const Certificate certificate = check_at(c, 15);
+bool on_one_shell(const Case& c, double min_angle_deg = 33) {
+  const Certificate certificate = check_at(c, min_angle_deg);
   return std::ranges::any_of(certificate.justified, [](const Justified& j) { return j.triangle == 1; });
 }
 
-/// True if 5 and x, as distances from the apex of a domain with this largest coordinate, differ by no more than the
+/// True if 5 and x, as distances from the apex of a shell with this largest coordinate, differ by no more than the
 /// tolerance of shells.
 bool differ_little(double x, double largest) {
-  const Gmpq ulp = Gmpq(std::nextafter(largest, infinity)) - Gmpq(largest);
+  const Gmpq unit = Gmpq(std::nextafter(largest, infinity)) - Gmpq(largest);
   const Gmpq difference = x < 5 ? Gmpq(5) - Gmpq(x) : Gmpq(x) - Gmpq(5);
-  return difference <= Gmpq(1e-9) * Gmpq(std::max(x, 5.0)) + 8 * ulp;
+  return difference <= Gmpq(1e-9) * Gmpq(std::max(x, 5.0)) + 8 * unit;
+}
+
+/// The same case, moved.
+Case moved(Case c, double by) {
+  for (Point& p : c.pslg.points) p = {p.x + by, p.y + by};
+  for (Point& p : c.mesh.points) p = {p.x + by, p.y + by};
+  return c;
 }
 
 /// The last double from `near` in the direction of `end` for which holds() is true, by bisection. It is true at `near`
@@ -70,24 +77,57 @@ double last_of(double near, double end, const Holds& holds) {
 
 PARDEL_FACT(Tolerance, of_shells_ends_at_the_stated_difference_of_distances,
             {.statement = "two vertices at distances 5 and x from a small angle justify a triangle if and only if the "
-                          "distances differ by at most 1e-9 of the larger plus 8 units in the last place of the "
-                          "largest coordinate",
+                          "distances differ by at most 1e-9 of the larger plus 8 units at the largest coordinate of "
+                          "the apex and both. Farther ends of the segments do not count",
              .source = source,
-             .families = "a wedge of 53.13 degrees whose largest coordinate is 20 (the relative term decides) or 2^40 "
-                         "(the units in the last place decide); x above and below 5"}) {
-  for (const double scale : {5.0, 0x1p38}) {
-    const Point far_q{3 * scale, 4 * scale};
-    const double largest = 4 * scale;
-    for (const double end : {4.0, 6.0}) {
-      const double x = last_of(5, end, [&](double d) { return differ_little(d, largest); });
-      ASSERT_NE(x, 5);
-      EXPECT_TRUE(on_one_shell(wedge({20, 0}, far_q, {x, 0}, {3, 4}))) << x;
-      EXPECT_FALSE(on_one_shell(wedge({20, 0}, far_q, {std::nextafter(x, end), 0}, {3, 4}))) << x;
-      facts.cases += 2;
-    }
-    EXPECT_TRUE(on_one_shell(wedge({20, 0}, far_q, {5, 0}, {3, 4})));
+             .families = "a wedge of 53.13 degrees at the origin with ends at 20 or 2^40 (the relative term decides), "
+                         "and at 2^30 (the units decide); x above and below 5"}) {
+  const auto expect = [&](double x, bool justified, double end_of_leg, double offset) {
+    const Point far_q{3 * end_of_leg, 4 * end_of_leg};
+    EXPECT_EQ(on_one_shell(moved(wedge({10, 0}, far_q, {x, 0}, {3, 4}), offset)), justified) << x;
     ++facts.cases;
-  }
+  };
+  for (const double end_of_leg : {5.0, 0x1p38})
+    for (const double end : {4.0, 6.0}) {
+      const double x = last_of(5, end, [&](double d) { return differ_little(d, std::max(d, 5.0)); });
+      ASSERT_NE(x, 5);
+      expect(x, true, end_of_leg, 0);
+      expect(std::nextafter(x, end), false, end_of_leg, 0);
+    }
+  // Numbers near 2^30 are multiples of 2^-22. 8 units are 2^-19, more than 1e-9 of 5.
+  expect(5, true, 5, 0x1p30);
+  expect(5 + 0x1p-19, true, 5, 0x1p30);
+  expect(5 - 0x1p-19, true, 5, 0x1p30);
+  expect(5 + 0x1p-19 + 0x1p-22, false, 5, 0x1p30);
+  expect(5 - 0x1p-19 - 0x1p-22, false, 5, 0x1p30);
+}
+
+PARDEL_FACT(
+    Tolerance, of_angles_across_a_shell_ends_at_the_stated_tangent,
+    {.statement = "vertices on one shell around an angle θ justify the angle at a third vertex if its tangent is "
+                  "at least sin θ / (2 - cos θ), within a relative error of 1e-8 and 8 units in each coordinate",
+     .source = source,
+     .families = "a wedge of 53.13 degrees cut at distance 5, whose leg ends near the next shell, at 10"}) {
+  // The cosine is 3/5 and the sine 4/5, so the tangent is 4/7. The end at distance x sees the edge from (5, 0) to (3,
+  // 4) with the tangent 4 / (x - 3).
+  const auto is_allowed = [](double x) {
+    const Gmpq cross = Gmpq(4) * (Gmpq(x) - 5), error = Gmpq(8) * Gmpq(0x1p-49) * ((Gmpq(x) - 5) + (Gmpq(x) - 3) + 4);
+    const Gmpq tangent = Gmpq((1 - across_tolerance) * (0.8 / (2 - 0.6)));
+    return cross + error >= tangent * (Gmpq(x) - 5) * (Gmpq(x) - 3);
+  };
+  const double x = last_of(10, 11, is_allowed);
+  ASSERT_GT(x, 10);
+  EXPECT_LT(x, 10 + 1e-6);
+  const auto justified = [&](double leg) {
+    ++facts.cases;
+    const Certificate certificate = check_at(wedge({leg, 0}, {15, 20}, {5, 0}, {3, 4}), 33);
+    return std::ranges::any_of(certificate.justified, [](const Justified& j) { return j.triangle == 1; });
+  };
+  EXPECT_TRUE(justified(9.9));
+  EXPECT_TRUE(justified(10));
+  EXPECT_TRUE(justified(x - 1e-12));
+  EXPECT_FALSE(justified(x + 1e-12));
+  EXPECT_FALSE(justified(11));
 }
 
 PARDEL_FACT(
@@ -97,17 +137,19 @@ PARDEL_FACT(
      .source = source,
      .families = "wedges with the directions (1, 0) and (1, y) for neighbouring doubles y around the root of 3; "
                  "wedges of 61 to 89 degrees"}) {
-  const auto wedge_of = [](double x, double y) { return wedge({8, 0}, {16 * x, 16 * y}, {1, 0}, {x, y}); };
+  // Across a shell at 60 degrees, the end of a leg at distance 2 sees an angle of 30 degrees, the least that is
+  // justified; so does the other corner, which needs no cause.
+  const auto wedge_of = [](double x, double y) { return wedge({2 + 1e-9, 0}, {16 * x, 16 * y}, {1, 0}, {x, y}); };
   double y = std::sqrt(3.0);
   if (std::fma(y, y, -3.0) > 0) y = std::nextafter(y, 0);
   const double next = std::nextafter(y, 2);
   ASSERT_TRUE(std::fma(y, y, -3.0) < 0 && std::fma(next, next, -3.0) > 0);
-  EXPECT_TRUE(on_one_shell(wedge_of(0.5, y / 2)));
-  EXPECT_FALSE(on_one_shell(wedge_of(0.5, next / 2)));
+  EXPECT_TRUE(on_one_shell(wedge_of(0.5, y / 2), 30));
+  EXPECT_FALSE(on_one_shell(wedge_of(0.5, next / 2), 30));
   facts.cases = 2;
   for (int degrees = 61; degrees < 90; ++degrees, ++facts.cases) {
     const double angle = degrees * 3.14159265358979323846 / 180;
-    EXPECT_FALSE(on_one_shell(wedge_of(std::cos(angle), std::sin(angle)))) << degrees;
+    EXPECT_FALSE(on_one_shell(wedge_of(std::cos(angle), std::sin(angle)), 30)) << degrees;
   }
 }
 
@@ -120,19 +162,59 @@ Case square_around_the_origin() {
   for (Region& region : c.pslg.regions) move(region.seed);
   return c;
 }
-/// One unit in the last place of its largest coordinate.
-constexpr double unit = 0x1p-51;
+/// The same, moved to the right by 4, so that coordinates around the segment are of the size of its unit.
+Case square_beside_the_origin() {
+  Case c = square_around_the_origin();
+  const auto move = [](Point& p) { p.x += 4; };
+  for (Point& p : c.pslg.points) move(p);
+  for (Point& p : c.mesh.points) move(p);
+  for (Region& region : c.pslg.regions) move(region.seed);
+  return c;
+}
+/// The unit of x on the segment from (4, -2) to (4, 2).
+constexpr double unit = 0x1p-50;
 
-PARDEL_FACT(Tolerance, of_chains_ends_at_the_stated_distance,
-            {.statement = "a vertex may lie two units in the last place of the largest coordinate off its segment. "
-                          "Further off it is reported as chain_off_segment; beyond a millionth of the length of the "
-                          "segment, the segment is reported as broken_segment if no edge is listed as constrained",
-             .source = source,
-             .families = "a vertex beside a segment of length 4, at the two distances and at the next doubles"}) {
+/// Adds a point far away, in no triangle, to the domain and the mesh.
+void add_stray_point(Case& c) {
+  // Input points come first. The vertices behind them get the next numbers.
+  const auto n = static_cast<Index>(c.pslg.points.size());
+  c.pslg.points.push_back({1e20, 1e20});
+  c.pslg.point_markers.push_back(0);
+  std::vector<Point> points(c.mesh.points.begin(), c.mesh.points.end());
+  points.insert(points.begin() + n, {1e20, 1e20});
+  std::vector<Index> origins(c.mesh.origin.begin(), c.mesh.origin.end());
+  origins.insert(origins.begin() + n, input_vertex);
+  std::vector<int> markers(c.mesh.point_markers.begin(), c.mesh.point_markers.end());
+  markers.insert(markers.begin() + n, 0);
+  c.mesh.points.clear();
+  c.mesh.points.append(points);
+  c.mesh.origin.clear();
+  c.mesh.origin.append(origins);
+  c.mesh.point_markers.clear();
+  c.mesh.point_markers.append(markers);
+  const auto renumber = [n](Index& v) { v += v >= n ? 1 : 0; };
+  for (Triangle& t : c.mesh.triangles)
+    for (Index& v : t.v) renumber(v);
+  for (ConstrainedEdge& e : c.mesh.constrained_edges) {
+    renumber(e.a);
+    renumber(e.b);
+  }
+}
+
+PARDEL_FACT(
+    Tolerance, of_chains_ends_at_the_stated_distance,
+    {.statement = "a vertex may lie two units of its segment off it, whatever the other coordinates of the input "
+                  "are. Further off it is reported as chain_off_segment; beyond a millionth of the length of the "
+                  "segment, the segment is reported as broken_segment if no edge is listed as constrained",
+     .source = source,
+     .families = "a vertex beside a segment of length 4, at the two distances and at the next doubles; without "
+                 "and with a stray point at (1e20, 1e20)"}) {
+  bool stray = false;
   const auto expect = [&](double distance, bool listed, std::uint64_t off, std::uint64_t broken) {
     for (const double side : {-1.0, 1.0}) {
-      Case c = square_around_the_origin();
-      c.mesh.points[6].x = side * distance;
+      Case c = square_beside_the_origin();
+      c.mesh.points[6].x = 4 + side * distance;
+      if (stray) add_stray_point(c);
       if (!listed) c.mesh.constrained_edges.clear();
       const Certificate certificate = check_at(c, 0);
       EXPECT_EQ(count(certificate, Kind::chain_off_segment), off) << distance << ": " << to_text(certificate);
@@ -140,14 +222,30 @@ PARDEL_FACT(Tolerance, of_chains_ends_at_the_stated_distance,
       ++facts.cases;
     }
   };
-  const auto beyond = [](double x) { return std::nextafter(x, infinity); };
-  for (const bool listed : {true, false}) {
-    expect(2 * unit, listed, 0, 0);
-    expect(beyond(2 * unit), listed, 1, 0);
-    expect(1e-6 * 4, listed, 1, 0);
+  constexpr double beyond = 0x1p-49;  // the spacing of doubles above 4, and so also of the distances
+  for (const bool with_stray : {false, true}) {
+    stray = with_stray;
+    for (const bool listed : {true, false}) {
+      expect(2 * unit, listed, 0, 0);
+      expect(4 * unit, listed, 1, 0);
+      expect(0x1p-18 - beyond, listed, 1, 0);
+    }
+    expect(0x1p-17, true, 1, 0);
+    expect(0x1p-17, false, 0, 1);
   }
-  expect(beyond(1e-6 * 4), true, 1, 0);
-  expect(beyond(1e-6 * 4), false, 0, 1);
+}
+
+PARDEL_FACT(
+    Tolerance, of_chains_is_that_of_each_axis,
+    {.statement = "where both ends of a segment have the coordinate 0 in an axis, a vertex must have it exactly",
+     .source = source,
+     .families = "a vertex beside a segment from (0, -2) to (0, 2)"}) {
+  for (const double x : {0.0, 0x1p-140, 0x1p-52}) {
+    Case c = square_around_the_origin();
+    c.mesh.points[6].x = x;
+    EXPECT_EQ(count(check_at(c, 0), Kind::chain_off_segment), x == 0 ? 0U : 1U) << x;
+    ++facts.cases;
+  }
 }
 
 /// The double nearest to x. (CGAL::to_double() rounds towards zero.)
@@ -197,16 +295,16 @@ PARDEL_FACT(Tolerance, of_chains_allows_for_every_vertex_that_is_rounded_once,
 }
 
 PARDEL_FACT(Tolerance, of_seeds_of_holes_ends_at_the_tolerance_of_chains,
-            {.statement = "a triangle that contains the seed of a hole is reported unless the seed lies within two "
-                          "units in the last place of the largest coordinate of an edge of the triangle",
+            {.statement = "a triangle that contains the seed of a hole is reported unless it has an edge on a segment "
+                          "from which the seed is two units of the segment away",
              .source = source,
              .families = "a seed beside an edge, at this distance and at the next double"}) {
   const auto reported = [&](double distance) {
-    Case c = square_around_the_origin();
+    Case c = square_beside_the_origin();
     c.pslg.regions.clear();
     c.mesh.region.clear();
     c.mesh.region_attributes.clear();
-    c.pslg.holes = {{-distance, 0.75}};
+    c.pslg.holes = {{4 - distance, 0.75}};
     ++facts.cases;
     const Certificate certificate = check_at(c, 0);
     return std::ranges::count_if(certificate.violations, [](const Violation& v) {
@@ -214,7 +312,7 @@ PARDEL_FACT(Tolerance, of_seeds_of_holes_ends_at_the_tolerance_of_chains,
     });
   };
   EXPECT_EQ(reported(2 * unit), 0);
-  EXPECT_EQ(reported(std::nextafter(2 * unit, infinity)), 1);
+  EXPECT_EQ(reported(2.5 * unit), 1);
 }
 
 }  // namespace
