@@ -7,6 +7,7 @@
 
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
+#include "../arithmetic/floor.hpp"
 #include "../concurrency/hilbert_order.hpp"
 
 namespace pardel::engine {
@@ -91,7 +92,6 @@ class Features {
  public:
   Features(const Pslg& pslg, const Polylines& lines, const Threads& threads)
       : pslg_(pslg), lines_(lines), ask_(threads.stop) {
-    for (const Point p : pslg.points) farthest_ = std::max({farthest_, std::abs(p.x), std::abs(p.y)});
     std::vector<Point> representative;
     for (const Polyline& line : lines.all) representative.push_back(pslg.points[line.vertices.front()]);
     std::vector<Index> corners;
@@ -148,12 +148,13 @@ class Features {
   [[nodiscard]] bool is_corner(Index f) const { return features_[f].line == no_index; }
   [[nodiscard]] Point from(Index f) const { return pslg_.points[features_[f].a]; }
   [[nodiscard]] Point to(Index f) const { return pslg_.points[features_[f].b]; }
-  [[nodiscard]] double extent() const { return boxes_[1].extent(); }
-  /// Shorter parts of segments are not divided. Far from the origin, coordinates have few digits for them.
-  [[nodiscard]] double shortest_part() const { return 0x1p-46 * std::max(extent(), farthest_); }
-  /// Below this width, all widths are alike. No mesh has such short edges (least_min_edge()), and where segments nearly
+  /// Of the segments: a point can lie far outside of them. If there are no segments, of the points.
+  [[nodiscard]] double extent() const { return extent_; }
+  /// Shorter parts of a segment are not divided there. Far from the origin, coordinates have few digits for them.
+  [[nodiscard]] double shortest_part(Point p) const { return std::max(0x1p-46 * extent(), Floor(0).at(p) / 16); }
+  /// Below this width, all widths at a place are alike. No mesh has such short edges there, and where segments nearly
   /// coincide, rounding makes the width change from place to place.
-  [[nodiscard]] double unresolved() const { return 0x1p-42 * farthest_; }
+  [[nodiscard]] static double unresolved(Point p) { return Floor(0).at(p); }
 
  private:
   struct Feature {
@@ -251,12 +252,16 @@ class Features {
       boxes_[leaf_count_ + i] = Box::around(from(static_cast<Index>(i)), to(static_cast<Index>(i)));
       directions_[leaf_count_ + i] = Box::around(direction(i));
     }
+    Box around_segments = empty_box;
+    for (std::size_t i = 0; i < features_.size(); ++i)
+      if (features_[i].line != no_index) around_segments.cover(boxes_[leaf_count_ + i]);
     for (std::size_t i = leaf_count_ - 1; i > 0; --i) {
       boxes_[i].cover(boxes_[2 * i]);
       boxes_[i].cover(boxes_[2 * i + 1]);
       directions_[i].cover(directions_[2 * i]);
       directions_[i].cover(directions_[2 * i + 1]);
     }
+    extent_ = (lines_.all.empty() ? boxes_[1] : around_segments).extent();
   }
 
   /// The node has the features from `first` on, `count` of them.
@@ -272,7 +277,7 @@ class Features {
       return;
     }
     // What is left out is farther by more than the rounding of distances, so that the order does not matter.
-    const double margin = extent() * 0x1p-40;
+    const double margin = std::max(extent(), best) * 0x1p-40;
     std::array<std::size_t, 2> child = {2 * node, 2 * node + 1};
     std::array<double, 2> away = {distance_of(boxes_[child[0]], box), distance_of(boxes_[child[1]], box)};
     const unsigned nearer = away[1] < away[0] ? 1 : 0;
@@ -283,7 +288,7 @@ class Features {
   const Pslg& pslg_;
   const Polylines& lines_;
   SparseAsk ask_;
-  double farthest_ = 0;  ///< the largest magnitude of a coordinate
+  double extent_ = 0;
   std::vector<Feature> features_;
   std::vector<Index> line_begin_;             ///< the first feature of each polyline
   std::vector<Index> from_start_, from_end_;  ///< how many segments keep the direction of the first, or of the last
@@ -320,8 +325,8 @@ class Widths {
       return std::ranges::all_of(std::array{a, middle, b},
                                  [&](Point y) { return features_.nearest_apart(touching, y, y) <= most; });
     };
-    const double extent = features_.extent(), unresolved = features_.unresolved();
-    if (length <= part * width || length <= features_.shortest_part() ||
+    const double extent = features_.extent(), unresolved = Features::unresolved(middle);
+    if (length <= part * width || length <= features_.shortest_part(middle) ||
         (length <= short_part * extent && is_nowhere_above(2 * width)) ||
         (length <= narrow_part * extent && width <= unresolved && is_nowhere_above(unresolved)))
       return out_.add(a, b, width / edges_);
