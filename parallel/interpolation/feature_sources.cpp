@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
@@ -113,6 +115,7 @@ class Features {
     }
     make_tree();
     runs_from_ends();
+    measure_parts();
   }
 
   /// The distance of a piece of a feature to the nearest feature that is apart from it; infinity if there is none.
@@ -148,10 +151,10 @@ class Features {
   [[nodiscard]] bool is_corner(Index f) const { return features_[f].line == no_index; }
   [[nodiscard]] Point from(Index f) const { return pslg_.points[features_[f].a]; }
   [[nodiscard]] Point to(Index f) const { return pslg_.points[features_[f].b]; }
-  /// Of the segments: a point can lie far outside of them. If there are no segments, of the points.
-  [[nodiscard]] double extent() const { return extent_; }
+  /// The extent of all polylines that are connected with the feature; 0 for a corner.
+  [[nodiscard]] double extent_around(Index f) const { return is_corner(f) ? 0 : extent_around_[features_[f].line]; }
   /// Shorter parts of a segment are not divided there. Far from the origin, coordinates have few digits for them.
-  [[nodiscard]] double shortest_part(Point p) const { return std::max(0x1p-46 * extent(), Floor(0).at(p) / 16); }
+  [[nodiscard]] static double shortest_part(Point p) { return Floor(0).at(p) / 16; }
   /// Below this width, all widths at a place are alike. No mesh has such short edges there, and where segments nearly
   /// coincide, rounding makes the width change from place to place.
   [[nodiscard]] static double unresolved(Point p) { return Floor(0).at(p); }
@@ -227,6 +230,23 @@ class Features {
     }
   }
 
+  void measure_parts() {
+    std::vector<Index> other(pslg_.points.size());  // in the same part; a point that names itself stands for its part
+    std::iota(other.begin(), other.end(), Index{0});
+    const auto part_of = [&](Index v) {
+      while (other[v] != v) v = other[v] = other[other[v]];
+      return v;
+    };
+    for (const Polyline& line : lines_.all) other[part_of(line.vertices.front())] = part_of(line.vertices.back());
+    std::unordered_map<Index, Box> box_of_part;
+    for (const Polyline& line : lines_.all) {
+      Box& box = box_of_part.try_emplace(part_of(line.vertices.front()), empty_box).first->second;
+      for (const Index v : line.vertices) box.cover(Box::around(pslg_.points[v]));
+    }
+    for (const Polyline& line : lines_.all)
+      extent_around_.push_back(box_of_part.at(part_of(line.vertices.front())).extent());
+  }
+
   /// True if none of the features from `first` to `last` is apart. They are consecutive and belong to one polyline, or
   /// are one corner.
   [[nodiscard]] bool touch(const Touching& touching, const Feature& first, const Feature& last) const {
@@ -252,16 +272,12 @@ class Features {
       boxes_[leaf_count_ + i] = Box::around(from(static_cast<Index>(i)), to(static_cast<Index>(i)));
       directions_[leaf_count_ + i] = Box::around(direction(i));
     }
-    Box around_segments = empty_box;
-    for (std::size_t i = 0; i < features_.size(); ++i)
-      if (features_[i].line != no_index) around_segments.cover(boxes_[leaf_count_ + i]);
     for (std::size_t i = leaf_count_ - 1; i > 0; --i) {
       boxes_[i].cover(boxes_[2 * i]);
       boxes_[i].cover(boxes_[2 * i + 1]);
       directions_[i].cover(directions_[2 * i]);
       directions_[i].cover(directions_[2 * i + 1]);
     }
-    extent_ = (lines_.all.empty() ? boxes_[1] : around_segments).extent();
   }
 
   /// The node has the features from `first` on, `count` of them.
@@ -276,19 +292,20 @@ class Features {
       best = std::min(best, distance_of(a, b, pslg_.points[front.a], pslg_.points[front.b]));
       return;
     }
-    // What is left out is farther by more than the rounding of distances, so that the order does not matter.
-    const double margin = std::max(extent(), best) * 0x1p-40;
     std::array<std::size_t, 2> child = {2 * node, 2 * node + 1};
     std::array<double, 2> away = {distance_of(boxes_[child[0]], box), distance_of(boxes_[child[1]], box)};
     const unsigned nearer = away[1] < away[0] ? 1 : 0;
-    for (const unsigned i : {nearer, 1 - nearer})
+    for (const unsigned i : {nearer, 1 - nearer}) {
+      // What is left out is farther by more than the rounding of distances, so that the order does not matter.
+      const double margin = std::max({best, box.extent(), boxes_[child[i]].extent()}) * 0x1p-40;
       if (away[i] <= best + margin) search(child[i], first + i * (count / 2), count / 2, touching, a, b, box, best);
+    }
   }
 
   const Pslg& pslg_;
   const Polylines& lines_;
   SparseAsk ask_;
-  double extent_ = 0;
+  std::vector<double> extent_around_;  ///< of each polyline
   std::vector<Feature> features_;
   std::vector<Index> line_begin_;             ///< the first feature of each polyline
   std::vector<Index> from_start_, from_end_;  ///< how many segments keep the direction of the first, or of the last
@@ -311,11 +328,15 @@ class Widths {
   Widths(Features& features, double edges, double slope, std::vector<GrowingSize>& out)
       : features_(features), edges_(edges), out_(slope, out) {}
 
-  void add(Index feature) { add(features_.touching(feature), features_.from(feature), features_.to(feature)); }
+  void add(Index feature) {
+    extent_ = features_.extent_around(feature);
+    add(features_.touching(feature), features_.from(feature), features_.to(feature));
+  }
 
  private:
   /// Divides the piece until the distance to other features changes little along each part. Along a channel that is
-  /// much narrower than the domain it changes little along long parts, too; near a single narrow place it does not.
+  /// much narrower than the part of the domain around it, it changes little along long parts, too; near a single narrow
+  /// place it does not.
   void add(const Touching& touching, Point a, Point b) {
     constexpr double part = 0.25, short_part = 0x1p-16, narrow_part = 0x1p-8;
     const double width = features_.nearest_apart(touching, a, b), length = distance(a, b);
@@ -325,10 +346,10 @@ class Widths {
       return std::ranges::all_of(std::array{a, middle, b},
                                  [&](Point y) { return features_.nearest_apart(touching, y, y) <= most; });
     };
-    const double extent = features_.extent(), unresolved = Features::unresolved(middle);
-    if (length <= part * width || length <= features_.shortest_part(middle) ||
-        (length <= short_part * extent && is_nowhere_above(2 * width)) ||
-        (length <= narrow_part * extent && width <= unresolved && is_nowhere_above(unresolved)))
+    const double unresolved = Features::unresolved(middle);
+    if (length <= part * width || length <= Features::shortest_part(middle) ||
+        (length <= short_part * extent_ && is_nowhere_above(2 * width)) ||
+        (length <= narrow_part * extent_ && width <= unresolved && is_nowhere_above(unresolved)))
       return out_.add(a, b, width / edges_);
     add(touching, a, middle);
     add(touching, middle, b);
@@ -336,6 +357,7 @@ class Widths {
 
   Features& features_;
   double edges_;
+  double extent_ = 0;  ///< Features::extent_around() of the feature that is added
   Joined out_;
 };
 

@@ -277,6 +277,14 @@ TEST(Components, of_very_different_sizes_get_the_meshes_of_each_alone) {
     EXPECT_EQ(meshed->mesh.triangles.size(), expected.size());
     EXPECT_TRUE(triangles_of(meshed->mesh) == expected);
   }
+  // Tiles of other sizes make slightly different meshes.
+  for (const Goal& goal : {Goal{.min_angle_deg = 28, .feature_edges = 3}, Goal{.min_angle_deg = 28, .grading = 0.2}}) {
+    const Result<Meshed> meshed = mesh(both, goal), one = mesh(small, goal), other = mesh(large, goal);
+    ASSERT_TRUE(meshed && one && other);
+    EXPECT_TRUE(meshed->report.goal_met());
+    const double sum = static_cast<double>(one->mesh.triangles.size() + other->mesh.triangles.size());
+    EXPECT_LT(static_cast<double>(meshed->mesh.triangles.size()), 1.05 * sum);
+  }
 }
 
 /// Coordinates below 2^-140 are not possible, and edges below 2^-129 are not made.
