@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cassert>
+#include <cmath>
 
+#include "../arithmetic/box.hpp"
 #include "../arithmetic/floor.hpp"
 #include "../criteria/criteria.hpp"
 #include "../criteria/small_angles.hpp"
@@ -29,6 +31,9 @@ class Assessor {
  public:
   Assessor(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options)
       : t_(t), segments_(segments), criteria_(criteria), options_(options), floor_(options.min_edge) {}
+
+  /// All vertices lie in this box, and will. This makes assessments faster, and changes no result.
+  void expect_within(const Box& bounds) { squared_highest_floor_ = floor_.squared_at({bounds.largest_magnitude(), 0}); }
 
   /// The queue entry for the triangle that the slot `id` holds now, with the side from its assessment.
   [[nodiscard]] QueuedTriangle entry(TriangleId id, const Assessment& a) const {
@@ -81,7 +86,9 @@ class Assessor {
   [[nodiscard]] bool below_floor(EdgeRef e) const;
   /// True if the shortest side of the triangle is shorter than the floor where this side begins.
   [[nodiscard]] bool below_floor(TriangleId id, const Measure& m) const {
-    return m.shortest_squared() < floor_.squared_at(t_.points[t_.slots[id].from(m.shortest_side())]);
+    const double shortest = m.shortest_squared();
+    return shortest < squared_highest_floor_ &&
+           shortest < floor_.squared_at(t_.points[t_.slots[id].from(m.shortest_side())]);
   }
   [[nodiscard]] bool too_large(TriangleId id, LocalHints& hints) const {
     return too_large(id, Shape(t_, t_.slots[id]), hints);
@@ -123,6 +130,7 @@ class Assessor {
   const Criteria& criteria_;
   const Options& options_;
   Floor floor_;
+  double squared_highest_floor_ = INFINITY;
 };
 
 }  // namespace pardel::engine
