@@ -70,6 +70,7 @@ class Refinement {
 
   Status run() {
     const Box bounds = bounds_of_all();
+    assessor_.expect_within(bounds);
     InitialAssessment initial = assess();
     counts_.left_alone = initial.left_alone;
     pending_.defer(std::move(initial.bad));

