@@ -1,7 +1,8 @@
 // Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt
 // triangles occur only at small input angles. Without bounds, no point is inserted. Each file of repair/ is repaired;
 // new points lie on their segments up to rounding. Each file of written/ is meshed, and the mesh is written and read;
-// the checker's verdict stays the same. Each file of bounds/ and of meshes/ has a test of its own.
+// the checker's verdict stays the same. Each file of wrong_meshes/ has a mesh that the checker refuses, at all scales.
+// Each file of bounds/ and of meshes/ has a test of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -201,6 +202,64 @@ TEST(CheckerRegression, an_edge_with_two_triangles_on_one_side_is_not_manifold_i
   EXPECT_GT(std::ranges::count(certificate.violations, ViolationKind::non_manifold_edge, &Violation::kind), 0)
       << to_text(certificate);
 }
+
+/// A mesh that `pardel check` called valid, the smallest angle that was asked for, and what is wrong with it.
+struct WrongFile {
+  const char* name;
+  double min_angle_deg;
+  ViolationKind kind;
+};
+
+class WrongMeshRegression : public ::testing::TestWithParam<WrongFile> {};
+
+/// The product of the coordinates with a power of two is exact. `swapped`: mirrors the domain at the diagonal.
+Point placed(Point p, int exponent, bool swapped) {
+  const Point q{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+  return swapped ? Point{q.y, -q.x} : q;
+}
+
+TEST_P(WrongMeshRegression, is_refused_at_every_scale) {
+  const auto [name, angle, kind] = GetParam();
+  const fs::path file = fs::path(PARDEL_REGRESSIONS "/wrong_meshes") / name;
+  const Result<Pslg> read = read_pslg(fs::path(file).concat(".poly"));
+  const Result<Mesh> as_read = read_mesh(fs::path(file).concat(".ele"));
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(as_read) << as_read.error().message;
+  for (const int exponent : {0, -110, -60, 17, 50, 120})
+    for (const bool swapped : {false, true}) {
+      SCOPED_TRACE(exponent);
+      Pslg pslg = *read;
+      Mesh mesh = *as_read;
+      const auto place = [&](Point& p) { p = placed(p, exponent, swapped); };
+      for (Point& p : pslg.points) place(p);
+      for (Point& p : pslg.holes) place(p);
+      for (Region& region : pslg.regions) place(region.seed);
+      for (Point& p : mesh.points) place(p);
+      const Certificate certificate = check(pslg, mesh, {.min_angle_deg = angle}, {.foreign = true});
+      const auto found = std::ranges::find(certificate.violations, kind, &Violation::kind);
+      ASSERT_NE(found, certificate.violations.end()) << to_text(certificate);
+      EXPECT_FALSE(found->ids.empty());
+      EXPECT_FALSE(found->where.empty());
+    }
+}
+
+std::string name_of_file(const ::testing::TestParamInfo<WrongFile>& info) {
+  return std::string(info.param.name) + (info.param.min_angle_deg == 33 ? "_at_33_degrees" : "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, WrongMeshRegression,
+    ::testing::Values(WrongFile{"saw_instead_of_a_square", 20.7, ViolationKind::chain_off_segment},
+                      WrongFile{"three_quarters_of_a_hole_filled", 20.7, ViolationKind::chain_off_segment},
+                      WrongFile{"piece_of_a_square_missing", 20.7, ViolationKind::chain_off_segment},
+                      WrongFile{"ends_of_spokes_at_equal_distances", 20.7, ViolationKind::small_angle},
+                      WrongFile{"ends_of_spokes_at_equal_distances", 33, ViolationKind::small_angle},
+                      WrongFile{"tiny_angle_across_a_shell", 20.7, ViolationKind::small_angle},
+                      WrongFile{"tiny_angle_across_a_shell", 33, ViolationKind::small_angle},
+                      WrongFile{"chains_of_two_segments_share_an_edge", 0, ViolationKind::chains_meet},
+                      WrongFile{"region_in_a_face_without_a_seed", 0, ViolationKind::wrong_region},
+                      WrongFile{"attribute_of_an_inserted_vertex", 20.7, ViolationKind::wrong_attribute}),
+    name_of_file);
 
 /// UndefinedBehaviorSanitizer reported it.
 TEST(WriterRegression, a_mesh_without_vertices_is_written_in_every_format) {
